@@ -71,7 +71,7 @@ def validate_topic_name(text: str) -> Reason | None:
         return "topic name token must not start with a number", 0
     if text.endswith("/"):
         return "topic name must not end with a forward slash", len(text) - 1
-    return _bad_character(text) or _number_token(text)
+    return _bad_character(text) or _lone_tilde(text) or _number_token(text)
 
 
 def _bad_character(text: str) -> Reason | None:
@@ -96,6 +96,12 @@ def _bad_character(text: str) -> Reason | None:
             return reason, index
     if opened is not None:
         return "topic name must not have unmatched (unbalanced) curly braces '{}'", opened
+    return None
+
+
+def _lone_tilde(text: str) -> Reason | None:
+    if text[0] == "~" and len(text) > 2 and text[1] != "/":  # rcl lets "~a" pass
+        return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
     return None
 
 
@@ -173,10 +179,9 @@ def expand(name: str, node_name: str, namespace: str) -> str:
     _check(InvalidNodeName, validate_node_name, node_name)
     _check(InvalidNamespace, validate_namespace, namespace)
     prefix = namespace if namespace.endswith("/") else namespace + "/"
-    if name[0] == "~":
-        name = prefix + node_name + name[1:]
+    text = prefix + node_name + name[1:] if name[0] == "~" else name
     values = {"node": node_name, "ns": namespace, "namespace": namespace}
-    expanded = _SUBSTITUTION.sub(lambda found: _substitute(found, name, values), name)
+    expanded = _SUBSTITUTION.sub(lambda found: _substitute(found, name, values), text)
     return expanded if expanded.startswith("/") else prefix + expanded
 
 

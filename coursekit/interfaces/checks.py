@@ -1,0 +1,46 @@
+"""What the setters of message classes ask of a value, as fast as Python allows."""
+
+from __future__ import annotations
+
+from collections import UserList, UserString
+from collections.abc import Sequence, Set
+from typing import Any
+
+FLOAT32_MAX = 3.402823466e38
+_PLAIN = (list, tuple)
+
+
+def is_collection(value: object) -> bool:
+    """Tell whether a value is a set or a sequence, and no string."""
+    if type(value) in _PLAIN:
+        return True
+    return isinstance(value, (Sequence, Set, UserList)) and not isinstance(value, (str, UserString))
+
+
+def all_are(values: Any, kind: type) -> bool:
+    """Tell whether each value is of a type.
+
+    >>> all_are([1, True], int), all_are([1, 2.0], int)
+    (True, False)
+    """
+    return all(issubclass(found, kind) for found in set(map(type, values)))
+
+
+def all_within(values: Any, low: int, high: int) -> bool:
+    """Tell whether each integer lies in [low, high]; an empty collection does."""
+    return not values or (min(values) >= low and max(values) <= high)
+
+
+def all_float32(values: Any) -> bool:
+    """Tell whether each number is a float32: within its bounds, infinite or not a number."""
+    return all(not (v < -FLOAT32_MAX or v > FLOAT32_MAX) or v in (float("inf"), float("-inf")) for v in values)
+
+
+def all_no_longer_than(values: Any, length: int) -> bool:
+    """Tell whether each string has at most `length` characters."""
+    return all(len(value) <= length for value in values)
+
+
+def is_octet(value: object) -> bool:
+    """Tell whether a value is one byte."""
+    return isinstance(value, (bytes, bytearray)) and len(value) == 1

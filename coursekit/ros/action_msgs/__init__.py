@@ -1,0 +1,1 @@
+"""Interfaces: goals, cancelling and status of actions."""

@@ -1,0 +1,1 @@
+"""Interfaces: goal status as actionlib had it."""

@@ -1,0 +1,1 @@
+"""Interfaces: time and duration."""

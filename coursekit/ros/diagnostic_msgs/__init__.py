@@ -1,0 +1,1 @@
+"""Interfaces: health of devices and programs."""

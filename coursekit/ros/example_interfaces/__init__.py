@@ -1,0 +1,1 @@
+"""Interfaces: interfaces to learn with."""

@@ -1,0 +1,1 @@
+"""Interfaces: points, poses, velocities, forces."""

@@ -1,0 +1,1 @@
+"""Interfaces: states and transitions of managed nodes."""

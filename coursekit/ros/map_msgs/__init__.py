@@ -1,0 +1,1 @@
+"""Interfaces: updates and parts of maps."""

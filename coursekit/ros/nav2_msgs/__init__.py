@@ -1,0 +1,1 @@
+"""Interfaces: navigation: costmaps, planning, behaviours."""

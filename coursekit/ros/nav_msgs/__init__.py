@@ -1,0 +1,1 @@
+"""Interfaces: maps, paths, odometry."""

@@ -1,0 +1,1 @@
+"""Interfaces: the simulated clock."""

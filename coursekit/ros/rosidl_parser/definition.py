@@ -1,0 +1,3 @@
+"""The types in a message's SLOT_TYPES; see coursekit.interfaces.definition."""
+
+from coursekit.interfaces.definition import *  # noqa: F403

@@ -1,0 +1,1 @@
+"""Interfaces: solids, meshes, planes."""

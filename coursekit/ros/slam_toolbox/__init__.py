@@ -1,0 +1,1 @@
+"""Interfaces: services of the mapping node."""

@@ -1,0 +1,1 @@
+"""Interfaces: single values."""

@@ -1,0 +1,1 @@
+"""Interfaces: services that need no data of their own."""

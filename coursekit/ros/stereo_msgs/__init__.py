@@ -1,0 +1,1 @@
+"""Interfaces: disparity of stereo cameras."""

@@ -1,0 +1,1 @@
+"""Interfaces: one interface for each feature of the language."""

@@ -1,0 +1,1 @@
+"""Interfaces: motions of joints over time."""

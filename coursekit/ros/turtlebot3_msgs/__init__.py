@@ -1,0 +1,1 @@
+"""Interfaces: sensors, sound and tasks of the TurtleBot3."""

@@ -1,0 +1,1 @@
+"""Interfaces: pose, colour and services of the turtle."""

@@ -1,0 +1,1 @@
+"""Interfaces: markers to draw."""

@@ -1,0 +1,1 @@
+"""The middleware: graph, names, QoS, topics, services, clocks and processes of one interpreter."""

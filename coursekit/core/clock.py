@@ -1,0 +1,235 @@
+"""The session's clock: everything in coursekit that waits, waits here.
+
+Two kinds exist: `WallClock`, live, with threads; `coursekit.core.virtual.VirtualClock`, as fast as the machine can,
+the same way every time.
+"""
+
+from __future__ import annotations
+
+import contextvars
+import heapq
+import itertools
+import threading
+import time
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from .lane import thread_lane
+
+_monotonic_ns = time.monotonic_ns
+_time_ns = time.time_ns
+_Thread_start = threading.Thread.start
+_allocate_lock = threading.Lock
+
+
+class Waiter(Protocol):
+    """A one-lane wake-up: `notify` is remembered until the next `wait`."""
+
+    def notify(self) -> None: ...
+    def poke(self) -> None: ...
+    def wait(self, deadline: int | None = None) -> bool: ...
+
+
+class Clock(Protocol):
+    """What a session's clock offers."""
+
+    virtual: bool
+
+    def now(self) -> int: ...
+    def steady(self) -> int: ...
+    def sleep(self, seconds: float) -> None: ...
+    def poll(self) -> None: ...
+    def new_waiter(self) -> Waiter: ...
+    def new_event(self) -> Event: ...
+    def spawn(self, function: Callable[[], Any], name: str) -> Any: ...
+    def call_at(self, deadline: int, function: Callable[[], None]) -> Alarm: ...
+
+
+class Alarm:
+    """A call planned for a time; `cancel()` takes it back."""
+
+    __slots__ = ("deadline", "function")
+
+    def __init__(self, deadline: int, function: Callable[[], None]) -> None:
+        self.deadline = deadline
+        self.function: Callable[[], None] | None = function
+
+    def cancel(self) -> None:
+        """Take the call back; harmless afterwards."""
+        self.function = None
+
+    def ring(self) -> None:
+        """Make the call, once."""
+        function, self.function = self.function, None
+        if function is not None:
+            function()
+
+
+class Event:
+    """Like `threading.Event`, on the session's clock; a Ctrl-C of the waiting process ends the wait.
+
+    >>> from coursekit.core.clock import WallClock
+    >>> event = WallClock().new_event()
+    >>> event.wait(timeout_sec=0.0)
+    False
+    >>> event.set(); event.wait()
+    True
+    """
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._flag = False
+        self._waiters: list[Waiter] = []
+
+    def is_set(self) -> bool:
+        """Whether `set` was called since the last `clear`."""
+        if not self._flag:
+            self._clock.poll()
+        return self._flag
+
+    def set(self) -> None:
+        """Wake everyone who waits, now and until `clear`."""
+        self._flag = True
+        for waiter in list(self._waiters):
+            waiter.notify()
+
+    def clear(self) -> None:
+        """Make the next `wait` wait again."""
+        self._flag = False
+
+    def wait(self, timeout_sec: float | None = None) -> bool:
+        """Wait until `set`, at most `timeout_sec` seconds; returns whether it is set."""
+        if self._flag:
+            return True
+        deadline = None if timeout_sec is None else self._clock.steady() + round(timeout_sec * 1e9)
+        waiter = self._clock.new_waiter()
+        self._waiters.append(waiter)
+        try:
+            while not self._flag and waiter.wait(deadline):
+                pass
+        finally:
+            self._waiters.remove(waiter)
+        return self._flag
+
+
+class WallWaiter:
+    """A waiter of the wall clock: a lock that `notify` opens."""
+
+    __slots__ = ("_lock",)
+
+    def __init__(self) -> None:
+        self._lock = _allocate_lock()
+        self._lock.acquire()
+
+    def notify(self) -> None:
+        """Let the present or the next `wait` return."""
+        try:
+            self._lock.release()
+        except RuntimeError:  # it was open already
+            pass
+
+    poke = notify
+
+    def wait(self, deadline: int | None = None) -> bool:
+        """Block until notified or until `deadline` (steady nanoseconds); returns whether it was notified."""
+        lane = thread_lane()
+        lane.blocked_on = self  # before looking at pending, so that no Ctrl-C falls in between
+        try:
+            if lane.pending:
+                lane.run_pending()
+            if deadline is None:
+                got = self._lock.acquire()
+            else:
+                got = self._lock.acquire(timeout=max(0.0, (deadline - _monotonic_ns()) * 1e-9))
+        finally:
+            lane.blocked_on = None
+        if lane.pending:
+            lane.run_pending()
+        return got
+
+
+class WallClock:
+    """The computer's own time."""
+
+    virtual = False
+
+    def __init__(self) -> None:
+        self._alarms = _Alarms()
+
+    now = staticmethod(_time_ns)
+    steady = staticmethod(_monotonic_ns)
+    new_waiter = staticmethod(WallWaiter)
+
+    def poll(self) -> None:
+        """Nothing to do: on the wall clock time passes by itself."""
+
+    def sleep(self, seconds: float) -> None:
+        """Sleep; a Ctrl-C of the process that sleeps ends it."""
+        deadline = _monotonic_ns() + round(seconds * 1e9)
+        waiter = WallWaiter()
+        while waiter.wait(deadline):
+            pass
+
+    def new_event(self) -> Event:
+        """A new event on this clock."""
+        return Event(self)
+
+    def spawn(self, function: Callable[[], Any], name: str) -> Any:
+        """Run `function` in a daemon thread that inherits the caller's context."""
+        context = contextvars.copy_context()
+        thread = threading.Thread(target=context.run, args=(function,), name=name, daemon=True)
+        _Thread_start(thread)
+        return thread
+
+    def call_at(self, deadline: int, function: Callable[[], None]) -> Alarm:
+        """Call `function`, which must not block, at `deadline` (steady nanoseconds), from a thread of the clock's."""
+        return self._alarms.add(Alarm(deadline, function))
+
+    def close(self) -> None:
+        """Forget the planned calls and end their thread."""
+        self._alarms.close()
+
+
+class _Alarms:
+    """One thread that makes planned calls; it lives only while some are planned."""
+
+    def __init__(self) -> None:
+        self._heap: list[tuple[int, int, Alarm]] = []
+        self._numbers = itertools.count()
+        self._changed = threading.Condition()
+        self._thread: threading.Thread | None = None
+
+    def add(self, alarm: Alarm) -> Alarm:
+        with self._changed:
+            heapq.heappush(self._heap, (alarm.deadline, next(self._numbers), alarm))
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._run, name="coursekit-alarms", daemon=True)
+                _Thread_start(self._thread)
+            self._changed.notify()
+        return alarm
+
+    def close(self) -> None:
+        with self._changed:
+            self._heap.clear()
+            self._changed.notify()
+
+    def _run(self) -> None:
+        while True:
+            with self._changed:
+                alarm = self._next()
+                if alarm is None:
+                    self._thread = None
+                    return
+            alarm.ring()
+
+    def _next(self) -> Alarm | None:
+        while self._heap:
+            deadline, _, alarm = self._heap[0]
+            late = _monotonic_ns() - deadline
+            if alarm.function is None or late >= 0:
+                heapq.heappop(self._heap)
+                if alarm.function is not None:
+                    return alarm
+            else:
+                self._changed.wait(-late * 1e-9)
+        return None

@@ -1,0 +1,227 @@
+"""The graph of one ROS domain: which nodes exist, what they publish, subscribe, serve and call."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+from .qos import Qos
+from .service import Client, Server
+from .status import LIVELINESS, MATCHED
+from .topic import Endpoint, Publisher, Subscription, match
+
+E = TypeVar("E", bound=Endpoint)
+
+
+class GraphNode:
+    """A node as the graph sees it."""
+
+    def __init__(self, graph: Graph, name: str, namespace: str, process: Any = None) -> None:
+        self.graph = graph
+        self.name = name
+        self.namespace = namespace
+        self.process = process
+        self.publishers: list[Publisher] = []
+        self.subscriptions: list[Subscription] = []
+        self.servers: list[Server] = []
+        self.clients: list[Client] = []
+
+    @property
+    def full_name(self) -> str:
+        """For example '/robot1/camera'."""
+        return f"{self.namespace.rstrip('/')}/{self.name}"
+
+    def publisher(self, name: str, msg_type: Any, qos: Qos) -> Publisher:
+        """Make a publisher and match it with the subscriptions there are."""
+        return self.graph.add_publisher(Publisher(self.graph, self, name, msg_type, qos))
+
+    def subscription(self, name: str, msg_type: Any, qos: Qos) -> Subscription:
+        """Make a subscription and match it with the publishers there are."""
+        return self.graph.add_subscription(Subscription(self.graph, self, name, msg_type, qos))
+
+    def server(self, name: str, srv_type: Any, qos: Qos) -> Server:
+        """Make a service server."""
+        return self.graph.add_server(Server(self.graph, self, name, srv_type, qos))
+
+    def client(self, name: str, srv_type: Any, qos: Qos) -> Client:
+        """Make a service client."""
+        return self.graph.add_client(Client(self.graph, self, name, srv_type, qos))
+
+    def close(self) -> None:
+        """Leave the graph with all that belongs to the node."""
+        for endpoint in [*self.publishers, *self.subscriptions, *self.servers, *self.clients]:
+            endpoint.close()  # type: ignore[attr-defined]
+        self.graph.remove_node(self)
+
+
+class Graph:
+    """Nodes, topics and services of one domain; safe to use from any thread.
+
+    >>> from coursekit.core.virtual import VirtualClock
+    >>> graph = Graph(VirtualClock())
+    >>> graph.add_node("talker", "/").full_name
+    '/talker'
+    """
+
+    def __init__(self, clock: Any) -> None:
+        self.clock = clock
+        self.nodes: list[GraphNode] = []
+        self.publishers: dict[str, list[Publisher]] = {}
+        self.subscriptions: dict[str, list[Subscription]] = {}
+        self.servers: dict[str, list[Server]] = {}
+        self.clients: dict[str, list[Client]] = {}
+        self.version = 0
+        self._lock = threading.RLock()
+        self._watchers: list[Callable[[], None]] = []
+
+    # -- change
+
+    def add_node(self, name: str, namespace: str, process: Any = None) -> GraphNode:
+        """A new node; two may have the same name, as in ROS."""
+        node = GraphNode(self, name, namespace, process)
+        with self._lock:
+            self.nodes.append(node)
+        self.changed()
+        return node
+
+    def remove_node(self, node: GraphNode) -> None:
+        """Take a node out; harmless when it is out already."""
+        with self._lock:
+            if node in self.nodes:
+                self.nodes.remove(node)
+        self.changed()
+
+    def add_publisher(self, publisher: Publisher) -> Publisher:
+        """Enter and match a publisher."""
+        with self._lock:
+            _enter(self.publishers, publisher.node.publishers, publisher)
+            for subscription in self.subscriptions.get(publisher.name, ()):
+                match(publisher, subscription)
+        self.changed()
+        return publisher
+
+    def remove_publisher(self, publisher: Publisher) -> None:
+        """Take a publisher out; messages on their way still arrive."""
+        with self._lock:
+            _leave(self.publishers, publisher.node.publishers, publisher)
+            for target in publisher.targets:
+                target.status(MATCHED).add(-1)
+                if target.lost_publisher(publisher):
+                    target.status(LIVELINESS).add(0, -1)
+                elif publisher.is_live():
+                    target.status(LIVELINESS).add(-1)
+            publisher.targets = ()
+        self.changed()
+
+    def add_subscription(self, subscription: Subscription) -> Subscription:
+        """Enter and match a subscription."""
+        with self._lock:
+            _enter(self.subscriptions, subscription.node.subscriptions, subscription)
+            for publisher in self.publishers.get(subscription.name, ()):
+                match(publisher, subscription)
+        self.changed()
+        return subscription
+
+    def remove_subscription(self, subscription: Subscription) -> None:
+        """Take a subscription out."""
+        with self._lock:
+            _leave(self.subscriptions, subscription.node.subscriptions, subscription)
+            for publisher in self.publishers.get(subscription.name, ()):
+                if subscription in publisher.targets:
+                    publisher.targets = tuple(one for one in publisher.targets if one is not subscription)
+                    publisher.status(MATCHED).add(-1)
+        self.changed()
+
+    def add_server(self, server: Server) -> Server:
+        """Enter a service server."""
+        with self._lock:
+            _enter(self.servers, server.node.servers, server)
+        self.changed()
+        return server
+
+    def remove_server(self, server: Server) -> None:
+        """Take a service server out."""
+        with self._lock:
+            _leave(self.servers, server.node.servers, server)
+        self.changed()
+
+    def add_client(self, client: Client) -> Client:
+        """Enter a service client."""
+        with self._lock:
+            _enter(self.clients, client.node.clients, client)
+        self.changed()
+        return client
+
+    def remove_client(self, client: Client) -> None:
+        """Take a service client out."""
+        with self._lock:
+            _leave(self.clients, client.node.clients, client)
+        self.changed()
+
+    def servers_of(self, client: Client) -> list[Server]:
+        """The servers that answer `client`."""
+        return [one for one in self.servers.get(client.name, ()) if one.type_name == client.type_name]
+
+    def clear(self) -> None:
+        """Take everything out."""
+        for node in list(self.nodes):
+            node.close()
+
+    # -- watch
+
+    def watch(self, callback: Callable[[], None]) -> None:
+        """Call `callback()` after every change; it must not block."""
+        self._watchers.append(callback)
+
+    def unwatch(self, callback: Callable[[], None]) -> None:
+        """Take a callback back."""
+        if callback in self._watchers:
+            self._watchers.remove(callback)
+
+    def changed(self) -> None:
+        """Count a change and tell the watchers."""
+        self.version += 1
+        for callback in list(self._watchers):
+            callback()
+
+    # -- look
+
+    def find_nodes(self, name: str, namespace: str) -> list[GraphNode]:
+        """The nodes of that name."""
+        return [node for node in list(self.nodes) if node.name == name and node.namespace == namespace]
+
+    def topics(self) -> list[tuple[str, list[str]]]:
+        """(name, types) of every topic that somebody publishes or subscribes to, by name."""
+        return names_and_types([*_all(self.publishers), *_all(self.subscriptions)])
+
+    def services(self) -> list[tuple[str, list[str]]]:
+        """(name, types) of every service that is served or called, by name."""
+        return names_and_types([*_all(self.servers), *_all(self.clients)])
+
+
+def names_and_types(endpoints: Iterable[Endpoint]) -> list[tuple[str, list[str]]]:
+    """(name, sorted types) of these endpoints, by name."""
+    found: dict[str, dict[str, None]] = {}
+    for endpoint in endpoints:
+        found.setdefault(endpoint.name, {})[endpoint.type_name] = None
+    return [(name, sorted(types)) for name, types in sorted(found.items())]
+
+
+def _all(endpoints: dict[str, list[E]]) -> list[E]:
+    return [endpoint for group in list(endpoints.values()) for endpoint in list(group)]
+
+
+def _enter(by_name: dict[str, list[E]], of_node: list[E], endpoint: E) -> None:
+    by_name.setdefault(endpoint.name, []).append(endpoint)
+    of_node.append(endpoint)
+
+
+def _leave(by_name: dict[str, list[E]], of_node: list[E], endpoint: E) -> None:
+    group = by_name.get(endpoint.name, [])
+    if endpoint in group:
+        group.remove(endpoint)
+        if not group:
+            del by_name[endpoint.name]
+    if endpoint in of_node:
+        of_node.remove(endpoint)

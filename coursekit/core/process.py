@@ -1,0 +1,355 @@
+"""A process of the session: one unmodified `main()` with its own argv, output, signals and exit code."""
+
+from __future__ import annotations
+
+import contextvars
+import ctypes
+import io
+import itertools
+import os
+import signal
+import sys
+import threading
+import traceback
+from collections import deque
+from collections.abc import Callable, Sequence
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from .lane import Lane, ProcessKilled, thread_lane
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_current: contextvars.ContextVar[Process | None] = contextvars.ContextVar("coursekit_process", default=None)
+_numbers = itertools.count(1)
+
+OUTPUT_LIMIT = 2_000_000
+"""Characters of output that a process remembers; older ones are dropped and counted."""
+
+
+def current_process() -> Process | None:
+    """The process in which the calling code runs; None in the interpreter's own code."""
+    return _current.get()
+
+
+class Output:
+    """What a process wrote, the newest `OUTPUT_LIMIT` characters, and who wants to hear of it."""
+
+    def __init__(self) -> None:
+        self._parts: deque[tuple[str, str]] = deque()
+        self._size = 0
+        self.dropped = 0
+        self.listeners: list[Callable[[str, str], None]] = []
+
+    def write(self, stream: str, text: str) -> None:
+        """Keep `text` and tell the listeners; a listener that raises is left out from then on."""
+        self._parts.append((stream, text))
+        self._size += len(text)
+        while self._size > OUTPUT_LIMIT and len(self._parts) > 1:
+            _, old = self._parts.popleft()
+            self._size -= len(old)
+            self.dropped += len(old)
+        for listener in list(self.listeners):
+            listener(stream, text)
+
+    def text(self, stream: str | None = None) -> str:
+        """All that is remembered, or what went to one stream."""
+        return "".join(part for name, part in list(self._parts) if stream in (None, name))
+
+
+class Input(io.TextIOBase):
+    """A process's standard input; reading waits on the session's clock."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._text = ""
+        self._closed_by_writer = False
+        self._changed = session.clock.new_event()
+
+    def feed(self, text: str) -> None:
+        self._text += text
+        self._changed.set()
+
+    def end(self) -> None:
+        self._closed_by_writer = True
+        self._changed.set()
+
+    def readable(self) -> bool:
+        return True
+
+    def readline(self, size: int = -1) -> str:  # type: ignore[override]
+        while "\n" not in self._text and not self._closed_by_writer:
+            self._wait()
+        line, newline, _ = self._text.partition("\n")
+        return self._take(len(line) + len(newline), size)
+
+    def read(self, size: int = -1) -> str:
+        while not self._closed_by_writer and (size < 0 or not self._text):
+            self._wait()
+        return self._take(len(self._text), size)
+
+    def _take(self, count: int, limit: int) -> str:
+        count = count if limit is None or limit < 0 else min(count, limit)
+        taken, self._text = self._text[:count], self._text[count:]
+        return taken
+
+    def _wait(self) -> None:
+        self._changed.clear()
+        self._changed.wait()
+
+
+class Process:
+    """One running program of the session.
+
+    Made by `Session.start`; see there. `exit_code` is None while it runs, as in `subprocess`: 0 is success,
+    a negative number the signal that ended it.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        main: Callable[[], Any],
+        *,
+        name: str,
+        argv: Sequence[str] = (),
+        env: dict[str, str] | None = None,
+        cwd: str | os.PathLike[str] | None = None,
+        parent: Process | None = None,
+    ) -> None:
+        self.session = session
+        self.pid = session.new_pid()
+        self.name = name
+        self.argv = [name, *argv]
+        self.parent = parent
+        inherited = parent.env if parent is not None else dict(session.environ)
+        self.env: dict[str, str] = dict(inherited) if env is None else dict(env)
+        self.cwd = os.fspath(cwd) if cwd is not None else (parent.cwd if parent is not None else os.getcwd())
+        self.exit_code: int | None = None
+        self.abandoned = False
+        self.locals: dict[Any, Any] = {}
+        """What other rooms keep per process: the default rclpy context, log levels, ..."""
+        self.handlers: dict[int, Any] = {}
+        self.on_signal: list[Callable[[int], bool]] = []
+        """Called first when a signal arrives; True means that it has been dealt with."""
+        self.cleanups: list[Callable[[], None]] = []
+        self.out = Output()
+        self.stdin = Input(session)
+        self.threads: list[threading.Thread] = []
+        self.lanes: list[Lane] = []
+        self._main = main
+        self._lane: Lane | None = None
+        self._ended = session.clock.new_event()
+        self._exit_listeners: list[Callable[[Process], None]] = []
+        self._killed = False
+
+    # -- what others see
+
+    @property
+    def state(self) -> str:
+        """'running' or 'exited'."""
+        return "running" if self.exit_code is None else "exited"
+
+    @property
+    def output(self) -> str:
+        """What it wrote to stdout and stderr, in order."""
+        return self.out.text()
+
+    def on_output(self, callback: Callable[[str, str], None]) -> None:
+        """Call `callback(stream, text)` for all that it writes from now on."""
+        self.out.listeners.append(callback)
+
+    def on_exit(self, callback: Callable[[Process], None]) -> None:
+        """Call `callback(process)` when it has ended, at once if it has already."""
+        if self.exit_code is not None:
+            callback(self)
+        else:
+            self._exit_listeners.append(callback)
+
+    def wait(self, timeout_sec: float | None = None) -> int | None:
+        """Wait for its end, at most `timeout_sec` seconds; the exit code, None if it still runs."""
+        self._ended.wait(timeout_sec)
+        return self.exit_code
+
+    def write_stdin(self, text: str) -> None:
+        """Type `text` into its standard input."""
+        self.stdin.feed(text)
+
+    def close_stdin(self) -> None:
+        """End its standard input, as Ctrl-D does."""
+        self.stdin.end()
+
+    def interrupt(self) -> None:
+        """Press Ctrl-C."""
+        self.send_signal(signal.SIGINT)
+
+    def terminate(self) -> None:
+        """Ask it to end, as `kill PID` does."""
+        self.send_signal(signal.SIGTERM)
+
+    def kill(self) -> None:
+        """End it whatever it does; if it cannot be ended, it is cut off and `abandoned` is set."""
+        self.send_signal(9)
+
+    def send_signal(self, signum: int) -> None:
+        """Deliver a signal the way the system would, in the process's own main lane."""
+        if self.exit_code is not None:
+            return
+        if signum == 9:
+            self._kill()
+        elif not any([react(signum) for react in self.on_signal]):
+            self._deliver(lambda: self._receive(signum))
+
+    def __repr__(self) -> str:
+        ended = "" if self.exit_code is None else f" {self.exit_code}"
+        return f"<Process {self.pid} {self.name!r} {self.state}{ended}>"
+
+    # -- running
+
+    def begin(self) -> None:
+        """Start the lane in which `main` runs."""
+        context = contextvars.copy_context()
+        context.run(_current.set, self)
+        context.run(self.session.clock.spawn, self._run, f"{self.name}-{self.pid}")
+
+    def _run(self) -> None:
+        self._lane = self.session.lane()
+        code = 1
+        try:
+            enter_folder(self.cwd)
+            code = self._call_main()
+            self._join_threads()
+        except ProcessKilled as death:
+            code = -death.signum
+        except BaseException:
+            self._report(sys.exc_info())
+        finally:
+            self._end(code)
+
+    def _call_main(self) -> int:
+        try:
+            return exit_status(self._main(), self)
+        except SystemExit as leaving:
+            return exit_status(leaving.code, self)
+        except ProcessKilled:
+            raise
+        except KeyboardInterrupt:
+            self._report(sys.exc_info())
+            return -int(signal.SIGINT)
+        except BaseException:
+            self._report(sys.exc_info())
+            return 1
+
+    def _join_threads(self) -> None:
+        """Python waits for a program's non-daemon threads; so does a process."""
+        try:
+            for thread in list(self.threads):
+                if not thread.daemon and thread is not threading.current_thread():
+                    thread.join()
+        except KeyboardInterrupt:
+            self._report(sys.exc_info())
+
+    def _report(self, error: tuple[Any, Any, TracebackType | None]) -> None:
+        """Print the traceback from the program's first line on, without the frames of this file."""
+        kind, value, trace = error
+        here = __file__
+        while trace is not None and trace.tb_frame.f_code.co_filename == here:
+            trace = trace.tb_next
+        self.out.write("stderr", "".join(traceback.format_exception(kind, value, trace)))
+
+    def _end(self, code: int) -> None:
+        if self.exit_code is not None:
+            return  # it was cut off before
+        for cleanup in reversed(self.cleanups):
+            try:
+                cleanup()
+            except Exception:
+                self._report(sys.exc_info())
+        self.exit_code = code
+        for lane in self.lanes:
+            if lane is not self._lane:
+                lane.post(_raise_killed)
+        self.session.forget(self)
+        for listener in self._exit_listeners:
+            listener(self)
+        self._exit_listeners.clear()
+        self._ended.set()
+
+    # -- signals
+
+    def _receive(self, signum: int) -> None:
+        handler = self.handlers.get(signum, signal.SIG_DFL)
+        if callable(handler) and handler is not signal.default_int_handler:
+            handler(signum, None)
+        elif handler == signal.SIG_IGN:
+            return
+        elif signum == signal.SIGINT:
+            raise KeyboardInterrupt
+        else:
+            raise ProcessKilled(signum)
+
+    def _deliver(self, action: Callable[[], None]) -> None:
+        lane = self._lane
+        if lane is None:  # not begun: it is interrupted as soon as it does
+            self._main = action
+            return
+        lane.post(action)
+        if not self.session.clock.virtual:
+            alarm_at = self.session.clock.steady() + 50_000_000
+            self.session.clock.call_at(alarm_at, lambda: self._reach_busy(lane))
+
+    def _reach_busy(self, lane: Lane) -> None:
+        """The lane did not wait since: raise the exception into its running code."""
+        try:
+            action = lane.pending.popleft()
+        except IndexError:
+            return
+        try:
+            action()
+        except BaseException as error:
+            raise_in_thread(lane.ident, type(error))
+
+    def _kill(self) -> None:
+        self._killed = True
+        self._deliver(_raise_killed)
+        if not self.session.clock.virtual:
+            alarm_at = self.session.clock.steady() + 1_000_000_000
+            self.session.clock.call_at(alarm_at, self._cut_off)
+
+    def _cut_off(self) -> None:
+        if self.exit_code is None:
+            self.abandoned = True
+            self.out.write(
+                "stderr",
+                f"[coursekit] process {self.name} [{self.pid}] does not answer: it was cut off from the graph, "
+                "but its thread is still busy (a call that never returns). Restart the kernel to be rid of it.\n",
+            )
+            self._end(-9)
+
+
+def _raise_killed() -> None:
+    raise ProcessKilled(9)
+
+
+def raise_in_thread(ident: int, kind: type[BaseException]) -> None:
+    """Raise `kind` in a thread that runs Python code, at its next bytecode."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
+
+
+def exit_status(result: Any, process: Process) -> int:
+    """The exit code that `sys.exit(result)` gives; a text is printed to stderr and gives 1."""
+    if result is None:
+        return 0
+    if isinstance(result, int):
+        return int(result) & 0xFF
+    process.out.write("stderr", f"{result}\n")
+    return 1
+
+
+def enter_folder(folder: str) -> None:
+    """Give the calling thread a working folder of its own, where the system can (Linux)."""
+    if sys.platform != "linux" or thread_lane().ident == threading.main_thread().ident:
+        return
+    clone_fs = 0x200
+    if ctypes.CDLL(None, use_errno=True).unshare(clone_fs) == 0 and os.path.isdir(folder):
+        os.chdir(folder)

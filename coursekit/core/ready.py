@@ -1,0 +1,105 @@
+"""The event queue: work is queued when it becomes ready, so that its cost does not grow with the number of nodes."""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from collections import deque
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .timer import Timer
+
+_numbers = itertools.count()
+
+
+class Source:
+    """Something that can become ready: a subscription with a message, a timer that is due, ...
+
+    `sink` is the queue of the executor that serves it, `item` what the executor finds there.
+    `queued` says that it stands in the queue already: a source stands there once, however much it holds.
+    """
+
+    __slots__ = ("item", "queued", "sink")
+
+    def __init__(self) -> None:
+        self.sink: ReadyQueue | None = None
+        self.item: Any = self
+        self.queued = False
+
+    def signal(self) -> None:
+        """Stand in the queue."""
+        sink = self.sink
+        if sink is not None and not self.queued:
+            self.queued = True
+            sink.put(self.item)
+
+    def has_work(self) -> bool:
+        """Whether it is ready now; asked when it comes to another executor."""
+        return False
+
+    def attach(self, sink: ReadyQueue | None, item: Any) -> None:
+        """Be served through `sink` from now on; None detaches."""
+        self.item = item
+        self.sink = sink
+        self.queued = False
+        if sink is not None and self.has_work():
+            self.signal()
+
+
+class ReadyQueue:
+    """What an executor has to do, in the order in which it became ready, and the timers that will be due."""
+
+    def __init__(self, clock: Any) -> None:
+        self.clock = clock
+        self.items: deque[Any] = deque()
+        self._timers: list[tuple[int, int, Timer, int]] = []
+        self._waiter = clock.new_waiter()
+        self._sleeping = False
+
+    def put(self, item: Any) -> None:
+        """Append `item`; safe from any thread."""
+        self.items.append(item)
+        if self._sleeping:
+            self._waiter.notify()
+
+    def wake(self) -> None:
+        """End the present or the next `wait`."""
+        self._waiter.notify()
+
+    def arm(self, timer: Timer, deadline: int) -> None:
+        """Ring `timer` at `deadline` (steady nanoseconds)."""
+        heapq.heappush(self._timers, (deadline, next(_numbers), timer, timer.generation))
+        if self._sleeping:
+            self._waiter.notify()
+
+    def pop(self) -> Any:
+        """The next ready item, None when there is none."""
+        if self._timers and self._timers[0][0] <= self.clock.steady():
+            self._ring()
+        try:
+            return self.items.popleft()
+        except IndexError:
+            return None
+
+    def wait(self, deadline: int | None) -> None:
+        """Wait until something may be ready, or until `deadline` (steady nanoseconds)."""
+        timers = self._timers
+        while timers and timers[0][2].generation != timers[0][3]:
+            heapq.heappop(timers)
+        if timers and (deadline is None or timers[0][0] < deadline):
+            deadline = timers[0][0]
+        self._sleeping = True
+        try:
+            if not self.items:
+                self._waiter.wait(deadline)
+        finally:
+            self._sleeping = False
+
+    def _ring(self) -> None:
+        now = self.clock.steady()
+        timers = self._timers
+        while timers and timers[0][0] <= now:
+            _, _, timer, generation = heapq.heappop(timers)
+            if timer.generation == generation and timer.sink is self:
+                timer.ring()

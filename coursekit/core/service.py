@@ -1,0 +1,101 @@
+"""Services: a request goes to every server of that name, the first response is the one that counts."""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .qos import Qos
+from .topic import Endpoint
+
+if TYPE_CHECKING:
+    from .graph import Graph, GraphNode
+
+
+@dataclass(frozen=True)
+class RequestId:
+    """Which client asked, and its how-manieth request this is."""
+
+    client: Client
+    sequence_number: int
+
+
+class Server(Endpoint):
+    """The answering end: a queue of (request, RequestId)."""
+
+    __slots__ = ("queue",)
+
+    def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Any, qos: Qos) -> None:
+        super().__init__(graph, node, name, srv_type, qos)
+        self.queue: deque[tuple[Any, RequestId]] = deque()
+
+    def has_work(self) -> bool:
+        """Whether a request waits."""
+        return bool(self.queue)
+
+    def take(self) -> tuple[Any, RequestId] | None:
+        """The oldest request."""
+        try:
+            return self.queue.popleft()
+        except IndexError:
+            return None
+
+    def push(self, request: Any, request_id: RequestId) -> None:
+        """Queue a request."""
+        self.queue.append((request, request_id))
+        self.signal()
+
+    def respond(self, request_id: RequestId, response: Any) -> None:
+        """Send a copy of `response` to the client that asked."""
+        request_id.client.push(request_id.sequence_number, response._clone())
+
+    def close(self) -> None:
+        """Leave the graph."""
+        self.alive = False
+        self.graph.remove_server(self)
+
+
+class Client(Endpoint):
+    """The asking end: a queue of (sequence number, response)."""
+
+    __slots__ = ("_sequence", "queue")
+
+    def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Any, qos: Qos) -> None:
+        super().__init__(graph, node, name, srv_type, qos)
+        self.queue: deque[tuple[int, Any]] = deque()
+        self._sequence = itertools.count(1)
+
+    def has_work(self) -> bool:
+        """Whether a response waits."""
+        return bool(self.queue)
+
+    def take(self) -> tuple[int, Any] | None:
+        """The oldest response."""
+        try:
+            return self.queue.popleft()
+        except IndexError:
+            return None
+
+    def push(self, sequence_number: int, response: Any) -> None:
+        """Queue a response; a client that is gone drops it."""
+        if self.alive:
+            self.queue.append((sequence_number, response))
+            self.signal()
+
+    def send(self, request: Any) -> int:
+        """Send copies of `request` to every server; the request's number."""
+        number = next(self._sequence)
+        for server in self.graph.servers_of(self):
+            server.push(request._clone(), RequestId(self, number))
+        return number
+
+    def server_is_ready(self) -> bool:
+        """Whether a server of this name and type exists."""
+        return bool(self.graph.servers_of(self))
+
+    def close(self) -> None:
+        """Leave the graph."""
+        self.alive = False
+        self.graph.remove_client(self)

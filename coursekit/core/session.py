@@ -1,0 +1,235 @@
+"""The session: one clock, its processes, and the graphs (one per ROS domain) that they share.
+
+An interpreter has one current session, made on first use: on the wall clock, or on the virtual one when
+COURSEKIT_TIME=virtual. COURSEKIT_STOP_AFTER=SECONDS presses Ctrl-C in everything after that much session time.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import itertools
+import os
+import signal
+import sys
+import threading
+import uuid
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from . import streams, threads
+from .clock import Clock, WallClock
+from .graph import Graph
+from .lane import Lane, thread_lane
+from .process import Process, current_process
+from .virtual import VirtualClock, is_lane_thread
+
+_session: Session | None = None
+_making = threading.RLock()
+
+SWITCH_INTERVAL = 0.0005
+"""Seconds a thread keeps the interpreter: with Python's 5 ms a busy cell makes every hand-off between threads slow."""
+
+
+class Session:
+    """Everything that runs together in one interpreter.
+
+    >>> session = Session(virtual=True)
+    >>> with session.use():
+    ...     process = session.start(lambda: print("hello"), name="greeter")
+    ...     (process.wait(), process.output)
+    (0, 'hello\\n')
+    """
+
+    def __init__(self, *, virtual: bool = False, environ: Mapping[str, str] | None = None) -> None:
+        self.clock: Any = VirtualClock() if virtual else WallClock()
+        self.environ: Mapping[str, str] = os.environ if environ is None else environ
+        self.processes: list[Process] = []
+        self.embedded = False
+        """Set where the interpreter is a Jupyter kernel: then only cells and processes run on the virtual clock."""
+        self.graphs: dict[int, Graph] = {}
+        self.on_start: list[Callable[[Process], None]] = []
+        self._pids = itertools.count(1000)
+        self._uuids = itertools.count(1)
+        self._stop_planned = False
+        if virtual:
+            threads.install_virtual()
+
+    # -- processes
+
+    def start(
+        self,
+        main: Callable[[], Any],
+        *,
+        name: str,
+        argv: Sequence[str] = (),
+        env: Mapping[str, str] | None = None,
+        cwd: str | os.PathLike[str] | None = None,
+        on_output: Callable[[str, str], None] | None = None,
+    ) -> Process:
+        """Run `main()` as a process of its own.
+
+        Its sys.argv is `[name, *argv]`; `env` replaces its environment, `cwd` its working folder; `on_output(stream,
+        text)` is called with all that it prints. What `main` returns, or gives to `sys.exit`, is its exit code.
+        """
+        process = Process(
+            self, main, name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=current_process()
+        )
+        return self.launch(process, on_output)
+
+    def launch(self, process: Any, on_output: Callable[[str, str], None] | None = None) -> Any:
+        """Register a process that was made and begin it."""
+        streams.install()
+        self.plan_stop()
+        self.processes.append(process)
+        if on_output is not None:
+            process.on_output(on_output)
+        for listener in list(self.on_start):
+            listener(process)
+        process.begin()
+        return process
+
+    def start_executable(
+        self,
+        path: str | os.PathLike[str],
+        argv: Sequence[str] = (),
+        *,
+        name: str | None = None,
+        env: Mapping[str, str] | None = None,
+        cwd: str | os.PathLike[str] | None = None,
+        on_output: Callable[[str, str], None] | None = None,
+    ) -> Any:
+        """Run an executable of a package: Python ones in this interpreter, others as a child of the system."""
+        from .executables import make_process
+
+        process = make_process(self, Path(path), argv, name=name, env=env, cwd=cwd)
+        return self.launch(process, on_output)
+
+    def forget(self, process: Any) -> None:
+        """Called by a process that ended."""
+        with contextlib.suppress(ValueError):
+            self.processes.remove(process)
+
+    def spawn(self, function: Callable[..., Any], *args: Any) -> None:
+        """Run `function(*args)` beside the caller, inside the caller's process."""
+        process = current_process()
+
+        def body() -> None:
+            if process is not None:
+                process.lanes.append(self.lane())
+            function(*args)
+
+        self.clock.spawn(body, getattr(function, "__name__", "lane"))
+
+    def lane(self) -> Lane:
+        """The lane that asks."""
+        return self.clock.running if is_lane_thread(self.clock) else thread_lane()
+
+    def interrupt_all(self) -> None:
+        """Press Ctrl-C in every process; where there is none, in the interpreter's own main lane."""
+        running = [process for process in self.processes if process.parent is None]
+        for process in running:
+            process.interrupt()
+        if not running:
+            self._interrupt_main()
+
+    def _interrupt_main(self) -> None:
+        if self.clock.virtual:
+            self.clock.main.post(lambda: signal.raise_signal(signal.SIGINT))
+        else:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    def close(self, grace_sec: float = 2.0) -> None:
+        """End every process: Ctrl-C, then, for those that ignore it, kill."""
+        for process in list(self.processes):
+            process.interrupt()
+        for act in (None, "kill"):
+            for process in list(self.processes):
+                if act:
+                    process.kill()
+                process.wait(grace_sec)
+        for graph in self.graphs.values():
+            graph.clear()
+        self.clock.close()
+
+    # -- shared things
+
+    def graph(self, domain_id: int = 0) -> Graph:
+        """The graph of a domain."""
+        graph = self.graphs.get(domain_id)
+        if graph is None:
+            graph = self.graphs.setdefault(domain_id, Graph(self.clock))
+        return graph
+
+    def new_pid(self) -> int:
+        """A process number: counted, so that it is the same in every run."""
+        return next(self._pids)
+
+    def new_uuid(self) -> bytes:
+        """Sixteen bytes that nobody else has: random, but counted on the virtual clock."""
+        if not self.clock.virtual:
+            return uuid.uuid4().bytes
+        return uuid.uuid5(uuid.NAMESPACE_OID, f"coursekit {next(self._uuids)}").bytes
+
+    def plan_stop(self) -> None:
+        """Arrange for COURSEKIT_STOP_AFTER, once; called when the first node or process appears."""
+        seconds = os.environ.get("COURSEKIT_STOP_AFTER")
+        if seconds and not self._stop_planned:
+            self._stop_planned = True
+            self.clock.call_at(self.clock.steady() + round(float(seconds) * 1e9), self.interrupt_all)
+
+    @contextlib.contextmanager
+    def use(self) -> Iterator[Session]:
+        """Make this the current session for a while, and close it afterwards."""
+        global _session
+        previous, _session = _session, self
+        streams.install()
+        try:
+            yield self
+        finally:
+            self.close()
+            _session = previous
+
+
+def current() -> Session:
+    """The session in which the calling code runs; made on first use."""
+    global _session
+    process = current_process()
+    if process is not None:
+        return process.session
+    if _session is None:
+        with _making:
+            if _session is None:
+                _session = _make()
+    return _session
+
+
+def _make() -> Session:
+    kind = os.environ.get("COURSEKIT_TIME", "wall")
+    if kind not in ("wall", "virtual"):
+        raise ValueError(f"COURSEKIT_TIME is '{kind}', which is no clock. Set it to 'wall' or 'virtual'.")
+    session = Session(virtual=kind == "virtual")
+    if sys.getswitchinterval() > SWITCH_INTERVAL:
+        sys.setswitchinterval(SWITCH_INTERVAL)
+    if session.clock.virtual:
+        streams.install()
+    atexit.register(_close_at_exit, session)
+    return session
+
+
+def _close_at_exit(session: Session) -> None:
+    for process in list(session.processes):
+        process.kill()
+
+
+def virtual_session_here() -> Session | None:
+    """The session whose virtual clock runs the calling lane; None for code that the clock does not run."""
+    process = current_process()
+    session = process.session if process is not None else _session
+    if session is None or not is_lane_thread(session.clock):
+        return None
+    return session if process is not None or not session.embedded else None
+
+
+__all__ = ["Clock", "Session", "current", "virtual_session_here"]

@@ -1,0 +1,263 @@
+"""Threads that belong to their process, and that the virtual clock can run one at a time.
+
+A thread started by a process inherits its context (output, argv, Ctrl-C). On the virtual clock it becomes a lane, and
+what the `threading` module waits with (Condition, and with it Event, Queue, Future; Lock; join) hands over instead of
+blocking the only thread there is.
+"""
+
+from __future__ import annotations
+
+import contextvars
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from .lane import ProcessKilled
+from .process import Process, current_process
+
+_start = threading.Thread.start
+_join = threading.Thread.join
+_is_alive = threading.Thread.is_alive
+_condition_wait = threading.Condition.wait
+_current_thread = threading.current_thread
+_RealLock = threading.Lock
+_real_clocks = {name: getattr(time, name) for name in ("time", "monotonic", "perf_counter")}
+_real_clocks_ns = {name: getattr(time, f"{name}_ns") for name in ("time", "monotonic", "perf_counter")}
+
+
+def _virtual_session() -> Any:
+    from .session import virtual_session_here
+
+    return virtual_session_here()
+
+
+def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], None]:
+    """What the thread runs: its own `run`, in a copy of the present context."""
+    run = thread.run
+    context = contextvars.copy_context()
+
+    def body() -> None:
+        if process is not None:
+            process.lanes.append(process.session.lane())
+        try:
+            run()
+        except (ProcessKilled, SystemExit):
+            pass
+        except BaseException:
+            if process is None or process.exit_code is None:
+                print(f"Exception in thread {thread.name}:\n{traceback.format_exc()}", end="", file=sys.stderr)
+
+    return lambda: context.run(body)
+
+
+def start(self: threading.Thread) -> None:
+    """`Thread.start`, for processes and the virtual clock."""
+    process = current_process()
+    session = _virtual_session()
+    if process is None and session is None:
+        _start(self)
+        return
+    if process is not None:
+        process.threads.append(self)
+    run = _run_of(self, process)
+    if session is None:
+        self.run = run  # type: ignore[method-assign]
+        _start(self)
+        return
+    ended = session.clock.new_event()
+    self._coursekit_ended = ended  # type: ignore[attr-defined]
+    self._started.set()  # type: ignore[attr-defined]
+
+    def lane_main() -> None:
+        session.clock.running.thread = self
+        try:
+            run()
+        finally:
+            ended.set()
+
+    session.clock.spawn(lane_main, self.name)
+
+
+def join(self: threading.Thread, timeout: float | None = None) -> None:
+    """`Thread.join`; in a process a Ctrl-C ends it."""
+    ended = getattr(self, "_coursekit_ended", None)
+    if ended is not None:
+        ended.wait(timeout)
+    elif current_process() is None or timeout is not None:
+        _join(self, timeout)
+    else:
+        clock = current_process().session.clock  # type: ignore[union-attr]
+        while _is_alive(self):
+            _join(self, 0.05)
+            clock.sleep(0)
+
+
+def is_alive(self: threading.Thread) -> bool:
+    """`Thread.is_alive`."""
+    ended = getattr(self, "_coursekit_ended", None)
+    return not ended.is_set() if ended is not None else _is_alive(self)
+
+
+def current_thread() -> threading.Thread:
+    """`threading.current_thread`, which knows the virtual clock's lanes."""
+    session = _virtual_session()
+    lane = session.clock.running if session is not None else None
+    return getattr(lane, "thread", None) or _current_thread()
+
+
+class _Released:
+    """What `Condition.notify` releases for a lane that waits."""
+
+    def __init__(self, clock: Any) -> None:
+        self._waiter = clock.new_waiter()
+        self.wait = self._waiter.wait
+
+    def release(self) -> None:
+        self._waiter.notify()
+
+
+def condition_wait(self: threading.Condition, timeout: float | None = None) -> bool:
+    """`Condition.wait`, on the session's clock where the caller is a lane or a process."""
+    process, session = current_process(), _virtual_session()
+    session = session or (process.session if process is not None else None)
+    if session is None:
+        return _condition_wait(self, timeout)
+    if not self._is_owned():  # type: ignore[attr-defined]
+        raise RuntimeError("cannot wait on un-acquired lock")
+    clock = session.clock
+    waiter = _Released(clock)
+    self._waiters.append(waiter)  # type: ignore[attr-defined]
+    saved = self._release_save()  # type: ignore[attr-defined]
+    notified = False
+    try:
+        notified = waiter.wait(None if timeout is None else clock.steady() + max(0, round(timeout * 1e9)))
+        return notified
+    finally:
+        self._acquire_restore(saved)  # type: ignore[attr-defined]
+        if not notified and waiter in self._waiters:  # type: ignore[attr-defined]
+            self._waiters.remove(waiter)  # type: ignore[attr-defined]
+
+
+class LaneLock:
+    """`threading.Lock` for lanes: a lane that has to wait hands over."""
+
+    def __init__(self) -> None:
+        self._lock = _RealLock()
+        self._waiters: list[Any] = []
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        session = _virtual_session()
+        if session is None:
+            return self._lock.acquire(blocking, timeout)
+        deadline = None if timeout < 0 else session.clock.steady() + round(timeout * 1e9)
+        while not self._lock.acquire(False):
+            if not blocking or (deadline is not None and session.clock.steady() >= deadline):
+                return False
+            waiter = session.clock.new_waiter()
+            self._waiters.append(waiter)
+            try:
+                waiter.wait(deadline)
+            finally:
+                self._waiters.remove(waiter)
+        return True
+
+    def release(self) -> None:
+        self._lock.release()
+        if self._waiters:
+            self._waiters[0].notify()
+
+    def locked(self) -> bool:
+        return self._lock.locked()
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_error: object) -> None:
+        self.release()
+
+
+class LaneRLock:
+    """`threading.RLock` for lanes: owned by a lane, not by the thread that all lanes share."""
+
+    def __init__(self) -> None:
+        self._block = LaneLock()
+        self._owner: Any = None
+        self._count = 0
+
+    @staticmethod
+    def _me() -> Any:
+        session = _virtual_session()
+        return threading.get_ident() if session is None else session.clock.running
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        me = self._me()
+        if self._owner == me:
+            self._count += 1
+            return True
+        if not self._block.acquire(blocking, timeout):
+            return False
+        self._owner, self._count = me, 1
+        return True
+
+    def release(self) -> None:
+        if self._owner != self._me():
+            raise RuntimeError("cannot release un-acquired lock")
+        self._count -= 1
+        if not self._count:
+            self._owner = None
+            self._block.release()
+
+    def _is_owned(self) -> bool:
+        return bool(self._owner == self._me())
+
+    def _release_save(self) -> tuple[int, Any]:
+        saved = self._count, self._owner
+        self._count, self._owner = 0, None
+        self._block.release()
+        return saved
+
+    def _acquire_restore(self, saved: tuple[int, Any]) -> None:
+        self._block.acquire()
+        self._count, self._owner = saved
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_error: object) -> None:
+        self.release()
+
+
+def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
+    real = (_real_clocks if unit != 1 else _real_clocks_ns)[name]
+
+    def read() -> Any:
+        process = current_process()
+        if process is None or not process.session.clock.virtual:
+            return real()
+        clock = process.session.clock
+        clock.poll()
+        nanoseconds = clock.now() if name == "time" else clock.steady()
+        return nanoseconds if unit == 1 else nanoseconds / unit
+
+    return read
+
+
+def install() -> None:
+    """Put these in place of the standard ones."""
+    threading.Thread.start = start  # type: ignore[method-assign]
+    threading.Thread.join = join  # type: ignore[method-assign]
+    threading.Thread.is_alive = is_alive  # type: ignore[method-assign]
+    threading.Condition.wait = condition_wait  # type: ignore[method-assign]
+
+
+def install_virtual() -> None:
+    """What only a session on the virtual clock needs."""
+    threading.current_thread = current_thread
+    threading.Lock = LaneLock  # type: ignore[misc,assignment]
+    threading.RLock = LaneRLock  # type: ignore[misc,assignment]
+    for name in _real_clocks:
+        setattr(time, name, _clock_reader(name, 1_000_000_000))
+        setattr(time, f"{name}_ns", _clock_reader(name, 1))

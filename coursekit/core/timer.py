@@ -1,0 +1,92 @@
+"""Timers: periodic, on any clock; periods that were missed are skipped, not made up for."""
+
+from __future__ import annotations
+
+import itertools
+
+from .ready import ReadyQueue, Source
+from .timebase import TimeBase
+
+_numbers = itertools.count()
+
+
+class Timer(Source):
+    """Becomes ready every `period` nanoseconds of its clock."""
+
+    __slots__ = ("__weakref__", "base", "canceled", "generation", "last", "next", "number", "period")
+
+    def __init__(self, base: TimeBase, period: int) -> None:
+        super().__init__()
+        self.base = base
+        self.period = period
+        self.canceled = False
+        self.generation = 0
+        self.number = next(_numbers)
+        self.last = base.now()
+        self.next = self.last + period
+        base.add_timer(self)
+
+    def has_work(self) -> bool:
+        """Whether it is due."""
+        return not self.canceled and self.base.now() >= self.next
+
+    def attach(self, sink: ReadyQueue | None, item: object) -> None:
+        """Be served through `sink`."""
+        super().attach(sink, item)
+        self._arm()
+
+    def call(self) -> None:
+        """Count a call: the next one is due a period later, in the future in any case."""
+        now = self.base.now()
+        self.last = now
+        self.next += self.period
+        if self.period == 0:
+            self.next = now
+        elif self.next < now:
+            self.next += (1 + (now - self.next - 1) // self.period) * self.period
+        self._arm()
+
+    def cancel(self) -> None:
+        """Be no longer due."""
+        self.canceled = True
+        self.generation += 1
+
+    def reset(self) -> None:
+        """Start anew: due one period from now, cancelled or not."""
+        self.canceled = False
+        self.last = self.base.now()
+        self.next = self.last + self.period
+        self._arm()
+
+    def time_until_next_call(self) -> int | None:
+        """Nanoseconds, negative when it is late; None when cancelled."""
+        return None if self.canceled else self.next - self.base.now()
+
+    def ring(self) -> None:
+        """Called by the queue when its time should have come."""
+        if self.has_work():
+            self.signal()
+        else:
+            self._arm()
+
+    def time_changed(self, delta: int, toggled: bool) -> None:
+        """Its clock was set: a backward jump restarts the period."""
+        if self.canceled:
+            return
+        if toggled or delta < 0:
+            now = self.base.now()
+            if toggled or now < self.last:
+                self.last = now
+                self.next = now + self.period
+        if self.has_work():
+            self.signal()
+        elif toggled:
+            self._arm()
+
+    def _arm(self) -> None:
+        self.generation += 1
+        sink = self.sink
+        if sink is None or self.canceled or self.base.active:
+            return
+        steady = self.base.clock.steady()
+        sink.arm(self, steady + max(0, self.next - self.base.now()))

@@ -1,0 +1,220 @@
+"""Topics: publishers copy each message once per matching subscription, so nobody shares an object."""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+from typing import TYPE_CHECKING, Any
+
+from .qos import AUTOMATIC, INFINITE, KEEP_ALL, TRANSIENT_LOCAL, Qos
+from .ready import Source
+from .status import DEADLINE, INCOMPATIBLE, LIVELINESS, MATCHED, Status
+
+if TYPE_CHECKING:
+    from .graph import Graph, GraphNode
+
+_gids = itertools.count(1)
+
+
+class Endpoint(Source):
+    """One end of a topic or service: its node, name, type, QoS and number."""
+
+    __slots__ = ("alive", "gid", "graph", "msg_type", "name", "node", "qos", "statuses")
+
+    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
+        super().__init__()
+        self.graph = graph
+        self.node = node
+        self.name = name
+        self.msg_type = msg_type
+        self.qos = qos.resolved()
+        self.alive = True
+        self.gid = b"\x01\x0f" + (0).to_bytes(10, "big") + next(_gids).to_bytes(4, "big") + bytes(8)
+        self.statuses: dict[str, Status] = {}
+
+    @property
+    def type_name(self) -> str:
+        """For example 'std_msgs/msg/String'."""
+        return self.msg_type._TYPE_NAME
+
+    def status(self, kind: str) -> Status:
+        """The event counter of that kind, made on first use."""
+        status = self.statuses.get(kind)
+        if status is None:
+            status = self.statuses[kind] = Status()
+        return status
+
+
+class Publisher(Endpoint):
+    """The sending end."""
+
+    __slots__ = ("_deadline_alarm", "_history", "_last_sign", "_lease_alarm", "_live", "targets")
+
+    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
+        super().__init__(graph, node, name, msg_type, qos)
+        self.targets: tuple[Subscription, ...] = ()
+        keeps = self.qos.durability == TRANSIENT_LOCAL
+        depth = None if self.qos.history == KEEP_ALL else self.qos.depth
+        self._history: deque[tuple[Any, int]] | None = deque(maxlen=depth) if keeps else None
+        self._last_sign = 0
+        self._live = True
+        self._deadline_alarm: Any = None
+        self._lease_alarm: Any = None
+        if self.qos.deadline != INFINITE:
+            self._watch_deadline()
+        if self.qos.lease != INFINITE and self.qos.liveliness != AUTOMATIC:
+            self._live = False  # alive only once it says so
+
+    def publish(self, msg: Any) -> None:
+        """Hand a copy of `msg` to every matching subscription."""
+        stamp = self.graph.clock.now()
+        for target in self.targets:
+            target.push((msg._clone(), stamp, self))
+        if self._history is not None:
+            self._history.append((msg._clone(), stamp))
+        if self._deadline_alarm is not None or not self._live or self._lease_alarm is not None:
+            self._sign_of_life()
+
+    def replay(self, target: Subscription) -> None:
+        """Give a late joiner what this publisher still keeps."""
+        for msg, stamp in list(self._history or ()):
+            target.push((msg._clone(), stamp, self))
+
+    def assert_liveliness(self) -> None:
+        """Say that it lives, without publishing."""
+        self._sign_of_life()
+
+    def _sign_of_life(self) -> None:
+        steady = self.graph.clock.steady()
+        self._last_sign = steady
+        if self.qos.lease == INFINITE or self.qos.liveliness == AUTOMATIC:
+            return
+        if not self._live:
+            self._live = True
+            for target in self.targets:
+                target.status(LIVELINESS).add(1, -1 if target.lost_publisher(self) else 0)
+        if self._lease_alarm is None:
+            self._lease_alarm = self.graph.clock.call_at(steady + self.qos.lease, self._check_lease)
+
+    def _check_lease(self) -> None:
+        self._lease_alarm = None
+        if not self.alive:
+            return
+        due = self._last_sign + self.qos.lease
+        if due > self.graph.clock.steady():
+            self._lease_alarm = self.graph.clock.call_at(due, self._check_lease)
+        elif self._live:
+            self._live = False
+            self.status(LIVELINESS).add()
+            for target in self.targets:
+                target.lose_publisher(self)
+
+    def is_live(self) -> bool:
+        """Whether its lease holds."""
+        return self._live
+
+    def _watch_deadline(self) -> None:
+        steady = self.graph.clock.steady()
+        due = self._last_sign + self.qos.deadline
+        if self._deadline_alarm is not None and due <= steady:
+            self.status(DEADLINE).add()
+            self._last_sign = steady
+        if self.alive:
+            due = max(self._last_sign, steady if self._deadline_alarm is None else 0) + self.qos.deadline
+            self._deadline_alarm = self.graph.clock.call_at(due, self._watch_deadline)
+
+    def close(self) -> None:
+        """Leave the graph."""
+        self.alive = False
+        for alarm in (self._deadline_alarm, self._lease_alarm):
+            if alarm is not None:
+                alarm.cancel()
+        self.graph.remove_publisher(self)
+
+
+class Subscription(Endpoint):
+    """The receiving end: a queue of (message, stamp ns, publisher)."""
+
+    __slots__ = ("_deadline_alarm", "_last_sign", "_lost", "queue")
+
+    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
+        super().__init__(graph, node, name, msg_type, qos)
+        self.queue: deque[tuple[Any, int, Publisher]] = deque(
+            maxlen=None if self.qos.history == KEEP_ALL else self.qos.depth
+        )
+        self._lost: list[Publisher] = []
+        self._last_sign = graph.clock.steady()
+        self._deadline_alarm: Any = None
+        if self.qos.deadline != INFINITE:
+            due = self._last_sign + self.qos.deadline
+            self._deadline_alarm = graph.clock.call_at(due, self._check_deadline)
+
+    def has_work(self) -> bool:
+        """Whether a message waits."""
+        return bool(self.queue)
+
+    def push(self, entry: tuple[Any, int, Publisher]) -> None:
+        """Queue a message; the oldest one goes when the queue is full."""
+        self.queue.append(entry)
+        if self._deadline_alarm is not None:
+            self._last_sign = self.graph.clock.steady()
+        if not self.queued:
+            self.signal()
+
+    def take(self) -> tuple[Any, int, Publisher] | None:
+        """The oldest message that has not outlived its publisher's lifespan."""
+        while True:
+            try:
+                entry = self.queue.popleft()
+            except IndexError:
+                return None
+            lifespan = entry[2].qos.lifespan
+            if lifespan == INFINITE or self.graph.clock.now() - entry[1] <= lifespan:
+                return entry
+
+    def lose_publisher(self, publisher: Publisher) -> None:
+        """A matched publisher let its lease run out."""
+        self._lost.append(publisher)
+        self.status(LIVELINESS).add(-1, 1)
+
+    def lost_publisher(self, publisher: Publisher) -> bool:
+        """Forget that `publisher` was lost; whether it was."""
+        if publisher in self._lost:
+            self._lost.remove(publisher)
+            return True
+        return False
+
+    def _check_deadline(self) -> None:
+        if not self.alive:
+            return
+        steady = self.graph.clock.steady()
+        if self._last_sign + self.qos.deadline <= steady:
+            self.status(DEADLINE).add()
+            self._last_sign = steady
+        self._deadline_alarm = self.graph.clock.call_at(self._last_sign + self.qos.deadline, self._check_deadline)
+
+    def close(self) -> None:
+        """Leave the graph."""
+        self.alive = False
+        if self._deadline_alarm is not None:
+            self._deadline_alarm.cancel()
+        self.graph.remove_subscription(self)
+
+
+def match(publisher: Publisher, subscription: Subscription) -> bool:
+    """Connect the two if they fit; count the mismatch on both sides if they do not."""
+    if publisher.type_name != subscription.type_name:
+        return False
+    policy = publisher.qos.incompatible_with(subscription.qos)
+    if policy is not None:
+        publisher.status(INCOMPATIBLE).add(policy=policy)
+        subscription.status(INCOMPATIBLE).add(policy=policy)
+        return False
+    publisher.targets = (*publisher.targets, subscription)
+    publisher.status(MATCHED).add()
+    subscription.status(MATCHED).add()
+    if publisher.is_live():
+        subscription.status(LIVELINESS).add()
+    if subscription.qos.durability == TRANSIENT_LOCAL:
+        publisher.replay(subscription)
+    return True

@@ -84,7 +84,7 @@ class NamedType(AbstractNestableType):
 class NamespacedType(AbstractNestableType):
     """A message type: namespaces ['std_msgs', 'msg'] and name 'String'."""
 
-    __slots__ = ("name", "namespaces")
+    __slots__ = ("namespaces", "name")  # noqa: RUF023 (the order of the constructor)
 
     def __init__(self, namespaces: Iterable[str], name: str) -> None:
         self.namespaces = tuple(namespaces)

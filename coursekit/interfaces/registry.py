@@ -16,7 +16,7 @@ from coursekit.interfaces.errors import InterfaceError, UnknownInterface
 from coursekit.interfaces.find import find_definition, split_name
 from coursekit.interfaces.model import Action, Interface, Message, Service
 from coursekit.interfaces.parser import parse_file
-from coursekit.interfaces.source import message_source
+from coursekit.interfaces.source import alias, message_source
 
 
 @dataclass
@@ -137,11 +137,14 @@ def make_message(message: Message, owner: str | None = None, parts: dict[str, An
     source = message_source(message, parts or ())
     filename = f"<coursekit {message.full_name}>"
     linecache.cache[filename] = (len(source), None, source.splitlines(True), filename)
-    namespace = {"__name__": module.__name__, **{n.replace("/", "__"): c for n, c in (parts or {}).items()}}
+    namespace = {"__name__": module.__name__, **{alias(n): c for n, c in (parts or {}).items()}}
     exec(compile(source, filename, "exec"), namespace)
-    setattr(module, message.name, namespace[message.name])
+    made = namespace[message.name]
+    made._DEFINITION = message
+    made._PARTS = {name: namespace[alias(name)] for name in message.dependencies()}
+    setattr(module, message.name, made)
     setattr(module, f"Metaclass_{message.name}", namespace[f"Metaclass_{message.name}"])
-    return namespace[message.name]
+    return made
 
 
 def module_name(package: str, kind: str, name: str) -> str:

@@ -1,0 +1,388 @@
+"""The names of rclpy's C module that programs use, in plain Python over `coursekit.core`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any
+
+from coursekit.core.ready import Source
+from coursekit.core.session import current
+from coursekit.core.timebase import TimeBase
+from coursekit.core.timer import Timer as CoreTimer
+
+
+class RCLError(RuntimeError):
+    """An error of the ROS client library."""
+
+
+class RMWError(RuntimeError):
+    """An error of the middleware."""
+
+
+class InvalidHandle(Exception):
+    """Something was used after it had been destroyed."""
+
+
+class NodeNameNonExistentError(RCLError):
+    """No node of that name is in the graph."""
+
+
+class UnknownROSArgsError(RuntimeError):
+    """Arguments after --ros-args that ROS does not know."""
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """Arguments after --ros-args that ROS cannot read."""
+
+
+class UnsupportedEventTypeError(RCLError):
+    """A QoS event that the middleware does not report."""
+
+
+class TimerCancelledError(RCLError):
+    """A cancelled timer was called."""
+
+
+class ClockType(IntEnum):
+    """Which clock a time belongs to."""
+
+    UNINITIALIZED = 0
+    ROS_TIME = 1
+    SYSTEM_TIME = 2
+    STEADY_TIME = 3
+
+
+class ClockChange(IntEnum):
+    """What happened to a clock when it jumped."""
+
+    ROS_TIME_NO_CHANGE = 1
+    ROS_TIME_ACTIVATED = 2
+    ROS_TIME_DEACTIVATED = 3
+    SYSTEM_TIME_NO_CHANGE = 4
+
+
+class SignalHandlerOptions(IntEnum):
+    """Which signals rclpy reacts to."""
+
+    NO = 0
+    SIGINT = 1
+    SIGTERM = 2
+    ALL = 3
+
+
+class Handle:
+    """What `entity.handle` gives: valid until destroyed, usable in a `with` block."""
+
+    def __init__(self, core: Any) -> None:
+        self.core = core
+        self.valid = True
+
+    def __enter__(self) -> Any:
+        self.check()
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        """Nothing is held."""
+
+    def check(self) -> None:
+        """Raise InvalidHandle once destroyed."""
+        if not self.valid:
+            raise InvalidHandle("cannot use Destroyable because destruction was requested")
+
+    def destroy_when_not_in_use(self) -> None:
+        """Destroy it."""
+        if self.valid:
+            self.valid = False
+            self.close()
+
+    def close(self) -> None:
+        """Called once, on destruction."""
+        if hasattr(self.core, "close"):
+            self.core.close()
+
+    @property
+    def pointer(self) -> int:
+        """A number of its own."""
+        return id(self)
+
+
+class GuardCondition(Handle):
+    """A flag that wakes an executor."""
+
+    def __init__(self, context: Any = None) -> None:
+        super().__init__(FlagSource())
+
+    def trigger_guard_condition(self) -> None:
+        """Raise the flag."""
+        self.check()
+        self.core.raise_flag()
+
+
+class FlagSource(Source):
+    """A source that is ready once its flag was raised."""
+
+    __slots__ = ("raised",)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.raised = False
+
+    def has_work(self) -> bool:
+        return self.raised
+
+    def raise_flag(self) -> None:
+        self.raised = True
+        self.signal()
+
+    def take(self) -> bool:
+        raised, self.raised = self.raised, False
+        return raised
+
+
+class Clock(Handle):
+    """A clock's handle."""
+
+    def __init__(self, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
+        super().__init__(TimeBase(int(clock_type), current().clock))
+        self.clock_type = clock_type
+
+
+class Timer(Handle):
+    """A timer's handle, with the methods that waitables call."""
+
+    def __init__(self, clock: Any, context: Any, period_nanoseconds: int, *_more: Any) -> None:
+        super().__init__(CoreTimer(clock.core, period_nanoseconds))
+        self.clock = clock
+
+    def is_timer_ready(self) -> bool:
+        """Whether it is due."""
+        return self.core.has_work()
+
+    def is_timer_canceled(self) -> bool:
+        """Whether it was cancelled."""
+        return self.core.canceled
+
+    def call_timer(self) -> None:
+        """Count a call."""
+        self.core.call()
+
+    def cancel_timer(self) -> None:
+        """Make it never due."""
+        self.core.cancel()
+
+    def reset_timer(self) -> None:
+        """Start its period anew."""
+        self.core.reset()
+
+    def time_until_next_call(self) -> int | None:
+        """Nanoseconds, None when cancelled."""
+        return self.core.time_until_next_call()
+
+    def time_since_last_call(self) -> int:
+        """Nanoseconds."""
+        return self.core.base.now() - self.core.last
+
+    def get_timer_period(self) -> int:
+        """Nanoseconds."""
+        return self.core.period
+
+    def change_timer_period(self, period_nanoseconds: int) -> None:
+        """Nanoseconds, from the next call on."""
+        self.core.period = period_nanoseconds
+
+    def close(self) -> None:
+        self.core.cancel()
+
+
+class Endpoint(Handle):
+    """A publisher's, subscription's, service's or client's handle."""
+
+    def get_topic_name(self) -> str:
+        """The resolved name."""
+        return self.core.name
+
+    @property
+    def name(self) -> str:
+        """The resolved service name."""
+        return self.core.name
+
+
+def _qos_of(profile: Any) -> Any:
+    return profile.get_c_qos_profile() if hasattr(profile, "get_c_qos_profile") else profile
+
+
+class Publisher(Endpoint):
+    """Sends on a topic."""
+
+    def __init__(self, node: Any, msg_type: Any, topic: str, qos: Any) -> None:
+        super().__init__(node.core.publisher(node.resolve(topic, "topic"), msg_type, _qos_of(qos)))
+
+    def publish(self, msg: Any) -> None:
+        """Send a copy."""
+        self.check()
+        self.core.publish(msg)
+
+
+class Subscription(Endpoint):
+    """Receives from a topic."""
+
+    def __init__(self, node: Any, msg_type: Any, topic: str, qos: Any, *_more: Any) -> None:
+        super().__init__(node.core.subscription(node.resolve(topic, "topic"), msg_type, _qos_of(qos)))
+
+    def take_message(self, msg_type: Any = None, raw: bool = False) -> tuple[Any, dict[str, Any]] | None:
+        """The oldest message and what is known of it; None when there is none."""
+        self.check()
+        entry = self.core.take()
+        if entry is None:
+            return None
+        msg = as_bytes(entry[0]) if raw else entry[0]
+        return msg, message_info(entry)
+
+
+class Service(Endpoint):
+    """Answers requests."""
+
+    def __init__(self, node: Any, srv_type: Any, name: str, qos: Any) -> None:
+        super().__init__(node.core.server(node.resolve(name, "service"), srv_type, _qos_of(qos)))
+
+    def service_take_request(self, _request_type: Any = None) -> tuple[Any, Any]:
+        """The oldest request and its header; (None, None) when there is none."""
+        self.check()
+        return self.core.take() or (None, None)
+
+    def service_send_response(self, response: Any, header: Any) -> None:
+        """Answer the request that `header` names."""
+        self.check()
+        self.core.respond(getattr(header, "request_id", header), response)
+
+
+class Client(Endpoint):
+    """Sends requests."""
+
+    def __init__(self, node: Any, srv_type: Any, name: str, qos: Any) -> None:
+        super().__init__(node.core.client(node.resolve(name, "service"), srv_type, _qos_of(qos)))
+
+    def send_request(self, request: Any) -> int:
+        """Send a copy; the request's number."""
+        self.check()
+        return self.core.send(request)
+
+    def service_server_is_available(self) -> bool:
+        """Whether somebody serves it."""
+        self.check()
+        return self.core.server_is_ready()
+
+    def take_response(self, _response_type: Any = None) -> tuple[Any, Any]:
+        """(header, response); (None, None) when there is none."""
+        self.check()
+        taken = self.core.take()
+        return (None, None) if taken is None else (ServiceInfo(RequestInfo(taken[0]), 0, 0), taken[1])
+
+
+@dataclass
+class RequestInfo:
+    """Number of a request."""
+
+    sequence_number: int
+
+
+@dataclass
+class ServiceInfo:
+    """What is known of a request or response."""
+
+    request_id: Any
+    source_timestamp: int
+    received_timestamp: int
+
+
+class NodeHandle(Handle):
+    """A node's handle: its names and how it resolves others."""
+
+    def __init__(self, core: Any, resolve: Any, logger_name: str) -> None:
+        super().__init__(core)
+        self.resolve = resolve
+        self._logger_name = logger_name
+
+    def get_node_name(self) -> str:
+        """The name."""
+        self.check()
+        return self.core.name
+
+    def get_namespace(self) -> str:
+        """The namespace."""
+        self.check()
+        return self.core.namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """Namespace and name."""
+        self.check()
+        return self.core.full_name
+
+    def logger_name(self) -> str:
+        """For example 'robot1.camera'."""
+        self.check()
+        return self._logger_name
+
+
+def as_bytes(msg: Any) -> bytes:
+    """The message as ROS would send it."""
+    from coursekit.interfaces import cdr
+
+    return cdr.serialize(msg)
+
+
+def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
+    """What a subscription callback's second argument holds."""
+    _, stamp, publisher = entry
+    return {"source_timestamp": stamp, "received_timestamp": stamp, "publisher_gid": publisher.gid}
+
+
+class WaitSet:
+    """Stands for rcl's wait set: a waitable adds its handles and asks which of them are ready."""
+
+    def __init__(self, *_sizes: Any) -> None:
+        self.handles: dict[str, list[Any]] = {}
+
+    def _add(self, kind: str, handle: Any) -> int:
+        handles = self.handles.setdefault(kind, [])
+        handles.append(handle)
+        return len(handles) - 1
+
+    def add_subscription(self, handle: Any) -> int:
+        """Wait for a message."""
+        return self._add("subscription", handle)
+
+    def add_guard_condition(self, handle: Any) -> int:
+        """Wait for a flag."""
+        return self._add("guard_condition", handle)
+
+    def add_timer(self, handle: Any) -> int:
+        """Wait for a timer."""
+        return self._add("timer", handle)
+
+    def add_client(self, handle: Any) -> int:
+        """Wait for a response."""
+        return self._add("client", handle)
+
+    def add_service(self, handle: Any) -> int:
+        """Wait for a request."""
+        return self._add("service", handle)
+
+    def add_event(self, handle: Any) -> int:
+        """Wait for a QoS event."""
+        return self._add("event", handle)
+
+    def is_ready(self, kind: str, index: int) -> bool:
+        """Whether that entity is ready."""
+        handle = self.handles[kind][index]
+        if kind == "guard_condition":
+            return handle.core.take()
+        return handle.core.has_work()
+
+    def sources(self) -> Iterator[Source]:
+        """All that was added."""
+        for handles in self.handles.values():
+            for handle in handles:
+                yield handle.core

@@ -1,0 +1,14 @@
+"""Make a topic name absolute. In ROS 2: rclpy.expand_topic_name."""
+
+from __future__ import annotations
+
+from coursekit.core import names
+
+
+def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
+    """Return the full name as the node means it; ValueError says what is wrong.
+
+    >>> expand_topic_name("~/pose", "turtle", "/sim")
+    '/sim/turtle/pose'
+    """
+    return names.expand(topic_name, node_name, node_namespace)

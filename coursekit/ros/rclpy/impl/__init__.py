@@ -1,0 +1,1 @@
+"""What stands where real rclpy has its C++ part."""

@@ -1,0 +1,132 @@
+"""What one process knows about logging: levels, where lines go, who listens for /rosout."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable
+from datetime import datetime
+from enum import IntEnum
+from typing import Any, TextIO
+
+from coursekit.core.process import current_process
+
+
+class LoggingSeverity(IntEnum):
+    """How grave a message is; UNSET takes the parent logger's level."""
+
+    UNSET = 0
+    DEBUG = 10
+    INFO = 20
+    WARN = 30
+    ERROR = 40
+    FATAL = 50
+
+
+Listener = Callable[[int, str, str, str, str, int, int], None]
+"""Called with level, logger name, text, file, function, line, stamp in nanoseconds."""
+
+DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
+_TOKEN = re.compile(r"\{([a-z_]+)\}")
+_COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
+_NAMES = {level.value: level.name for level in LoggingSeverity}
+
+
+class LoggingState:
+    """Levels and outputs of one process; read from its environment when it first logs.
+
+    >>> state = LoggingState({})
+    >>> state.set_level("a", 30)
+    >>> state.effective_level("a.b"), state.effective_level("c")
+    (30, 20)
+    """
+
+    def __init__(self, environ: Any) -> None:
+        self.listeners: dict[str, Listener] = {}
+        self.to_console = True
+        self._levels: dict[str, int] = {"": LoggingSeverity.INFO.value}
+        self._effective: dict[str, int] = {}
+        self._to_stdout = environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1"
+        self._colour = environ.get("RCUTILS_COLORIZED_OUTPUT") == "1"
+        self._format = _unescaped(environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
+
+    def set_level(self, name: str, level: int) -> None:
+        """Set the level of a logger and of those below it that have none; '' is all of them."""
+        self._effective.clear()
+        if level:
+            self._levels[name] = level
+        elif name:
+            self._levels.pop(name, None)
+        else:
+            self._levels[""] = LoggingSeverity.INFO.value
+
+    def level(self, name: str) -> int:
+        """Return the level set for the logger itself, UNSET when there is none."""
+        return self._levels.get(name, 0)
+
+    def effective_level(self, name: str) -> int:
+        """Return the logger's own level, or that of its nearest parent."""
+        try:
+            return self._effective[name]
+        except KeyError:
+            known = name
+            while known and known not in self._levels:
+                known = known.rpartition(".")[0]
+            self._effective[name] = self._levels[known]
+            return self._effective[name]
+
+    def forget_levels(self) -> None:
+        """Go back to INFO for every logger."""
+        self._levels = {"": LoggingSeverity.INFO.value}
+        self._effective.clear()
+
+    def write(self, level: int, name: str, text: str, caller: tuple[str, str, int], stamp: int) -> None:
+        """Show one line; `caller` is file, function and line, `stamp` nanoseconds since the epoch."""
+        if not self.to_console:
+            return
+        if self._format == DEFAULT_FORMAT:
+            line = f"[{_NAMES[level]}] [{_seconds(stamp)}] [{name}]: {text}\n"
+        else:
+            line = _formatted(self._format, level, name, text, caller, stamp) + "\n"
+        if self._colour:
+            line = f"{_COLOURS[level]}{line[:-1]}\033[0m\n"
+        stream: TextIO = sys.stdout if self._to_stdout else sys.stderr
+        stream.write(line)
+
+
+def _seconds(stamp: int) -> str:
+    seconds, nanoseconds = divmod(stamp, 1_000_000_000)
+    return f"{seconds}.{nanoseconds:09d}"
+
+
+def _unescaped(text: str) -> str:
+    return text.replace("\\n", "\n").replace("\\t", "\t").replace("\\r", "\r")
+
+
+def _formatted(
+    pattern: str, level: int, name: str, text: str, caller: tuple[str, str, int], stamp: int
+) -> str:
+    values = dict(zip(("file_name", "function_name", "line_number"), map(str, caller), strict=True))
+    values |= {"severity": _NAMES[level], "name": name, "message": text, "time": _seconds(stamp)}
+    values["time_as_nanoseconds"] = str(stamp)
+    values["date_time_with_ms"] = datetime.fromtimestamp(stamp / 1e9).strftime("%Y-%m-%d %H:%M:%S.%f")[:-3]
+    return _TOKEN.sub(lambda found: values.get(found[1], found[0]), pattern)
+
+
+_outside: LoggingState | None = None
+_KEY = "rclpy.logging"
+
+
+def logging_state() -> LoggingState:
+    """Return the state of the process that is running, or of the interpreter when none is."""
+    global _outside
+    process = current_process()
+    if process is not None:
+        state = process.locals.get(_KEY)
+        if state is None:
+            state = process.locals[_KEY] = LoggingState(os.environ)
+        return state
+    if _outside is None:
+        _outside = LoggingState(os.environ)
+    return _outside

@@ -1,0 +1,150 @@
+"""Loggers. In ROS 2: rclpy.impl.rcutils_logger."""
+
+from __future__ import annotations
+
+import sys
+from types import FrameType
+from typing import Any
+
+from rclpy.impl.log_filters import FILTERS, get_filters_from_kwargs
+from rclpy.impl.logging_state import Listener, LoggingSeverity, logging_state
+
+from coursekit.core import session
+
+
+def add_rosout(name: str, callback: Listener) -> None:
+    """Tell `callback` of every message that the logger `name` and its children let through."""
+    logging_state().listeners[name] = callback
+
+
+def remove_rosout(name: str) -> None:
+    """Tell it no more."""
+    logging_state().listeners.pop(name, None)
+
+
+class _CallSite:
+    """What a line of code said to the logger the first time: later calls must agree with it."""
+
+    __slots__ = ("code", "filters", "name", "severity", "states")
+
+    def __init__(self, code: Any, severity: int, name: str, options: dict[str, Any]) -> None:
+        self.code = code  # held, so that no other code gets its id
+        self.severity = severity
+        self.name = name
+        self.filters = get_filters_from_kwargs(**options) if options else []
+        self.states = [FILTERS[each](options) for each in self.filters]
+
+    def check(self, severity: int, name: str, options: dict[str, Any]) -> None:
+        if self.severity != severity:
+            raise ValueError("Logger severity cannot be changed between calls.")
+        if self.name != name:
+            raise ValueError("Logger name cannot be changed between calls.")
+        if not options and not self.filters:
+            return
+        if get_filters_from_kwargs(**options) != self.filters:
+            raise ValueError("Requested logging filters cannot be changed between calls.")
+        if not all(state.agrees(options) for state in self.states):
+            raise ValueError("Logging filter parameters cannot be changed between calls.")
+
+    def lets_through(self) -> bool:
+        return all(state.lets_through() for state in self.states)
+
+
+class RcutilsLogger:
+    """A named logger; the part of the name before a dot is its parent.
+
+    The options of every call: `once`, `skip_first`, `throttle_duration_sec` (seconds) with
+    `throttle_time_source_type` (a Clock), `name`. Calls return whether the message was shown.
+
+    >>> RcutilsLogger("robot").get_child("arm").name
+    'robot.arm'
+    """
+
+    def __init__(self, name: str = "") -> None:
+        self.name = name
+        self.contexts: dict[tuple[int, int], _CallSite] = {}
+        self._rosout_name = name
+
+    def get_child(self, name: str) -> RcutilsLogger:
+        """Return the logger `self.name.name`; ValueError for an empty name."""
+        if not name:
+            raise ValueError("Child logger name must not be empty.")
+        child = RcutilsLogger(f"{self.name}.{name}" if self.name else name)
+        child._rosout_name = self._rosout_name
+        return child
+
+    def set_level(self, level: LoggingSeverity | int) -> None:
+        """Show messages of this severity and above; ValueError for a number that is no severity."""
+        logging_state().set_level(self.name, LoggingSeverity(level).value)
+
+    def get_effective_level(self) -> LoggingSeverity:
+        """Return the severity from which messages are shown."""
+        return LoggingSeverity(logging_state().effective_level(self.name))
+
+    def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:
+        """Say whether messages of the severity are shown."""
+        return LoggingSeverity(severity).value >= logging_state().effective_level(self.name)
+
+    def log(self, message: str, severity: LoggingSeverity | int, **kwargs: Any) -> bool:
+        """Log with the severity; ValueError when it is none, or when a line of code changes its mind."""
+        return self._log(message, LoggingSeverity(severity).value, kwargs)
+
+    def debug(self, message: str, **kwargs: Any) -> bool:
+        """Log what only helps to find errors."""
+        return self._log(message, 10, kwargs)
+
+    def info(self, message: str, **kwargs: Any) -> bool:
+        """Log what goes as it should."""
+        return self._log(message, 20, kwargs)
+
+    def warning(self, message: str, **kwargs: Any) -> bool:
+        """Log what may go wrong."""
+        return self._log(message, 30, kwargs)
+
+    def warn(self, message: str, **kwargs: Any) -> bool:
+        """Log as `warning` does."""
+        return self._log(message, 30, kwargs)
+
+    def error(self, message: str, **kwargs: Any) -> bool:
+        """Log what went wrong."""
+        return self._log(message, 40, kwargs)
+
+    def fatal(self, message: str, **kwargs: Any) -> bool:
+        """Log what ends the program."""
+        return self._log(message, 50, kwargs)
+
+    def _log(self, message: str, severity: int, options: dict[str, Any]) -> bool:
+        state = logging_state()
+        name = options.pop("name", self.name) if options else self.name
+        if severity < state.effective_level(name) or not severity:
+            return False
+        frame = _caller()
+        if not self._passes(frame, severity, name, options):
+            return False
+        code = frame.f_code
+        caller = (code.co_filename, code.co_name, frame.f_lineno)
+        stamp = session.current().clock.now()
+        text = str(message)
+        state.write(severity, name, text, caller, stamp)
+        listener = state.listeners.get(self._rosout_name)
+        if listener is not None:
+            listener(severity, name, text, *caller, stamp)
+        return True
+
+    def _passes(self, frame: FrameType, severity: int, name: str, options: dict[str, Any]) -> bool:
+        """Whether the line of code that `frame` stands on keeps to its word, and its filters let it speak."""
+        key = (id(frame.f_code), frame.f_lasti)
+        site = self.contexts.get(key)
+        if site is None:
+            site = self.contexts[key] = _CallSite(frame.f_code, severity, name, options)
+        else:
+            site.check(severity, name, options)
+        return site.lets_through() if site.states else True
+
+
+def _caller() -> FrameType:
+    """The nearest frame outside of this file."""
+    frame = sys._getframe(3)
+    while frame.f_back is not None and frame.f_code.co_filename == __file__:
+        frame = frame.f_back
+    return frame

@@ -1,0 +1,80 @@
+"""Loggers and their levels. In ROS 2: rclpy.logging."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rclpy.impl.logging_state import LoggingSeverity as LoggingSeverity
+from rclpy.impl.logging_state import logging_state
+from rclpy.impl.rcutils_logger import RcutilsLogger
+
+from coursekit.core.arguments import RosArguments
+
+_root_logger = RcutilsLogger()
+
+
+def get_logger(name: str) -> RcutilsLogger:
+    """Return a logger of that name; ValueError for an empty one.
+
+    >>> get_logger("robot").name
+    'robot'
+    """
+    if not name:
+        raise ValueError("Logger name must not be empty.")
+    return _root_logger.get_child(name)
+
+
+def initialize() -> None:
+    """Begin to log: nothing to do, the first message does it."""
+    logging_state()
+
+
+def shutdown() -> None:
+    """End logging: levels that were set are forgotten."""
+    logging_state().forget_levels()
+
+
+def clear_config() -> None:
+    """Forget the levels that were set."""
+    logging_state().forget_levels()
+
+
+def configure(arguments: RosArguments) -> None:
+    """Do what `--log-level` and `--disable-stdout-logs` of a command line say, in the running process."""
+    state = logging_state()
+    state.to_console = arguments.stdout_enabled
+    for name, level in arguments.log_levels.items():
+        state.set_level(name or "", level)
+
+
+def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:
+    """Set the level of the named logger; '' sets the default. ValueError for a number that is no severity."""
+    logging_state().set_level(name, LoggingSeverity(level).value)
+
+
+def get_logger_effective_level(name: str) -> LoggingSeverity:
+    """Return the severity from which the named logger shows messages."""
+    return LoggingSeverity(logging_state().effective_level(name))
+
+
+def get_logger_level(name: str) -> LoggingSeverity:
+    """Return the level set for the named logger itself, UNSET when there is none."""
+    return LoggingSeverity(logging_state().level(name))
+
+
+def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
+    """Return the severity that a word means, in any case; RuntimeError for another word.
+
+    >>> get_logging_severity_from_string("warn")
+    <LoggingSeverity.WARN: 30>
+    """
+    try:
+        return LoggingSeverity[log_severity.upper()]
+    except KeyError:
+        known = ", ".join(LoggingSeverity.__members__)
+        raise RuntimeError(f"Failed to get severity name: '{log_severity}' is none of {known}") from None
+
+
+def get_logging_directory() -> Path:
+    """Return where ROS would keep log files."""
+    return Path.home() / ".ros" / "log"

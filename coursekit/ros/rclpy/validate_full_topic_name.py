@@ -1,0 +1,21 @@
+"""Say whether a topic or service name is valid. In ROS 2: rclpy.validate_full_topic_name."""
+
+from __future__ import annotations
+
+from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
+
+from coursekit.core import names
+
+
+def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """Return True, or raise InvalidTopicNameException (InvalidServiceNameException when is_service).
+
+    >>> validate_full_topic_name("/chatter")
+    True
+    """
+    reason = names.validate_full_topic_name(name)
+    if reason is None:
+        return True
+    if is_service:
+        raise InvalidServiceNameException(name, *reason)
+    raise InvalidTopicNameException(name, *reason)

@@ -1,0 +1,19 @@
+"""Say whether a namespace is valid. In ROS 2: rclpy.validate_namespace."""
+
+from __future__ import annotations
+
+from rclpy.exceptions import InvalidNamespaceException
+
+from coursekit.core import names
+
+
+def validate_namespace(namespace: str) -> bool:
+    """Return True, or raise InvalidNamespaceException.
+
+    >>> validate_namespace("/robot")
+    True
+    """
+    reason = names.validate_namespace(namespace)
+    if reason is None:
+        return True
+    raise InvalidNamespaceException(namespace, *reason)

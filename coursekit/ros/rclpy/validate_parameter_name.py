@@ -1,0 +1,12 @@
+"""Say whether a parameter name is valid. In ROS 2: rclpy.validate_parameter_name."""
+
+from __future__ import annotations
+
+from rclpy.exceptions import InvalidParameterException
+
+
+def validate_parameter_name(name: str) -> bool:
+    """Return True, or raise InvalidParameterException: any text but the empty one is a name."""
+    if name:
+        return True
+    raise InvalidParameterException(name)

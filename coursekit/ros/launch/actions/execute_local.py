@@ -1,0 +1,344 @@
+"""Starts a program and looks after it until it ends."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import traceback
+from collections.abc import Callable
+from typing import Any, cast
+
+from ..action import Action
+from ..conditions import evaluate_condition_expression
+from ..descriptions import Executable
+from ..event import Event
+from ..event_handler import EventHandler
+from ..event_handlers import OnProcessExit, OnProcessIO, OnProcessStart, OnShutdown
+from ..events import Shutdown, matches_action
+from ..events.process import (
+    ProcessExited,
+    ProcessIO,
+    ProcessStarted,
+    ProcessStderr,
+    ProcessStdout,
+    ShutdownProcess,
+    SignalProcess,
+)
+from ..launch_context import LaunchContext
+from ..launch_description_entity import LaunchDescriptionEntity
+from ..logging import get_logger
+from ..process_output import ProcessOutput
+from ..process_starter import start_process
+from ..some_entities_type import SomeEntitiesType
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..substitutions import LaunchConfiguration
+from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
+from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+from .emit_event import EmitEvent
+from .escalation import Escalation
+
+OnExit = SomeEntitiesType | Callable[..., SomeEntitiesType | None] | None
+
+
+class ExecuteLocal(Action):
+    """Starts what `process_description` says, logs its output, and ends it when the launch ends.
+
+    It emits ProcessStarted, ProcessStdout, ProcessStderr and ProcessExited, and reacts to ShutdownProcess,
+    SignalProcess and Shutdown. `output` is 'log', 'screen', 'both', 'own_log' or 'full'. Ending is SIGINT,
+    after `sigterm_timeout` seconds SIGTERM, after `sigkill_timeout` more SIGKILL.
+    """
+
+    def __init__(
+        self,
+        *,
+        process_description: Executable,
+        shell: bool = False,
+        sigterm_timeout: SomeSubstitutionsType = LaunchConfiguration('sigterm_timeout', default=5),
+        sigkill_timeout: SomeSubstitutionsType = LaunchConfiguration('sigkill_timeout', default=5),
+        emulate_tty: bool = False,
+        output: Any = 'log',
+        output_format: str = '[{this.process_description.final_name}] {line}',
+        cached_output: bool = False,
+        log_cmd: bool = False,
+        on_exit: OnExit = None,
+        respawn: bool | SomeSubstitutionsType = False,
+        respawn_delay: float | None = None,
+        respawn_max_retries: int = -1,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self.__description = process_description
+        self.__shell = shell
+        self.__sigterm_timeout = normalize_to_list_of_substitutions(sigterm_timeout)
+        self.__sigkill_timeout = normalize_to_list_of_substitutions(sigkill_timeout)
+        self.__emulate_tty = emulate_tty
+        output = os.environ.get('OVERRIDE_LAUNCH_PROCESS_OUTPUT', output)
+        self.__output = output if isinstance(output, dict) else normalize_to_list_of_substitutions(output)
+        self.__output_format = output_format
+        self.__cached_output = cached_output
+        self.__log_cmd = log_cmd
+        self.__on_exit = on_exit
+        self.__respawn = normalize_typed_substitution(respawn, bool)
+        self.__respawn_delay = respawn_delay
+        self.__retries_left = respawn_max_retries
+        self.__details: dict[str, Any] | None = None
+        self.__process: Any = None
+        self.__executed = False
+        self.__completed: asyncio.Future[None] | None = None
+        self.__shutdown: asyncio.Future[None] | None = None
+        self.__escalation: Escalation | None = None
+        self.__lines: ProcessOutput | None = None
+
+    # -- what others see
+
+    @property
+    def process_description(self) -> Executable:
+        """What is started."""
+        return self.__description
+
+    @property
+    def shell(self) -> bool:
+        """Whether a shell runs the command."""
+        return self.__shell
+
+    @property
+    def emulate_tty(self) -> bool:
+        """Whether a terminal was asked for; output is never buffered here, so it makes no difference."""
+        return self.__emulate_tty
+
+    @property
+    def sigterm_timeout(self) -> list[Substitution]:
+        """The seconds between SIGINT and SIGTERM, as substitutions."""
+        return self.__sigterm_timeout
+
+    @property
+    def sigkill_timeout(self) -> list[Substitution]:
+        """The seconds between SIGTERM and SIGKILL, as substitutions."""
+        return self.__sigkill_timeout
+
+    @property
+    def output(self) -> Any:
+        """Where the output goes, as substitutions or a mapping."""
+        return self.__output
+
+    @property
+    def process_details(self) -> dict[str, Any] | None:
+        """Action, name, cmd, cwd, env and pid; None before it is prepared."""
+        return self.__details
+
+    @property
+    def return_code(self) -> int | None:
+        """The exit code, None before the end."""
+        return None if self.__process is None else self.__process.exit_code
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return what is done on exit, when it is known beforehand."""
+        return self.__on_exit if isinstance(self.__on_exit, list) else []
+
+    def get_stdout(self) -> str:
+        """Return all of stdout; needs `cached_output=True`."""
+        return self.__cached('stdout')
+
+    def get_stderr(self) -> str:
+        """Return all of stderr; needs `cached_output=True`."""
+        return self.__cached('stderr')
+
+    def __cached(self, stream: str) -> str:
+        if not self.__cached_output:
+            raise RuntimeError(
+                f"cached output must be true to be able to get {stream}, proc '{self.__description.final_name}'")
+        return '' if self.__lines is None else self.__lines.cached(stream)
+
+    # -- starting
+
+    def prepare(self, context: LaunchContext) -> None:
+        """Perform the substitutions of the description."""
+        self.__description.prepare(context, self)
+        self.__details = {
+            'action': self,
+            'name': self.__description.final_name,
+            'cmd': self.__description.final_cmd,
+            'cwd': self.__description.final_cwd,
+            'env': self.__description.final_env,
+        }
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Register the handlers, and start the process in the next round of the loop.
+
+        Raises:
+            RuntimeError: when the same action is carried out twice.
+        """
+        self.prepare(context)
+        name = cast(str, self.__description.final_name)
+        if self.__executed:
+            raise RuntimeError(f"ExecuteLocal action '{name}': executed more than once: {self.describe()}")
+        self.__executed = True
+        if context.is_shutdown:
+            return None
+        assert context.asyncio_loop is not None
+        output = self.__output if isinstance(self.__output, dict) else perform_substitutions(context, self.__output)
+        self.__lines = ProcessOutput(self, name, output, self.__output_format, self.__cached_output)
+        self.__logger = get_logger(name)
+        self.__completed = context.asyncio_loop.create_future()
+        self.__shutdown = context.asyncio_loop.create_future()
+        for handler in self.__handlers():
+            context.register_event_handler(handler)
+        context.asyncio_loop.create_task(self.__run(context))
+        return None
+
+    def __handlers(self) -> list[Any]:
+        return [
+            EventHandler(matcher=self.__is_shutdown_for_me, entities=self.__on_shutdown_process),
+            EventHandler(matcher=self.__is_signal_for_me, entities=self.__on_signal),
+            OnProcessIO(target_action=self, on_stdout=self.__on_io, on_stderr=self.__on_io),
+            OnShutdown(on_shutdown=self.__on_shutdown),
+            OnProcessExit(target_action=self, on_exit=self.__on_exit),
+            OnProcessExit(target_action=self, on_exit=lambda event, context: cast(Any, self.__lines).flush()),
+        ]
+
+    async def __run(self, context: LaunchContext) -> None:
+        """Run the process, again and again when it is to be respawned."""
+        try:
+            while await self.__run_once(context) and await self.__to_respawn(context):
+                pass
+        finally:
+            if self.__escalation is not None:
+                self.__escalation.cancel()
+            if self.__completed is not None and not self.__completed.done():
+                self.__completed.set_result(None)
+
+    async def __run_once(self, context: LaunchContext) -> bool:
+        """Run the process to its end; return whether it could be started."""
+        assert self.__details is not None
+        self.__log_details(context)
+        try:
+            ended = self.__start(context)
+        except Exception:
+            self.__logger.error(f'exception occurred while executing process:\n{traceback.format_exc()}')
+            return False
+        self.__logger.info(f"process started with pid [{self.__process.pid}]")
+        self.__details['pid'] = self.__process.pid
+        context.emit_event_sync(ProcessStarted(**self.__details))
+        code = await ended
+        await _events_handled(context)
+        self.__log_end(code)
+        context.emit_event_sync(ProcessExited(returncode=code, **self.__details))
+        return True
+
+    def __start(self, context: LaunchContext) -> asyncio.Future[int]:
+        """Start the process; return a future of its exit code."""
+        loop, details = cast(Any, context.asyncio_loop), cast(Any, self.__details)
+        ended: asyncio.Future[int] = loop.create_future()
+
+        def on_output(stream: str, text: str) -> None:
+            kind = ProcessStdout if stream == 'stdout' else ProcessStderr
+            loop.call_soon_threadsafe(
+                lambda: context.emit_event_sync(kind(text=text.encode('utf-8', 'replace'), **details)))
+
+        def on_end(process: Any) -> None:
+            loop.call_soon_threadsafe(lambda: ended.done() or ended.set_result(process.exit_code))
+
+        details['pid'] = 0
+        self.__process = start_process(
+            details['cmd'], cwd=details['cwd'], env=details['env'], shell=self.__shell, on_output=on_output)
+        context._launched_processes.append(self.__process)
+        self.__process.on_exit(on_end)
+        return ended
+
+    def __log_details(self, context: LaunchContext) -> None:
+        if 'emulate_tty' in context.launch_configurations:
+            evaluate_condition_expression(
+                context, normalize_to_list_of_substitutions(context.launch_configurations['emulate_tty']))
+        if self.__log_cmd:
+            custom = self.__description.env is not None or self.__description.additional_env is not None
+            self.__logger.info(
+                f"process details: cmd='{self.__command_line()}', cwd='{self.__description.final_cwd}', "
+                f"custom_env?={custom}")
+
+    def __command_line(self) -> str:
+        return ' '.join(part for part in cast(Any, self.__details)['cmd'] if part.strip())
+
+    def __log_end(self, code: int) -> None:
+        pid = self.__process.pid
+        if code == 0:
+            self.__logger.info(f'process has finished cleanly [pid {pid}]')
+        else:
+            self.__logger.error(f"process has died [pid {pid}, exit code {code}, cmd '{self.__command_line()}'].")
+
+    async def __to_respawn(self, context: LaunchContext) -> bool:
+        """Wait the respawn delay; return whether the process is to be started again."""
+        assert self.__shutdown is not None
+        wanted = perform_typed_substitution(context, self.__respawn, bool)
+        if not wanted or context.is_shutdown or self.__shutdown.done() or self.__retries_left == 0:
+            return False
+        self.__retries_left -= 1
+        if self.__respawn_delay:
+            await asyncio.wait((self.__shutdown,), timeout=self.__respawn_delay)
+        return not self.__shutdown.done()
+
+    # -- events
+
+    def __is_shutdown_for_me(self, event: Event) -> bool:
+        return isinstance(event, ShutdownProcess) and event.process_matcher(self)
+
+    def __is_signal_for_me(self, event: Event) -> bool:
+        return isinstance(event, SignalProcess) and event.process_matcher(self)
+
+    def __on_io(self, event: ProcessIO) -> None:
+        if self.__lines is not None:
+            self.__lines.write('stdout' if event.from_stdout else 'stderr', event.text.decode(errors='replace'))
+
+    def __on_shutdown_process(self, event: Event, context: LaunchContext) -> list[Action] | None:
+        return self._shutdown_process(context, send_sigint=True)
+
+    def __on_shutdown(self, event: Event, context: LaunchContext) -> list[Action] | None:
+        ctrl_c = cast(Shutdown, event).due_to_sigint and not context.noninteractive
+        if ctrl_c and self.__is_running():
+            self.__process.interrupt()  # as a terminal's Ctrl-C, which reaches everything it started
+        return self._shutdown_process(context, send_sigint=not ctrl_c)
+
+    def __is_running(self) -> bool:
+        return self.__process is not None and self.__process.exit_code is None
+
+    def _shutdown_process(self, context: LaunchContext, *, send_sigint: bool) -> list[Action] | None:
+        """Begin to end the process; return the timers that make it sure, and the first signal."""
+        if self.__shutdown is None or self.__shutdown.done():
+            return None
+        if self.__completed is not None and not self.__completed.done() and self.__process is None:
+            context.register_event_handler(OnProcessStart(
+                target_action=self, handle_once=True,
+                on_start=lambda event, where: self._shutdown_process(where, send_sigint=True)))
+            return None
+        self.__shutdown.set_result(None)
+        if not self.__is_running():
+            return None
+        self.__escalation = Escalation(self, self.__sigterm_timeout, self.__sigkill_timeout)
+        actions: list[Action] = [*self.__escalation.timers()]
+        if send_sigint:
+            actions.append(EmitEvent(event=SignalProcess(
+                signal_number='SIGINT', process_matcher=matches_action(self))))
+        return actions
+
+    def __on_signal(self, event: Event, context: LaunchContext) -> None:
+        signal_event = cast(SignalProcess, event)
+        if self.__process is None:
+            raise RuntimeError('Signal event received before subprocess transport available.')
+        name = cast(str, self.__description.final_name)
+        if not self.__is_running():
+            self.__logger.debug(f"signal '{signal_event.signal_name}' not sent to '{name}' because it has closed already")
+            return
+        self.__logger.info(f"sending signal '{signal_event.signal_name}' to process[{name}]")
+        self.__process.send_signal(int(signal_event.signal))
+
+    def get_asyncio_future(self) -> asyncio.Future[None] | None:
+        """Return a future that is done when the process has ended for good."""
+        return self.__completed
+
+
+async def _events_handled(context: LaunchContext) -> None:
+    """Wait until the output that came before the end has been logged; a flood of events is not waited for."""
+    for _ in range(10):
+        if context._event_queue.empty():
+            return
+        await asyncio.sleep(0)

@@ -1,0 +1,26 @@
+"""Closes a scope of launch configurations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..action import Action
+from ..frontend import Entity, Parser, expose_action
+from ..launch_context import LaunchContext
+from ..launch_description_entity import LaunchDescriptionEntity
+
+
+@expose_action('pop_launch_configurations')
+class PopLaunchConfigurations(Action):
+    """Brings back the launch configurations that were pushed last."""
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Read `<pop_launch_configurations/>`."""
+        _, kwargs = super().parse(entity, parser)
+        return cls, kwargs
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Bring them back."""
+        context._pop_launch_configurations()
+        return None

@@ -1,0 +1,224 @@
+"""An asyncio loop that runs on the session's clock.
+
+Coroutines, futures, `asyncio.sleep` and `asyncio.wait` of a launch file run on it unchanged; on the
+virtual clock their waiting takes no time. The loop counts as the running one only while a callback
+runs, so it also works inside a notebook cell, where another loop is already running.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import asyncio.events
+import asyncio.tasks
+import heapq
+from collections import deque
+from collections.abc import Callable
+from contextvars import Context
+from typing import Any
+
+from coursekit.core import session
+
+
+class ClockLoop(asyncio.AbstractEventLoop):
+    """Runs callbacks in the order they became due; waits with the session's events."""
+
+    def __init__(self) -> None:
+        self.__session = session.current()
+        self.__wake = self.__session.clock.new_event()
+        self.__ready: deque[asyncio.Handle] = deque()
+        self.__timers: list[tuple[float, int, asyncio.TimerHandle]] = []
+        self.__count = 0
+        self.__stopping = False
+        self.__running = False
+        self.__closed = False
+        self.__debug = False
+        self.__failures: Callable[..., Any] | None = None
+
+    def time(self) -> float:
+        """Return the session's steady time in seconds."""
+        return self.__session.clock.steady() / 1e9
+
+    def call_soon(
+        self, callback: Callable[..., Any], *args: Any, context: Context | None = None
+    ) -> asyncio.Handle:
+        """Have a callback run in the next round."""
+        handle = asyncio.Handle(callback, args, self, context)
+        self.__ready.append(handle)
+        return handle
+
+    def call_soon_threadsafe(
+        self, callback: Callable[..., Any], *args: Any, context: Context | None = None
+    ) -> asyncio.Handle:
+        """Have a callback run soon; may be called from any thread or process of the session."""
+        handle = self.call_soon(callback, *args, context=context)
+        self.__wake.set()
+        return handle
+
+    def call_later(
+        self, delay: float, callback: Callable[..., Any], *args: Any, context: Context | None = None
+    ) -> asyncio.TimerHandle:
+        """Have a callback run after `delay` seconds."""
+        return self.call_at(self.time() + delay, callback, *args, context=context)
+
+    def call_at(
+        self, when: float, callback: Callable[..., Any], *args: Any, context: Context | None = None
+    ) -> asyncio.TimerHandle:
+        """Have a callback run at a steady time, in seconds."""
+        handle = asyncio.TimerHandle(when, callback, args, self, context)
+        self.__count += 1
+        heapq.heappush(self.__timers, (when, self.__count, handle))
+        return handle
+
+    def _timer_handle_cancelled(self, handle: asyncio.TimerHandle) -> None:
+        """Called by a cancelled timer; it is dropped when its time comes."""
+
+    def create_future(self) -> asyncio.Future[Any]:
+        """Return a new future of this loop."""
+        return asyncio.Future(loop=self)
+
+    def create_task(self, coro: Any, **kwargs: Any) -> asyncio.Task[Any]:  # type: ignore[override]
+        """Start a coroutine."""
+        return asyncio.Task(coro, loop=self, **kwargs)
+
+    def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
+        """Run a function in a lane of its own; the future gets what it returns or raises."""
+        future = self.create_future()
+
+        def work() -> None:
+            try:
+                result = func(*args)
+            except BaseException as error:
+                self.call_soon_threadsafe(_settle, future, None, error)
+            else:
+                self.call_soon_threadsafe(_settle, future, result, None)
+
+        self.__session.spawn(work)
+        return future
+
+    def run_until_complete(self, future: Any) -> Any:
+        """Run until a future or coroutine is done; return its result."""
+        task = asyncio.ensure_future(future, loop=self)
+        task.add_done_callback(self.__wake_up)
+        self.__run(task.done)
+        return task.result()
+
+    def run_forever(self) -> None:
+        """Run until `stop` is called."""
+        self.__stopping = False
+        self.__run(lambda: self.__stopping)
+
+    def __wake_up(self, _: Any) -> None:
+        self.__wake.set()
+
+    def __run(self, finished: Callable[[], bool]) -> None:
+        if self.__closed:
+            raise RuntimeError('Event loop is closed')
+        if self.__running:
+            raise RuntimeError('This event loop is already running')
+        self.__running = True
+        try:
+            while not finished():
+                self.__run_once()
+        finally:
+            self.__running = False
+
+    def __run_once(self) -> None:
+        """Wait for something to be due, then run what was due at that moment."""
+        self.__take_due_timers()
+        if not self.__ready:
+            self.__wait()
+            self.__take_due_timers()
+        for _ in range(len(self.__ready)):
+            handle = self.__ready.popleft()
+            if not handle.cancelled():
+                _run_as_current(self, handle)
+
+    def __wait(self) -> None:
+        """Wait until the next timer is due or another thread adds a callback."""
+        while self.__timers and self.__timers[0][2].cancelled():
+            heapq.heappop(self.__timers)
+        timeout = max(0.0, self.__timers[0][0] - self.time()) if self.__timers else None
+        self.__wake.wait(timeout)
+        self.__wake.clear()
+
+    def __take_due_timers(self) -> None:
+        now = self.time() + 1e-9
+        while self.__timers and self.__timers[0][0] <= now:
+            handle = heapq.heappop(self.__timers)[2]
+            if not handle.cancelled():
+                self.__ready.append(handle)
+
+    def stop(self) -> None:
+        """End `run_forever` after this round."""
+        self.__stopping = True
+        self.__wake.set()
+
+    def is_running(self) -> bool:
+        """Return whether the loop runs."""
+        return self.__running
+
+    def is_closed(self) -> bool:
+        """Return whether the loop was closed."""
+        return self.__closed
+
+    def close(self) -> None:
+        """Drop all callbacks; the loop cannot run again."""
+        self.__closed = True
+        self.__ready.clear()
+        self.__timers.clear()
+
+    async def shutdown_asyncgens(self) -> None:
+        """There is nothing to shut down."""
+
+    async def shutdown_default_executor(self, timeout: float | None = None) -> None:
+        """There is nothing to shut down."""
+
+    def get_debug(self) -> bool:
+        """Return whether asyncio's debug checks are on."""
+        return self.__debug
+
+    def set_debug(self, enabled: bool) -> None:
+        """Switch asyncio's debug checks."""
+        self.__debug = enabled
+
+    def set_exception_handler(self, handler: Callable[..., Any] | None) -> None:
+        """Set who hears of exceptions that nobody awaits."""
+        self.__failures = handler
+
+    def call_exception_handler(self, context: dict[str, Any]) -> None:
+        """Tell of an exception that nobody awaits."""
+        if self.__failures is not None:
+            self.__failures(self, context)
+        else:
+            self.default_exception_handler(context)
+
+    def default_exception_handler(self, context: dict[str, Any]) -> None:
+        """Log the exception."""
+        from .logging import get_logger
+
+        get_logger('launch').error(context.get('message'), exc_info=context.get('exception'))
+
+
+def _settle(future: asyncio.Future[Any], result: Any, error: BaseException | None) -> None:
+    if future.done():
+        return
+    if error is not None:
+        future.set_exception(error)
+    else:
+        future.set_result(result)
+
+
+def _run_as_current(loop: ClockLoop, handle: asyncio.Handle) -> None:
+    """Run a callback with `loop` as this thread's running loop, then put the loop around it back."""
+    outer = asyncio.events._get_running_loop()
+    task = None
+    swap = getattr(asyncio.tasks, '_swap_current_task', None)
+    if outer is not None and swap is not None:
+        task = swap(outer, None)
+    asyncio.events._set_running_loop(loop)
+    try:
+        handle._run()
+    finally:
+        asyncio.events._set_running_loop(outer)
+        if outer is not None and swap is not None:
+            swap(outer, task)

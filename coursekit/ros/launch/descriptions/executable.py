@@ -1,0 +1,129 @@
+"""The description of a program to be started."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..substitutions import LaunchConfiguration
+from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
+
+if TYPE_CHECKING:
+    from ..action import Action
+    from ..launch_context import LaunchContext
+
+SomeEnvironment = Mapping[Any, SomeSubstitutionsType]
+EnvironmentPairs = list[tuple[list[Substitution], list[Substitution]]]
+
+
+class Executable:
+    """A command line with its name, folder and environment; `prepare` performs the substitutions."""
+
+    def __init__(
+        self,
+        *,
+        cmd: Iterable[SomeSubstitutionsType],
+        prefix: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        cwd: SomeSubstitutionsType | None = None,
+        env: SomeEnvironment | None = None,
+        additional_env: SomeEnvironment | None = None,
+        arguments: Iterable[SomeSubstitutionsType] | None = None,
+    ) -> None:
+        self.__cmd = [normalize_to_list_of_substitutions(part) for part in cmd]
+        self.__cmd += [normalize_to_list_of_substitutions(part) for part in arguments or []]
+        self.__prefix = normalize_to_list_of_substitutions(
+            LaunchConfiguration('launch-prefix', default='') if prefix is None else prefix)
+        self.__prefix_filter = normalize_to_list_of_substitutions(
+            LaunchConfiguration('launch-prefix-filter', default='') if prefix is None else '')
+        self.__name = None if name is None else normalize_to_list_of_substitutions(name)
+        self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
+        self.__env = _pairs(env)
+        self.__additional_env = _pairs(additional_env)
+        self.__final: dict[str, Any] = {}
+
+    @property
+    def name(self) -> list[Substitution] | None:
+        """The name, as substitutions; None for the program's."""
+        return self.__name
+
+    @property
+    def prefix(self) -> list[Substitution]:
+        """What goes before the command, as substitutions."""
+        return self.__prefix
+
+    @property
+    def cmd(self) -> list[list[Substitution]]:
+        """The command line; each part is a list of substitutions."""
+        return self.__cmd
+
+    @property
+    def cwd(self) -> list[Substitution] | None:
+        """The working folder, as substitutions; None for the launch's."""
+        return self.__cwd
+
+    @property
+    def env(self) -> EnvironmentPairs | None:
+        """The whole environment, as substitutions; None for the launch's."""
+        return self.__env
+
+    @property
+    def additional_env(self) -> EnvironmentPairs | None:
+        """What is added to the environment, as substitutions."""
+        return self.__additional_env
+
+    @property
+    def final_name(self) -> str | None:
+        """The name with its number, such as talker-1; None before `prepare`."""
+        return self.__final.get('name')
+
+    @property
+    def final_cmd(self) -> list[str] | None:
+        """The command line as text; None before `prepare`."""
+        return self.__final.get('cmd')
+
+    @property
+    def final_cwd(self) -> str | None:
+        """The working folder as text; None for the launch's."""
+        return self.__final.get('cwd')
+
+    @property
+    def final_env(self) -> dict[str, str] | None:
+        """The whole environment; None before `prepare`."""
+        return self.__final.get('env')
+
+    def prepare(self, context: LaunchContext, action: Action | None = None) -> None:
+        """Perform all substitutions, and number the process."""
+        cmd = [perform_substitutions(context, part) for part in self.__cmd]
+        context._process_count += 1
+        name = os.path.basename(cmd[0]) if self.__name is None else perform_substitutions(context, self.__name)
+        prefix = shlex.split(perform_substitutions(context, self.__prefix))
+        wanted = perform_substitutions(context, self.__prefix_filter)
+        if prefix and re.match(wanted, os.path.basename(cmd[0])):
+            cmd = [*prefix, *cmd]
+        self.__final = {
+            'name': f'{name}-{context._process_count}',
+            'cmd': cmd,
+            'cwd': None if self.__cwd is None else perform_substitutions(context, self.__cwd),
+            'env': self.__environment(context),
+        }
+
+    def __environment(self, context: LaunchContext) -> dict[str, str]:
+        environment = dict(context.environment) if self.__env is None else {}
+        for key, value in [*(self.__env or []), *(self.__additional_env or [])]:
+            environment[perform_substitutions(context, key)] = perform_substitutions(context, value)
+        return environment
+
+
+def _pairs(environment: SomeEnvironment | None) -> EnvironmentPairs | None:
+    if environment is None:
+        return None
+    return [
+        (normalize_to_list_of_substitutions(key), normalize_to_list_of_substitutions(value))
+        for key, value in environment.items()
+    ]

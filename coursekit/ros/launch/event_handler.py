@@ -1,0 +1,94 @@
+"""The base class of event handlers, and the general one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from .event import Event
+from .launch_description_entity import LaunchDescriptionEntity
+from .some_entities_type import SomeEntitiesType
+
+if TYPE_CHECKING:
+    from .launch_context import LaunchContext
+
+
+class BaseEventHandler:
+    """Reacts to the events that `matcher` accepts; with `handle_once` only to the first."""
+
+    def __init__(self, *, matcher: Callable[[Event], bool], handle_once: bool = False) -> None:
+        if not isinstance(handle_once, bool):
+            raise TypeError(f"'handle_once' expected to be 'bool', but got '{type(handle_once).__name__}'")
+        self.__matcher = matcher
+        self.__handle_once = handle_once
+
+    @property
+    def handle_once(self) -> bool:
+        """Whether this handler unregisters itself after the first event."""
+        return self.__handle_once
+
+    @property
+    def handler_description(self) -> str:
+        """What the handler does; subclasses override it."""
+        return '{}'
+
+    @property
+    def matcher_description(self) -> str:
+        """Which events the handler accepts; subclasses override it."""
+        return '{}'
+
+    def matches(self, event: Event) -> bool:
+        """Return whether this handler wants `event`."""
+        return self.__matcher(event)
+
+    def describe(self) -> tuple[str, list[SomeEntitiesType]]:
+        """Return a description and the entities this handler may give."""
+        return (f"{type(self).__name__}(matcher='{self.matcher_description}', "
+                f"handler='{self.handler_description}', handle_once={self.handle_once})"), []
+
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
+        """Put `event` into the context's locals; subclasses return what to visit next."""
+        context.extend_locals({'event': event})
+        if self.handle_once:
+            context.unregister_event_handler(self)
+        return None
+
+
+class EventHandler(BaseEventHandler):
+    """Visits given entities, or what a function returns, when a matching event arrives."""
+
+    def __init__(
+        self,
+        *,
+        matcher: Callable[[Event], bool],
+        entities: SomeEntitiesType | Callable[..., SomeEntitiesType | None] | None = None,
+        handle_once: bool = False,
+    ) -> None:
+        super().__init__(matcher=matcher, handle_once=handle_once)
+        self.__entities: Any = entities
+
+    @property
+    def entities(self) -> Any:
+        """What is visited when an event matches."""
+        return self.__entities
+
+    def describe(self) -> tuple[str, list[SomeEntitiesType]]:
+        """Return a description and the entities that are known beforehand."""
+        text, _ = super().describe()
+        return text, as_entities(self.__entities)
+
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
+        """Return the entities to visit for `event`."""
+        super().handle(event, context)
+        if callable(self.__entities) and not isinstance(self.__entities, LaunchDescriptionEntity):
+            return self.__entities(event, context)
+        return self.__entities
+
+
+def as_entities(some: Any) -> list[Any]:
+    """Return entities as a list; a function or None gives an empty one."""
+    if some is None or (callable(some) and not isinstance(some, LaunchDescriptionEntity)):
+        return []
+    if isinstance(some, LaunchDescriptionEntity) or not isinstance(some, Iterable):
+        return [some]
+    return list(some)

@@ -1,0 +1,74 @@
+"""The base class of handlers for events of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from ..event import Event
+from ..event_handler import BaseEventHandler, as_entities
+from ..launch_description_entity import LaunchDescriptionEntity
+from ..some_entities_type import SomeEntitiesType
+
+if TYPE_CHECKING:
+    from ..action import Action
+    from ..launch_context import LaunchContext
+
+
+class OnActionEventBase(BaseEventHandler):
+    """Handles one kind of event of one action, or of all when no target is given.
+
+    The target may be an action, or a function that says whether an action is meant. What is done may be
+    entities, or a function of (event, context) that returns entities.
+    """
+
+    def __init__(
+        self,
+        *,
+        action_matcher: Callable[[Action], bool] | Action | None,
+        on_event: SomeEntitiesType | Callable[..., SomeEntitiesType | None] | None,
+        target_event_cls: type[Event],
+        target_action_cls: type[Action],
+        **kwargs: Any,
+    ) -> None:
+        if action_matcher is not None and not callable(action_matcher) \
+                and not isinstance(action_matcher, target_action_cls):
+            raise RuntimeError(
+                f"{type(self).__name__} 'target_action' must be a {target_action_cls.__name__} or a function, "
+                f'got {type(action_matcher).__name__}')
+        self.__target = action_matcher
+        self.__on_event: Any = on_event
+        self.__target_event_cls = target_event_cls
+        super().__init__(matcher=self.__wants, **kwargs)
+
+    def __wants(self, event: Event) -> bool:
+        if not isinstance(event, self.__target_event_cls):
+            return False
+        action = getattr(event, 'action', None)
+        if self.__target is None or action is self.__target:
+            return True
+        is_action = isinstance(self.__target, LaunchDescriptionEntity)
+        return not is_action and callable(self.__target) and bool(self.__target(action))  # type: ignore[arg-type]
+
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
+        """Return what is to be done now."""
+        super().handle(event, context)
+        if callable(self.__on_event) and not isinstance(self.__on_event, LaunchDescriptionEntity):
+            entities: SomeEntitiesType | None = self.__on_event(event, context)
+            return entities
+        return as_entities(self.__on_event)
+
+    def describe(self) -> tuple[str, list[SomeEntitiesType]]:
+        """Return a description and the entities that are known beforehand."""
+        text, _ = super().describe()
+        return text, as_entities(self.__on_event)
+
+    @property
+    def handler_description(self) -> str:
+        """What is done, in words."""
+        return 'a function' if callable(self.__on_event) else f'{as_entities(self.__on_event)}'
+
+    @property
+    def matcher_description(self) -> str:
+        """Which events are wanted, in words."""
+        return f'event == {self.__target_event_cls.__name__} of {self.__target or "any action"}'

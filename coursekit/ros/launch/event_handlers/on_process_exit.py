@@ -1,0 +1,30 @@
+"""What to do when a process ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from ..events.process import ProcessExited
+from ..some_entities_type import SomeEntitiesType
+from .on_action_event_base import OnActionEventBase
+
+if TYPE_CHECKING:
+    from ..actions.execute_local import ExecuteLocal
+
+
+class OnProcessExit(OnActionEventBase):
+    """Does something when a process ends: the target's, or any."""
+
+    def __init__(
+        self,
+        *,
+        target_action: ExecuteLocal | Callable[[ExecuteLocal], bool] | None = None,
+        on_exit: SomeEntitiesType | Callable[..., SomeEntitiesType | None] | None,
+        **kwargs: Any,
+    ) -> None:
+        from ..actions.execute_local import ExecuteLocal
+
+        super().__init__(
+            action_matcher=target_action,  # type: ignore[arg-type]
+            on_event=on_exit, target_event_cls=ProcessExited, target_action_cls=ExecuteLocal, **kwargs)

@@ -1,0 +1,11 @@
+"""The event that ends processes step by step."""
+
+from __future__ import annotations
+
+from .process_targeted_event import ProcessTargetedEvent
+
+
+class ShutdownProcess(ProcessTargetedEvent):
+    """The process is to end: SIGINT first, then SIGTERM, then SIGKILL."""
+
+    name = 'launch.events.process.ShutdownProcess'

@@ -1,0 +1,77 @@
+"""The register of actions and substitutions that XML and YAML launch files can name."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from ..action import Action
+    from ..substitution import Substitution
+    from .entity import Entity
+    from .parser import Parser
+
+Exposed = TypeVar('Exposed')
+
+action_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]] = {}
+substitution_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]] = {}
+
+
+def expose_action(name: str) -> Callable[[Exposed], Exposed]:
+    """Return a decorator that makes an action class, or a parse function, an element `name`."""
+    return _expose(name, action_parse_methods, 'action')
+
+
+def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
+    """Return a decorator that makes a substitution class, or a parse function, `$(name ...)`."""
+    return _expose(name, substitution_parse_methods, 'substitution')
+
+
+def _expose(name: str, register: dict[str, Any], kind: str) -> Callable[[Exposed], Exposed]:
+    def decorate(exposed: Exposed) -> Exposed:
+        parse = getattr(exposed, 'parse', None) if inspect.isclass(exposed) else exposed
+        if not callable(parse):
+            raise RuntimeError(
+                f'Exposed {kind} parser for {name!r} is not a callable or a class with a method parse.')
+        register[name] = parse
+        return exposed
+
+    return decorate
+
+
+def instantiate_action(entity: Entity, parser: Parser) -> Action:
+    """Return the action that an element stands for.
+
+    Raises:
+        RuntimeError: when no action has that name, or part of the element was not understood.
+    """
+    if entity.type_name not in action_parse_methods:
+        raise RuntimeError(
+            f'Unrecognized entity of the type: {entity.type_name}'
+            + _alternatives(entity.type_name, action_parse_methods))
+    action_type, kwargs = action_parse_methods[entity.type_name](entity, parser)
+    entity.assert_entity_completely_parsed()
+    return action_type(**kwargs)
+
+
+def instantiate_substitution(type_name: str, *args: Any) -> Substitution:
+    """Return the substitution that `$(type_name args...)` stands for.
+
+    Raises:
+        RuntimeError: when no substitution has that name.
+    """
+    if type_name not in substitution_parse_methods:
+        raise RuntimeError(
+            f'Unknown substitution: {type_name}' + _alternatives(type_name, substitution_parse_methods))
+    substitution_type, kwargs = substitution_parse_methods[type_name](list(args))
+    positional = kwargs.pop('args', ())
+    return substitution_type(*positional, **kwargs)
+
+
+def _alternatives(name: str, known: Iterable[str]) -> str:
+    names = sorted(known)
+    near = difflib.get_close_matches(name, names, n=1)
+    hint = f'; did you mean {near[0]}?' if near else ''
+    return f"{hint} (known: {', '.join(names)})"

@@ -1,0 +1,137 @@
+"""Reads text with `$(name arguments)` in it."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from ..substitution import Substitution
+from .expose import instantiate_substitution
+
+NAME = re.compile(r'[A-Za-z0-9_-]+')
+
+
+class InvalidSubstitution(ValueError):
+    """Raised when a `$(...)` is not closed or has no name; says where."""
+
+
+def replace_escaped_characters(data: str) -> str:
+    r"""Return the text with each backslash taken off the character after it.
+
+    >>> replace_escaped_characters(r'a\$b')
+    'a$b'
+    """
+    return re.sub(r'\\(.)', r'\1', data)
+
+
+def parse_substitution(string_value: str) -> list[Substitution]:
+    """Return the text as a list of substitutions.
+
+    >>> parse_substitution('speed_$(var unit)')[1].describe()
+    "LaunchConfig('unit')"
+
+    Raises:
+        InvalidSubstitution: when a `$(` is not closed.
+        RuntimeError: for a substitution nobody knows.
+    """
+    return _Reader(string_value).template('')
+
+
+def parse_if_substitutions(value: Any) -> Any:
+    """Return `value` with the text in it parsed; text without substitutions stays text.
+
+    Raises:
+        ValueError: when a list holds items of different types.
+    """
+    if isinstance(value, list):
+        items = [_parse_one(item) for item in value]
+        if len({type(item) for item in items if not isinstance(item, list)}) > 1:
+            raise ValueError('The result is a non-uniform list')
+        return items
+    return _parse_one(value)
+
+
+def _parse_one(value: Any) -> Any:
+    if not isinstance(value, str):
+        return value
+    parsed = parse_substitution(value)
+    if len(parsed) == 1 and hasattr(parsed[0], 'text'):
+        return parsed[0].text
+    return parsed
+
+
+class _Reader:
+    """Reads one text from left to right."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+
+    def template(self, stop: str) -> list[Substitution]:
+        """Read text and substitutions up to one of the characters in `stop`, or to the end."""
+        found: list[Substitution] = []
+        plain = ''
+        while self.at < len(self.text) and self.text[self.at] not in stop:
+            if self.text.startswith('$(', self.at):
+                if plain:
+                    found.append(_plain(plain))
+                    plain = ''
+                found.append(self.substitution())
+            else:
+                plain += self.piece()
+        if plain or not found:
+            found.append(_plain(plain))
+        return found
+
+    def piece(self) -> str:
+        """Read one character, or a backslash and the one after it."""
+        length = 2 if self.text[self.at] == '\\' else 1
+        piece = self.text[self.at:self.at + length]
+        self.at += length
+        return piece
+
+    def substitution(self) -> Substitution:
+        """Read `$(name arguments)`."""
+        start = self.at
+        self.at += 2
+        self.skip_space()
+        name = NAME.match(self.text, self.at)
+        if name is None:
+            raise self.error('a name is missing after $(', self.at)
+        self.at = name.end()
+        arguments = []
+        while self.skip_space() and not self.text.startswith(')', self.at):
+            arguments.append(self.argument())
+        if self.at >= len(self.text):
+            raise self.error('$( is not closed', start)
+        self.at += 1
+        return instantiate_substitution(name.group(), *arguments)
+
+    def argument(self) -> list[Substitution]:
+        """Read one argument, perhaps in quotes."""
+        quote = self.text[self.at]
+        if quote not in '\'"':
+            return self.template(' \t\n\r)')
+        start = self.at
+        self.at += 1
+        inside = self.template(quote)
+        if self.at >= len(self.text):
+            raise self.error(f'the quote {quote} is not closed', start)
+        self.at += 1
+        return inside
+
+    def skip_space(self) -> bool:
+        """Skip white space; return whether anything is left."""
+        while self.at < len(self.text) and self.text[self.at].isspace():
+            self.at += 1
+        return self.at < len(self.text)
+
+    def error(self, what: str, at: int) -> InvalidSubstitution:
+        """Return an error that points at a character."""
+        return InvalidSubstitution(f"{what}:\n  '{self.text}'\n   {' ' * at}^")
+
+
+def _plain(text: str) -> Substitution:
+    from ..substitutions.text_substitution import TextSubstitution
+
+    return TextSubstitution(text=replace_escaped_characters(text))

@@ -1,0 +1,151 @@
+"""Turns elements of XML and YAML launch files into actions."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import io
+import os
+from typing import TYPE_CHECKING, Any, TextIO
+
+from ..invalid_launch_file_error import InvalidLaunchFileError
+from ..substitution import Substitution
+from .entity import Entity
+from .expose import instantiate_action
+from .parse_substitution import parse_if_substitutions, parse_substitution, replace_escaped_characters
+
+if TYPE_CHECKING:
+    from ..action import Action
+    from ..launch_description import LaunchDescription
+
+EXTENSION_MODULES = ('launch.actions', 'launch.substitutions', 'launch_ros.actions', 'launch_ros.substitutions')
+ENTRY_POINT_GROUP = 'launch.frontend.launch_extension'
+PARSERS = {'xml': ('launch_xml', 'Parser'), 'yaml': ('launch_yaml', 'Parser'), 'yml': ('launch_yaml', 'Parser')}
+
+
+class InvalidFrontendLaunchFileError(InvalidLaunchFileError):
+    """Raised when an XML or YAML launch file is not valid."""
+
+
+class Parser:
+    """Reads launch files; each format has a subclass with its own `load`."""
+
+    extensions_loaded = False
+
+    @classmethod
+    def load_launch_extensions(cls) -> None:
+        """Import what exposes actions and substitutions: ours, and those that packages install."""
+        if Parser.extensions_loaded:
+            return
+        Parser.extensions_loaded = True
+        for module in EXTENSION_MODULES:
+            importlib.import_module(module)
+        for entry_point in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP):
+            entry_point.load()
+
+    @classmethod
+    def get_available_extensions(cls) -> list[str]:
+        """Return the file name endings that can be read.
+
+        >>> Parser.get_available_extensions()
+        ['xml', 'yaml', 'yml']
+        """
+        return list(PARSERS)
+
+    @classmethod
+    def is_extension_valid(cls, extension: str) -> bool:
+        """Return whether files with this ending can be read."""
+        return extension in PARSERS
+
+    @classmethod
+    def get_parser_from_extension(cls, extension: str) -> type[Parser]:
+        """Return the parser for a file name ending.
+
+        Raises:
+            RuntimeError: when there is none.
+        """
+        if extension not in PARSERS:
+            raise RuntimeError(f'Not recognized frontend implementation: {extension} (known: {", ".join(PARSERS)})')
+        module, name = PARSERS[extension]
+        parser: type[Parser] = getattr(importlib.import_module(module), name)
+        return parser
+
+    @classmethod
+    def get_file_extensions_from_parsers(cls) -> list[str]:
+        """Return the file name endings that can be read."""
+        return cls.get_available_extensions()
+
+    @classmethod
+    def load(cls, file: str | TextIO) -> tuple[Entity, Parser]:
+        """Return the root element of a file, and the parser that fits it.
+
+        Raises:
+            InvalidFrontendLaunchFileError: when no parser can read it.
+        """
+        if isinstance(file, (str, os.PathLike)):
+            with open(file, encoding='utf-8') as opened:
+                return cls._load_text(opened.read(), str(file))
+        return cls._load_text(file.read(), getattr(file, 'name', ''))
+
+    @classmethod
+    def _load_text(cls, text: str, name: str) -> tuple[Entity, Parser]:
+        ending = os.path.splitext(str(name))[1][1:]
+        endings = [ending] if ending in PARSERS else ['xml', 'yaml']
+        errors: list[BaseException] = []
+        for candidate in endings:
+            stream = io.StringIO(text)
+            stream.name = name
+            try:
+                return cls.get_parser_from_extension(candidate).load(stream)
+            except Exception as error:
+                errors.append(error)
+        raise InvalidFrontendLaunchFileError(
+            ending if ending in PARSERS else '', likely_errors=errors) from errors[0]
+
+    def parse_action(self, entity: Entity) -> Action:
+        """Return the action an element stands for; an error says in which file, line and element."""
+        self.load_launch_extensions()
+        try:
+            return instantiate_action(entity, self)
+        except ElementError:
+            raise
+        except Exception as error:
+            raise ElementError(entity, error) from error
+
+    def parse_substitution(self, value: str) -> list[Substitution]:
+        """Return text as a list of substitutions."""
+        self.load_launch_extensions()
+        return parse_substitution(value)
+
+    def parse_if_substitutions(self, value: Any) -> Any:
+        """Return `value` with the text in it parsed; text without substitutions stays text."""
+        self.load_launch_extensions()
+        return parse_if_substitutions(value)
+
+    def escape_characters(self, value: str) -> str:
+        """Return text with its backslashes resolved."""
+        return replace_escaped_characters(value)
+
+    def parse_description(self, entity: Entity) -> LaunchDescription:
+        """Return the launch description of a root element.
+
+        Raises:
+            RuntimeError: when the root is not called launch.
+        """
+        from ..launch_description import LaunchDescription
+
+        if entity.type_name != 'launch':
+            raise ElementError(entity, RuntimeError(f"Expected 'launch' as root tag, got '{entity.type_name}'"))
+        reason = entity.get_attr('deprecated', optional=True)
+        entity.get_attr('version', optional=True)
+        actions = [self.parse_action(child) for child in entity.children]
+        return LaunchDescription(actions, deprecated_reason=reason)
+
+
+class ElementError(RuntimeError):
+    """Raised for an element that is wrong; says in which file and line."""
+
+    def __init__(self, entity: Entity, error: BaseException) -> None:
+        self.entity = entity
+        place = f'{entity.place}: ' if entity.place else ''
+        super().__init__(f'{place}in <{entity.type_name}>: {error}')

@@ -1,0 +1,36 @@
+"""The base class of everything that can stand in a launch description."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .launch_context import LaunchContext
+
+
+class LaunchDescriptionEntity:
+    """An action or a description: visiting it does its work and gives the entities to visit next."""
+
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Do the work of this entity; return what is to be visited next."""
+        return None
+
+    def describe(self) -> str:
+        """Return a short description of this entity."""
+        return repr(self)
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities that are always visited with this one."""
+        return []
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
+        """Return (condition in words, entities) for what may be visited later."""
+        return []
+
+    def get_asyncio_future(self) -> asyncio.Future[None] | None:
+        """Return a future that is done when this entity's work is, or None when it already is."""
+        return None

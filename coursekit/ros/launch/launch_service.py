@@ -1,0 +1,228 @@
+"""Runs launch descriptions: visits their entities and handles events until all is done."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import traceback
+from collections.abc import Iterable
+from typing import Any
+
+from . import logging as launch_logging
+from .clock_loop import ClockLoop
+from .event import Event
+from .event_handler import as_entities
+from .event_handlers import OnIncludeLaunchDescription, OnShutdown
+from .events import IncludeLaunchDescription, Shutdown
+from .launch_context import LaunchContext
+from .launch_description import LaunchDescription
+from .launch_description_entity import LaunchDescriptionEntity
+from .logging.config import shown_log_dir
+from .utilities import visit_all_entities_and_collect_futures
+
+INTERRUPTED = 'user interrupted with ctrl-c (SIGINT)'
+
+
+class LaunchService:
+    """Launches a system, on the session's clock.
+
+    >>> from launch.actions import LogInfo
+    >>> service = LaunchService(noninteractive=True)  # doctest: +ELLIPSIS
+    [INFO] [launch]: All log files can be found below ...
+    [INFO] [launch]: Default logging verbosity is set to INFO
+    >>> service.include_launch_description(LaunchDescription([LogInfo(msg='hello')]))
+    >>> service.run()
+    [INFO] [launch.user]: hello
+    0
+    """
+
+    def __init__(
+        self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False
+    ) -> None:
+        launch_logging.launch_config.level = logging.DEBUG if debug else logging.INFO
+        self.__debug = debug
+        self.__logger = launch_logging.get_logger('launch')
+        self.__logger.info(f'All log files can be found below {shown_log_dir()}')
+        self.__logger.info(f"Default logging verbosity is set to {'DEBUG' if debug else 'INFO'}")
+        self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)
+        self.__context.register_event_handler(OnIncludeLaunchDescription())
+        self.__context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
+        self.__futures: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
+        self.__loop: asyncio.AbstractEventLoop | None = None
+        self.__shutting_down = False
+        self.__interrupted = False
+        self.__return_code = 0
+
+    @property
+    def context(self) -> LaunchContext:
+        """The launch's context."""
+        return self.__context
+
+    @property
+    def event_loop(self) -> asyncio.AbstractEventLoop | None:
+        """The loop it runs on, None when it does not run."""
+        return self.__loop
+
+    @property
+    def task(self) -> asyncio.Task[Any] | None:
+        """The running task, None when it does not run."""
+        return asyncio.current_task(self.__loop) if self.__loop is not None else None
+
+    # -- from outside, from any thread
+
+    def emit_event(self, event: Event) -> None:
+        """Queue an event; safe from any thread."""
+        if self.__loop is None:
+            self.__context.emit_event_sync(event)
+        else:
+            self.__loop.call_soon_threadsafe(self.__context.emit_event_sync, event)
+
+    def include_launch_description(self, launch_description: LaunchDescription) -> None:
+        """Have a description launched; safe from any thread."""
+        self.emit_event(IncludeLaunchDescription(launch_description))
+
+    def shutdown(self, force_sync: bool = False) -> None:
+        """End the launch; safe from any thread. Does nothing when it does not run."""
+        if self.__loop is not None:
+            self.__loop.call_soon_threadsafe(self._shutdown, 'LaunchService.shutdown() called', False)
+
+    # -- running
+
+    def run(self, *, shutdown_when_idle: bool = True) -> int:
+        """Launch, and return when all is done: 0, or 1 when something failed.
+
+        Ctrl-C shuts the launch down, and is passed on to the processes it started.
+        """
+        if self.__loop is not None:
+            raise RuntimeError('LaunchService.run() called from multiple threads concurrently.')
+        loop = ClockLoop()
+        loop.set_debug(self.__debug)
+        task = loop.create_task(self.run_async(shutdown_when_idle=shutdown_when_idle))
+        try:
+            while not task.done():
+                self.__run_until_interrupted(loop, task)
+        finally:
+            self.__end_processes()
+            self.__loop = None
+            loop.close()
+        result: int = task.result()
+        return result
+
+    def __run_until_interrupted(self, loop: ClockLoop, task: asyncio.Task[int]) -> None:
+        try:
+            loop.run_until_complete(task)
+        except KeyboardInterrupt:
+            self._on_sigint()
+
+    def _on_sigint(self) -> None:
+        if self.__interrupted:
+            self.__logger.warning(f'{INTERRUPTED} again, ignoring...')
+            return
+        self.__interrupted = True
+        self.__logger.warning(INTERRUPTED)
+        self._shutdown('ctrl-c (SIGINT)', True)
+
+    async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
+        """Launch on the loop that runs this coroutine; see `run`."""
+        self.__loop = asyncio.get_running_loop()
+        self.__context._set_asyncio_loop(self.__loop)
+        self.__shutting_down = False
+        self.__return_code = 0
+        try:
+            await self.__serve(shutdown_when_idle)
+        finally:
+            self.__context._set_asyncio_loop(None)
+            self.__context._set_is_shutdown(False)
+            self.__loop = None
+        return self.__return_code
+
+    async def __serve(self, shutdown_when_idle: bool) -> None:
+        """Handle events until idle; being idle shuts down, and idle after that is the end."""
+        while True:
+            while not self.__context._event_queue.empty():
+                self.__handle_safely(self.__context._event_queue.get_nowait())
+            if not self._is_idle():
+                await self.__something_happens()
+            elif self.__shutting_down:
+                return
+            elif shutdown_when_idle:
+                self._shutdown('idle', False)
+            else:
+                await self.__something_happens()
+
+    async def __something_happens(self) -> None:
+        """Wait for an event, or for some ongoing work to be done."""
+        assert self.__loop is not None
+        arrival = self.__context._event_queue.arrival(self.__loop)
+        waiting = [arrival, *self.__unfinished()]
+        await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
+        arrival.cancel()
+
+    def __unfinished(self) -> list[asyncio.Future[Any]]:
+        for future in [future for _, future in self.__futures if future.done()]:
+            self.__report_failure(future)
+        self.__futures = [pair for pair in self.__futures if not pair[1].done()]
+        open_futures = [future for future in self.__context._completion_futures if not future.done()]
+        self.__context._completion_futures = open_futures
+        return [future for _, future in self.__futures] + open_futures
+
+    def __report_failure(self, future: asyncio.Future[Any]) -> None:
+        error = None if future.cancelled() else future.exception()
+        if error is not None:
+            self.__fail(error)
+
+    def _is_idle(self) -> bool:
+        """Return whether there is neither ongoing work nor an event."""
+        return not self.__unfinished() and self.__context._event_queue.empty()
+
+    def __handle_safely(self, event: Event) -> None:
+        try:
+            self.__handle(event)
+        except Exception as error:
+            self.__fail(error)
+
+    def __fail(self, error: BaseException) -> None:
+        """Log an error and shut down; the launch returns 1."""
+        text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))
+        self.__logger.debug('Traceback: ' + text)
+        self.__logger.error(f'Caught exception in launch (see debug for traceback): {error}')
+        self.__return_code = 1
+        self._shutdown(f'An exception was raised in an async action/event: {error}', False)
+
+    def __handle(self, event: Event) -> None:
+        """Have every handler that wants the event handle it, each with locals of its own."""
+        for handler in tuple(self.__context._event_handlers):
+            if not handler.matches(event):
+                continue
+            self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
+            self.__context._push_locals()
+            try:
+                for entity in as_entities(handler.handle(event, self.__context)):
+                    self.__visit(entity)
+            finally:
+                self.__context._pop_locals()
+
+    def __visit(self, entity: Any) -> None:
+        if entity is None:
+            return
+        if not isinstance(entity, LaunchDescriptionEntity):
+            raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
+        self.__futures += visit_all_entities_and_collect_futures(entity, self.__context)
+
+    # -- the end
+
+    def __on_shutdown(self, event: Event, context: LaunchContext) -> None:
+        self.__shutting_down = True
+        self.__context._set_is_shutdown(True)
+
+    def _shutdown(self, reason: str, due_to_sigint: bool) -> None:
+        if not self.__shutting_down:
+            self.__context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
+        self.__shutting_down = True
+        self.__context._set_is_shutdown(True)
+
+    def __end_processes(self) -> None:
+        """End what still runs when the launch itself was killed, so that nothing is left behind."""
+        for process in self.__context._launched_processes:
+            if process.state == 'running':
+                process.kill()

@@ -1,0 +1,61 @@
+"""Decides how a command is carried out: inside the session, or by a child process of the system."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from coursekit.core import session
+
+from .child_process import start_child
+from .substitutions.find_executable import which
+
+OutputCallback = Callable[[str, str], None]
+
+
+def start_process(
+    cmd: Sequence[str],
+    *,
+    cwd: str | None,
+    env: Mapping[str, str],
+    shell: bool,
+    on_output: OutputCallback,
+) -> Any:
+    """Start a command and return its process.
+
+    Executables of packages and `ros2` run inside the session, where they share its graph and clock;
+    everything else becomes a child process of the system. With `shell` the user's shell runs the text.
+
+    Raises:
+        FileNotFoundError: when there is no such program.
+    """
+    if shell:
+        return start_child(
+            [env.get('SHELL') or '/bin/sh', '-c', ' '.join(cmd)], cwd=cwd, env=env, on_output=on_output)
+    current = session.current()
+    if cmd[0] == 'ros2':
+        return current.start(_ros2(), name='ros2', argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
+    if is_package_executable(cmd[0]):
+        return current.start_executable(
+            cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
+    program = which(cmd[0], env.get('PATH'))
+    if program is None:
+        raise FileNotFoundError(2, 'there is no such program', cmd[0])
+    return start_child([program, *cmd[1:]], cwd=cwd, env=env, on_output=on_output)
+
+
+def is_package_executable(path: str) -> bool:
+    """Return whether a path is `<prefix>/lib/<package>/<executable>` of a prefix with an ament index."""
+    if not os.path.isabs(path) or not os.path.isfile(path):
+        return False
+    folder = Path(path).parent
+    prefix = folder.parent.parent
+    return folder.parent.name == 'lib' and (prefix / 'share' / folder.name).is_dir()
+
+
+def _ros2() -> Callable[[], Any]:
+    from coursekit.cli.ros2 import main
+
+    return main

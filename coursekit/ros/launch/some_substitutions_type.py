@@ -1,0 +1,12 @@
+"""What may stand where a launch file takes a substitution: text, a substitution, or a list of both."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Union
+
+from .substitution import Substitution
+
+SomeSubstitutionsType = Union[str, Substitution, Iterable[Union[str, Substitution]]]
+
+SomeSubstitutionsType_types_tuple = (str, Substitution, Iterable)

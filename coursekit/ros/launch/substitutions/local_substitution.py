@@ -1,0 +1,56 @@
+"""A value that the launch system itself put aside for the moment."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from ..substitution import Substitution
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LocalSubstitution(Substitution):
+    """A local of the launch context, such as `event.reason` or `ros_specific_arguments['ns']`."""
+
+    def __init__(self, expression: str, description: str | None = None) -> None:
+        super().__init__()
+        self.__expression = expression
+        self.__description = description
+
+    @property
+    def expression(self) -> str:
+        """The expression, without 'context.locals.' before it."""
+        return self.__expression
+
+    def describe(self) -> str:
+        """Return the description, or else the expression."""
+        return f"LocalVar('{self.__description or self.__expression}')"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the local's value as text.
+
+        Raises:
+            SubstitutionFailure: when there is no such local.
+        """
+        tree = ast.parse(self.__expression, mode='eval').body
+        try:
+            return str(_value(tree, context.get_locals_as_dict()))
+        except (AttributeError, KeyError, IndexError) as error:
+            raise SubstitutionFailure(f"local '{self.__expression}' does not exist: {error}") from error
+
+
+def _value(node: ast.AST, names: Mapping[str, Any]) -> Any:
+    """Return the value of a chain of names, attributes and subscripts; nothing else is read."""
+    if isinstance(node, ast.Name):
+        return names[node.id]
+    if isinstance(node, ast.Attribute):
+        return getattr(_value(node.value, names), node.attr)
+    if isinstance(node, ast.Subscript):
+        return _value(node.value, names)[_value(node.slice, names)]
+    if isinstance(node, ast.Constant):
+        return node.value
+    raise SubstitutionFailure(f'a local is a name, an attribute or an item, not {ast.unparse(node)!r}')  # type: ignore[arg-type]

@@ -1,0 +1,63 @@
+"""Joins parts of a path, or of a text."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class PathJoinSubstitution(Substitution):
+    """A path made of parts; each may be text, a substitution, or a list of both.
+
+    >>> from launch import LaunchContext
+    >>> PathJoinSubstitution(['a', ['b', '.yaml']]).perform(LaunchContext())
+    'a/b.yaml'
+    """
+
+    def __init__(self, substitutions: Iterable[SomeSubstitutionsType]) -> None:
+        super().__init__()
+        self.__parts = [normalize_to_list_of_substitutions(part) for part in substitutions]
+
+    @property
+    def substitutions(self) -> list[list[Substitution]]:
+        """The parts, each a list of substitutions."""
+        return self.__parts
+
+    def describe(self) -> str:
+        """Return the parts in words."""
+        parts = [' + '.join(sub.describe() for sub in part) for part in self.__parts]
+        return f"PathJoin({', '.join(parts)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the joined path."""
+        parts = [perform_substitutions(context, part) for part in self.__parts]
+        return os.path.join(*parts) if parts else ''
+
+
+class StringJoinSubstitution(Substitution):
+    """Texts joined with a delimiter."""
+
+    def __init__(
+        self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ''
+    ) -> None:
+        super().__init__()
+        self.__parts = [normalize_to_list_of_substitutions(part) for part in substitutions]
+        self.__delimiter = normalize_to_list_of_substitutions(delimiter)
+
+    def describe(self) -> str:
+        """Return the parts in words."""
+        parts = [' + '.join(sub.describe() for sub in part) for part in self.__parts]
+        return f"StringJoin({', '.join(parts)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the joined text."""
+        delimiter = perform_substitutions(context, self.__delimiter)
+        return delimiter.join(perform_substitutions(context, part) for part in self.__parts)

@@ -1,0 +1,80 @@
+"""The value of a Python expression."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..frontend.expose import expose_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+@expose_substitution('eval')
+class PythonExpression(Substitution):
+    """What a Python expression gives, as text; the names of `math` are known in it.
+
+    >>> from launch import LaunchContext
+    >>> PythonExpression(['1 + ', '2']).perform(LaunchContext())
+    '3'
+    """
+
+    def __init__(
+        self,
+        expression: SomeSubstitutionsType,
+        python_modules: SomeSubstitutionsType = ('math',),
+    ) -> None:
+        super().__init__()
+        self.__expression = normalize_to_list_of_substitutions(expression)
+        self.__python_modules = normalize_to_list_of_substitutions(python_modules)
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
+        """Read `$(eval 'expression')`, perhaps followed by 'module, module'."""
+        if not 1 <= len(data) <= 2:
+            raise TypeError('eval substitution expects 1 or 2 arguments; put the expression in quotes')
+        kwargs: dict[str, Any] = {'expression': data[0]}
+        if len(data) == 2:
+            texts = [getattr(sub, 'text', '') for sub in normalize_to_list_of_substitutions(data[1])]
+            kwargs['python_modules'] = [name.strip() for name in ''.join(texts).split(',')]
+        return cls, kwargs
+
+    @property
+    def expression(self) -> list[Substitution]:
+        """The expression, as substitutions."""
+        return self.__expression
+
+    @property
+    def python_modules(self) -> list[Substitution]:
+        """The modules the expression may name, as substitutions."""
+        return self.__python_modules
+
+    def describe(self) -> str:
+        """Return the expression in words."""
+        return f"PythonExpr({' + '.join(sub.describe() for sub in self.__expression)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the expression's value as text.
+
+        Raises:
+            SubstitutionFailure: when the expression is wrong; its cause is Python's own error.
+        """
+        expression = perform_substitutions(context, self.__expression)
+        known: dict[str, Any] = {}
+        for module_name in self.__python_modules:
+            module = importlib.import_module(perform_substitutions(context, [module_name]))
+            known[module.__name__] = module
+            if module.__name__ == 'math':
+                known.update(vars(module))
+        try:
+            return str(eval(expression, known))
+        except Exception as error:
+            raise SubstitutionFailure(
+                f'failed to evaluate the expression "{expression}": {type(error).__name__}: {error}; '
+                'text values need quotes of their own') from error

@@ -1,0 +1,7 @@
+"""The error of a substitution that has no value."""
+
+from __future__ import annotations
+
+
+class SubstitutionFailure(RuntimeError):
+    """Raised when a substitution cannot be performed."""

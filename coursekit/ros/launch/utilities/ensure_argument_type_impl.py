@@ -1,0 +1,27 @@
+"""Checks an argument's type and says which one was wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+
+def ensure_argument_type(
+    argument: Any,
+    types: type | Iterable[type],
+    argument_name: str,
+    caller: str | None = None,
+) -> None:
+    """Raise TypeError unless `argument` is an instance of one of `types`.
+
+    >>> ensure_argument_type(1, (str, list), 'name', 'Node')
+    Traceback (most recent call last):
+    TypeError: Node 'name' expected to be one of [<class 'str'>, <class 'list'>], but got '1' of type '<class 'int'>'
+    """
+    wanted = list(types) if isinstance(types, Iterable) else [types]
+    if isinstance(argument, tuple(wanted)):
+        return
+    phrase = f'one of {wanted}' if len(wanted) > 1 else f"'{wanted[0]}'"
+    raise TypeError(
+        f"{caller + ' ' if caller else ''}'{argument_name}' expected to be {phrase}, "
+        f"but got '{argument}' of type '{type(argument)}'")

@@ -1,0 +1,35 @@
+"""Visiting entities, and asking what they are."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+from ..launch_description_entity import LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+def is_a(entity: Any, kind: type) -> bool:
+    """Return whether `entity` is an instance of `kind`."""
+    return isinstance(entity, kind)
+
+
+def is_a_subclass(entity: Any, kind: type) -> bool:
+    """Return whether `entity` is an instance, or a subclass, of `kind`."""
+    return isinstance(entity, kind) or (isinstance(entity, type) and issubclass(entity, kind))
+
+
+def visit_all_entities_and_collect_futures(
+    entity: LaunchDescriptionEntity, context: LaunchContext
+) -> list[tuple[LaunchDescriptionEntity, asyncio.Future[None]]]:
+    """Visit `entity` and all that it gives, depth first; return the work that goes on."""
+    futures: list[tuple[LaunchDescriptionEntity, asyncio.Future[None]]] = []
+    sub_entities = entity.visit(context) or []
+    future = entity.get_asyncio_future()
+    if future is not None:
+        futures.append((entity, future))
+    for sub_entity in sub_entities:
+        futures += visit_all_entities_and_collect_futures(sub_entity, context)
+    return futures

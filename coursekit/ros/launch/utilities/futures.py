@@ -1,0 +1,16 @@
+"""Futures of the loop that launches."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any
+
+
+def create_future(loop: asyncio.AbstractEventLoop | None) -> asyncio.Future[Any]:
+    """Return a new future of `loop`, or of the current loop when it is None."""
+    return (loop or asyncio.get_event_loop()).create_future()
+
+
+def create_futures(loop: asyncio.AbstractEventLoop | None, count: int) -> list[asyncio.Future[Any]]:
+    """Return `count` new futures of `loop`."""
+    return [create_future(loop) for _ in range(count)]

@@ -1,0 +1,48 @@
+"""Brings the many spellings of a value to one: a list."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from ..launch_description_entity import LaunchDescriptionEntity
+from ..some_entities_type import SomeEntitiesType
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+
+
+def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
+    """Return text, a substitution or a list of both as a list of substitutions.
+
+    Raises:
+        TypeError: when something else is among them.
+    """
+    from ..substitutions.text_substitution import TextSubstitution
+
+    def one(item: Any) -> Substitution:
+        if isinstance(item, Substitution):
+            return item
+        if isinstance(item, (str, Path)):
+            return TextSubstitution(text=str(item))
+        raise TypeError(
+            'Failed to normalize given item of type '
+            f"'{type(item)}', when only 'str' or 'launch.Substitution' were expected.")
+
+    if isinstance(subs, (str, Path, Substitution)):
+        return [one(subs)]
+    if isinstance(subs, Iterable):
+        return [one(item) for item in subs]
+    raise TypeError(f"'{subs}' is not a valid SomeSubstitutionsType.")
+
+
+def normalize_to_list_of_entities(
+    entities: SomeEntitiesType | Iterable[SomeEntitiesType],
+) -> list[LaunchDescriptionEntity]:
+    """Return one entity, or lists of entities however deep, as one flat list."""
+    if isinstance(entities, LaunchDescriptionEntity):
+        return [entities]
+    flat: list[LaunchDescriptionEntity] = []
+    for item in entities:
+        flat += normalize_to_list_of_entities(item)  # type: ignore[arg-type]
+    return flat

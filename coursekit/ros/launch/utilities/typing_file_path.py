@@ -1,0 +1,8 @@
+"""What may name a file."""
+
+from __future__ import annotations
+
+import os
+from typing import Union
+
+FilePath = Union[str, bytes, 'os.PathLike[str]']

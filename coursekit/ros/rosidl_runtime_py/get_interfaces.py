@@ -1,0 +1,84 @@
+"""Which interfaces exist, by package."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from ament_index_python import get_resource, get_resources, has_resource
+
+_SUFFIXES = {"msg": (".msg", ".idl"), "srv": (".srv", ".idl"), "action": (".action", ".idl")}
+
+
+def get_interface_packages() -> dict[str, str]:
+    """Return the packages that have interfaces, with the prefix each is in."""
+    return get_resources("rosidl_interfaces")
+
+
+def _of(package_names: Iterable[str], kinds: Iterable[str]) -> dict[str, list[str]]:
+    wanted, result = list(package_names), {}
+    for package in wanted or sorted(get_interface_packages()):
+        names = _names(package, kinds)
+        if names or wanted:
+            result[package] = names
+    return result
+
+
+def _names(package: str, kinds: Iterable[str]) -> list[str]:
+    if not has_resource("packages", package):
+        raise LookupError(f"Unknown package '{package}'")
+    if not has_resource("rosidl_interfaces", package):
+        return []
+    lines = get_resource("rosidl_interfaces", package)[0].splitlines()
+    suffixes = tuple(f"{kind}/" for kind in kinds)
+    stems = (os.path.splitext(line) for line in lines if line.startswith(suffixes))
+    return sorted({stem for stem, end in stems if end in _SUFFIXES[stem.split("/")[0]] and "_" not in stem})
+
+
+def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """Return all interfaces by package, such as {'std_srvs': ['srv/Empty', ...]}; raises LookupError."""
+    return _of(package_names, ("msg", "srv", "action"))
+
+
+def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """Return the messages by package.
+
+    >>> get_message_interfaces(['builtin_interfaces'])
+    {'builtin_interfaces': ['msg/Duration', 'msg/Time']}
+    """
+    return _of(package_names, ("msg",))
+
+
+def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """Return the services by package."""
+    return _of(package_names, ("srv",))
+
+
+def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """Return the actions by package."""
+    return _of(package_names, ("action",))
+
+
+def get_interface_path(interface_name: str) -> str:
+    """Return the path of a definition file.
+
+    Raises ValueError for a malformed name and LookupError when there is no such interface.
+    """
+    parts = interface_name.split("/")
+    if len(parts) < 2:
+        raise ValueError(f"Invalid name '{interface_name}'. Expected at least two parts separated by '/'")
+    if not all(parts):
+        raise ValueError(f"Invalid name '{interface_name}'. Must not contain empty parts")
+    prefix = has_resource("packages", parts[0])
+    if not prefix:
+        raise LookupError(f"Unknown package '{parts[0]}'")
+    path = Path(prefix, "share", *parts)
+    if path.suffix:
+        found = path if path.exists() else None
+    else:
+        suffixes = _SUFFIXES.get(parts[-2], (".msg",))
+        found = next((p for p in (path.with_suffix(s) for s in suffixes) if p.exists()), None)
+    if found is None:
+        raise LookupError(f"Could not find the interface '{path}'")
+    return str(found)

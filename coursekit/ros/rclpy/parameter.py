@@ -184,8 +184,8 @@ def parameter_dict_from_yaml_file(
 ) -> dict[str, ParameterMsg]:
     """Return the parameters of a YAML file by name.
 
-    `target_nodes` names the nodes to read for (all when not given), `use_wildcard` adds what is said for `/**`,
-    `namespace` is put before every name. Raises RuntimeError when nothing is said for the nodes.
+    `target_nodes` names the nodes to read for (all when not given), `use_wildcard` adds what is said
+    for `/**`, `namespace` is put before every name. Raises RuntimeError when nothing is said for the nodes.
     """
     with open(parameter_file, encoding="utf-8") as file:
         nodes = _nodes_of(yaml.safe_load(file) or {}, parameter_file)

@@ -131,7 +131,7 @@ class Process:
         """What other rooms keep per process: the default rclpy context, log levels, ..."""
         self.handlers: dict[int, Any] = {}
         self.on_signal: list[Callable[[int], bool]] = []
-        """Called first when a signal arrives; True means that it has been dealt with."""
+        """Called in the main lane when a signal arrives; True means that it has been dealt with."""
         self.cleanups: list[Callable[[], None]] = []
         self.out = Output()
         self.stdin = Input(session)
@@ -197,7 +197,7 @@ class Process:
             return
         if signum == 9:
             self._kill()
-        elif not any([react(signum) for react in self.on_signal]):
+        else:
             self._deliver(lambda: self._receive(signum))
 
     def __repr__(self) -> str:
@@ -279,6 +279,8 @@ class Process:
 
     def _receive(self, signum: int) -> None:
         handler = self.handlers.get(signum, signal.SIG_DFL)
+        if handler == signal.SIG_DFL and any([react(signum) for react in list(self.on_signal)]):
+            return
         if callable(handler) and handler is not signal.default_int_handler:
             handler(signum, None)
         elif handler == signal.SIG_IGN:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -60,12 +59,12 @@ class Server(Endpoint):
 class Client(Endpoint):
     """The asking end: a queue of (sequence number, response)."""
 
-    __slots__ = ("_sequence", "queue")
+    __slots__ = ("_next_number", "queue")
 
     def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, srv_type, qos)
         self.queue: deque[tuple[int, Any]] = deque()
-        self._sequence = itertools.count(1)
+        self._next_number = 1
 
     def has_work(self) -> bool:
         """Whether a response waits."""
@@ -86,10 +85,15 @@ class Client(Endpoint):
 
     def send(self, request: Any) -> int:
         """Send copies of `request` to every server; the request's number."""
-        number = next(self._sequence)
+        number = self._next_number
+        self._next_number += 1
         for server in self.graph.servers_of(self):
             server.push(request._clone(), RequestId(self, number))
         return number
+
+    def peek_number(self) -> int:
+        """The number that the next request will have."""
+        return self._next_number
 
     def server_is_ready(self) -> bool:
         """Whether a server of this name and type exists."""

@@ -137,11 +137,11 @@ class VirtualClock:
         while waiter.wait(deadline):
             pass
 
-    def poll(self) -> None:
+    def poll(self, weight: int = 1) -> None:
         """Charge a question that did not wait, so that a loop that only asks cannot stop time."""
         if _get_ident() == self.thread:
             lane = self.running
-            lane.polls += 1
+            lane.polls += weight
             if lane.polls >= POLLS_PER_TICK:
                 lane.polls = 0
                 self.sleep(POLL_TICK_NS * 1e-9)

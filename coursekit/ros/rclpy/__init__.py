@@ -1,0 +1,171 @@
+"""The ROS 2 client library for Python, Humble's names and behaviour, on coursekit's in-process middleware.
+
+    import rclpy
+    rclpy.init()
+    node = rclpy.create_node("my_node")
+    rclpy.spin(node)
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
+from rclpy.utilities import (
+    _locals,
+    get_default_context,
+    get_rmw_implementation_identifier,
+    ok,
+)
+from rclpy.utilities import shutdown as _shutdown
+from rclpy.utilities import try_shutdown as _try_shutdown
+
+__all__ = [
+    "create_node",
+    "get_default_context",
+    "get_global_executor",
+    "get_rmw_implementation_identifier",
+    "init",
+    "ok",
+    "shutdown",
+    "spin",
+    "spin_once",
+    "spin_until_future_complete",
+    "try_shutdown",
+]
+
+
+class InitContextManager:
+    """Shuts down at the end of `with rclpy.init():` (ROS releases after Humble)."""
+
+    def __init__(self, context: Any) -> None:
+        self.context = context
+
+    def __enter__(self) -> InitContextManager:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self.context.try_shutdown()
+
+
+def init(
+    *,
+    args: list[str] | None = None,
+    context: Any = None,
+    domain_id: int | None = None,
+    signal_handler_options: SignalHandlerOptions | None = None,
+) -> InitContextManager:
+    """Begin: read the ROS arguments and join the domain. Twice is an error."""
+    context = get_default_context() if context is None else context
+    if signal_handler_options is None:
+        default = context is get_default_context()
+        signal_handler_options = SignalHandlerOptions.ALL if default else SignalHandlerOptions.NO
+    context.init(args, domain_id=domain_id)
+    install_signal_handlers(signal_handler_options)
+    return InitContextManager(context)
+
+
+def get_global_executor() -> Any:
+    """The executor that the spin functions use by default; one per process."""
+    kept = _locals()
+    executor = kept.get("executor")
+    if executor is None or executor.context is not get_default_context() or executor._is_shutdown:
+        from rclpy.executors import SingleThreadedExecutor
+
+        executor = kept["executor"] = SingleThreadedExecutor()
+    return executor
+
+
+def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
+    """End; a second time is an error."""
+    default = context is None or context is get_default_context()
+    if default:
+        _close_executor()
+    _shutdown(context=context)
+    if uninstall_handlers or (uninstall_handlers is None and default):
+        uninstall_signal_handlers()
+
+
+def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
+    """End, unless it has ended."""
+    default = context is None or context is get_default_context()
+    if default and get_default_context().ok():
+        _close_executor()
+    _try_shutdown(context=context)
+    if uninstall_handlers or (uninstall_handlers is None and default):
+        uninstall_signal_handlers()
+
+
+def _close_executor() -> None:
+    executor = _locals().pop("executor", None)
+    if executor is not None:
+        executor.shutdown(0)
+
+
+def create_node(
+    node_name: str,
+    *,
+    context: Any = None,
+    cli_args: list[str] | None = None,
+    namespace: str | None = None,
+    use_global_arguments: bool = True,
+    enable_rosout: bool = True,
+    start_parameter_services: bool = True,
+    parameter_overrides: list[Any] | None = None,
+    allow_undeclared_parameters: bool = False,
+    automatically_declare_parameters_from_overrides: bool = False,
+    enable_logger_service: bool = False,
+) -> Any:
+    """Make a node."""
+    from rclpy.node import Node
+
+    return Node(
+        node_name,
+        context=context,
+        cli_args=cli_args,
+        namespace=namespace,
+        use_global_arguments=use_global_arguments,
+        enable_rosout=enable_rosout,
+        start_parameter_services=start_parameter_services,
+        parameter_overrides=parameter_overrides,
+        allow_undeclared_parameters=allow_undeclared_parameters,
+        automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
+        enable_logger_service=enable_logger_service,
+    )
+
+
+def spin_once(node: Any, *, executor: Any = None, timeout_sec: float | None = None) -> None:
+    """Wait for one callback of `node` and run it, at most `timeout_sec`."""
+    executor = get_global_executor() if executor is None else executor
+    added = False
+    try:
+        added = executor.add_node(node)
+        executor.spin_once(timeout_sec=timeout_sec)
+    finally:
+        if added:
+            executor.remove_node(node)
+
+
+def spin(node: Any, executor: Any = None) -> None:
+    """Run the callbacks of `node` until the context is shut down."""
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        while executor.context.ok():
+            executor.spin_once()
+    finally:
+        executor.remove_node(node)
+
+
+def spin_until_future_complete(
+    node: Any, future: Any, executor: Any = None, timeout_sec: float | None = None
+) -> None:
+    """Run the callbacks of `node` until `future` is done, at most `timeout_sec`."""
+    executor = get_global_executor() if executor is None else executor
+    added = False
+    try:
+        added = executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec)
+    finally:
+        if added:
+            executor.remove_node(node)

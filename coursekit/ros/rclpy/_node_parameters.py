@@ -1,0 +1,410 @@
+"""The part of Node that declares, reads and sets parameters."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+from rcl_interfaces.msg import (
+    FloatingPointRange,
+    IntegerRange,
+    ParameterDescriptor,
+    ParameterEvent,
+    ParameterValue,
+    SetParametersResult,
+)
+from rclpy.exceptions import (
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from rclpy.validate_parameter_name import validate_parameter_name
+
+Declaration = tuple[Any, ...]
+
+
+class NodeParameters:
+    """Parameters of a node."""
+
+    PARAM_REL_TOL = 1e-6
+    """Relative tolerance for floating point ranges and steps."""
+
+    _parameters: dict[str, Parameter]
+    _descriptors: dict[str, ParameterDescriptor]
+    _parameter_overrides: dict[str, Parameter]
+    _parameters_callbacks: list[Callable[[list[Parameter]], SetParametersResult]]
+    _pre_set_callbacks: list[Callable[[list[Parameter]], list[Parameter]]]
+    _post_set_callbacks: list[Callable[[list[Parameter]], None]]
+    _allow_undeclared_parameters: bool
+    _parameter_event_publisher: Any
+
+    # -- declaring
+
+    def declare_parameter(
+        self,
+        name: str,
+        value: Any = None,
+        descriptor: ParameterDescriptor | None = None,
+        ignore_override: bool = False,
+    ) -> Parameter:
+        """Declare a parameter with its default value or its type, and return it."""
+        declaration: Declaration
+        if value is None and descriptor is None:
+            declaration = (name,)
+        else:
+            declaration = (name, value, ParameterDescriptor() if descriptor is None else descriptor)
+        return self.declare_parameters("", [declaration], ignore_override)[0]
+
+    def declare_parameters(
+        self, namespace: str, parameters: list[Any], ignore_override: bool = False
+    ) -> list[Parameter]:
+        """Declare several: tuples of (name), (name, value or type) or (name, value or type, descriptor)."""
+        declared: list[Parameter] = []
+        descriptors: dict[str, ParameterDescriptor] = {}
+        for index, declaration in enumerate(parameters):
+            name, value, descriptor = _read_declaration(index, declaration)
+            full_name = f"{namespace}{PARAMETER_SEPARATOR_STRING}{name}" if namespace else name
+            validate_parameter_name(full_name)
+            if not ignore_override and full_name in self._parameter_overrides:
+                value = self._parameter_overrides[full_name].value
+            declared.append(Parameter(full_name, value=value))
+            descriptor.name = full_name
+            descriptors[full_name] = descriptor
+        known = [parameter.name for parameter in declared if parameter.name in self._parameters]
+        if known:
+            raise ParameterAlreadyDeclaredException(known)
+        for parameter in declared:
+            self._declare(parameter, descriptors[parameter.name])
+        return [self._parameters[parameter.name] for parameter in declared]
+
+    def _declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
+        if parameter.type_ == Parameter.Type.NOT_SET and not descriptor.dynamic_typing:
+            self._parameters[parameter.name] = parameter
+            self._descriptors[parameter.name] = descriptor
+            return
+        self._descriptors[parameter.name] = descriptor
+        result = self._apply([parameter], check_read_only=False)
+        if result.successful:
+            return
+        del self._descriptors[parameter.name]
+        if result.reason.startswith("Wrong parameter type"):
+            raise InvalidParameterTypeException(parameter, Parameter.Type(descriptor.type).name)
+        raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Take a declaration back."""
+        if not self.has_parameter(name):
+            raise ParameterNotDeclaredException(name)
+        if self._descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        del self._parameters[name]
+        del self._descriptors[name]
+
+    def has_parameter(self, name: str) -> bool:
+        """Whether it was declared."""
+        return name in self._parameters
+
+    # -- reading
+
+    def get_parameter_types(self, names: list[str]) -> list[Parameter.Type]:
+        """The types of several."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter_type(name) for name in names]
+
+    def get_parameter_type(self, name: str) -> Parameter.Type:
+        """The type of a parameter."""
+        if name in self._parameters:
+            return self._parameters[name].type_
+        if self._allow_undeclared_parameters:
+            return Parameter.Type.NOT_SET
+        raise ParameterNotDeclaredException(name)
+
+    def get_parameters(self, names: list[str]) -> list[Parameter]:
+        """Several parameters."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter(name) for name in names]
+
+    def get_parameter(self, name: str) -> Parameter:
+        """A parameter; an undeclared one is an error unless the node allows them."""
+        if name in self._parameters:
+            parameter = self._parameters[name]
+            if parameter.type_ != Parameter.Type.NOT_SET or self._descriptors[name].dynamic_typing:
+                return parameter
+            raise ParameterUninitializedException(name)
+        if self._allow_undeclared_parameters:
+            return Parameter(name, Parameter.Type.NOT_SET, None)
+        raise ParameterNotDeclaredException(name)
+
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """A parameter, or the alternative when it has no value."""
+        if alternative_value is None:
+            alternative_value = Parameter(name, Parameter.Type.NOT_SET)
+        if not self.has_parameter(name) or self._parameters[name].type_ == Parameter.Type.NOT_SET:
+            return alternative_value
+        return self._parameters[name]
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
+        """The parameters below `prefix.`, by the rest of their names."""
+        start = f"{prefix}{PARAMETER_SEPARATOR_STRING}" if prefix else ""
+        return {
+            name.removeprefix(start): parameter
+            for name, parameter in self._parameters.items()
+            if name.startswith(start)
+        }
+
+    def describe_parameter(self, name: str) -> ParameterDescriptor:
+        """The descriptor of a parameter."""
+        if name in self._descriptors:
+            return self._descriptors[name]
+        if self._allow_undeclared_parameters:
+            return ParameterDescriptor(name=name)
+        raise ParameterNotDeclaredException(name)
+
+    def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
+        """The descriptors of several."""
+        return [self.describe_parameter(name) for name in names]
+
+    # -- setting
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
+        """Set several, each by itself; undeclared ones are an error unless the node allows them."""
+        self._check_declared(parameter_list)
+        return [self._set([parameter]) for parameter in parameter_list]
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all or none."""
+        self._check_declared(parameter_list)
+        return self._set(parameter_list)
+
+    def _check_declared(self, parameters: list[Parameter]) -> None:
+        if self._allow_undeclared_parameters:
+            return
+        if not all(isinstance(parameter, Parameter) for parameter in parameters):
+            raise TypeError("parameter must be instance of type '{}'".format(repr(Parameter)))
+        unknown = [parameter.name for parameter in parameters if parameter.name not in self._descriptors]
+        if unknown:
+            raise ParameterNotDeclaredException(unknown)
+
+    def _set(self, parameters: list[Parameter]) -> SetParametersResult:
+        for callback in list(self._pre_set_callbacks):
+            parameters = callback(parameters)
+        self._check_declared(parameters)
+        return self._apply(parameters)
+
+    def _apply(self, parameters: list[Parameter], check_read_only: bool = True) -> SetParametersResult:
+        """Check, ask the callbacks, set, and tell /parameter_events."""
+        for parameter in parameters:
+            descriptor = self._descriptors.get(parameter.name)
+            result = self._check(parameter, descriptor, check_read_only)
+            if not result.successful:
+                return result
+        for callback in list(self._parameters_callbacks):
+            result = callback(parameters)
+            if not result.successful:
+                return result
+        self._store(parameters)
+        for post in list(self._post_set_callbacks):
+            post(parameters)
+        return SetParametersResult(successful=True)
+
+    def _check(
+        self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
+    ) -> SetParametersResult:
+        if descriptor is None:
+            return SetParametersResult(successful=True)
+        if check_read_only and descriptor.read_only:
+            return SetParametersResult(
+                successful=False, reason=f"Trying to set a read-only parameter: {parameter.name}."
+            )
+        return self._check_value(parameter, descriptor)
+
+    def _check_value(self, parameter: Parameter, descriptor: ParameterDescriptor) -> SetParametersResult:
+        if not descriptor.dynamic_typing and descriptor.type and descriptor.type != parameter.type_.value:
+            if parameter.type_ == Parameter.Type.NOT_SET:
+                return SetParametersResult(successful=False, reason="Static parameter cannot be undeclared")
+            expected = Parameter.Type(descriptor.type)
+            return SetParametersResult(
+                successful=False,
+                reason=f"Wrong parameter type, expected '{expected}' got '{parameter.type_}'",
+            )
+        reason = ""
+        if parameter.type_ == Parameter.Type.INTEGER and descriptor.integer_range:
+            reason = _outside_integer_range(parameter, descriptor.integer_range[0])
+        elif parameter.type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:
+            reason = self._outside_floating_range(parameter, descriptor.floating_point_range[0])
+        return SetParametersResult(successful=not reason, reason=reason)
+
+    def _outside_floating_range(self, parameter: Parameter, allowed: FloatingPointRange) -> str:
+        value, low, high = parameter.value, allowed.from_value, allowed.to_value
+        if any(math.isclose(value, end, rel_tol=self.PARAM_REL_TOL) for end in (low, high)):
+            return ""
+        if not low <= value <= high:
+            return _outside(parameter, low, high)
+        if allowed.step:
+            steps = (value - low) / allowed.step
+            if not math.isclose(steps, round(steps), rel_tol=self.PARAM_REL_TOL):
+                return _no_step(parameter, allowed)
+        return ""
+
+    def _store(self, parameters: list[Parameter]) -> None:
+        event = ParameterEvent(node=self.get_fully_qualified_name())  # type: ignore[attr-defined]
+        event.stamp = self.get_clock().now().to_msg()  # type: ignore[attr-defined]
+        for parameter in parameters:
+            old = self._parameters.get(parameter.name)
+            had_value = old is not None and old.type_ != Parameter.Type.NOT_SET
+            if parameter.type_ == Parameter.Type.NOT_SET:
+                if had_value:
+                    event.deleted_parameters.append(Parameter(parameter.name).to_parameter_msg())
+                if parameter.name in self._descriptors and self._descriptors[parameter.name].dynamic_typing:
+                    self._parameters[parameter.name] = parameter
+                else:
+                    self._parameters.pop(parameter.name, None)
+                    self._descriptors.pop(parameter.name, None)
+                continue
+            (event.changed_parameters if had_value else event.new_parameters).append(parameter.to_parameter_msg())
+            self._remember(parameter)
+        self._parameter_event_publisher.publish(event)
+
+    def _remember(self, parameter: Parameter) -> None:
+        if parameter.name not in self._descriptors:
+            self._descriptors[parameter.name] = ParameterDescriptor(name=parameter.name, dynamic_typing=True)
+        self._descriptors[parameter.name].type = parameter.type_.value
+        self._parameters[parameter.name] = parameter
+
+    def set_descriptor(
+        self, name: str, descriptor: ParameterDescriptor, alternative_value: Any = None
+    ) -> Any:
+        """Give a parameter another descriptor; its value must fit, or `alternative_value` is set."""
+        if not self.has_parameter(name):
+            if self._allow_undeclared_parameters:
+                return self.get_parameter(name).get_parameter_value()
+            raise ParameterNotDeclaredException(name)
+        if self._descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        parameter = self._parameters[name]
+        if alternative_value is not None:
+            parameter = Parameter.from_parameter_msg(_parameter_msg(name, alternative_value))
+        descriptor.name = name
+        descriptor.type = parameter.type_.value
+        result = self._check_value(parameter, descriptor)
+        if not result.successful:
+            raise InvalidParameterValueException(name, parameter.value, result.reason)
+        self._descriptors[name] = descriptor
+        self._parameters[name] = parameter
+        return parameter.get_parameter_value()
+
+    # -- callbacks
+
+    def add_on_set_parameters_callback(
+        self, callback: Callable[[list[Parameter]], SetParametersResult]
+    ) -> None:
+        """Have `callback(parameters)` accept or refuse every change; the newest callback is asked first."""
+        self._parameters_callbacks.insert(0, callback)
+
+    def remove_on_set_parameters_callback(
+        self, callback: Callable[[list[Parameter]], SetParametersResult]
+    ) -> None:
+        """Ask it no more; ValueError if it was not there."""
+        self._parameters_callbacks.remove(callback)
+
+    def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Have `callback` change the list before it is checked (ROS releases after Humble)."""
+        self._pre_set_callbacks.insert(0, callback)
+
+    def remove_pre_set_parameters_callback(
+        self, callback: Callable[[list[Parameter]], list[Parameter]]
+    ) -> None:
+        """Ask it no more."""
+        self._pre_set_callbacks.remove(callback)
+
+    def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
+        """Tell `callback` of changes that were made (ROS releases after Humble)."""
+        self._post_set_callbacks.insert(0, callback)
+
+    def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
+        """Tell it no more."""
+        self._post_set_callbacks.remove(callback)
+
+
+def _read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterDescriptor]:
+    """(name, value, descriptor) of one tuple that was given to declare_parameters."""
+    if len(declaration) < 1 or len(declaration) > 3:
+        raise TypeError(
+            f"Invalid parameter tuple length at index {index} in parameters list: "
+            f"{declaration}; expecting length between 1 and 3"
+        )
+    name = declaration[0]
+    if not isinstance(name, str):
+        raise TypeError(f"First element {name} at index {index} in parameters list is not a str.")
+    if len(declaration) == 1:
+        _warn_name_only(name)
+        return name, None, ParameterDescriptor(name=name, dynamic_typing=True)
+    descriptor = declaration[2] if len(declaration) == 3 else ParameterDescriptor()
+    if not isinstance(descriptor, ParameterDescriptor):
+        raise TypeError(
+            f"Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor."
+        )
+    descriptor = descriptor._clone()
+    value = declaration[1]
+    if isinstance(value, Parameter.Type):
+        if value == Parameter.Type.NOT_SET:
+            raise ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
+        if descriptor.dynamic_typing:
+            raise ValueError(
+                f"When declaring parameter {{{name}}} passing a descriptor with "
+                "`dynamic_typing=True` is not allowed when the parameter type is provided"
+            )
+        descriptor.type = value.value
+        return name, None, descriptor
+    if isinstance(value, ParameterValue):
+        raise ValueError("Cannot declare a Parameter from a ParameterValue: give the value itself.")
+    if not descriptor.dynamic_typing and value is not None:
+        descriptor.type = Parameter.Type.from_parameter_value(value).value
+    return name, value, descriptor
+
+
+def _warn_name_only(name: str) -> None:
+    warnings.warn(
+        f"when declaring parameter named '{name}', declaring a parameter only providing its name is deprecated. "
+        "You have to either:\n"
+        '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
+        "\t- Pass a name and a parameter type.\n"
+        "\t- Pass a name and a descriptor with `dynamic_typing=True",
+        stacklevel=5,
+    )
+
+
+def _parameter_msg(name: str, value: Any) -> Any:
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+
+    return ParameterMsg(name=name, value=value)
+
+
+def _outside(parameter: Parameter, low: Any, high: Any) -> str:
+    return f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {parameter.value}"
+
+
+def _no_step(parameter: Parameter, allowed: Any) -> str:
+    return (
+        f"The parameter value for {parameter.name} is not a valid step. Min: {allowed.from_value}, "
+        f"max: {allowed.to_value}, value: {parameter.value}, step: {allowed.step}"
+    )
+
+
+def _outside_integer_range(parameter: Parameter, allowed: IntegerRange) -> str:
+    value, low, high = parameter.value, allowed.from_value, allowed.to_value
+    if value in (low, high):
+        return ""
+    if not min(low, high) <= value <= max(low, high):
+        return _outside(parameter, low, high)
+    if allowed.step and (value - low) % allowed.step:
+        return _no_step(parameter, allowed)
+    return ""

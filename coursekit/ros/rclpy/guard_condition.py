@@ -1,0 +1,37 @@
+"""Guard conditions: flags that a program raises to have a callback run in the executor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rclpy._rclpy_pybind11 import GuardCondition as _Handle
+
+
+class GuardCondition:
+    """Made by `Node.create_guard_condition`."""
+
+    def __init__(self, callback: Callable[[], Any] | None, callback_group: Any, context: Any = None) -> None:
+        self._handle = _Handle()
+        self.callback = callback
+        self.callback_group = callback_group
+        self._executor_event = False
+
+    def trigger(self) -> None:
+        """Have the callback run."""
+        self._handle.trigger_guard_condition()
+
+    @property
+    def handle(self) -> _Handle:
+        """The handle."""
+        return self._handle
+
+    def destroy(self) -> None:
+        """Use `Node.destroy_guard_condition` instead."""
+        self._handle.destroy_when_not_in_use()
+
+    def _sources(self) -> list[Any]:
+        return [self._handle.core]
+
+    def _take(self) -> Any:
+        return self.callback if self._handle.core.take() else None

@@ -1,0 +1,555 @@
+"""Nodes: the participants of the graph, with publishers, subscriptions, services, timers and parameters."""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from rcl_interfaces.msg import Log, ParameterEvent
+from rclpy import _rclpy_pybind11 as _rclpy
+from rclpy._node_graph import NodeGraph, core_qos
+from rclpy._node_parameters import NodeParameters
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.client import Client
+from rclpy.clock import Clock, ROSClock
+from rclpy.duration import Duration
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from rclpy.exceptions import (
+    InvalidHandle,
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+    NotInitializedException,
+)
+from rclpy.expand_topic_name import expand_topic_name
+from rclpy.guard_condition import GuardCondition
+from rclpy.impl.rcutils_logger import add_rosout, remove_rosout
+from rclpy.logging import get_logger
+from rclpy.parameter import Parameter
+from rclpy.parameter_service import ParameterService
+from rclpy.publisher import Publisher
+from rclpy.qos import (
+    DurabilityPolicy,
+    QoSProfile,
+    qos_profile_parameter_events,
+    qos_profile_services_default,
+)
+from rclpy.qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
+from rclpy.service import Service
+from rclpy.subscription import Subscription
+from rclpy.time_source import TimeSource
+from rclpy.timer import Rate, Timer
+from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from rclpy.utilities import get_default_context
+from rclpy.validate_full_topic_name import validate_full_topic_name
+from rclpy.validate_namespace import validate_namespace
+from rclpy.validate_node_name import validate_node_name
+from rclpy.validate_topic_name import validate_topic_name
+
+from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
+from coursekit.core.process import current_process
+
+HIDDEN_NODE_PREFIX = "_"
+_ROSOUT_QOS = QoSProfile(
+    depth=1000,
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    lifespan=Duration(seconds=10),
+)
+
+
+class Node(NodeParameters, NodeGraph):
+    """A participant of the ROS graph."""
+
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Any = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        start_parameter_services: bool = True,
+        parameter_overrides: list[Parameter] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,
+    ) -> None:
+        self._handle: Any = None
+        self._context = get_default_context() if context is None else context
+        self._parameters = {}
+        self._descriptors = {}
+        self._publishers: list[Publisher] = []
+        self._subscriptions: list[Subscription] = []
+        self._clients: list[Client] = []
+        self._services: list[Service] = []
+        self._timers: list[Timer] = []
+        self._guards: list[GuardCondition] = []
+        self._waitables: list[Any] = []
+        self._rates: dict[Any, Timer] = {}
+        self._executor: Any = None
+        self._default_callback_group = MutuallyExclusiveCallbackGroup()
+        self._parameters_callbacks = []
+        self._pre_set_callbacks = []
+        self._post_set_callbacks = []
+        self._rate_group: Any = None
+        self._allow_undeclared_parameters = allow_undeclared_parameters
+        if not self._context.ok():
+            raise NotInitializedException("cannot create node")
+        self._join_graph(node_name, namespace, cli_args, use_global_arguments)
+        self._logger = get_logger(self._handle.logger_name())
+        self._clock = ROSClock()
+        self._rosout: Any = None
+        if enable_rosout and self._arguments.rosout_enabled:
+            self._start_rosout()
+        self._parameter_event_publisher = self.create_publisher(
+            ParameterEvent, "/parameter_events", qos_profile_parameter_events
+        )
+        self._read_overrides(parameter_overrides, automatically_declare_parameters_from_overrides)
+        self._time_source = TimeSource(node=self)
+        self._time_source.attach_clock(self._clock)
+        if start_parameter_services:
+            self._parameter_service = ParameterService(self)
+        if enable_logger_service:
+            from rclpy.logging_service import LoggingService
+
+            self._logger_service = LoggingService(self)
+
+    # -- joining the graph
+
+    def _join_graph(
+        self, node_name: str, namespace: str | None, cli_args: list[str] | None, use_global: bool
+    ) -> None:
+        self._arguments = self._read_arguments(cli_args, use_global)
+        validate_node_name(node_name)
+        namespace = "/" + (namespace or "").removeprefix("/")
+        validate_namespace(namespace)
+        name = self._arguments.node_name(node_name)
+        namespace = self._arguments.node_namespace(node_name, namespace)
+        handle = self._context.handle
+        self._graph_node = handle.graph.add_node(name, namespace, current_process())
+        logger_name = self._graph_node.full_name.strip("/").replace("/", ".")
+        self._handle = _rclpy.NodeHandle(self._graph_node, self._remap, logger_name)
+
+    def _read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:
+        try:
+            own = parse_ros_arguments(cli_args or [])
+        except UnknownRosArguments as error:
+            raise _rclpy.UnknownROSArgsError(str(error)) from None
+        except RosArgumentsError as error:
+            raise _rclpy.RCLInvalidROSArgsError(f"Failed to parse ROS arguments: {error}") from None
+        return merge(own, self._context.handle.arguments) if use_global else own
+
+    def _remap(self, full_name: str, kind: str) -> str:
+        return self._arguments.remap(kind, full_name, self._graph_node.name, self._graph_node.namespace)
+
+    def _start_rosout(self) -> None:
+        handle = _rclpy.Publisher(self._handle, Log, "/rosout", core_qos(_ROSOUT_QOS))
+        self._rosout = handle.core
+        add_rosout(self._logger.name, self._publish_log)
+
+    def _publish_log(
+        self, level: int, name: str, text: str, file: str, function: str, line: int, stamp_ns: int
+    ) -> None:
+        log = Log(level=level, name=name, msg=text, file=file, function=function, line=line)
+        log.stamp.sec, log.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
+        self._rosout.publish(log)
+
+    def _read_overrides(self, given: list[Parameter] | None, declare: bool) -> None:
+        values = self._arguments.parameters_for(self.get_fully_qualified_name())
+        self._parameter_overrides = {name: Parameter(name, value=value) for name, value in values.items()}
+        self._parameter_overrides.update({parameter.name: parameter for parameter in given or ()})
+        if declare:
+            self.declare_parameters(
+                "",
+                [
+                    (name, parameter.value, _dynamic())
+                    for name, parameter in self._parameter_overrides.items()
+                ],
+                ignore_override=True,
+            )
+
+    # -- what it is
+
+    @property
+    def publishers(self) -> Iterator[Publisher]:
+        """The publishers made by this node."""
+        yield from list(self._publishers)
+
+    @property
+    def subscriptions(self) -> Iterator[Subscription]:
+        """The subscriptions made by this node."""
+        yield from list(self._subscriptions)
+
+    @property
+    def clients(self) -> Iterator[Client]:
+        """The service clients made by this node."""
+        yield from list(self._clients)
+
+    @property
+    def services(self) -> Iterator[Service]:
+        """The services made by this node."""
+        yield from list(self._services)
+
+    @property
+    def timers(self) -> Iterator[Timer]:
+        """The timers made by this node."""
+        yield from list(self._timers)
+
+    @property
+    def guards(self) -> Iterator[GuardCondition]:
+        """The guard conditions made by this node."""
+        yield from list(self._guards)
+
+    @property
+    def waitables(self) -> Iterator[Any]:
+        """The waitables added to this node."""
+        yield from list(self._waitables)
+
+    @property
+    def executor(self) -> Any:
+        """The executor that serves it, or None."""
+        return self._executor() if self._executor is not None else None
+
+    @executor.setter
+    def executor(self, new_executor: Any) -> None:
+        old = self.executor
+        if old is new_executor:
+            return
+        if old is not None:
+            self._executor = None
+            for entity in self._entities():
+                for source in entity._sources():
+                    source.attach(None, None)
+            old.remove_node(self)
+        if new_executor is None:
+            self._executor = None
+        else:
+            self._executor = weakref.ref(new_executor)
+            new_executor.add_node(self)
+
+    @property
+    def context(self) -> Any:
+        """The context it belongs to."""
+        return self._context
+
+    @property
+    def default_callback_group(self) -> Any:
+        """The group of everything that is made without one: mutually exclusive."""
+        return self._default_callback_group
+
+    @property
+    def handle(self) -> Any:
+        """The handle."""
+        return self._handle
+
+    def get_name(self) -> str:
+        """The name, for example 'camera'."""
+        return self.handle.get_node_name()
+
+    def get_namespace(self) -> str:
+        """The namespace, for example '/robot1'."""
+        return self.handle.get_namespace()
+
+    def get_fully_qualified_name(self) -> str:
+        """Namespace and name, for example '/robot1/camera'."""
+        return self.handle.get_fully_qualified_name()
+
+    def get_clock(self) -> Clock:
+        """The node's clock: ROS time."""
+        return self._clock
+
+    def get_logger(self) -> Any:
+        """The node's logger."""
+        return self._logger
+
+    # -- names
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """The full name of a topic, after remapping."""
+        return self._resolve(topic, "topic", only_expand)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """The full name of a service, after remapping."""
+        return self._resolve(service, "service", only_expand)
+
+    def _resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
+        full = expand_topic_name(name, self.get_name(), self.get_namespace())
+        return full if only_expand else self._remap(full, kind)
+
+    def _checked(self, name: str, kind: str) -> str:
+        """The full name, after the checks in ROS's order."""
+        validate_topic_name(name, is_service=kind == "service")
+        full = expand_topic_name(name, self.get_name(), self.get_namespace())
+        validate_full_topic_name(full, is_service=kind == "service")
+        return full
+
+    # -- making and destroying
+
+    def _own(self, kept: list[Any], entity: Any, group: Any) -> Any:
+        group.add_entity(entity)
+        kept.append(entity)
+        executor = self.executor
+        if executor is not None:
+            executor._attach(entity)
+        return entity
+
+    def _attach(self, executor: Any) -> None:
+        for entity in self._entities():
+            executor._attach(entity)
+
+    def _entities(self) -> list[Any]:
+        return [
+            *self._timers,
+            *self._subscriptions,
+            *self._guards,
+            *self._clients,
+            *self._services,
+            *self._waitables,
+        ]
+
+    def create_publisher(
+        self,
+        msg_type: Any,
+        topic: str,
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: Any = None,
+        event_callbacks: PublisherEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        publisher_class: type[Publisher] = Publisher,
+    ) -> Any:
+        """Make a publisher; `qos_profile` may be just the queue's depth."""
+        profile = _validated_qos(qos_profile)
+        group = callback_group or self.default_callback_group
+        check_is_valid_msg_type(msg_type)
+        full = self._checked(topic, "topic")
+        profile = self._overridden(Publisher, full, profile, qos_overriding_options)
+        handle = _rclpy.Publisher(self.handle, msg_type, full, core_qos(profile))
+        publisher = publisher_class(
+            handle, msg_type, topic, profile, event_callbacks or PublisherEventCallbacks(), group
+        )
+        publisher._context_ok = self._context.ok
+        self._publishers.append(publisher)
+        for handler in publisher.event_handlers:
+            self.add_waitable(handler)
+        return publisher
+
+    def create_subscription(
+        self,
+        msg_type: Any,
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: Any = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool = False,
+    ) -> Subscription:
+        """Make a subscription; `callback(msg)` runs in the node's executor. `raw` gives it bytes."""
+        profile = _validated_qos(qos_profile)
+        group = callback_group or self.default_callback_group
+        check_is_valid_msg_type(msg_type)
+        full = self._checked(topic, "topic")
+        profile = self._overridden(Subscription, full, profile, qos_overriding_options)
+        handle = _rclpy.Subscription(self.handle, msg_type, full, core_qos(profile))
+        subscription = Subscription(
+            handle, msg_type, topic, callback, group, profile, raw, event_callbacks or SubscriptionEventCallbacks()
+        )
+        self._own(self._subscriptions, subscription, group)
+        for handler in subscription.event_handlers:
+            self.add_waitable(handler)
+        return subscription
+
+    def _overridden(
+        self, kind: type, full_name: str, profile: QoSProfile, options: QoSOverridingOptions | None
+    ) -> QoSProfile:
+        if options is None:
+            return profile
+        copied = QoSProfile(**{name.lstrip("_"): getattr(profile, name) for name in profile.__slots__})
+        _declare_qos_parameters(kind, self, self._remap(full_name, "topic"), copied, options)
+        return copied
+
+    def create_client(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: Any = None,
+    ) -> Client:
+        """Make a service client."""
+        group = callback_group or self.default_callback_group
+        check_is_valid_srv_type(srv_type)
+        handle = _rclpy.Client(self.handle, srv_type, self._checked(srv_name, "service"), core_qos(qos_profile))
+        client = Client(self._context, handle, srv_type, srv_name, qos_profile, group)
+        return self._own(self._clients, client, group)
+
+    def create_service(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: Any = None,
+    ) -> Service:
+        """Make a service; `callback(request, response)` fills and returns the response."""
+        group = callback_group or self.default_callback_group
+        check_is_valid_srv_type(srv_type)
+        handle = _rclpy.Service(self.handle, srv_type, self._checked(srv_name, "service"), core_qos(qos_profile))
+        service = Service(handle, srv_type, srv_name, callback, group, qos_profile)
+        return self._own(self._services, service, group)
+
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[..., Any] | None,
+        callback_group: Any = None,
+        clock: Clock | None = None,
+        autostart: bool = True,
+    ) -> Timer:
+        """Make a timer that calls back every `timer_period_sec` seconds."""
+        group = callback_group or self.default_callback_group
+        period_ns = int(float(timer_period_sec) * 1_000_000_000)
+        timer = Timer(
+            callback, group, period_ns, clock or self._clock, context=self._context, autostart=autostart
+        )
+        return self._own(self._timers, timer, group)
+
+    def create_guard_condition(self, callback: Callable[[], Any], callback_group: Any = None) -> GuardCondition:
+        """Make a guard condition; its callback runs when it is triggered."""
+        group = callback_group or self.default_callback_group
+        return self._own(self._guards, GuardCondition(callback, group, context=self._context), group)
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """Make a rate, whose `sleep` ends `frequency` times a second."""
+        if frequency <= 0:
+            raise ValueError("frequency must be > 0")
+        from rclpy.callback_groups import ReentrantCallbackGroup
+
+        self._rate_group = self._rate_group or ReentrantCallbackGroup()
+        timer = self.create_timer(1.0 / frequency, None, self._rate_group, clock)
+        rate = Rate(timer, context=self._context)
+        self._rates[rate] = timer
+        return rate
+
+    def add_waitable(self, waitable: Any) -> None:
+        """Have the executor serve a waitable."""
+        self._own(self._waitables, waitable, waitable.callback_group)
+
+    def remove_waitable(self, waitable: Any) -> None:
+        """Serve it no more."""
+        self._waitables.remove(waitable)
+        for source in waitable._sources():
+            source.attach(None, None)
+
+    def _destroy(self, kept: list[Any], entity: Any) -> bool:
+        if entity not in kept:
+            return False
+        kept.remove(entity)
+        for source in getattr(entity, "_sources", list)():
+            source.attach(None, None)
+        entity.destroy()
+        return True
+
+    def destroy_publisher(self, publisher: Publisher) -> bool:
+        """Destroy a publisher; False if it is not this node's."""
+        self._drop_handlers(publisher)
+        return self._destroy(self._publishers, publisher)
+
+    def destroy_subscription(self, subscription: Subscription) -> bool:
+        """Destroy a subscription; False if it is not this node's."""
+        self._drop_handlers(subscription)
+        return self._destroy(self._subscriptions, subscription)
+
+    def _drop_handlers(self, endpoint: Any) -> None:
+        for handler in endpoint.event_handlers:
+            if handler in self._waitables:
+                self.remove_waitable(handler)
+
+    def destroy_client(self, client: Client) -> bool:
+        """Destroy a client; False if it is not this node's."""
+        return self._destroy(self._clients, client)
+
+    def destroy_service(self, service: Service) -> bool:
+        """Destroy a service; False if it is not this node's."""
+        return self._destroy(self._services, service)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer; False if it is not this node's."""
+        return self._destroy(self._timers, timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition; False if it is not this node's."""
+        return self._destroy(self._guards, guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate; who sleeps in it wakes."""
+        timer = self._rates.pop(rate, None)
+        if timer is None:
+            return False
+        self.destroy_timer(timer)
+        rate.destroy()
+        return True
+
+    def destroy_node(self) -> None:
+        """Leave the graph with all that belongs to the node; harmless the second time."""
+        if self._handle is None or not self._handle.valid:
+            return
+        if self.executor is not None:
+            self.executor.remove_node(self)
+        for rate in list(self._rates):
+            self.destroy_rate(rate)
+        for destroy, kept in (
+            (self.destroy_publisher, self._publishers),
+            (self.destroy_subscription, self._subscriptions),
+            (self.destroy_client, self._clients),
+            (self.destroy_service, self._services),
+            (self.destroy_timer, self._timers),
+            (self.destroy_guard_condition, self._guards),
+        ):
+            for entity in list(kept):
+                destroy(entity)  # type: ignore[operator]
+        if self._rosout is not None:
+            remove_rosout(self._logger.name)
+        self._handle.destroy_when_not_in_use()
+
+    def __enter__(self) -> Node:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self.destroy_node()
+
+
+def _dynamic() -> Any:
+    from rcl_interfaces.msg import ParameterDescriptor
+
+    return ParameterDescriptor(dynamic_typing=True)
+
+
+def _validated_qos(qos: Any) -> QoSProfile:
+    """A profile from a profile or a depth."""
+    if isinstance(qos, QoSProfile):
+        return qos
+    if not isinstance(qos, int):
+        raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
+    if qos < 0:
+        raise ValueError("history depth must be greater than or equal to zero")
+    return QoSProfile(depth=qos)
+
+
+__all__ = [
+    "HIDDEN_NODE_PREFIX",
+    "InvalidHandle",
+    "InvalidNamespaceException",
+    "InvalidNodeNameException",
+    "InvalidServiceNameException",
+    "InvalidTopicNameException",
+    "Node",
+    "NodeNameNonExistentError",
+]

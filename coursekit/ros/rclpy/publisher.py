@@ -1,0 +1,91 @@
+"""Publishers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy._rclpy_pybind11 import Publisher as _Handle
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.duration import Duration
+
+from coursekit.interfaces import cdr
+
+
+class Publisher:
+    """Made by `Node.create_publisher`."""
+
+    def __init__(
+        self,
+        publisher_impl: _Handle,
+        msg_type: Any,
+        topic: str,
+        qos_profile: Any,
+        event_callbacks: Any,
+        callback_group: Any,
+    ) -> None:
+        self.__publisher = publisher_impl
+        self._core = publisher_impl.core
+        self.msg_type = msg_type
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.event_handlers = event_callbacks.create_event_handlers(
+            callback_group, publisher_impl, publisher_impl.core.name
+        )
+        self._context_ok: Any = None
+
+    def publish(self, msg: Any) -> None:
+        """Send a copy of `msg`, or a message that is given as its bytes."""
+        if not self.__publisher.valid:
+            self.__publisher.check()
+        if not isinstance(msg, self.msg_type):
+            if not isinstance(msg, bytes):
+                raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+            msg = cdr.deserialize(msg, self.msg_type)
+        if self._context_ok is not None and not self._context_ok():
+            raise RCLError(
+                "Failed to publish: publisher's context is invalid, at ./src/rcl/publisher.c:389"
+            )
+        self._core.publish(msg)
+
+    def get_subscription_count(self) -> int:
+        """How many subscriptions it reaches."""
+        with self.__publisher:
+            return len(self._core.targets)
+
+    @property
+    def topic_name(self) -> str:
+        """The resolved name."""
+        with self.__publisher:
+            return self._core.name
+
+    @property
+    def handle(self) -> _Handle:
+        """The handle."""
+        return self.__publisher
+
+    @property
+    def logger_name(self) -> str:
+        """Its node's logger."""
+        return self._core.node.full_name.strip("/").replace("/", ".")
+
+    def destroy(self) -> None:
+        """Use `Node.destroy_publisher` instead."""
+        for handler in self.event_handlers:
+            handler.destroy()
+        self.__publisher.destroy_when_not_in_use()
+
+    def assert_liveliness(self) -> None:
+        """Say that the publisher lives, for liveliness MANUAL_BY_TOPIC."""
+        with self.__publisher:
+            self._core.assert_liveliness()
+
+    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:
+        """True: a message is in the subscriptions' queues when `publish` returns."""
+        with self.__publisher:
+            return True
+
+    def __enter__(self) -> Publisher:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self.destroy()

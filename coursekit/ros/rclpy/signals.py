@@ -1,0 +1,103 @@
+"""Ctrl-C and `kill`: what rclpy does about them, for each process."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from typing import Any
+
+from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
+from rclpy.context import shutdown_all
+
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+
+__all__ = [
+    "SignalHandlerGuardCondition",
+    "SignalHandlerOptions",
+    "get_current_signal_handlers_options",
+    "install_signal_handlers",
+    "uninstall_signal_handlers",
+]
+
+_interpreter: dict[str, Any] = {"options": SignalHandlerOptions.NO, "previous": {}}
+
+
+class SignalHandlerGuardCondition:
+    """A guard condition that a signal triggers."""
+
+    def __init__(self, context: Any = None) -> None:
+        self.handle = GuardCondition()
+
+    def destroy(self) -> None:
+        """Let go of it."""
+        self.handle.destroy_when_not_in_use()
+
+
+def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
+    """React to SIGINT (contexts end, then KeyboardInterrupt) and SIGTERM (contexts end)."""
+    process = current_process()
+    if process is not None:
+        process.locals["signal_options"] = options
+        if _react not in process.on_signal:
+            process.on_signal.append(_react)
+        return
+    _install_in_interpreter(options)
+
+
+def _react(signum: int) -> bool:
+    """In a process: end its contexts; SIGTERM is thereby dealt with."""
+    process = current_process()
+    options = process.locals.get("signal_options", 0) if process is not None else 0
+    if signum == signal.SIGINT and options & SignalHandlerOptions.SIGINT:
+        shutdown_all()
+    elif signum == signal.SIGTERM and options & SignalHandlerOptions.SIGTERM:
+        shutdown_all()
+        return True
+    return False
+
+
+def _install_in_interpreter(options: SignalHandlerOptions) -> None:
+    """The interpreter's own signals; a kernel's belong to Jupyter, and only a main thread may install any."""
+    if current().embedded or threading.current_thread() is not threading.main_thread():
+        return
+    for signum, bit in ((signal.SIGINT, 1), (signal.SIGTERM, 2)):
+        if options & bit and signum not in _interpreter["previous"]:
+            _interpreter["previous"][signum] = signal.signal(signum, _handle)
+    _interpreter["options"] = options
+
+
+def _handle(signum: int, frame: Any) -> None:
+    clock = current().clock
+    if clock.virtual and clock.running is not clock.main:
+        clock.main.post(lambda: _end_and_pass_on(signum, frame))
+    else:
+        _end_and_pass_on(signum, frame)
+
+
+def _end_and_pass_on(signum: int, frame: Any) -> None:
+    previous = _interpreter["previous"].get(signum)
+    shutdown_all()
+    if callable(previous):
+        previous(signum, frame)
+
+
+def uninstall_signal_handlers() -> None:
+    """React no more."""
+    process = current_process()
+    if process is not None:
+        process.locals["signal_options"] = SignalHandlerOptions.NO
+        return
+    if threading.current_thread() is not threading.main_thread():
+        return
+    for signum, previous in _interpreter["previous"].items():
+        signal.signal(signum, previous)
+    _interpreter["previous"].clear()
+    _interpreter["options"] = SignalHandlerOptions.NO
+
+
+def get_current_signal_handlers_options() -> SignalHandlerOptions:
+    """What is reacted to now."""
+    process = current_process()
+    options = _interpreter["options"] if process is None else process.locals.get("signal_options", 0)
+    return SignalHandlerOptions(options)

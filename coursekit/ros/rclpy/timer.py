@@ -1,0 +1,180 @@
+"""Timers and rates."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+from rclpy._rclpy_pybind11 import Timer as _Handle
+from rclpy.exceptions import ROSInterruptException
+from rclpy.utilities import get_default_context
+
+from coursekit.core.session import current
+
+
+class TimerInfo:
+    """When a timer should have been called and when it was (passed to callbacks that take an argument)."""
+
+    def __init__(self, *, expected_call_time: int, actual_call_time: int, clock_type: Any) -> None:
+        from rclpy.time import Time
+
+        self.expected_call_time = Time(nanoseconds=expected_call_time, clock_type=clock_type)
+        self.actual_call_time = Time(nanoseconds=actual_call_time, clock_type=clock_type)
+
+
+class Timer:
+    """Made by `Node.create_timer`; calls back every `timer_period_ns` nanoseconds of `clock`."""
+
+    def __init__(
+        self,
+        callback: Callable[..., Any] | None,
+        callback_group: Any,
+        timer_period_ns: int,
+        clock: Any,
+        *,
+        context: Any = None,
+        autostart: bool = True,
+    ) -> None:
+        self._context = context or get_default_context()
+        self._clock = clock
+        self.__timer = _Handle(clock.handle, self._context.handle, int(timer_period_ns))
+        if not autostart:
+            self.__timer.cancel_timer()
+        self.callback = callback
+        self.callback_group = callback_group
+        self._wants_info = _takes_argument(callback)
+
+    @property
+    def handle(self) -> _Handle:
+        """The handle."""
+        return self.__timer
+
+    def destroy(self) -> None:
+        """Use `Node.destroy_timer` instead."""
+        self.__timer.destroy_when_not_in_use()
+
+    @property
+    def clock(self) -> Any:
+        """The clock that it runs on."""
+        return self._clock
+
+    @property
+    def timer_period_ns(self) -> int:
+        """The period in nanoseconds."""
+        with self.__timer:
+            return self.__timer.get_timer_period()
+
+    @timer_period_ns.setter
+    def timer_period_ns(self, value: int) -> None:
+        with self.__timer:
+            self.__timer.change_timer_period(int(value))
+
+    def is_ready(self) -> bool:
+        """Whether it is due."""
+        with self.__timer:
+            return self.__timer.is_timer_ready()
+
+    def is_canceled(self) -> bool:
+        """Whether it was cancelled."""
+        with self.__timer:
+            return self.__timer.is_timer_canceled()
+
+    def cancel(self) -> None:
+        """Stop; `reset` starts it again."""
+        with self.__timer:
+            self.__timer.cancel_timer()
+
+    def reset(self) -> None:
+        """Start the period anew, cancelled or not."""
+        with self.__timer:
+            self.__timer.reset_timer()
+
+    def time_since_last_call(self) -> int:
+        """Nanoseconds."""
+        with self.__timer:
+            return self.__timer.time_since_last_call()
+
+    def time_until_next_call(self) -> int | None:
+        """Nanoseconds, negative when late, None when cancelled."""
+        with self.__timer:
+            return self.__timer.time_until_next_call()
+
+    def _sources(self) -> list[Any]:
+        return [self.__timer.core]
+
+    def _take(self) -> Any:
+        timer = self.__timer.core
+        if not timer.has_work():
+            return None
+        expected = timer.next
+        timer.call()
+        if not self._wants_info or self.callback is None:
+            return self.callback or _nothing
+        info = TimerInfo(
+            expected_call_time=expected, actual_call_time=timer.last, clock_type=self._clock.clock_type
+        )
+        return lambda: self.callback(info)  # type: ignore[misc]
+
+
+def _nothing() -> None:
+    pass
+
+
+def _takes_argument(callback: Callable[..., Any] | None) -> bool:
+    """Whether the callback asks for a TimerInfo, as later ROS versions offer."""
+    if callback is None:
+        return False
+    try:
+        parameters = inspect.signature(callback).parameters.values()
+    except (TypeError, ValueError):
+        return False
+    return any(
+        parameter.kind in (parameter.POSITIONAL_ONLY, parameter.POSITIONAL_OR_KEYWORD)
+        and parameter.default is parameter.empty
+        for parameter in parameters
+    )
+
+
+class Rate:
+    """Sleeps so that a loop runs at a steady rate; the node must be spun meanwhile, in another thread."""
+
+    def __init__(self, timer: Timer, *, context: Any) -> None:
+        self._clock = timer.clock
+        self._timer = timer
+        self._timer.callback = self._tick
+        self._sleepers: list[Any] = []
+        self._is_shutdown = False
+        self._is_destroyed = False
+        context.on_shutdown(self._on_shutdown)
+
+    def _on_shutdown(self) -> None:
+        self._is_shutdown = True
+        self.destroy()
+
+    def destroy(self) -> None:
+        """Wake whoever sleeps; use `Node.destroy_rate` instead."""
+        self._is_destroyed = True
+        self._tick()
+
+    def _tick(self) -> None:
+        sleepers, self._sleepers = self._sleepers, []
+        for sleeper in sleepers:
+            sleeper.set()
+
+    def sleep(self) -> None:
+        """Block until the next period begins."""
+        self._check()
+        tick = current().clock.new_event()
+        self._sleepers.append(tick)
+        tick.wait()
+        self._check()
+
+    def _check(self) -> None:
+        if self._is_shutdown:
+            raise ROSInterruptException()
+        if self._is_destroyed:
+            raise RuntimeError("Rate cannot sleep because it has been destroyed")
+        if not self._timer.handle.valid:
+            self.destroy()
+            raise RuntimeError("Rate cannot sleep because it has been destroyed")

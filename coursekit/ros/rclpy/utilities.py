@@ -1,0 +1,72 @@
+"""The default context and executor of a process, and small helpers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.context import Context
+
+from coursekit.core.arguments import remove_ros_arguments as _remove
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+
+_interpreter_locals: dict[str, Any] = {}
+
+
+def _locals() -> dict[Any, Any]:
+    process = current_process()
+    return _interpreter_locals if process is None else process.locals
+
+
+def get_default_context(*, shutting_down: bool = False) -> Context:
+    """The process's default context, made on first use."""
+    kept = _locals()
+    context = kept.get("context")
+    if context is None:
+        context = kept["context"] = Context()
+    if shutting_down:
+        kept["context"] = None
+    return context
+
+
+def ok(*, context: Context | None = None) -> bool:
+    """Whether the context is between init and shutdown."""
+    current().clock.poll()
+    return (context or get_default_context()).ok()
+
+
+def shutdown(*, context: Context | None = None) -> None:
+    """End the context."""
+    if context is None:
+        get_default_context(shutting_down=True).shutdown()
+    else:
+        context.shutdown()
+
+
+def try_shutdown(*, context: Context | None = None) -> None:
+    """End the context, unless it has ended."""
+    (context or get_default_context()).try_shutdown()
+
+
+def remove_ros_args(args: list[str] | None = None) -> list[str]:
+    """`args` (sys.argv by default) without those meant for ROS."""
+    import sys
+
+    return _remove(sys.argv if args is None else args)
+
+
+def get_rmw_implementation_identifier() -> str:
+    """The middleware's name."""
+    return "rmw_coursekit"
+
+
+def get_available_rmw_implementations() -> set[str]:
+    """The middlewares that can be chosen."""
+    return {"rmw_coursekit"}
+
+
+def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
+    """Seconds to nanoseconds; -1 for None and negative ones, which mean 'without end'."""
+    if timeout_sec is None or timeout_sec < 0:
+        return -1
+    return int(float(timeout_sec) * 1_000_000_000)

@@ -1,0 +1,25 @@
+"""Wait for one message on a topic."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.task import Future
+
+
+def wait_for_message(
+    msg_type: Any, node: Any, topic: str, *, qos_profile: Any = 1, time_to_wait: float | int = -1
+) -> tuple[bool, Any]:
+    """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds, -1 for no end."""
+    received = Future()
+    subscription = node.create_subscription(
+        msg_type, topic, lambda msg: received.done() or received.set_result(msg), qos_profile
+    )
+    executor = SingleThreadedExecutor(context=node.context)  # aside from the one that the node may have
+    executor._attach(subscription)
+    try:
+        executor.spin_until_future_complete(received, None if time_to_wait < 0 else time_to_wait)
+    finally:
+        node.destroy_subscription(subscription)
+    return (True, received.result()) if received.done() else (False, None)

@@ -33,6 +33,7 @@ from ..some_entities_type import SomeEntitiesType
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..substitutions import LaunchConfiguration
+from ..temporary_files import temporary_files
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 from .emit_event import EmitEvent
@@ -257,7 +258,7 @@ class ExecuteLocal(Action):
                 f"custom_env?={custom}")
 
     def __command_line(self) -> str:
-        return ' '.join(part for part in cast(Any, self.__details)['cmd'] if part.strip())
+        return temporary_files.shown(' '.join(part for part in cast(Any, self.__details)['cmd'] if part.strip()))
 
     def __log_end(self, code: int) -> None:
         pid = self.__process.pid

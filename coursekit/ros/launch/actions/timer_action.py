@@ -97,9 +97,14 @@ class TimerAction(Action):
         context.register_event_handler(
             EventHandler(matcher=self.__is_mine, entities=lambda _, where: self.handle(where), handle_once=True))
         self.__context_locals = dict(context.get_locals_as_dict())
-        delay = perform_typed_substitution(context, self.__period, float)
-        self.__alarm = context.asyncio_loop.call_later(delay, self.__fire, context)
+        self._start(context)
         return None
+
+    def _start(self, context: LaunchContext) -> None:
+        """Have `_fire` called when the time has come; subclasses may use another clock."""
+        assert context.asyncio_loop is not None
+        delay = perform_typed_substitution(context, self.__period, float)
+        self.__alarm = context.asyncio_loop.call_later(delay, self._fire, context)
 
     def __is_mine(self, event: Event) -> bool:
         return isinstance(event, TimerEvent) and event.timer_action is self
@@ -107,7 +112,8 @@ class TimerAction(Action):
     def __on_shutdown(self, event: Event, context: LaunchContext) -> None:
         self.cancel()
 
-    def __fire(self, context: LaunchContext) -> None:
+    def _fire(self, context: LaunchContext) -> None:
+        """The time has come: emit the event."""
         context.emit_event_sync(TimerEvent(timer_action=self))
         if self.__completed is not None and not self.__completed.done():
             self.__completed.set_result(None)

@@ -1,0 +1,229 @@
+"""Starts a node."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Iterable
+from typing import Any
+
+import yaml
+from launch.action import Action
+from launch.actions import ExecuteProcess
+from launch.frontend import Entity, Parser, expose_action
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.logging import get_logger
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitutions import LocalSubstitution
+from launch.temporary_files import temporary_files
+from launch.utilities import (
+    ensure_argument_type,
+    normalize_to_list_of_substitutions,
+    perform_substitutions,
+)
+
+from ..parameter_descriptions import Parameter
+from ..parameters_type import SomeParameters
+from ..remap_rule_type import SomeRemapRules
+from ..substitutions import ExecutableInPackage
+from ..utilities import (
+    add_node_name,
+    evaluate_parameters,
+    get_node_name_count,
+    make_namespace_absolute,
+    normalize_parameters,
+    normalize_remap_rules,
+    prefix_namespace,
+)
+from ..utilities.to_parameters_list import yaml_inline
+from .node_frontend import parse_node
+
+
+@expose_action('node')
+class Node(ExecuteProcess):
+    """Starts an executable with ROS arguments: name, namespace, parameters, remappings.
+
+    Parameters are a list of files and mappings; later ones win. Remappings are (from, to) tuples. The
+    namespace is put below those of PushRosNamespace unless it is absolute.
+    """
+
+    UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
+    UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'
+
+    def __init__(
+        self,
+        *,
+        executable: SomeSubstitutionsType,
+        package: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        namespace: SomeSubstitutionsType | None = None,
+        exec_name: SomeSubstitutionsType | None = None,
+        parameters: SomeParameters | None = None,
+        remappings: SomeRemapRules | None = None,
+        ros_arguments: Iterable[SomeSubstitutionsType] | None = None,
+        arguments: Iterable[SomeSubstitutionsType] | None = None,
+        **kwargs: Any,
+    ) -> None:
+        program = executable if package is None else ExecutableInPackage(package=package, executable=executable)
+        cmd: list[Any] = [program, *(arguments or [])]
+        if ros_arguments is not None:
+            cmd += ['--ros-args', *ros_arguments]
+        cmd.append('--ros-args')
+        if name is not None:
+            cmd += ['-r', LocalSubstitution("ros_specific_arguments['name']", description='node name')]
+        if parameters is not None:
+            ensure_argument_type(parameters, (list,), 'parameters', 'Node')
+        super().__init__(cmd=cmd, name=exec_name, **kwargs)
+        self.__package = package
+        self.__executable = executable
+        self.__name = name
+        self.__namespace = namespace
+        self.__parameters = normalize_parameters(parameters or [])
+        self.__remappings = list(normalize_remap_rules(remappings or []))
+        self.__expanded_name = self.UNSPECIFIED_NODE_NAME
+        self.__expanded_namespace = self.UNSPECIFIED_NODE_NAMESPACE
+        self.__final_node_name: str | None = None
+        self.__expanded_remappings: list[tuple[str, str]] | None = None
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:  # type: ignore[override]
+        """Read `<node pkg= exec= name= namespace= args= ...>` with param, remap and env inside."""
+        _, kwargs = super().parse(entity, parser, ignore=['cmd', 'name'])
+        return cls, {**kwargs, **parse_node(cls, entity, parser)}
+
+    # -- what others see
+
+    @property
+    def node_package(self) -> SomeSubstitutionsType | None:
+        """The package."""
+        return self.__package
+
+    @property
+    def node_executable(self) -> SomeSubstitutionsType:
+        """The executable."""
+        return self.__executable
+
+    @property
+    def node_name(self) -> str:
+        """The node's full name, known once the action was carried out."""
+        if self.__final_node_name is None:
+            raise RuntimeError("cannot access 'node_name' before executing action")
+        return self.__final_node_name
+
+    @property
+    def expanded_node_name(self) -> str:
+        """The node's name without its namespace."""
+        return self.__expanded_name
+
+    @property
+    def expanded_node_namespace(self) -> str:
+        """The node's namespace."""
+        return self.__expanded_namespace
+
+    @property
+    def expanded_remapping_rules(self) -> list[tuple[str, str]] | None:
+        """The remappings as text, known once the action was carried out."""
+        return self.__expanded_remappings
+
+    def is_node_name_fully_specified(self) -> bool:
+        """Return whether name and namespace were both given."""
+        return '<' not in self.node_name
+
+    # -- carrying it out
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Start the node; warn when another one of the same name was started."""
+        self._perform_substitutions(context)
+        arguments = {'name': f'__node:={self.__expanded_name}', 'ns': f'__ns:={self.__expanded_namespace}'}
+        context.extend_locals({'ros_specific_arguments': arguments})
+        result = super().execute(context)
+        if self.is_node_name_fully_specified():
+            add_node_name(context, self.node_name)
+            count = get_node_name_count(context, self.node_name)
+            if count > 1:
+                get_logger('launch_ros.actions.node').warning(
+                    f'there are now at least {count} nodes with the name {self.node_name} created within this '
+                    'launch context')
+        return result
+
+    def _perform_substitutions(self, context: LaunchContext) -> None:
+        """Find out names, parameters and remappings, once, and add them to the command line."""
+        if self.__final_node_name is not None:
+            return
+        self.__expand_names(context)
+        self.__final_node_name = prefix_namespace(self.__expanded_namespace, self.__expanded_name)
+        for arguments in (self.__global_parameters(context), self.__own_parameters(context),
+                          self.__remap_arguments(context)):
+            self.cmd.extend(normalize_to_list_of_substitutions(argument) for argument in arguments)
+
+    def __expand_names(self, context: LaunchContext) -> None:
+        from rclpy.validate_namespace import validate_namespace
+        from rclpy.validate_node_name import validate_node_name
+
+        try:
+            if self.__name is not None:
+                self.__expanded_name = _perform(context, self.__name).lstrip('/')
+                validate_node_name(self.__expanded_name)
+            own = None if self.__namespace is None else _perform(context, self.__namespace)
+            namespace = make_namespace_absolute(
+                prefix_namespace(context.launch_configurations.get('ros_namespace'), own))
+            if namespace is not None:
+                self.__expanded_namespace = namespace
+                self.cmd.extend(map(normalize_to_list_of_substitutions, (
+                    '-r', LocalSubstitution("ros_specific_arguments['ns']"))))
+                validate_namespace(namespace)
+        except Exception:
+            get_logger('launch_ros.actions.node').error(
+                f"Error while expanding or validating node name or namespace for 'package={self.__package}, "
+                f"executable={self.__executable}, name={self.__name}, namespace={self.__namespace}':")
+            raise
+
+    def __global_parameters(self, context: LaunchContext) -> list[str]:
+        arguments: list[str] = []
+        settings: Any = context.launch_configurations.get('global_params', [])
+        for setting in settings:
+            if isinstance(setting, tuple):
+                arguments += ['-p', f'{setting[0]}:={yaml_inline(setting[1])}']
+            else:
+                arguments += self.__file_arguments(os.path.abspath(setting))
+        return arguments
+
+    def __own_parameters(self, context: LaunchContext) -> list[str]:
+        arguments: list[str] = []
+        for parameter in evaluate_parameters(context, self.__parameters):
+            if isinstance(parameter, Parameter):
+                name, value = parameter.evaluate(context)
+                arguments += ['-p', f'{name}:={yaml_inline(value)}']
+            elif isinstance(parameter, pathlib.Path):
+                arguments += self.__file_arguments(str(parameter))
+            else:
+                arguments += ['--params-file', self._create_params_file_from_dict(parameter)]
+        return arguments
+
+    def __file_arguments(self, path: str) -> list[str]:
+        if not os.path.isfile(path):
+            get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
+            return []
+        return ['--params-file', path]
+
+    def _create_params_file_from_dict(self, params: dict[str, Any]) -> str:
+        """Write a parameter file for this node, or for all when its name is not known; return its path."""
+        key = self.node_name if self.is_node_name_fully_specified() else '/**'
+        values = {name: list(value) if isinstance(value, tuple) else value for name, value in params.items()}
+        path = temporary_files.new_path('launch_params_')
+        with open(path, 'w', encoding='utf-8') as file:
+            yaml.safe_dump({key: {'ros__parameters': values}}, file, default_flow_style=False)
+        return path
+
+    def __remap_arguments(self, context: LaunchContext) -> list[str]:
+        everywhere: Any = context.launch_configurations.get('ros_remaps', [])
+        own = [
+            (perform_substitutions(context, source), perform_substitutions(context, target))
+            for source, target in self.__remappings]
+        self.__expanded_remappings = [*everywhere, *own]
+        return [part for source, target in self.__expanded_remappings for part in ('-r', f'{source}:={target}')]
+
+
+def _perform(context: LaunchContext, value: SomeSubstitutionsType) -> str:
+    return perform_substitutions(context, normalize_to_list_of_substitutions(value))

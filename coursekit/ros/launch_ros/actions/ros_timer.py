@@ -1,0 +1,56 @@
+"""Does something later, by ROS time."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable
+from typing import Any
+
+from launch.actions import TimerAction
+from launch.frontend import expose_action
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.utilities.type_utils import perform_typed_substitution
+
+from ..ros_adapters import get_ros_node
+
+
+@expose_action('ros_timer')
+class ROSTimer(TimerAction):
+    """Does something once, after a period of ROS time: /clock's when use_sim_time was set before."""
+
+    def __init__(
+        self,
+        *,
+        period: float | SomeSubstitutionsType,
+        actions: Iterable[LaunchDescriptionEntity],
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(period=period, actions=actions, **kwargs)
+        self.__ros_timer: Any = None
+
+    def _start(self, context: LaunchContext) -> None:
+        from rclpy.parameter import Parameter
+
+        node = get_ros_node(context)
+        settings: Any = context.launch_configurations.get('global_params', [])
+        wanted = dict(item for item in settings if isinstance(item, tuple)).get('use_sim_time', False)
+        node.set_parameters([Parameter('use_sim_time', value=bool(wanted))])
+        period = perform_typed_substitution(context, self.period, float)
+        self.__ros_timer = node.create_timer(period, lambda: self.__on_timer(context), clock=node.get_clock())
+
+    def __on_timer(self, context: LaunchContext) -> None:
+        self.__ros_timer.cancel()
+        loop: asyncio.AbstractEventLoop | None = context.asyncio_loop
+        if loop is not None:
+            loop.call_soon_threadsafe(self._fire, context)
+
+    def cancel(self) -> None:
+        """Do not do it."""
+        if self.__ros_timer is not None:
+            self.__ros_timer.cancel()
+        super().cancel()
+
+
+RosTimer = ROSTimer

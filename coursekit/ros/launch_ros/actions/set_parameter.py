@@ -1,0 +1,55 @@
+"""Sets a parameter of all nodes that come after."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launch.action import Action
+from launch.frontend import Entity, Parser, expose_action
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities import normalize_to_list_of_substitutions
+
+from ..parameter_descriptions import ParameterValue
+from ..utilities import evaluate_parameter_dict, normalize_parameter_dict
+
+
+@expose_action('set_parameter')
+class SetParameter(Action):
+    """Sets a parameter of the nodes that come after it, in the same group; a node's own settings win."""
+
+    def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__given = normalize_parameter_dict({tuple(self.__name): value})
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Read `<set_parameter name= value=/>`."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
+        value = entity.get_attr('value', data_type=None)
+        kwargs['value'] = ParameterValue(parser.parse_if_substitutions(value))
+        return cls, kwargs
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__name
+
+    @property
+    def value(self) -> Any:
+        """The value, normalized."""
+        return next(iter(self.__given.values()))
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Set the parameter."""
+        configurations: dict[str, Any] = context.launch_configurations  # type: ignore[assignment]
+        settings = list(configurations.get('global_params', []))
+        for name, value in evaluate_parameter_dict(context, self.__given).items():
+            settings = [item for item in settings if not isinstance(item, tuple) or item[0] != name]
+            settings.append((name, value))
+        configurations['global_params'] = settings
+        return None

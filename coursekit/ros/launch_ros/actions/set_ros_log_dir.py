@@ -1,0 +1,39 @@
+"""Chooses where nodes write their logs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launch.action import Action
+from launch.frontend import Entity, Parser, expose_action
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+
+
+@expose_action('set_ros_log_dir')
+class SetROSLogDir(Action):
+    """Sets ROS_LOG_DIR for the nodes that come after it, in the same group."""
+
+    def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__log_dir = normalize_to_list_of_substitutions(new_log_dir)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Read `<set_ros_log_dir log_dir=/>`."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs['new_log_dir'] = parser.parse_substitution(entity.get_attr('log_dir'))
+        return cls, kwargs
+
+    @property
+    def log_dir(self) -> list[Substitution]:
+        """The folder, as substitutions."""
+        return self.__log_dir
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Set the variable."""
+        context.environment['ROS_LOG_DIR'] = perform_substitutions(context, self.__log_dir)
+        return None

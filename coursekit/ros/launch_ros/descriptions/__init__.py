@@ -1,0 +1,6 @@
+"""Descriptions of nodes' parts."""
+
+from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
+from .composable_node import ComposableNode
+
+__all__ = ['ComposableNode', 'Parameter', 'ParameterFile', 'ParameterValue']

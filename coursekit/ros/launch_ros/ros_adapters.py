@@ -1,0 +1,80 @@
+"""The launch's own node, for what can only be heard or asked in the graph."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.core import session
+from coursekit.core.process import current_process
+from launch.event_handlers import OnShutdown
+from launch.launch_context import LaunchContext
+
+KEY = 'ros_adapter'
+
+
+class ROSAdapter:
+    """A node with a context and an executor of its own, spun beside the launch."""
+
+    def __init__(self, *, argv: list[str] | None = None, autostart: bool = True) -> None:
+        self.__argv = argv
+        self.__ros_context: Any = None
+        self.__ros_node: Any = None
+        self.__ros_executor: Any = None
+        if autostart:
+            self.start()
+
+    def start(self) -> None:
+        """Make the node and begin to spin."""
+        import rclpy
+        import rclpy.context
+        import rclpy.executors
+        import rclpy.node
+
+        current = session.current()
+        process = current_process()
+        self.__ros_context = rclpy.context.Context()
+        rclpy.init(args=self.__argv, context=self.__ros_context)
+        number = process.pid if process is not None else current.new_pid()
+        self.__ros_node = rclpy.node.Node(f'launch_ros_{number}', context=self.__ros_context)
+        self.__ros_executor = rclpy.executors.SingleThreadedExecutor(context=self.__ros_context)
+        self.__ros_executor.add_node(self.__ros_node)
+        current.spawn(self.__spin)
+
+    def __spin(self) -> None:
+        from rclpy.executors import ExternalShutdownException, ShutdownException
+
+        try:
+            self.__ros_executor.spin()
+        except (ExternalShutdownException, ShutdownException, KeyboardInterrupt):
+            pass
+
+    def shutdown(self) -> None:
+        """End the node and the spinning."""
+        if self.__ros_context is not None and self.__ros_context.ok():
+            self.__ros_node.destroy_node()
+            self.__ros_context.shutdown()
+
+    @property
+    def ros_node(self) -> Any:
+        """The node."""
+        return self.__ros_node
+
+    @property
+    def ros_executor(self) -> Any:
+        """The executor."""
+        return self.__ros_executor
+
+
+def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
+    """Return the launch's adapter, made on first use; it ends with the launch."""
+    adapter: ROSAdapter | None = context.get_locals_as_dict().get(KEY)
+    if adapter is None:
+        adapter = ROSAdapter(argv=context.argv)
+        context.extend_globals({KEY: adapter})
+        context.register_event_handler(OnShutdown(on_shutdown=lambda event, where: adapter.shutdown()))
+    return adapter
+
+
+def get_ros_node(context: LaunchContext) -> Any:
+    """Return the launch's node, made on first use."""
+    return get_ros_adapter(context).ros_node

@@ -1,0 +1,63 @@
+"""Where packages are installed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ament_index_python.packages import get_package_prefix, get_package_share_directory
+from launch.frontend import expose_substitution
+from launch.launch_context import LaunchContext
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+
+
+class FindPackage(Substitution):
+    """A folder of a package; subclasses say which."""
+
+    def __init__(self, package: SomeSubstitutionsType) -> None:
+        super().__init__()
+        self.__package = normalize_to_list_of_substitutions(package)
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
+        """Read `$(find-pkg-share name)` and its like."""
+        if len(data) != 1:
+            raise AttributeError('find package substitutions expect 1 argument')
+        return cls, {'package': data[0]}
+
+    @property
+    def package(self) -> list[Substitution]:
+        """The package's name, as substitutions."""
+        return self.__package
+
+    def describe(self) -> str:
+        """Return the package's name in words."""
+        return f"{type(self).__name__}(pkg={' + '.join(sub.describe() for sub in self.__package)})"
+
+    def find(self, package_name: str) -> str:
+        """Return the folder."""
+        return get_package_prefix(package_name)
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the folder.
+
+        Raises:
+            PackageNotFoundError: when there is no such package.
+        """
+        return self.find(perform_substitutions(context, self.__package))
+
+
+@expose_substitution('find-pkg-prefix')
+class FindPackagePrefix(FindPackage):
+    """The folder a package is installed in."""
+
+
+@expose_substitution('find-pkg-share')
+class FindPackageShare(FindPackage):
+    """The package's share folder, where launch files and configuration lie."""
+
+    def find(self, package_name: str) -> str:
+        """Return the folder."""
+        return get_package_share_directory(package_name)

@@ -1,0 +1,50 @@
+"""Parameters as messages."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import yaml
+from launch.launch_context import LaunchContext
+
+from ..parameter_descriptions import Parameter
+from ..parameters_type import EvaluatedParameters
+
+
+def to_parameters_list(
+    context: LaunchContext, node_name: str | None, namespace: str, evaluated_parameters: EvaluatedParameters
+) -> list[Any]:
+    """Return rcl_interfaces/msg/Parameter messages of evaluated parameters.
+
+    Files are read with their wildcards and node names, as a node reads them.
+    """
+    import rclpy.parameter
+
+    values: dict[str, Any] = {}
+    for parameter in evaluated_parameters:
+        if isinstance(parameter, Parameter):
+            name, value = parameter.evaluate(context)
+            values[name] = value
+        elif isinstance(parameter, dict):
+            values.update(parameter)
+        else:
+            from coursekit.core.arguments import parse_ros_arguments
+
+            full_name = f"{namespace.rstrip('/')}/{node_name or ''}"
+            arguments = parse_ros_arguments(['--ros-args', '--params-file', str(parameter)])
+            values.update(arguments.parameters_for(full_name))
+    return [
+        rclpy.parameter.Parameter(name, value=list(value) if isinstance(value, tuple) else value).to_parameter_msg()
+        for name, value in values.items()
+    ]
+
+
+def yaml_inline(value: Any) -> str:
+    """Return a value as YAML on one line, as a `-p name:=value` takes it.
+
+    >>> yaml_inline((1, 2)), yaml_inline('1'), yaml_inline(True)
+    ('[1, 2]', "'1'", 'true')
+    """
+    plain = list(value) if isinstance(value, tuple) else value
+    text = yaml.safe_dump(plain, default_flow_style=True, width=float('inf'))
+    return text.removesuffix('\n').removesuffix('\n...')

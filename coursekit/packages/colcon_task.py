@@ -1,0 +1,128 @@
+"""colcon's build step for CMake packages, without CMake: files and interfaces are installed, C++ is not built."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from colcon_core.environment import create_environment_scripts
+from colcon_core.event.output import StderrLine
+from colcon_core.plugin_system import satisfies_version
+from colcon_core.python_install_path import get_python_install_path
+from colcon_core.shell import create_environment_hook, get_command_environment
+from colcon_core.task import TaskExtensionPoint, create_file, install
+
+from coursekit.interfaces.errors import InterfaceError
+from coursekit.packages import install_rules, interface_rules
+from coursekit.packages.cmake_run import Reading, read_project
+from coursekit.packages.cmake_text import CMakeError
+
+PACKAGE_TYPE = "ros.ament_cmake_files"
+_INDEX = "share/ament_index/resource_index"
+
+
+class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
+    """Build a CMake package: install what needs no compiler, say what was left out."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
+
+    async def build(self) -> int:
+        """Return 0, or 1 when a file is missing or an interface is wrong."""
+        args, package = self.context.args, self.context.pkg.name
+        if "manifest_error" in self.context.pkg.metadata:
+            return self._fail([ValueError(self.context.pkg.metadata["manifest_error"])])
+        try:
+            env = await get_command_environment("build", args.build_base, self.context.dependencies)
+            self._installed: list[str] = []
+            reading = read_project(Path(args.path))
+            problems = interface_rules.check(package, reading, self._groups(), _prefixes(env))
+            if problems:
+                return self._fail(problems)
+            self._install(package, reading)
+        except (CMakeError, InterfaceError) as error:
+            return self._fail([error])
+        self._finish(package, reading)
+        return 0
+
+    def _fail(self, problems: list[Exception]) -> int:
+        for problem in problems:
+            self.context.put_event_into_queue(StderrLine(f"{problem}\n".encode()))  # colcon wants bytes
+        return 1
+
+    def _groups(self) -> list[str]:
+        return list(self.context.pkg.metadata.get("member_of_groups", []))
+
+    def _install(self, package: str, reading: Reading) -> None:
+        site = self._site_packages()
+        files = interface_rules.interface_files(reading)
+        for path in files:
+            self._copy(path, f"share/{package}/{path.suffix[1:]}/{path.name}")
+        if files:
+            self._create(f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files))
+            for name, text in interface_rules.python_files(package, files).items():
+                self._create(f"{site}/{name}", text)
+        for copy in install_rules.copies(reading, package, site):
+            self._copy(copy.source, copy.target, copy.program)
+        if (Path(self.context.args.path) / "package.xml").is_file():
+            self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
+        self._create(f"{_INDEX}/packages/{package}", "")
+
+    def _site_packages(self) -> str:
+        base = Path(self.context.args.install_base)
+        path = get_python_install_path("purelib", {"base": str(base), "platbase": str(base)})
+        return os.path.relpath(path, base)
+
+    def _copy(self, source: Path, target: str, program: bool = False) -> None:
+        args = self.context.args
+        install(args, os.path.relpath(source, args.path), target)
+        if program:
+            path = Path(args.install_base) / target
+            path.chmod(path.stat().st_mode | 0o111)
+        self._installed.append(target)
+
+    def _create(self, target: str, text: str) -> None:
+        path = Path(self.context.args.install_base) / target
+        if path.is_symlink():
+            path.unlink()
+        create_file(self.context.args, target, content=text)
+        self._installed.append(target)
+
+    def _finish(self, package: str, reading: Reading) -> None:
+        args = self.context.args
+        self._forget_old()
+        hooks = create_environment_hook(
+            "ament_prefix_path", Path(args.install_base), package, "AMENT_PREFIX_PATH", "", mode="prepend"
+        )
+        create_environment_scripts(self.context.pkg, args, additional_hooks=hooks)
+        if reading.targets:
+            names = ", ".join(reading.targets)
+            print(f"Skipped C++ of {package}: {names} (there is no compiler here; the rest is installed)", flush=True)
+
+    def _forget_old(self) -> None:
+        """Remove what the last build installed and this one did not."""
+        manifest = Path(self.context.args.build_base) / "coursekit_install_manifest.txt"
+        manifest.parent.mkdir(parents=True, exist_ok=True)
+        old = manifest.read_text(encoding="utf-8").splitlines() if manifest.is_file() else []
+        for target in set(old) - set(self._installed):
+            (Path(self.context.args.install_base) / target).unlink(missing_ok=True)
+        manifest.write_text("".join(f"{name}\n" for name in self._installed), encoding="utf-8")
+
+
+def _prefixes(env: dict[str, Any]) -> list[Path]:
+    return [Path(p) for p in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
+
+
+class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
+    """Test a CMake package: its tests need CMake, so this says that they are left out."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
+
+    async def test(self) -> int:
+        """Return 0."""
+        print(f"Skipped tests of {self.context.pkg.name}: they need CMake", flush=True)
+        return 0

@@ -1,0 +1,119 @@
+"""rosidl_generate_interfaces(...): definition files, checked, and the Python package that stands for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from coursekit.interfaces.errors import InterfaceError, suggestion
+from coursekit.interfaces.find import UNDERLAY
+from coursekit.interfaces.model import Interface, Message
+from coursekit.interfaces.parser import parse_file
+from coursekit.packages.cmake_run import Call, Reading
+from coursekit.packages.cmake_text import CMakeError
+
+_KEYWORDS = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "ADD_LINTER_TESTS")
+_FACE = '''"""{what} of {package}, made from their definition files when first used."""
+
+from coursekit.interfaces.face import expose
+
+__getattr__, __dir__, __all__ = expose(__name__, __file__)
+'''
+
+
+def interface_files(reading: Reading) -> list[Path]:
+    """Return the definition files a package generates from; raises CMakeError for missing ones."""
+    files = []
+    for call in _calls(reading):
+        for name in _listed(call):
+            path = call.folder / name
+            if not path.is_file():
+                raise call.command.error(f"rosidl_generate_interfaces: there is no file '{name}' in {call.folder}")
+            files.append(path)
+    return files
+
+
+def _calls(reading: Reading) -> list[Call]:
+    return [call for call in reading.calls if call.command.name == "rosidl_generate_interfaces"]
+
+
+def _listed(call: Call) -> list[str]:
+    names = call.words[1:]
+    for index, word in enumerate(names):
+        if word in _KEYWORDS:
+            return names[:index]
+    return names
+
+
+def _dependencies(call: Call) -> list[str]:
+    words = call.words[call.words.index("DEPENDENCIES") + 1 :] if "DEPENDENCIES" in call.words else []
+    for index, word in enumerate(words):
+        if word in _KEYWORDS:
+            return words[:index]
+    return words
+
+
+def check(package: str, reading: Reading, groups: Iterable[str], prefixes: Iterable[Path]) -> list[Exception]:
+    """Return all that would keep real ROS from generating these interfaces."""
+    calls = _calls(reading)
+    if not calls:
+        return []
+    problems = _package_problems(reading, calls[0], groups)
+    named = {name for call in calls for name in _dependencies(call)}
+    files = interface_files(reading)
+    own = {f"{package}/msg/{path.stem}" for path in files if path.suffix == ".msg"}
+    for path in files:
+        try:
+            problems += _field_problems(parse_file(package, path), own, named, [*prefixes, UNDERLAY])
+        except InterfaceError as error:
+            problems.append(error)
+    return problems
+
+
+def _package_problems(reading: Reading, call: Call, groups: Iterable[str]) -> list[Exception]:
+    problems: list[Exception] = []
+    if "rosidl_default_generators" not in reading.found:
+        problems.append(_problem(call, "write find_package(rosidl_default_generators REQUIRED) above this line"))
+    if "rosidl_interface_packages" not in groups:
+        member = "<member_of_group>rosidl_interface_packages</member_of_group>"
+        problems.append(_problem(call, f"packages with interfaces need {member} in package.xml"))
+    return problems
+
+
+def _problem(call: Call, text: str) -> CMakeError:
+    return call.command.error(text)
+
+
+def _field_problems(
+    interface: Interface, own: set[str], named: set[str], prefixes: list[Path]
+) -> list[Exception]:
+    messages = [interface] if isinstance(interface, Message) else list(interface.messages())
+    problems: list[Exception] = []
+    for message in messages:
+        for field in message.fields:
+            why = None if field.type.is_primitive else _unknown(field.type.base, message, own, named, prefixes)
+            if why:
+                source = Path(message.file).read_text(encoding="utf-8").splitlines()[field.line - 1]
+                problems.append(InterfaceError(why, file=message.file, line=field.line, source=source))
+    return problems
+
+
+def _unknown(base: str, message: Message, own: set[str], named: set[str], prefixes: list[Path]) -> str | None:
+    package, _, name = base.split("/")
+    if package == message.package:
+        return None if base in own else f"unknown type '{name}'{suggestion(base, own)}; is it in CMakeLists.txt?"
+    if not any((prefix / "share" / package / "msg" / f"{name}.msg").is_file() for prefix in prefixes):
+        return f"unknown type '{package}/{name}': no package {package} with such a message is built or installed"
+    if package not in named:
+        return f"'{package}/{name}' needs DEPENDENCIES {package} in rosidl_generate_interfaces()"
+    return None
+
+
+def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
+    """Return the files of the Python package, relative to site-packages, with their text."""
+    kinds = {path.suffix[1:] for path in files}
+    made = {f"{package}/__init__.py": f'"""Interfaces of {package}."""\n'}
+    for kind, what in (("msg", "Messages"), ("srv", "Services"), ("action", "Actions")):
+        if kind in kinds:
+            made[f"{package}/{kind}/__init__.py"] = _FACE.format(what=what, package=package)
+    return made

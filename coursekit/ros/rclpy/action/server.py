@@ -1,0 +1,304 @@
+"""Serving an action. In ROS 2: rclpy.action.server."""
+
+from __future__ import annotations
+
+import threading
+import traceback
+from collections.abc import Callable
+from enum import Enum
+from typing import Any
+
+from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
+from action_msgs.srv import CancelGoal
+
+from coursekit.core import session
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.action.goal_handle import ServerGoalHandle
+from rclpy.action.goal_state import TERMINAL, GoalEvent
+from rclpy.action.names import action_names
+from rclpy.action.to_cancel import goals_to_cancel
+from rclpy.executors import await_or_execute
+from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from rclpy.task import Future
+from rclpy.type_support import check_for_type_support
+from rclpy.waitable import NumberOfEntities, Waitable
+
+
+class GoalResponse(Enum):
+    """What a goal callback answers."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class CancelResponse(Enum):
+    """What a cancel callback answers."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
+    """Execute the goal at once."""
+    goal_handle.execute()
+
+
+def default_goal_callback(goal_request: Any) -> GoalResponse:
+    """Accept every goal."""
+    return GoalResponse.ACCEPT
+
+
+def default_cancel_callback(cancel_request: Any) -> CancelResponse:
+    """Refuse to cancel."""
+    return CancelResponse.REJECT
+
+
+class ActionServer(Waitable):
+    """Serves an action: three services and two topics below `<action_name>/_action/`.
+
+    `execute_callback(goal_handle)` does the work and returns the action's Result; `goal_callback(goal)` says
+    whether to take a goal, `handle_accepted_callback(goal_handle)` when to execute it,
+    `cancel_callback(goal_handle)` whether it may be cancelled. A result is kept for `result_timeout` seconds.
+    """
+
+    def __init__(
+        self,
+        node: Any,
+        action_type: Any,
+        action_name: str,
+        execute_callback: Callable[[ServerGoalHandle], Any],
+        *,
+        callback_group: Any = None,
+        goal_callback: Callable[[Any], Any] = default_goal_callback,
+        handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
+        cancel_callback: Callable[[ServerGoalHandle], Any] = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        result_timeout: float = 900,
+    ) -> None:
+        group = node.default_callback_group if callback_group is None else callback_group
+        super().__init__(group)
+        self.register_handle_accepted_callback(handle_accepted_callback)
+        self.register_goal_callback(goal_callback)
+        self.register_cancel_callback(cancel_callback)
+        self.register_execute_callback(execute_callback)
+        check_for_type_support(action_type)
+        self._node = node
+        self._action_type = action_type
+        self._result_timeout = result_timeout
+        self._lock = threading.RLock()
+        self._goal_handles: dict[bytes, ServerGoalHandle] = {}
+        self._result_futures: dict[bytes, Future] = {}
+        self._ended: dict[bytes, Any] = {}
+        self._logger = node.get_logger().get_child("action_server")
+        names, impl = action_names("server", action_name), action_type.Impl
+        self._feedback_publisher = node.create_publisher(
+            impl.FeedbackMessage, names.feedback, feedback_pub_qos_profile, callback_group=group
+        )
+        self._status_publisher = node.create_publisher(
+            GoalStatusArray, names.status, status_pub_qos_profile, callback_group=group
+        )
+        self._services: list[Any] = []
+        self._serve(impl.SendGoalService, names.send_goal, self._goal_asked, goal_service_qos_profile)
+        self._serve(CancelGoal, names.cancel_goal, self._cancel_asked, cancel_service_qos_profile)
+        self._serve(impl.GetResultService, names.get_result, self._result_asked, result_service_qos_profile)
+
+    def _serve(self, type_: Any, name: str, answer: Callable[..., Any], qos: QoSProfile) -> None:
+        """Create a service whose requests `answer(service, request, header)` answers when it pleases."""
+        service = self._node.create_service(
+            type_, name, _unused, qos_profile=qos, callback_group=self.callback_group
+        )
+        service._answer = lambda request, header: answer(service, request, header)
+        self._services.append(service)
+
+    # -- goals
+
+    async def _goal_asked(self, service: Any, request: Any, header: Any) -> None:
+        handle = await self._accepted(request)
+        response = self._action_type.Impl.SendGoalService.Response(accepted=handle is not None)
+        if handle is not None:
+            response.stamp = handle._goal_info.stamp
+        service.send_response(response, header)
+        if handle is not None:
+            await await_or_execute(self._handle_accepted_callback, handle)
+
+    async def _accepted(self, request: Any) -> ServerGoalHandle | None:
+        """The handle of the goal, if its id is new and the goal callback takes it."""
+        key = bytes(request.goal_id.uuid)
+        if key in self._goal_handles:
+            return None
+        answer = await await_or_execute(self._goal_callback, request.goal)
+        if not isinstance(answer, GoalResponse):
+            self._logger.warning("Goal request callback did not return a GoalResponse type. Rejecting goal.")
+        if answer is not GoalResponse.ACCEPT:
+            self._logger.debug(f"New goal rejected: {request.goal_id.uuid}")
+            return None
+        stamp = self._node.get_clock().now().to_msg()
+        with self._lock:
+            if key in self._goal_handles:
+                return None
+            handle = ServerGoalHandle(self, GoalInfo(goal_id=request.goal_id, stamp=stamp), request.goal)
+            self._goal_handles[key] = handle
+            self._result_futures[key] = Future()
+        self._publish_status()
+        return handle
+
+    def notify_execute(
+        self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
+        """Have the node's executor run the callback (or the server's own) for the goal."""
+        callback = self._execute_callback if execute_callback is None else execute_callback
+        executor = self._node.executor
+        if executor is None:
+            import rclpy
+
+            executor = rclpy.get_global_executor()
+        executor.create_task(self._execute_goal, callback, goal_handle)
+
+    async def _execute_goal(self, callback: Callable[[Any], Any], goal_handle: ServerGoalHandle) -> None:
+        try:
+            result = await await_or_execute(callback, goal_handle)
+        except Exception as error:
+            result = self._action_type.Result()
+            self._logger.error(f"Error raised in execute callback: {error}")
+            traceback.print_exc()
+        uuid = goal_handle.goal_id.uuid
+        if goal_handle.is_active:
+            self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {uuid}")
+            goal_handle.abort()
+        response = self._action_type.Impl.GetResultService.Response()
+        response.status = goal_handle.status
+        if not isinstance(result, self._action_type.Result):
+            expected = f"expected {self._action_type.Result.__name__}, got {type(result).__name__}"
+            self._logger.error(f"The execute callback returned no result, sending an empty one: {expected}")
+            result = self._action_type.Result()
+        response.result = result
+        future = self._result_futures.get(bytes(uuid))
+        if future is not None:
+            future.set_result(response)
+
+    # -- cancelling and results
+
+    async def _cancel_asked(self, service: Any, request: Any, header: Any) -> None:
+        response = CancelGoal.Response()
+        response.return_code, wanted = goals_to_cancel(request.goal_info, list(self._goal_handles.values()))
+        for handle in wanted:
+            answer = await await_or_execute(self._cancel_callback, handle)
+            if answer is CancelResponse.ACCEPT and self._cancel(handle):
+                response.goals_canceling.append(handle._goal_info)
+        service.send_response(response, header)
+
+    def _cancel(self, handle: ServerGoalHandle) -> bool:
+        try:
+            handle._update_state(GoalEvent.CANCEL_GOAL)
+        except RCLError as error:
+            self._logger.debug(f"Failed to cancel goal in cancel callback: {error}")
+            return False
+        return True
+
+    def _result_asked(self, service: Any, request: Any, header: Any) -> None:
+        future = self._result_futures.get(bytes(request.goal_id.uuid))
+        if future is None:
+            uuid = request.goal_id.uuid
+            self._logger.warning(f"Sending result response for unknown or expired goal ID: {uuid}")
+            unknown = self._action_type.Impl.GetResultService.Response()
+            unknown.status = GoalStatus.STATUS_UNKNOWN
+            service.send_response(unknown, header)
+        else:
+            future.add_done_callback(lambda done: service.send_response(done.result(), header))
+
+    def notify_goal_done(self) -> None:
+        """Plan to forget the goals that have ended, `result_timeout` seconds from now."""
+        if self._result_timeout < 0:
+            return
+        clock = session.current().clock
+        for key, handle in list(self._goal_handles.items()):
+            if handle.status in TERMINAL and key not in self._ended:
+                when = clock.steady() + int(self._result_timeout * 1e9)
+                self._ended[key] = clock.call_at(when, lambda key=key: self._forget(key))
+
+    def _forget(self, key: bytes) -> None:
+        with self._lock:
+            self._ended.pop(key, None)
+            self._result_futures.pop(key, None)
+            handle = self._goal_handles.pop(key, None)
+        if handle is not None:
+            handle.destroy()
+
+    # -- telling
+
+    def _publish_status(self) -> None:
+        with self._lock:
+            handles = list(self._goal_handles.values())
+            statuses = [GoalStatus(goal_info=each._goal_info, status=each.status) for each in handles]
+            self._status_publisher.publish(GoalStatusArray(status_list=statuses))
+
+    def _publish_feedback(self, goal_id: Any, feedback: Any) -> None:
+        message = self._action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback)
+        self._feedback_publisher.publish(message)
+
+    @property
+    def action_type(self) -> Any:
+        """The action's class."""
+        return self._action_type
+
+    # -- callbacks may change; None goes back to the default
+
+    def register_handle_accepted_callback(self, handle_accepted_callback: Any) -> None:
+        """Set who decides when an accepted goal is executed."""
+        self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
+
+    def register_goal_callback(self, goal_callback: Any) -> None:
+        """Set who accepts or rejects goals."""
+        self._goal_callback = goal_callback or default_goal_callback
+
+    def register_cancel_callback(self, cancel_callback: Any) -> None:
+        """Set who accepts or rejects requests to cancel."""
+        self._cancel_callback = cancel_callback or default_cancel_callback
+
+    def register_execute_callback(self, execute_callback: Any) -> None:
+        """Set who does the work; TypeError for what cannot be called."""
+        if not callable(execute_callback):
+            raise TypeError("Failed to register goal execution callback: not callable")
+        self._execute_callback = execute_callback
+
+    # -- as a waitable: the services do the waiting
+
+    def is_ready(self, wait_set: Any) -> bool:
+        """Never: its services are ready by themselves."""
+        return False
+
+    def take_data(self) -> dict[str, Any]:
+        """Nothing: its services take their own data."""
+        return {}
+
+    async def execute(self, taken_data: Any) -> None:
+        """Nothing to do."""
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """One timer for results that expire, three services."""
+        return NumberOfEntities(num_timers=1, num_services=3)
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        """Nothing: its services stand in the executor's queue."""
+
+    def destroy(self) -> None:
+        """Stop serving; goals that are being executed run on, and nobody hears of it."""
+        for alarm in self._ended.values():
+            alarm.cancel()
+        self._ended.clear()
+        for handle in self._goal_handles.values():
+            handle.destroy()
+        self._goal_handles.clear()
+        while self._services:
+            self._node.destroy_service(self._services.pop())
+        self._node.destroy_publisher(self._feedback_publisher)
+        self._node.destroy_publisher(self._status_publisher)
+
+
+def _unused(request: Any, response: Any) -> Any:
+    """Stands where a service wants a callback; the action server answers instead."""
+    return response

@@ -1,0 +1,143 @@
+"""The states of a managed node and the transitions between them, with ROS's ids and labels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import IntEnum
+from typing import NamedTuple
+
+from rclpy._rclpy_pybind11 import RCLError
+
+
+class TransitionCallbackReturnType(IntEnum):
+    """How a transition's callback ended."""
+
+    SUCCESS = 97
+    FAILURE = 98
+    ERROR = 99
+
+    def to_label(self) -> str:
+        """The label of the transition that this end leads through."""
+        return f"transition_{self.name.lower()}"
+
+
+class LifecycleState(NamedTuple):
+    """A state as callbacks get it."""
+
+    label: str
+    state_id: int
+
+
+class Transition(NamedTuple):
+    """A way from one state to another."""
+
+    transition_id: int
+    label: str
+    start: int
+    goal: int
+
+
+STATES = {
+    0: "unknown",
+    1: "unconfigured",
+    2: "inactive",
+    3: "active",
+    4: "finalized",
+    10: "configuring",
+    11: "cleaningup",
+    12: "shuttingdown",
+    13: "activating",
+    14: "deactivating",
+    15: "errorprocessing",
+}
+
+
+def _asked(number: int, label: str, start: int, through: int, success: int, failure: int) -> list[Transition]:
+    """A transition that is asked for, and the three ways in which its callback may end it."""
+    return [Transition(number, label, start, through), *_ends(number * 10, through, success, failure)]
+
+
+def _ends(first_id: int, through: int, success: int, failure: int, error: int = 15) -> list[Transition]:
+    return [
+        Transition(first_id, "transition_success", through, success),
+        Transition(first_id + 1, "transition_failure", through, failure),
+        Transition(first_id + 2, "transition_error", through, error),
+    ]
+
+
+TRANSITIONS: list[Transition] = [
+    *_asked(1, "configure", start=1, through=10, success=2, failure=1),
+    *_asked(2, "cleanup", start=2, through=11, success=1, failure=2),
+    *_asked(3, "activate", start=2, through=13, success=3, failure=2),
+    *_asked(4, "deactivate", start=3, through=14, success=2, failure=3),
+    Transition(5, "shutdown", 1, 12),
+    Transition(6, "shutdown", 2, 12),
+    Transition(7, "shutdown", 3, 12),
+    *_ends(50, through=12, success=4, failure=4),
+    *_ends(60, through=15, success=1, failure=4, error=4),
+]
+
+
+class StateMachine:
+    """Where a node stands. `notify(start, goal)` is called with every change that asks for it.
+
+    >>> machine = StateMachine()
+    >>> machine.trigger_transition_by_label("configure")
+    >>> machine.current_state
+    (10, 'configuring')
+    """
+
+    def __init__(self, notify: Callable[[int, int], None] = lambda start, goal: None) -> None:
+        self._state = 1
+        self._notify = notify
+
+    @property
+    def initialized(self) -> bool:
+        """Whether it can be asked: always, here."""
+        return True
+
+    @property
+    def current_state(self) -> tuple[int, str]:
+        """Id and label of the state."""
+        return self._state, STATES[self._state]
+
+    @property
+    def available_states(self) -> list[tuple[int, str]]:
+        """Ids and labels of all states."""
+        return list(STATES.items())
+
+    @property
+    def available_transitions(self) -> list[Transition]:
+        """The transitions out of the state."""
+        return [each for each in TRANSITIONS if each.start == self._state]
+
+    @property
+    def transition_graph(self) -> list[Transition]:
+        """All transitions."""
+        return list(TRANSITIONS)
+
+    def get_transition_by_label(self, label: str) -> int:
+        """Return the id of the transition of that name out of the state; RCLError when there is none."""
+        return self._find(label, lambda each: each.label == label).transition_id
+
+    def trigger_transition_by_id(self, transition_id: int, publish_update: bool = True) -> None:
+        """Go; RCLError when the state has no such transition."""
+        self._go(self._find(transition_id, lambda each: each.transition_id == transition_id), publish_update)
+
+    def trigger_transition_by_label(self, label: str, publish_update: bool = True) -> None:
+        """Go; RCLError when the state has no such transition."""
+        self._go(self._find(label, lambda each: each.label == label), publish_update)
+
+    def _find(self, wanted: object, fits: Callable[[Transition], bool]) -> Transition:
+        for each in self.available_transitions:
+            if fits(each):
+                return each
+        known = ", ".join(f"{each.label} [{each.transition_id}]" for each in self.available_transitions)
+        state = STATES[self._state]
+        text = f"No transition matching {wanted} found for current state {state}"
+        raise RCLError(f"{text} (known: {known or 'none'})")
+
+    def _go(self, transition: Transition, publish_update: bool) -> None:
+        self._state = transition.goal
+        if publish_update:
+            self._notify(transition.start, transition.goal)

@@ -43,15 +43,19 @@ class Output:
         self.listeners: list[Callable[[str, str], None]] = []
 
     def write(self, stream: str, text: str) -> None:
-        """Keep `text` and tell the listeners; a listener that raises is left out from then on."""
+        """Keep `text` and tell the listeners, outside of the process: what they print is not its output."""
         self._parts.append((stream, text))
         self._size += len(text)
         while self._size > OUTPUT_LIMIT and len(self._parts) > 1:
             _, old = self._parts.popleft()
             self._size -= len(old)
             self.dropped += len(old)
-        for listener in list(self.listeners):
-            listener(stream, text)
+        token = _current.set(None)
+        try:
+            for listener in list(self.listeners):
+                listener(stream, text)
+        finally:
+            _current.reset(token)
 
     def text(self, stream: str | None = None) -> str:
         """All that is remembered, or what went to one stream."""
@@ -135,6 +139,8 @@ class Process:
         self.cleanups: list[Callable[[], None]] = []
         self.out = Output()
         self.stdin = Input(session)
+        self.stdin_to: Any = None
+        """A process that gets what is typed, as the program in the foreground of a shell does."""
         self.threads: list[threading.Thread] = []
         self.lanes: list[Lane] = []
         self._main = main
@@ -173,11 +179,17 @@ class Process:
 
     def write_stdin(self, text: str) -> None:
         """Type `text` into its standard input."""
-        self.stdin.feed(text)
+        if self.stdin_to is not None:
+            self.stdin_to.write_stdin(text)
+        else:
+            self.stdin.feed(text)
 
     def close_stdin(self) -> None:
         """End its standard input, as Ctrl-D does."""
-        self.stdin.end()
+        if self.stdin_to is not None:
+            self.stdin_to.close_stdin()
+        else:
+            self.stdin.end()
 
     def interrupt(self) -> None:
         """Press Ctrl-C."""

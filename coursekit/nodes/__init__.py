@@ -1,0 +1,1 @@
+"""The underlay's nodes, written against rclpy like any student's."""

@@ -1,0 +1,106 @@
+"""The terminal's side: hand a command to the session that runs, and be its screen, keyboard and Ctrl-C."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator, Sequence
+
+from . import endpoint
+
+START_SECONDS = 20.0
+
+
+def domain_id() -> int:
+    """The domain of this terminal."""
+    text = os.environ.get("ROS_DOMAIN_ID") or "0"
+    return int(text) if text.isdecimal() else 0
+
+
+def connect_or_start() -> socket.socket:
+    """A connection to the domain's session; one is started when there is none."""
+    domain = domain_id()
+    with contextlib.suppress(endpoint.NoSession):
+        return endpoint.connect(domain)
+    subprocess.Popen(
+        [sys.executable, "-m", "coursekit.cli.hub", str(domain)],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    give_up = time.monotonic() + START_SECONDS
+    while time.monotonic() < give_up:
+        with contextlib.suppress(endpoint.NoSession):
+            return endpoint.connect(domain)
+        time.sleep(0.02)
+    raise endpoint.NoSession(
+        f"No session answers for ROS_DOMAIN_ID={domain}, and none could be started. "
+        "Try `coursekit doctor`; it says what is wrong."
+    )
+
+
+def attach(argv: Sequence[str]) -> int:
+    """Have the session carry out `ros2 ARGV`; its exit code."""
+    client = connect_or_start()
+    with client, _signals_to(client):
+        _send(
+            client,
+            {
+                "token": endpoint.token(domain_id()),
+                "argv": list(argv),
+                "env": dict(os.environ),
+                "cwd": os.getcwd(),
+            },
+        )
+        threading.Thread(target=_forward_stdin, args=(client,), daemon=True).start()
+        return _show(client)
+
+
+def _send(client: socket.socket, message: dict[str, object]) -> None:
+    client.sendall(json.dumps(message).encode() + b"\n")
+
+
+@contextlib.contextmanager
+def _signals_to(client: socket.socket) -> Iterator[None]:
+    """Pass Ctrl-C and `kill` on while the block runs."""
+
+    def forward(signum: int, _frame: object) -> None:
+        with contextlib.suppress(OSError):
+            _send(client, {"signal": signum})
+
+    previous = {number: signal.signal(number, forward) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+
+
+def _forward_stdin(client: socket.socket) -> None:
+    with contextlib.suppress(OSError, ValueError):
+        for line in sys.stdin:
+            _send(client, {"stdin": line})
+        _send(client, {"eof": True})
+
+
+def _show(client: socket.socket) -> int:
+    """Print what the process prints; returns when it ends."""
+    with client.makefile("r", encoding="utf-8") as lines:
+        for line in lines:
+            message = json.loads(line)
+            if "exit" in message:
+                return int(message["exit"])
+            for name, stream in (("stdout", sys.stdout), ("stderr", sys.stderr)):
+                if name in message:
+                    stream.write(message[name])
+                    stream.flush()
+    print("The session ended while the command ran.", file=sys.stderr)
+    return 1

@@ -1,0 +1,143 @@
+"""The session's door: carries out `ros2` commands that come from terminals.
+
+A kernel opens it for its session; `python -m coursekit.cli.hub` is a session of its own, started when a command finds
+none, that ends soon after its last command.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.core.process import Process
+from coursekit.core.session import Session, current
+
+from . import endpoint
+from .parser import run
+
+IDLE_SECONDS = 3.0
+
+
+class Door:
+    """Listens for a domain and runs what comes, each command as a process of the session."""
+
+    def __init__(self, session: Session, domain_id: int) -> None:
+        self.session = session
+        self.domain_id = domain_id
+        self.guests = 0
+        self.last_left = time.monotonic()
+        self._server = endpoint.listen(domain_id)
+        self._token = endpoint.token(domain_id)
+        self._thread = threading.Thread(target=self._accept, name="coursekit-door", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Listen no more."""
+        endpoint.close(self._server, self.domain_id)
+
+    def _accept(self) -> None:
+        while True:
+            try:
+                client, _ = self._server.accept()
+            except OSError:
+                return
+            threading.Thread(target=self._serve, args=(client,), name="coursekit-guest", daemon=True).start()
+
+    def _serve(self, client: socket.socket) -> None:
+        self.guests += 1
+        try:
+            with client, client.makefile("r", encoding="utf-8") as lines:
+                Guest(self, client).serve(lines)
+        except (OSError, ValueError):
+            pass  # the terminal is gone
+        finally:
+            self.guests -= 1
+            self.last_left = time.monotonic()
+
+    def allows(self, token: str) -> bool:
+        """Whether the first line of a guest carries the right token."""
+        return token == self._token
+
+
+class Guest:
+    """One command of one terminal."""
+
+    def __init__(self, door: Door, client: socket.socket) -> None:
+        self._door = door
+        self._client = client
+        self._writing = threading.Lock()
+        self._process: Process | None = None
+
+    def serve(self, lines: Any) -> None:
+        """Read what the terminal says until it hangs up."""
+        first = json.loads(next(lines, "{}"))
+        if not self._door.allows(str(first.get("token", ""))):
+            return
+        self._start(first)
+        for line in lines:
+            self._hear(json.loads(line))
+        if self._process is not None and self._process.exit_code is None:
+            self._process.interrupt()
+            if self._process.wait(2.0) is None:
+                self._process.kill()
+
+    def _start(self, first: dict[str, Any]) -> None:
+        argv = [str(word) for word in first.get("argv", [])]
+        self._process = self._door.session.start(
+            lambda: run(argv),
+            name="ros2",
+            argv=argv,
+            env={str(key): str(value) for key, value in first.get("env", {}).items()},
+            cwd=str(first.get("cwd") or os.getcwd()),
+            on_output=lambda stream, text: self._say({stream: text}),
+        )
+        self._process.on_exit(lambda process: self._say({"exit": process.exit_code}))
+
+    def _hear(self, said: dict[str, Any]) -> None:
+        process = self._process
+        if process is None:
+            return
+        if "stdin" in said:
+            process.write_stdin(str(said["stdin"]))
+        elif "eof" in said:
+            process.close_stdin()
+        elif "signal" in said:
+            process.send_signal(int(said["signal"]))
+
+    def _say(self, message: dict[str, Any]) -> None:
+        try:
+            with self._writing:
+                self._client.sendall(json.dumps(message).encode() + b"\n")
+        except OSError:
+            pass  # the terminal is gone; its process is interrupted when that is seen
+
+
+def open_door(session: Session, domain_id: int) -> Door | None:
+    """Listen for the session; None when another one does already."""
+    try:
+        return Door(session, domain_id)
+    except OSError:
+        return None
+
+
+def main(domain_id: int, ready: Callable[[], None] = lambda: None) -> int:
+    """Be a session of its own until nobody has used it for a while."""
+    door = open_door(current(), domain_id)
+    ready()
+    if door is None:
+        return 0
+    while door.guests or time.monotonic() - door.last_left < IDLE_SECONDS:
+        time.sleep(0.2)
+    door.close()
+    current().close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1])))

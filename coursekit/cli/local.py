@@ -1,0 +1,35 @@
+"""Carry out a command in a session of this interpreter, with this terminal as its screen."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from coursekit.core.session import Session
+
+from .parser import run
+
+
+def run_in(session: Session, argv: Sequence[str]) -> int:
+    """Run `ros2 ARGV` as the session's only command; its exit code. Ctrl-C goes to it."""
+    out, err = sys.stdout, sys.stderr
+
+    def show(stream: str, text: str) -> None:
+        target = out if stream == "stdout" else err
+        target.write(text)
+        target.flush()
+
+    process = session.start(lambda: run(argv), name="ros2", argv=list(argv), on_output=show)
+
+    def forward(signum: int, _frame: Any) -> None:
+        process.send_signal(signum)
+        if session.clock.virtual:
+            session.clock.wake()
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, forward)
+    code = process.wait()
+    session.close()
+    return 0 if code is None else code

@@ -1,0 +1,73 @@
+"""The parser of `ros2`: commands are the modules of `coursekit.cli.verbs`."""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import importlib.util
+import sys
+from collections.abc import Sequence
+
+from coursekit.core.arguments import RosArgumentsError
+from coursekit.core.executables import ExecutableNotFound, PackageNotFound
+
+COMMANDS = (
+    "action",
+    "component",
+    "daemon",
+    "doctor",
+    "interface",
+    "launch",
+    "lifecycle",
+    "node",
+    "param",
+    "pkg",
+    "run",
+    "service",
+    "topic",
+    "wtf",
+)
+_MODULES = {"wtf": "doctor"}
+
+
+def available() -> list[str]:
+    """The commands whose module exists."""
+    return [name for name in COMMANDS if importlib.util.find_spec(_module(name)) is not None]
+
+
+def _module(command: str) -> str:
+    return f"coursekit.cli.verbs.{_MODULES.get(command, command)}"
+
+
+def make_parser(command: str | None = None) -> argparse.ArgumentParser:
+    """The whole parser, or, to be quick, the one that knows only `command`."""
+    parser = argparse.ArgumentParser(
+        prog="ros2",
+        description="ros2 is an extensible command-line tool for ROS 2.",
+        epilog="Call `ros2 <command> -h` for more detailed usage.",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    subparsers = parser.add_subparsers(title="Commands", metavar="Call `ros2 <command> -h`", dest="_command")
+    for name in [command] if command in available() else available():
+        importlib.import_module(_module(str(name))).register(subparsers)
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out one command line (without the word `ros2`); its exit code."""
+    parser = make_parser(argv[0] if argv else None)
+    args, rest = parser.parse_known_args(list(argv))
+    args.unknown = rest
+    main = getattr(args, "main", None)
+    if main is None:
+        parser.print_help()
+        return 0
+    if rest and not getattr(args, "takes_rest", False):
+        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+    try:
+        return int(main(args) or 0)
+    except KeyboardInterrupt:
+        return 2
+    except (PackageNotFound, ExecutableNotFound, RosArgumentsError) as error:
+        print(error.args[0], file=sys.stderr)
+        return 1

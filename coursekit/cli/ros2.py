@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# PYTHON_ARGCOMPLETE_OK
+"""The command `ros2`.
+
+It acts on the session that runs for this user and ROS domain (the notebook's, or one that it starts). With
+COURSEKIT_TIME or COURSEKIT_STOP_AFTER set it runs by itself. Where a real ROS 2 is sourced, that one is run.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+
+def real_ros2() -> Path | None:
+    """The `ros2` of a real ROS 2 that is sourced in this shell."""
+    for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+        candidate = Path(prefix) / "bin" / "ros2"
+        if prefix and (Path(prefix) / "share" / "ros2cli").is_dir() and candidate.is_file():
+            return candidate
+    return None
+
+
+def stands_alone() -> bool:
+    """Whether the command should have a session of its own."""
+    return bool(os.environ.get("COURSEKIT_TIME") or os.environ.get("COURSEKIT_STOP_AFTER"))
+
+
+def run_alone(argv: Sequence[str]) -> int:
+    """Carry out the command in a session of this process."""
+    from coursekit.core.session import current
+
+    from .local import run_in
+
+    return run_in(current(), argv)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Entry point of the shell command."""
+    argv = sys.argv[1:] if argv is None else argv
+    real = real_ros2()
+    if real is not None:
+        os.execv(real, [str(real), *argv])
+    if "_ARGCOMPLETE" in os.environ:
+        from .parser import make_parser
+
+        import argcomplete
+
+        argcomplete.autocomplete(make_parser())
+    if not argv or argv[0] in ("-h", "--help"):
+        from .parser import run
+
+        return run(argv)
+    if stands_alone():
+        return run_alone(argv)
+    from .attach import attach
+
+    return attach(argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

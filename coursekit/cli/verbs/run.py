@@ -1,0 +1,93 @@
+"""`ros2 run PACKAGE EXECUTABLE [ARGS]`."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+import signal
+import sys
+from typing import Any
+
+from coursekit.core.executables import ExecutableNotFound, PackageNotFound, executables_of, find, packages
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+
+PREFIX = "[ros2run]:"
+
+
+def register(subparsers: Any) -> None:
+    """Add the command."""
+    parser = subparsers.add_parser("run", help="Run a package specific executable")
+    parser.add_argument("--prefix", help="Prefix command, which should go before the executable")
+    package = parser.add_argument("package_name", help="Name of the ROS package")
+    package.completer = lambda **_: list(packages())
+    executable = parser.add_argument("executable_name", help="Name of the executable")
+    executable.completer = _executable_names
+    parser.add_argument("argv", nargs=argparse.REMAINDER, help="Pass arbitrary arguments to the executable")
+    parser.set_defaults(main=main)
+
+
+def _executable_names(parsed_args: Any, **_: Any) -> list[str]:
+    try:
+        return [path.name for path in executables_of(parsed_args.package_name)]
+    except PackageNotFound:
+        return []
+
+
+def main(args: Any) -> int:
+    """Run it and wait for its end; its output and Ctrl-C pass through."""
+    try:
+        path = find(args.package_name, args.executable_name)
+    except PackageNotFound as error:
+        print(error.args[0])
+        return 1
+    except ExecutableNotFound as error:
+        print("No executable found")
+        print(error.args[0], file=sys.stderr)
+        return 1
+    if args.prefix:
+        return _run_with_prefix([*shlex.split(args.prefix), str(path), *args.argv])
+    process = current().start_executable(path, args.argv, name=args.executable_name, on_output=_pass_on())
+    return _outcome(_wait(process))
+
+
+def _pass_on() -> Any:
+    """Write what the child writes to our own streams."""
+    own = current_process()
+
+    def write(stream: str, text: str) -> None:
+        if own is not None:
+            own.out.write(stream, text)
+
+    return write
+
+
+def _wait(process: Any) -> int:
+    """Wait for its end; a Ctrl-C goes on to it, and `kill` ends it too."""
+    own = current_process()
+
+    def react(signum: int) -> bool:
+        process.send_signal(signum)
+        return True
+
+    if own is not None:
+        own.on_signal.append(react)
+        own.stdin_to = process
+        own.cleanups.append(process.kill)
+    code = process.wait()
+    return 0 if code is None else code
+
+
+def _outcome(code: int) -> int:
+    if code < 0:
+        print(PREFIX, signal.strsignal(-code))
+    elif code:
+        print(f"{PREFIX} Process exited with failure {code}")
+    return code
+
+
+def _run_with_prefix(command: list[str]) -> int:
+    from coursekit.core.executables import ChildProcess
+
+    process = ChildProcess(current(), command, name=command[0])
+    return _outcome(_wait(current().launch(process, _pass_on())))

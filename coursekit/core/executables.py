@@ -1,0 +1,271 @@
+"""Executables of packages: where they are, and how they become processes."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import shlex
+import subprocess
+import sys
+import sysconfig
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from .modules import use_private_modules
+from .process import Output, Process, current_process
+
+if TYPE_CHECKING:
+    from .session import Session
+
+UNDERLAY = Path(__file__).resolve().parents[1]
+"""The ament prefix that coursekit itself is."""
+
+
+class PackageNotFound(LookupError):
+    """No such package in any prefix; the text names close ones."""
+
+    def __init__(self, package: str, known: Sequence[str]) -> None:
+        super().__init__(f"Package '{package}' not found{_hint(package, known)}")
+        self.package = package
+
+
+class ExecutableNotFound(LookupError):
+    """The package has no such executable; the text names those that it has."""
+
+    def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
+        names = ", ".join(known) or "none (does setup.py list it under console_scripts, and was it built?)"
+        super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}")
+        self.package = package
+        self.executable = executable
+
+
+def _hint(name: str, known: Sequence[str]) -> str:
+    close = difflib.get_close_matches(name, known, 3)
+    return f"; did you mean {' or '.join(close)}?" if close else ""
+
+
+def prefixes() -> list[Path]:
+    """The ament prefixes of the calling process, the underlay last."""
+    listed = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    return [*listed, UNDERLAY] if UNDERLAY not in listed else listed
+
+
+def _index(prefix: Path) -> Path:
+    return prefix / "share" / "ament_index" / "resource_index" / "packages"
+
+
+def packages() -> dict[str, Path]:
+    """Every package and its prefix; the first prefix that has one wins."""
+    found: dict[str, Path] = {}
+    for prefix in prefixes():
+        folder = _index(prefix)
+        for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
+            found.setdefault(entry.name, prefix)
+    return dict(sorted(found.items()))
+
+
+def prefix_of(package: str) -> Path:
+    """The prefix of a package; raises PackageNotFound."""
+    for prefix in prefixes():
+        if (_index(prefix) / package).exists():
+            return prefix
+    raise PackageNotFound(package, list(packages()))
+
+
+def executables_of(package: str) -> list[Path]:
+    """The executables of a package, sorted; raises PackageNotFound."""
+    prefix = prefix_of(package)
+    folder = prefix / "lib" / package
+    if not folder.is_dir():
+        return []
+    return [entry for entry in sorted(folder.iterdir()) if entry.is_file() and _runs(entry, prefix)]
+
+
+def _runs(path: Path, prefix: Path) -> bool:
+    if path.name.startswith((".", "__")):
+        return False
+    return prefix == UNDERLAY or os.access(path, os.X_OK) or path.suffix == ".exe"
+
+
+def find(package: str, executable: str) -> Path:
+    """The file of an executable; raises PackageNotFound or ExecutableNotFound.
+
+    >>> find("demo_nodes_py", "talkr")
+    Traceback (most recent call last):
+        ...
+    coursekit.core.executables.ExecutableNotFound: No executable 'talkr' in package 'demo_nodes_py'. It has: ...
+    """
+    known = executables_of(package)
+    for path in known:
+        if executable == (path.stem if path.suffix == ".exe" else path.name):
+            return path
+    raise ExecutableNotFound(package, executable, [path.name for path in known])
+
+
+def is_python(path: Path) -> bool:
+    """Whether a file is a Python program."""
+    if path.suffix == ".py" or UNDERLAY in path.parents:
+        return True
+    with open(path, "rb") as file:
+        first = file.readline(256)
+    return first.startswith(b"#!") and b"python" in first
+
+
+def python_folders(env: Mapping[str, str]) -> list[str]:
+    """The folders that PYTHONPATH and the prefixes of `env` add to Python's path, without those of the interpreter."""
+    folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+        if prefix and Path(prefix) != UNDERLAY:
+            folders += [str(Path(prefix, "lib", version, "site-packages"))]
+    ours = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), str(UNDERLAY / "ros"), str(UNDERLAY.parent)}
+    return [one for one in dict.fromkeys(folders) if one not in ours and Path(one).is_dir()]
+
+
+def make_process(
+    session: Session,
+    path: Path,
+    argv: Sequence[str] = (),
+    *,
+    name: str | None = None,
+    env: Mapping[str, str] | None = None,
+    cwd: str | os.PathLike[str] | None = None,
+) -> Any:
+    """A process that runs the file: inside this interpreter if it is Python, else a child of the system."""
+    name = name or path.name
+    if not path.exists():
+        raise FileNotFoundError(f"'{path}' does not exist, so it cannot be run. Was its package built?")
+    if not is_python(path):
+        return ChildProcess(session, [str(path), *argv], name=name, env=env, cwd=cwd)
+    parent = current_process()
+    process = Process(
+        session, _program(path), name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=parent
+    )
+    process.argv = [str(path), *argv]
+    use_private_modules(process, python_folders(process.env))
+    return process
+
+
+def _program(path: Path) -> Callable[[], Any]:
+    """What `python PATH` does."""
+
+    def main() -> None:
+        module = ModuleType("__main__")
+        module.__file__ = str(path)
+        module.__dict__["__builtins__"] = __builtins__
+        exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
+
+    return main
+
+
+class ChildProcess:
+    """A real child process behind the interface of `Process`."""
+
+    def __init__(
+        self,
+        session: Session,
+        command: Sequence[str],
+        *,
+        name: str,
+        env: Mapping[str, str] | None = None,
+        cwd: str | os.PathLike[str] | None = None,
+    ) -> None:
+        self.session = session
+        self.name = name
+        self.argv = list(command)
+        self.pid = session.new_pid()
+        self.parent = current_process()
+        self.exit_code: int | None = None
+        self.abandoned = False
+        self.out = Output()
+        self.env = dict(os.environ if env is None else env)
+        self.cwd = None if cwd is None else os.fspath(cwd)
+        self._ended = session.clock.new_event()
+        self._exit_listeners: list[Callable[[Any], None]] = []
+        self._child: subprocess.Popen[str] | None = None
+
+    state = Process.state
+    output = Process.output
+    on_output = Process.on_output
+    on_exit = Process.on_exit
+    wait = Process.wait
+    interrupt = Process.interrupt
+    terminate = Process.terminate
+    __repr__ = Process.__repr__
+
+    def begin(self) -> None:
+        """Start it, and threads that read what it writes."""
+        self._child = subprocess.Popen(
+            self.argv,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            bufsize=1,
+            env=self.env,
+            cwd=self.cwd,
+            start_new_session=True,
+        )
+        self._count_child(1)
+        readers = [
+            threading.Thread(target=self._read, args=(stream, pipe), daemon=True)
+            for stream, pipe in (("stdout", self._child.stdout), ("stderr", self._child.stderr))
+        ]
+        for thread in readers:
+            _start_outside(thread)
+        _start_outside(threading.Thread(target=self._watch, args=(readers,), daemon=True))
+
+    def _count_child(self, change: int) -> None:
+        if self.session.clock.virtual:
+            self.session.clock.children += change
+
+    def _read(self, stream: str, pipe: Any) -> None:
+        for line in pipe:
+            self.out.write(stream, line)
+
+    def _watch(self, readers: list[threading.Thread]) -> None:
+        assert self._child is not None
+        code = self._child.wait()
+        for thread in readers:
+            threading.Thread.join(thread, 1.0)
+        self.exit_code = code
+        self._count_child(-1)
+        self.session.forget(self)
+        for listener in self._exit_listeners:
+            listener(self)
+        self._ended.set()
+
+    def write_stdin(self, text: str) -> None:
+        """Type `text` into its standard input."""
+        if self._child is not None and self._child.stdin is not None:
+            self._child.stdin.write(text)
+            self._child.stdin.flush()
+
+    def close_stdin(self) -> None:
+        """End its standard input."""
+        if self._child is not None and self._child.stdin is not None:
+            self._child.stdin.close()
+
+    def kill(self) -> None:
+        """End it at once."""
+        self.send_signal(9)
+
+    def send_signal(self, signum: int) -> None:
+        """Deliver a signal to it."""
+        if self._child is not None and self.exit_code is None:
+            self._child.send_signal(signum)
+
+    def command_line(self) -> str:
+        """What one would type."""
+        return shlex.join(self.argv)
+
+
+def _start_outside(thread: threading.Thread) -> None:
+    """Start a real thread, also where threads are lanes of the virtual clock."""
+    from .clock import _Thread_start
+
+    _Thread_start(thread)

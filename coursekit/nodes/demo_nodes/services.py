@@ -1,0 +1,70 @@
+"""The service `add_two_ints`, and two ways to call it."""
+
+import sys
+
+import rclpy
+from example_interfaces.srv import AddTwoInts
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+class AddTwoIntsServer(Node):
+    """Adds."""
+
+    def __init__(self) -> None:
+        super().__init__("add_two_ints_server")
+        self._service = self.create_service(AddTwoInts, "add_two_ints", self._add)
+
+    def _add(self, request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+        response.sum = request.a + request.b
+        self.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
+        return response
+
+
+def server(args: list[str] | None = None) -> None:
+    """Serve until Ctrl-C."""
+    rclpy.init(args=args)
+    node = AddTwoIntsServer()
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+    except ExternalShutdownException:
+        sys.exit(1)
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def client(args: list[str] | None = None) -> None:
+    """Ask once and print the sum."""
+    rclpy.init(args=args)
+    node = rclpy.create_node("add_two_ints_client")
+    asking = node.create_client(AddTwoInts, "add_two_ints")
+    while not asking.wait_for_service(timeout_sec=1.0):
+        print("service not available, waiting again...")
+    future = asking.call_async(AddTwoInts.Request(a=2, b=3))
+    rclpy.spin_until_future_complete(node, future)
+    if future.result() is not None:
+        node.get_logger().info(f"Result of add_two_ints: {future.result().sum}")
+    else:
+        node.get_logger().error(f"Exception while calling service: {future.exception()!r}")
+    node.destroy_node()
+    rclpy.shutdown()
+
+
+def client_async(args: list[str] | None = None) -> None:
+    """Ask once and do other work until the answer is there."""
+    rclpy.init(args=args)
+    node = rclpy.create_node("add_two_ints_client")
+    asking = node.create_client(AddTwoInts, "add_two_ints")
+    while not asking.wait_for_service(timeout_sec=1.0):
+        node.get_logger().info("service not available, waiting again...")
+    future = asking.call_async(AddTwoInts.Request(a=2, b=3))
+    while rclpy.ok():
+        rclpy.spin_once(node)
+        if future.done():
+            node.get_logger().info(f"Result of add_two_ints: {future.result().sum}")
+            break
+    node.destroy_node()
+    rclpy.shutdown()

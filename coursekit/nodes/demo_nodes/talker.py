@@ -1,0 +1,45 @@
+"""Publishes a counted greeting on /chatter once a second."""
+
+import sys
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    """Says hello, again and again."""
+
+    def __init__(self, first: int = 0, quote: str = '"') -> None:
+        super().__init__("talker")
+        self._count = first
+        self._quote = quote
+        self._publisher = self.create_publisher(String, "chatter", 10)
+        self._timer = self.create_timer(1.0, self._say)
+
+    def _say(self) -> None:
+        msg = String(data=f"Hello World: {self._count}")
+        self._count += 1
+        self.get_logger().info(f"Publishing: {self._quote}{msg.data}{self._quote}")
+        self._publisher.publish(msg)
+
+
+def main(args: list[str] | None = None, first: int = 0, quote: str = '"') -> None:
+    """Run the node until Ctrl-C."""
+    rclpy.init(args=args)
+    node = Talker(first, quote)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+    except ExternalShutdownException:
+        sys.exit(1)
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def main_cpp() -> None:
+    """Run it as demo_nodes_cpp's talker: that one counts from 1."""
+    main(first=1, quote="'")

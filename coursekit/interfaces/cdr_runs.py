@@ -14,9 +14,20 @@ from typing import NamedTuple
 from coursekit.interfaces.errors import CdrError
 
 FORMATS = {
-    "bool": "?", "byte": "c", "char": "B", "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i",
-    "uint32": "I", "int64": "q", "uint64": "Q", "float32": "f", "float64": "d",
-}  # fmt: skip
+    "bool": "?",
+    "byte": "c",
+    "char": "B",
+    "int8": "b",
+    "uint8": "B",
+    "int16": "h",
+    "uint16": "H",
+    "int32": "i",
+    "uint32": "I",
+    "int64": "q",
+    "uint64": "Q",
+    "float32": "f",
+    "float64": "d",
+}
 SIZES = {base: struct.calcsize("<" + code) for base, code in FORMATS.items()}
 PAD = tuple(b"\0" * (-start % 8) for start in range(8))
 

@@ -159,10 +159,15 @@ class _Reader(_Source):
         self.add("uint32", count)
         self.flush()
         if kind.base == "wstring":
-            self.lines += [f"{name} = decode_wide(bytes(take(body, pos, 4 * {count})))", f"pos += 4 * {count}"]
+            self.lines += [
+                f"{name} = decode_wide(bytes(take(body, pos, 4 * {count})))",
+                f"pos += 4 * {count}",
+            ]
             return
         if kind.string_bound:
-            self.lines.append(f"at_most(range({count} - 1), {4 * kind.string_bound}, {name.rpartition('._')[2]!r})")
+            self.lines.append(
+                f"at_most(range({count} - 1), {4 * kind.string_bound}, {name.rpartition('._')[2]!r})"
+            )
         self.lines.append(f"{name} = str(take(body, pos, {count})[:-1], 'utf-8', 'replace')")
         self.lines.append(f"pos += {count}")
 
@@ -182,8 +187,9 @@ class _Reader(_Source):
         if kind.base == "byte":
             return f"[bytes((value,)) for value in {data}]"
         order = "<" if SIZES[kind.base] > 1 else "|"
-        return f"numpy.frombuffer({data}, dtype=numpy.dtype(numpy.{DTYPES[kind.base]}).newbyteorder({order!r}))" + (
-            f".astype(numpy.{DTYPES[kind.base]})"
+        return (
+            f"numpy.frombuffer({data}, dtype=numpy.dtype(numpy.{DTYPES[kind.base]}).newbyteorder({order!r}))"
+            + (f".astype(numpy.{DTYPES[kind.base]})")
         )
 
     def sequence(self, kind: FieldType, name: str) -> None:

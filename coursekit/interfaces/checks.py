@@ -33,7 +33,9 @@ def all_within(values: Any, low: int, high: int) -> bool:
 
 def all_float32(values: Any) -> bool:
     """Tell whether each number is a float32: within its bounds, infinite or not a number."""
-    return all(not (v < -FLOAT32_MAX or v > FLOAT32_MAX) or v in (float("inf"), float("-inf")) for v in values)
+    return all(
+        not (v < -FLOAT32_MAX or v > FLOAT32_MAX) or v in (float("inf"), float("-inf")) for v in values
+    )
 
 
 def all_no_longer_than(values: Any, length: int) -> bool:

@@ -42,24 +42,33 @@ def action_parts(action: Action) -> list[Message]:
             Field(FieldType("builtin_interfaces/msg/Time"), "stamp"),
         ],
         "_GetResult_Request": [_GOAL_ID],
-        "_GetResult_Response": [Field(FieldType("int8"), "status"), Field(FieldType(f"{base}_Result"), "result")],
+        "_GetResult_Response": [
+            Field(FieldType("int8"), "status"),
+            Field(FieldType(f"{base}_Result"), "result"),
+        ],
         "_FeedbackMessage": [_GOAL_ID, Field(FieldType(f"{base}_Feedback"), "feedback")],
     }
-    return [Message(action.package, "action", action.name + suffix, tuple(f)) for suffix, f in layouts.items()]
+    return [
+        Message(action.package, "action", action.name + suffix, tuple(f)) for suffix, f in layouts.items()
+    ]
 
 
 def make_action(full_name: str, classes: dict[str, Any], module: str, load: Callable[[str], Any]) -> Any:
     """Add the action class and its services to `classes`."""
     send_goal = make_service(f"{full_name}_SendGoal", classes, module)
     get_result = make_service(f"{full_name}_GetResult", classes, module)
-    implementation = type("Impl", (), {
-        "__module__": module,
-        "SendGoalService": send_goal,
-        "GetResultService": get_result,
-        "FeedbackMessage": classes[f"{full_name}_FeedbackMessage"],
-        "CancelGoalService": load("action_msgs/srv/CancelGoal"),
-        "GoalStatusMessage": load("action_msgs/msg/GoalStatusArray"),
-    })  # fmt: skip
+    implementation = type(
+        "Impl",
+        (),
+        {
+            "__module__": module,
+            "SendGoalService": send_goal,
+            "GetResultService": get_result,
+            "FeedbackMessage": classes[f"{full_name}_FeedbackMessage"],
+            "CancelGoalService": load("action_msgs/srv/CancelGoal"),
+            "GoalStatusMessage": load("action_msgs/msg/GoalStatusArray"),
+        },
+    )
     members = {part: classes[f"{full_name}_{part}"] for part in ("Goal", "Result", "Feedback")}
     classes[full_name] = _make_class("Action", full_name, module, {**members, "Impl": implementation})
     return classes[full_name]

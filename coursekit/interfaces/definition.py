@@ -39,7 +39,9 @@ class AbstractType:
     __slots__: tuple[str, ...] = ()
 
     def _parts(self) -> tuple[object, ...]:
-        return tuple(getattr(self, name) for kind in type(self).__mro__ for name in getattr(kind, "__slots__", ()))
+        return tuple(
+            getattr(self, name) for kind in type(self).__mro__ for name in getattr(kind, "__slots__", ())
+        )
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self._parts() == other._parts()  # type: ignore[attr-defined]

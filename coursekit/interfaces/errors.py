@@ -17,7 +17,9 @@ class InterfaceError(ValueError):
       ^
     """
 
-    def __init__(self, message: str, *, file: str = "", line: int = 0, column: int = 1, source: str = "") -> None:
+    def __init__(
+        self, message: str, *, file: str = "", line: int = 0, column: int = 1, source: str = ""
+    ) -> None:
         super().__init__(message)
         self.message, self.file, self.line, self.column, self.source = message, file, line, column, source
 
@@ -25,7 +27,9 @@ class InterfaceError(ValueError):
         if not self.line:
             return f"{self.file}: {self.message}" if self.file else self.message
         caret = " " * (self.column - 1) + "^"
-        return f"{self.file or '<text>'}:{self.line}:{self.column}: {self.message}\n  {self.source}\n  {caret}"
+        return (
+            f"{self.file or '<text>'}:{self.line}:{self.column}: {self.message}\n  {self.source}\n  {caret}"
+        )
 
 
 class UnknownInterface(LookupError):

@@ -11,12 +11,35 @@ from coursekit.interfaces.model import INTEGERS, Field, FieldType
 
 Alias = Callable[[str], str]
 TYPE_CODES = {
-    "char": "B", "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I",
-    "int64": "q", "uint64": "Q", "float32": "f", "float64": "d",
-}  # fmt: skip
+    "char": "B",
+    "int8": "b",
+    "uint8": "B",
+    "int16": "h",
+    "uint16": "H",
+    "int32": "i",
+    "uint32": "I",
+    "int64": "q",
+    "uint64": "Q",
+    "float32": "f",
+    "float64": "d",
+}
 DTYPES = {"char": "uint8", **{name: name for name in (*INTEGERS, "float32", "float64")}}
-_ZEROS = {"bool": "False", "byte": r"b'\x00'", "float32": "0.0", "float64": "0.0", "string": "''", "wstring": "''"}
-_PYTHON = {"bool": "bool", "byte": "bytes", "float32": "float", "float64": "float", "string": "str", "wstring": "str"}
+_ZEROS = {
+    "bool": "False",
+    "byte": r"b'\x00'",
+    "float32": "0.0",
+    "float64": "0.0",
+    "string": "''",
+    "wstring": "''",
+}
+_PYTHON = {
+    "bool": "bool",
+    "byte": "bytes",
+    "float32": "float",
+    "float64": "float",
+    "string": "str",
+    "wstring": "str",
+}
 
 
 def python_type(kind: FieldType) -> str:
@@ -71,7 +94,9 @@ def kwarg_of(field: Field, alias: Alias) -> str:
     given = f"kwargs[{name!r}]"
     if kind.is_number_block and kind.is_sequence and field.default is None:
         code = TYPE_CODES[kind.base]
-        return f"self.{name} = array.array('{code}', {given}) if {name!r} in kwargs else array.array('{code}')"
+        return (
+            f"self.{name} = array.array('{code}', {given}) if {name!r} in kwargs else array.array('{code}')"
+        )
     return f"self.{name} = {given} if {name!r} in kwargs else {default_of(field, alias)}"
 
 
@@ -166,7 +191,10 @@ def _array_path(field: Field) -> list[str]:
         lines.append("    " + _assert(f"len(value) <= {kind.size}", f"{said} a size <= {kind.size}"))
     lines += [f"    self._{field.name} = value", "    return"]
     if code == "B" and not kind.size:
-        lines += ["if isinstance(value, (bytes, bytearray)):", f"    self._{field.name} = array.array('B', value)"]
+        lines += [
+            "if isinstance(value, (bytes, bytearray)):",
+            f"    self._{field.name} = array.array('B', value)",
+        ]
         lines.append("    return")
     return lines
 

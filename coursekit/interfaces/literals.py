@@ -35,7 +35,9 @@ def _check_length(kind: FieldType, text: str, length: int) -> None:
     if kind.is_fixed and length != kind.size:
         raise LiteralError(str(kind), text, f"array must have exactly {kind.size} elements, not {length}")
     if kind.size is not None and length > kind.size:
-        raise LiteralError(str(kind), text, f"array must have not more than {kind.size} elements, not {length}")
+        raise LiteralError(
+            str(kind), text, f"array must have not more than {kind.size} elements, not {length}"
+        )
 
 
 _QUOTED = r""""(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'"""
@@ -51,7 +53,9 @@ def _split(kind: FieldType, inner: str) -> list[str]:
     while position < len(inner):
         match = _STRING_ITEM.match(inner, position)
         if match is None:
-            raise LiteralError(str(kind), inner, "strings in an array stand in quotes, with commas between them")
+            raise LiteralError(
+                str(kind), inner, "strings in an array stand in quotes, with commas between them"
+            )
         items.append(match[1].strip())
         position = match.end()
     return items

@@ -91,7 +91,9 @@ class FieldType:
             package, _, name = self.base.split("/")
             text = f"{package}/{name}"
         else:
-            text = IDL_NAMES.get(self.base, self.base) + (f"<{self.string_bound}>" if self.string_bound else "")
+            text = IDL_NAMES.get(self.base, self.base) + (
+                f"<{self.string_bound}>" if self.string_bound else ""
+            )
         if self.is_fixed:
             return f"{text}[{self.size}]"
         if self.is_array:

@@ -26,7 +26,9 @@ from coursekit.interfaces.model import (
 PACKAGE_NAME = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
 MESSAGE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 CONSTANT_NAME = re.compile(r"(?!.*__)(?!.*_$)[A-Z][A-Z0-9_]*")
-_TYPE = re.compile(r"(?P<base>[^\[\]<]+)(?:<=(?P<bound>[^\[\]]*))?(?P<array>\[(?P<upper><=)?(?P<size>[^\]]*)\])?")
+_TYPE = re.compile(
+    r"(?P<base>[^\[\]<]+)(?:<=(?P<bound>[^\[\]]*))?(?P<array>\[(?P<upper><=)?(?P<size>[^\]]*)\])?"
+)
 _INTEGER = re.compile(r"[0-9]+")
 _LONGEST = 2**31 - 1
 
@@ -34,8 +36,17 @@ _LONGEST = 2**31 - 1
 class _Reader:
     """Reads the lines of one structure; knows the place for errors."""
 
-    def __init__(self, package: str, kind: str, name: str, lines: Sequence[str], file: str, first: int) -> None:
-        self.package, self.kind, self.name, self.lines, self.file, self.first = package, kind, name, lines, file, first
+    def __init__(
+        self, package: str, kind: str, name: str, lines: Sequence[str], file: str, first: int
+    ) -> None:
+        self.package, self.kind, self.name, self.lines, self.file, self.first = (
+            package,
+            kind,
+            name,
+            lines,
+            file,
+            first,
+        )
         self.fields: list[Field] = []
         self.constants: list[Constant] = []
         self.comments: list[str] = []
@@ -49,9 +60,15 @@ class _Reader:
         for index in range(len(head), len(self.lines)):
             self._line(index)
         return Message(
-            self.package, self.kind, self.name, tuple(self.fields), tuple(self.constants),
-            "\n".join(head), self.file, tuple(self.lines),
-        )  # fmt: skip
+            self.package,
+            self.kind,
+            self.name,
+            tuple(self.fields),
+            tuple(self.constants),
+            "\n".join(head),
+            self.file,
+            tuple(self.lines),
+        )
 
     def _file_comment(self) -> list[str]:
         head = []
@@ -117,10 +134,14 @@ class _Reader:
 
     def _field_name(self, name: str, index: int, column: int) -> None:
         if not PACKAGE_NAME.fullmatch(name):
-            why = f"'{name}' is no field name: use small letters, digits and single underscores, as in my_field"
+            why = (
+                f"'{name}' is no field name: use small letters, digits and single underscores, as in my_field"
+            )
             raise self.error(why, index, column)
         if keyword.iskeyword(name):
-            raise self.error(f"'{name}' is a word of Python's grammar; choose another field name", index, column)
+            raise self.error(
+                f"'{name}' is a word of Python's grammar; choose another field name", index, column
+            )
         self._unique(name, [f.name for f in self.fields], index, column)
 
     def _unique(self, name: str, known: list[str], index: int, column: int) -> None:
@@ -206,7 +227,9 @@ def parse_file(package: str, path: Path) -> Interface:
     try:
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
-        raise InterfaceError(f"the file is not UTF-8 text ({error.reason} at byte {error.start})", file=str(path)) from None
+        raise InterfaceError(
+            f"the file is not UTF-8 text ({error.reason} at byte {error.start})", file=str(path)
+        ) from None
     kind = path.suffix[1:]
     if kind not in ("msg", "srv", "action"):
         raise InterfaceError("interface files end in .msg, .srv or .action", file=str(path))

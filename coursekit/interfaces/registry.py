@@ -32,7 +32,9 @@ class _Entry:
 
 _entries: dict[str, _Entry] = {}
 _lock = threading.RLock()
-_SUFFIX = re.compile(r"(_SendGoal|_GetResult)?(_Request|_Response)$|_(Goal|Result|Feedback|FeedbackMessage|SendGoal|GetResult)$")
+_SUFFIX = re.compile(
+    r"(_SendGoal|_GetResult)?(_Request|_Response)$|_(Goal|Result|Feedback|FeedbackMessage|SendGoal|GetResult)$"
+)
 
 
 def load(name: str) -> Any:

@@ -35,7 +35,13 @@ def message_source(message: Message, given: Collection[str] = ()) -> str:
 
 
 def _imports(message: Message, given: Collection[str]) -> str:
-    lines = [f'"""{message.full_name}, made from {message.file or "text"}."""', "", "import array", "import math", ""]
+    lines = [
+        f'"""{message.full_name}, made from {message.file or "text"}."""',
+        "",
+        "import array",
+        "import math",
+        "",
+    ]
     if any(f.type.is_number_block and f.type.is_fixed for f in message.fields):
         lines.append("import numpy")
     lines += [
@@ -73,7 +79,7 @@ def _head(message: Message) -> str:
         if f.default is not None:
             lines.append(f"    {f.name.upper()}__DEFAULT = {value_source(f.type, f.default)}")
     lines.append(f"    __slots__ = {[f'_{f.name}' for f in fields]!r}")
-    lines.append(f"    _fields_and_field_types = {({f.name: f.type.idl_text() for f in fields})!r}")
+    lines.append(f"    _fields_and_field_types = { ({f.name: f.type.idl_text() for f in fields})!r}")
     lines.append(f"    _BLOCKS = {tuple(f.type.is_number_block and f.type.is_sequence for f in fields)!r}")
     lines.append(f"    SLOT_TYPES = ({''.join(f'definition.{_slot(f)}, ' for f in fields)})")
     return "\n".join(lines)
@@ -92,14 +98,18 @@ def _slot(field: Field) -> str:
 
 def _doc(message: Message) -> str:
     text = f"Message class '{message.name}'."
-    return text + (f" Constants: {', '.join(c.name for c in message.constants)}." if message.constants else "")
+    return text + (
+        f" Constants: {', '.join(c.name for c in message.constants)}." if message.constants else ""
+    )
 
 
 def _init(message: Message) -> str:
     fields = message.fields
     lines = ["", "    def __init__(self, **kwargs):"]
     if not fields:
-        return "\n".join([*lines, "        if kwargs:", f"            reject_unknown({message.name}, kwargs)"])
+        return "\n".join(
+            [*lines, "        if kwargs:", f"            reject_unknown({message.name}, kwargs)"]
+        )
     lines.append("        if not kwargs:")
     lines += [f"            self._{f.name} = {default_of(f, alias)}" for f in fields]
     lines += ["            return", f"        reject_unknown({message.name}, kwargs)"]

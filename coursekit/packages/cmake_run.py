@@ -15,7 +15,13 @@ from coursekit.packages.cmake_condition import holds
 from coursekit.packages.cmake_text import Command, read_commands
 
 _REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
-_BLOCKS = {"if": "endif", "foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro"}
+_BLOCKS = {
+    "if": "endif",
+    "foreach": "endforeach",
+    "while": "endwhile",
+    "function": "endfunction",
+    "macro": "endmacro",
+}
 
 
 @dataclass(frozen=True)
@@ -38,12 +44,19 @@ class Reading:
 
 
 _KEPT = (
-    "install", "rosidl_generate_interfaces", "ament_python_install_package", "ament_auto_package",
+    "install",
+    "rosidl_generate_interfaces",
+    "ament_python_install_package",
+    "ament_auto_package",
     "ament_index_register_resource",
-)  # fmt: skip
+)
 _TARGETS = (
-    "add_executable", "add_library", "ament_auto_add_executable", "ament_auto_add_library", "pybind11_add_module",
-)  # fmt: skip
+    "add_executable",
+    "add_library",
+    "ament_auto_add_executable",
+    "ament_auto_add_library",
+    "pybind11_add_module",
+)
 
 
 def read_project(folder: Path) -> Reading:
@@ -58,11 +71,20 @@ class _Runner:
         self.folder = folder
         self.reading = Reading()
         self.variables = {
-            "CMAKE_SOURCE_DIR": str(folder), "CMAKE_CURRENT_SOURCE_DIR": str(folder), "CMAKE_CURRENT_LIST_DIR": str(folder),
-            "PROJECT_SOURCE_DIR": str(folder), "CMAKE_INSTALL_PREFIX": "", "BUILD_TESTING": "OFF", "UNIX": "1",
-            "CMAKE_INSTALL_LIBDIR": "lib", "CMAKE_INSTALL_BINDIR": "bin", "CMAKE_INSTALL_DATADIR": "share",
-            "CMAKE_INSTALL_INCLUDEDIR": "include", "CMAKE_BUILD_TYPE": "Release", "ROS_DISTRO": "humble",
-        }  # fmt: skip
+            "CMAKE_SOURCE_DIR": str(folder),
+            "CMAKE_CURRENT_SOURCE_DIR": str(folder),
+            "CMAKE_CURRENT_LIST_DIR": str(folder),
+            "PROJECT_SOURCE_DIR": str(folder),
+            "CMAKE_INSTALL_PREFIX": "",
+            "BUILD_TESTING": "OFF",
+            "UNIX": "1",
+            "CMAKE_INSTALL_LIBDIR": "lib",
+            "CMAKE_INSTALL_BINDIR": "bin",
+            "CMAKE_INSTALL_DATADIR": "share",
+            "CMAKE_INSTALL_INCLUDEDIR": "include",
+            "CMAKE_BUILD_TYPE": "Release",
+            "ROS_DISTRO": "humble",
+        }
 
     def run(self, commands: list[Command]) -> None:
         index = 0
@@ -138,7 +160,9 @@ class _Runner:
     def project(self, command: Command, words: list[str]) -> None:
         if not words:
             raise command.error("project() needs a name")
-        self.reading.project = self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = words[0]
+        self.reading.project = self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = words[
+            0
+        ]
 
     def find_package(self, command: Command, words: list[str]) -> None:
         self.reading.found += words[:1]
@@ -155,7 +179,9 @@ class _Runner:
     def list_command(self, command: Command, words: list[str]) -> None:
         if len(words) > 2 and words[0] in ("APPEND", "PREPEND"):
             known = [v for v in self.variables.get(words[1], "").split(";") if v]
-            self.variables[words[1]] = ";".join(known + words[2:] if words[0] == "APPEND" else words[2:] + known)
+            self.variables[words[1]] = ";".join(
+                known + words[2:] if words[0] == "APPEND" else words[2:] + known
+            )
 
     def file_command(self, command: Command, words: list[str]) -> None:
         if len(words) < 3 or words[0] not in ("GLOB", "GLOB_RECURSE"):
@@ -165,7 +191,9 @@ class _Runner:
             at = patterns.index("RELATIVE")
             base, patterns = Path(patterns[at + 1]), patterns[:at] + patterns[at + 2 :]
         found = [p for text in patterns if text != "CONFIGURE_DEPENDS" for p in self._glob(text, words[0])]
-        self.variables[words[1]] = ";".join(os.path.relpath(p, base) if base else str(p) for p in sorted(set(found)))
+        self.variables[words[1]] = ";".join(
+            os.path.relpath(p, base) if base else str(p) for p in sorted(set(found))
+        )
 
     def _glob(self, text: str, mode: str) -> list[Path]:
         pattern = os.path.relpath(self.folder / text, self.folder)

@@ -35,7 +35,8 @@ class FilesAugmentation(PackageAugmentationExtensionPoint):  # type: ignore[misc
 
     def augment_package(self, desc: Any, *, additional_argument_names: Any = None) -> None:
         """Change the type of a CMake package and note its groups."""
-        if desc.type not in _CMAKE_TYPES or real_ros_is_sourced():
+        building = additional_argument_names is not None  # `colcon list` and `info` show the type as it is
+        if not building or desc.type not in _CMAKE_TYPES or real_ros_is_sourced():
             return
         if (desc.path / "package.xml").is_file():
             try:

@@ -42,7 +42,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             if problems:
                 return self._fail(problems)
             self._install(package, reading)
-        except (CMakeError, InterfaceError) as error:
+        except (CMakeError, InterfaceError, RuntimeError, OSError) as error:
             return self._fail([error])
         self._finish(package, reading)
         return 0
@@ -61,7 +61,9 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         for path in files:
             self._copy(path, f"share/{package}/{path.suffix[1:]}/{path.name}")
         if files:
-            self._create(f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files))
+            self._create(
+                f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files)
+            )
             for name, text in interface_rules.python_files(package, files).items():
                 self._create(f"{site}/{name}", text)
         for copy in install_rules.copies(reading, package, site):
@@ -99,7 +101,10 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         create_environment_scripts(self.context.pkg, args, additional_hooks=hooks)
         if reading.targets:
             names = ", ".join(reading.targets)
-            print(f"Skipped C++ of {package}: {names} (there is no compiler here; the rest is installed)", flush=True)
+            print(
+                f"Skipped C++ of {package}: {names} (there is no compiler here; the rest is installed)",
+                flush=True,
+            )
 
     def _forget_old(self) -> None:
         """Remove what the last build installed and this one did not."""

@@ -10,9 +10,22 @@ from pathlib import Path
 from coursekit.packages.cmake_run import Call, Reading
 
 _OPTIONS = (
-    "DESTINATION", "PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "USE_SOURCE_PERMISSIONS", "CONFIGURATIONS",
-    "COMPONENT", "RENAME", "OPTIONAL", "FILES_MATCHING", "PATTERN", "REGEX", "MESSAGE_NEVER", "TYPE", "EXCLUDE_FROM_ALL",
-)  # fmt: skip
+    "DESTINATION",
+    "PERMISSIONS",
+    "FILE_PERMISSIONS",
+    "DIRECTORY_PERMISSIONS",
+    "USE_SOURCE_PERMISSIONS",
+    "CONFIGURATIONS",
+    "COMPONENT",
+    "RENAME",
+    "OPTIONAL",
+    "FILES_MATCHING",
+    "PATTERN",
+    "REGEX",
+    "MESSAGE_NEVER",
+    "TYPE",
+    "EXCLUDE_FROM_ALL",
+)
 
 
 @dataclass(frozen=True)
@@ -55,7 +68,9 @@ def _install(call: Call) -> Iterator[Copy]:
         if kind == "DIRECTORY":
             yield from _directory(call, name, target, words)
         else:
-            yield from _file(call, name, f"{target}/{_after(words, 'RENAME') or Path(name).name}", kind, words)
+            yield from _file(
+                call, name, f"{target}/{_after(words, 'RENAME') or Path(name).name}", kind, words
+            )
 
 
 def _after(words: list[str], option: str) -> str | None:
@@ -106,6 +121,8 @@ def _python_package(call: Call, site_packages: str) -> Iterator[Copy]:
     name = call.words[0]
     folder = call.folder / (_after(call.words, "PACKAGE_DIR") or name)
     if not (folder / "__init__.py").is_file():
-        raise call.command.error(f"there is no Python package '{name}': {folder / '__init__.py'} does not exist")
+        raise call.command.error(
+            f"there is no Python package '{name}': {folder / '__init__.py'} does not exist"
+        )
     for path in sorted(p for p in folder.rglob("*") if p.is_file() and "__pycache__" not in p.parts):
         yield Copy(path, f"{site_packages}/{name}/{path.relative_to(folder).as_posix()}")

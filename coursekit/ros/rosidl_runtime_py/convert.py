@@ -44,7 +44,7 @@ def message_to_yaml(
     values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
     return yaml.dump(
         values, Dumper=_Dumper, allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style
-    )  # fmt: skip
+    )
 
 
 def message_to_ordereddict(
@@ -68,7 +68,10 @@ def _plain(value: Any, kind: definition.AbstractType | None, options: Options) -
     if _is_collection(value):
         return _plain_collection(value, kind, options)
     if isinstance(value, dict):
-        return {_plain(k, None, {**options, "truncate_length": None}): _plain(v, None, options) for k, v in value.items()}
+        return {
+            _plain(k, None, {**options, "truncate_length": None}): _plain(v, None, options)
+            for k, v in value.items()
+        }
     return message_to_ordereddict(value, **options)
 
 

@@ -128,9 +128,16 @@ def create_cloud(
     points = np.ascontiguousarray(points.astype(dtype))
     height, width = (1, len(points)) if points.ndim == 1 else points.shape[::-1]
     return PointCloud2(
-        header=header, height=height, width=width, is_dense=False, is_bigendian=sys.byteorder != "little",
-        fields=list(fields), point_step=dtype.itemsize, row_step=dtype.itemsize * width, data=points.tobytes(),
-    )  # fmt: skip
+        header=header,
+        height=height,
+        width=width,
+        is_dense=False,
+        is_bigendian=sys.byteorder != "little",
+        fields=list(fields),
+        point_step=dtype.itemsize,
+        row_step=dtype.itemsize * width,
+        data=points.tobytes(),
+    )
 
 
 def create_cloud_xyz32(header: Header, points: Any, step: int | None = None) -> PointCloud2:
@@ -141,5 +148,7 @@ def create_cloud_xyz32(header: Header, points: Any, step: int | None = None) -> 
     array([[1., 2., 3.]], dtype=float32)
     """
     names = ("x", "y", "z")
-    fields = [PointField(name=n, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, n in enumerate(names)]
+    fields = [
+        PointField(name=n, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, n in enumerate(names)
+    ]
     return create_cloud(header, fields, points, step)

@@ -1,0 +1,1 @@
+"""Checks that source files start with a copyright notice."""

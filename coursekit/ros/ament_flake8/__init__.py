@@ -1,0 +1,1 @@
+"""Runs flake8 with ROS's settings."""

@@ -1,0 +1,1 @@
+"""Runs pydocstyle with ROS's settings."""

@@ -142,6 +142,7 @@ class Process:
         self.stdin_to: Any = None
         """A process that gets what is typed, as the program in the foreground of a shell does."""
         self.threads: list[threading.Thread] = []
+        """Its non-daemon threads: it ends when they have."""
         self.lanes: list[Lane] = []
         self._main = main
         self._lane: Lane | None = None
@@ -226,6 +227,8 @@ class Process:
 
     def _run(self) -> None:
         self._lane = self.session.lane()
+        if not self.session.clock.virtual:  # threads that it makes are, as a main thread's, no daemons
+            threading.current_thread()._daemonic = False  # type: ignore[attr-defined]
         code = 1
         try:
             enter_folder(self.cwd)
@@ -256,8 +259,7 @@ class Process:
         """Python waits for a program's non-daemon threads; so does a process."""
         try:
             for thread in list(self.threads):
-                if not thread.daemon and thread is not threading.current_thread():
-                    thread.join()
+                thread.join()
         except KeyboardInterrupt:
             self._report(sys.exc_info())
 
@@ -294,7 +296,7 @@ class Process:
         if handler == signal.SIG_DFL and any([react(signum) for react in list(self.on_signal)]):
             return
         if callable(handler) and handler is not signal.default_int_handler:
-            handler(signum, None)
+            handler(int(signum), None)
         elif handler == signal.SIG_IGN:
             return
         elif signum == signal.SIGINT:

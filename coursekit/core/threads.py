@@ -60,11 +60,12 @@ def start(self: threading.Thread) -> None:
     if process is None and session is None:
         _start(self)
         return
-    if process is not None:
+    if process is not None and not self.daemon:
         process.threads.append(self)
     run = _run_of(self, process)
     if session is None:
         self.run = run  # type: ignore[method-assign]
+        self._daemonic = True  # type: ignore[attr-defined] # its process waits for it, not the interpreter
         _start(self)
         return
     ended = session.clock.new_event()

@@ -186,7 +186,9 @@ class ClockLoop(asyncio.AbstractEventLoop):
         self.__failures = handler
 
     def call_exception_handler(self, context: dict[str, Any]) -> None:
-        """Tell of an exception that nobody awaits."""
+        """Tell of an exception that nobody awaits; what a closed loop left behind is not worth telling."""
+        if self.__closed:
+            return
         if self.__failures is not None:
             self.__failures(self, context)
         else:

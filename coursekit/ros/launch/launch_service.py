@@ -18,7 +18,7 @@ from .launch_context import LaunchContext
 from .launch_description import LaunchDescription
 from .launch_description_entity import LaunchDescriptionEntity
 from .logging.config import shown_log_dir
-from .utilities import visit_all_entities_and_collect_futures
+from .utilities.entities import visit_entities
 
 INTERRUPTED = 'user interrupted with ctrl-c (SIGINT)'
 
@@ -207,7 +207,8 @@ class LaunchService:
             return
         if not isinstance(entity, LaunchDescriptionEntity):
             raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
-        self.__futures += visit_all_entities_and_collect_futures(entity, self.__context)
+        for ongoing in visit_entities(entity, self.__context):
+            self.__futures.append(ongoing)
 
     # -- the end
 

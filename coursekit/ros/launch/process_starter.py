@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.core import session
+from coursekit.core.executables import ChildProcess
 
-from .child_process import start_child
 from .substitutions.find_executable import which
 
 OutputCallback = Callable[[str, str], None]
@@ -31,19 +31,18 @@ def start_process(
     Raises:
         FileNotFoundError: when there is no such program.
     """
-    if shell:
-        return start_child(
-            [env.get('SHELL') or '/bin/sh', '-c', ' '.join(cmd)], cwd=cwd, env=env, on_output=on_output)
     current = session.current()
-    if cmd[0] == 'ros2':
+    if shell:
+        cmd = [env.get('SHELL') or '/bin/sh', '-c', ' '.join(cmd)]
+    elif cmd[0] == 'ros2':
         return current.start(_ros2(), name='ros2', argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
-    if is_package_executable(cmd[0]):
-        return current.start_executable(
-            cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
+    elif is_package_executable(cmd[0]):
+        return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
     program = which(cmd[0], env.get('PATH'))
     if program is None:
         raise FileNotFoundError(2, 'there is no such program', cmd[0])
-    return start_child([program, *cmd[1:]], cwd=cwd, env=env, on_output=on_output)
+    child = ChildProcess(current, [program, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
+    return current.launch(child, on_output)
 
 
 def is_package_executable(path: str) -> bool:

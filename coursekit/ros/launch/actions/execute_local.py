@@ -13,7 +13,7 @@ from ..conditions import evaluate_condition_expression
 from ..descriptions import Executable
 from ..event import Event
 from ..event_handler import EventHandler
-from ..event_handlers import OnProcessExit, OnProcessIO, OnProcessStart, OnShutdown
+from ..event_handlers import OnProcessExit, OnProcessIO, OnShutdown
 from ..events import Shutdown, matches_action
 from ..events.process import (
     ProcessExited,
@@ -210,8 +210,10 @@ class ExecuteLocal(Action):
                 self.__completed.set_result(None)
 
     async def __run_once(self, context: LaunchContext) -> bool:
-        """Run the process to its end; return whether it could be started."""
-        assert self.__details is not None
+        """Run the process to its end; return whether it was started."""
+        assert self.__details is not None and self.__shutdown is not None
+        if self.__shutdown.done():
+            return False
         self.__log_details(context)
         try:
             ended = self.__start(context)
@@ -305,11 +307,6 @@ class ExecuteLocal(Action):
     def _shutdown_process(self, context: LaunchContext, *, send_sigint: bool) -> list[Action] | None:
         """Begin to end the process; return the timers that make it sure, and the first signal."""
         if self.__shutdown is None or self.__shutdown.done():
-            return None
-        if self.__completed is not None and not self.__completed.done() and self.__process is None:
-            context.register_event_handler(OnProcessStart(
-                target_action=self, handle_once=True,
-                on_start=lambda event, where: self._shutdown_process(where, send_sigint=True)))
             return None
         self.__shutdown.set_result(None)
         if not self.__is_running():

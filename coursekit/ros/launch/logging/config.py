@@ -71,6 +71,9 @@ def current_config() -> LaunchConfig:
     store = _store()
     if KEY not in store:
         store[KEY] = LaunchConfig()
+        process = current_process()
+        if process is not None:
+            process.cleanups.append(store[KEY].close)
     config: LaunchConfig = store[KEY]
     return config
 
@@ -78,7 +81,7 @@ def current_config() -> LaunchConfig:
 def reset() -> LaunchConfig:
     """Close the current process's logs and begin anew, with a new folder."""
     current_config().close()
-    _store()[KEY] = LaunchConfig()
+    del _store()[KEY]
     return current_config()
 
 

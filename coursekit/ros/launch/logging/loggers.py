@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import sys
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, TextIO
 
 from coursekit.core import session
 
@@ -131,17 +131,22 @@ def _file(config: LaunchConfig, file_name: str, form: str) -> logging.Handler:
 
 
 class _LogFile(logging.Handler):
-    """Appends lines to a file; several of these may share one."""
+    """Appends lines to a file, which is made with the first line."""
 
     def __init__(self, path: str) -> None:
         super().__init__()
-        self.__file = open(path, 'a', encoding='utf-8', buffering=1)  # noqa: SIM115
+        self.__path = path
+        self.__file: TextIO | None = None
 
     def emit(self, record: logging.LogRecord) -> None:
         """Append one line."""
+        if self.__file is None:
+            self.__file = open(self.__path, 'a', encoding='utf-8', buffering=1)  # noqa: SIM115
         self.__file.write(self.format(record) + '\n')
 
     def close(self) -> None:
         """Close the file."""
-        self.__file.close()
+        if self.__file is not None:
+            self.__file.close()
+            self.__file = None
         super().close()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from ..launch_description_entity import LaunchDescriptionEntity
@@ -21,15 +22,20 @@ def is_a_subclass(entity: Any, kind: type) -> bool:
     return isinstance(entity, kind) or (isinstance(entity, type) and issubclass(entity, kind))
 
 
+def visit_entities(
+    entity: LaunchDescriptionEntity, context: LaunchContext
+) -> Iterator[tuple[LaunchDescriptionEntity, asyncio.Future[None]]]:
+    """Visit `entity` and all that it gives, depth first; yield the work that goes on as it begins."""
+    sub_entities = entity.visit(context) or []
+    future = entity.get_asyncio_future()
+    if future is not None:
+        yield entity, future
+    for sub_entity in sub_entities:
+        yield from visit_entities(sub_entity, context)
+
+
 def visit_all_entities_and_collect_futures(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> list[tuple[LaunchDescriptionEntity, asyncio.Future[None]]]:
     """Visit `entity` and all that it gives, depth first; return the work that goes on."""
-    futures: list[tuple[LaunchDescriptionEntity, asyncio.Future[None]]] = []
-    sub_entities = entity.visit(context) or []
-    future = entity.get_asyncio_future()
-    if future is not None:
-        futures.append((entity, future))
-    for sub_entity in sub_entities:
-        futures += visit_all_entities_and_collect_futures(sub_entity, context)
-    return futures
+    return list(visit_entities(entity, context))

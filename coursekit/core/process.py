@@ -286,7 +286,8 @@ class Process:
         self.session.forget(self)
         for listener in self._exit_listeners:
             listener(self)
-        self._exit_listeners.clear()
+        for kept in (self._exit_listeners, self.cleanups, self.on_signal, self.locals):
+            kept.clear()  # type: ignore[attr-defined]
         self._ended.set()
 
     # -- signals

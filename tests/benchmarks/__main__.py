@@ -1,0 +1,45 @@
+"""`make bench`: the table of DESIGN's numbers that can be measured here."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+PEER = HERE.parents[1] / ".venv-ros" / "bin" / "python"
+
+
+def measure(python: str | Path, script: str, *args: str) -> str:
+    """The output of a script, run from a folder where nothing of ours is found by accident."""
+    env = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "COURSEKIT"))}
+    done = subprocess.run(
+        [str(python), str(HERE / script), *args], env=env, cwd="/", capture_output=True, text=True, check=True
+    )
+    return done.stdout.strip().splitlines()[-1]
+
+
+def row(what: str, ours: float, peer: float | None, goal: str, unit: str = "µs") -> None:
+    """Print a line of the table."""
+    theirs = "not installed" if peer is None else f"{peer:.1f} {unit}"
+    ratio = "" if peer is None else f"{peer / ours:.0f} ×"
+    print(f"| {what} | {ours:.1f} {unit} | {theirs} | {ratio} | {goal} |")
+
+
+def main() -> None:
+    """Measure ours and the real rclpy in turn and print both."""
+    ours = json.loads(measure(sys.executable, "latency.py", "3000"))
+    peer = json.loads(measure(PEER, "latency.py", "300")) if PEER.exists() else {}
+    print("| what | coursekit | real rclpy | ratio | goal |\n|---|---|---|---|---|")
+    for nodes in (2, 20, 200):
+        key = f"string_{nodes}"
+        row(f"String, publish → callback, {nodes} nodes", ours[key], peer.get(key), "≤ 5 µs")
+    row("640×480×3 image, publish → callback", ours["image"], peer.get("image"), "≤ 50 µs")
+    speed = float(measure(sys.executable, "virtual_nodes.py"))
+    print(f"| twelve nodes at 30 Hz, virtual clock | {speed:.0f} × real time | has none | | ≥ 100 × |")
+    if not peer:
+        print("\nThe real rclpy is not here to compare with: `make conformance` installs it (Linux x86-64).")
+
+
+if __name__ == "__main__":
+    main()

@@ -145,7 +145,9 @@ class Task(Future):
 
     def __call__(self) -> None:
         """Run until it is done, or until a coroutine has to wait."""
-        if self._done or self._executing or not self._task_lock.acquire(blocking=False):
+        if self._done or self._cancelled or self._executing:
+            return
+        if not self._task_lock.acquire(blocking=False):
             return
         self._executing = True
         try:

@@ -6,6 +6,7 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy._rclpy_pybind11 import Timer as _Handle
 from rclpy.exceptions import ROSInterruptException
 from rclpy.utilities import get_default_context
@@ -38,6 +39,8 @@ class Timer:
     ) -> None:
         self._context = context or get_default_context()
         self._clock = clock
+        if timer_period_ns < 0:
+            raise RCLError("failed to create timer: timer period must be non-negative")
         self.__timer = _Handle(clock.handle, self._context.handle, int(timer_period_ns))
         if not autostart:
             self.__timer.cancel_timer()

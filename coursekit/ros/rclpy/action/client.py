@@ -20,6 +20,8 @@ from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
 
 _POLL_SEC = 0.01
+_LATE_FEEDBACK = 50
+"""Finished goals whose feedback is still passed on."""
 
 
 class ActionClient(Waitable):
@@ -46,6 +48,7 @@ class ActionClient(Waitable):
         self._action_name = action_name
         self._goal_handles: dict[bytes, weakref.ref[ClientGoalHandle]] = {}
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        self._finished: list[bytes] = []
         self._early_statuses: dict[bytes, int | None] = {}
         names, impl = action_names("client", action_name), action_type.Impl
 
@@ -83,7 +86,14 @@ class ActionClient(Waitable):
                 handle._update_status(each.status)
             if each.status in TERMINAL:
                 self._goal_handles.pop(key, None)
-                self._feedback_callbacks.pop(key, None)
+                self._forget_feedback(key)
+
+    def _forget_feedback(self, key: bytes) -> None:
+        """Let go of a finished goal's callback, but not at once: its last feedback may still be on the way."""
+        if key in self._feedback_callbacks and key not in self._finished:
+            self._finished.append(key)
+        while len(self._finished) > _LATE_FEEDBACK:
+            self._feedback_callbacks.pop(self._finished.pop(0), None)
 
     # -- goals
 

@@ -16,6 +16,9 @@ class TransitionCallbackReturnType(IntEnum):
     FAILURE = 98
     ERROR = 99
 
+    def __str__(self) -> str:
+        return f"{type(self).__name__}.{self.name}"
+
     def to_label(self) -> str:
         """The label of the transition that this end leads through."""
         return f"transition_{self.name.lower()}"

@@ -56,7 +56,7 @@ def deserialize(data: bytes | bytearray | memoryview, cls: Any) -> Any:
 
 def codec_of(cls: Any) -> Codec:
     """Return the codec of a message class, made on first use."""
-    known = cls.__dict__.get("_CODEC")
+    known: Codec | None = cls.__dict__.get("_CODEC")
     if known is None:
         known = _make(cls)
         cls._CODEC = known

@@ -58,7 +58,7 @@ def definition_text(name: str) -> str:
 
 def known_packages() -> list[str]:
     """Return the names of all packages that have interfaces, sorted."""
-    names = set()
+    names: set[str] = set()
     for prefix in prefixes():
         for kind in KINDS:
             names.update(path.parent.name for path in (prefix / "share").glob(f"*/{kind}"))

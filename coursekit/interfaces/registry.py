@@ -40,7 +40,8 @@ _SUFFIX = re.compile(
 def load(name: str) -> Any:
     """Return the class of 'package/msg/Name', 'package/Name', 'package/srv/Name' or 'package/action/Name'.
 
-    A definition that changed on disk since it was last read is read again. Raises UnknownInterface or InterfaceError.
+    A definition that changed on disk since it was last read is read again.
+    Raises UnknownInterface or InterfaceError.
 
     >>> load('std_msgs/String')(data='hello').data
     'hello'
@@ -178,7 +179,7 @@ def _module(package: str, kind: str, name: str) -> ModuleType:
     module = sys.modules.get(full)
     if module is None:
         module = sys.modules[full] = _LazyModule(full)
-        module._interface = f"{package}/{kind}/{name}"  # type: ignore[attr-defined]
+        module._interface = f"{package}/{kind}/{name}"
     return module
 
 

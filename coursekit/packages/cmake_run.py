@@ -126,7 +126,8 @@ class _Runner:
             self._foreach(command, body)
 
     def _if(self, command: Command, body: list[Command]) -> None:
-        taken, branch, test, depth = False, [], command, 0
+        branch: list[Command] = []
+        taken, test, depth = False, command, 0
         for inner in [*body, Command("else", (), command.file, command.line)]:
             if depth == 0 and inner.name in ("elseif", "else"):
                 if not taken and (test.name == "else" or holds(self.words(test), self.variables)):

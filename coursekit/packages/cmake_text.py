@@ -92,7 +92,8 @@ def _tokens(text: str, file: Path) -> list[tuple[str, str, int]]:
 def _arguments(
     tokens: list[tuple[str, str, int]], index: int, file: Path, line: int
 ) -> tuple[tuple[Argument, ...], int]:
-    arguments, depth = [], 1
+    arguments: list[Argument] = []
+    depth = 1
     while index < len(tokens):
         kind, text, _ = tokens[index]
         index += 1

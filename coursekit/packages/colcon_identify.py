@@ -1,4 +1,4 @@
-"""Gives CMake packages to our build step where there is no real ROS, and shows what is wrong in package.xml."""
+"""Gives CMake packages to our build step where there is no real ROS, and shows bad package.xml files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""colcon's build step for CMake packages, without CMake: files and interfaces are installed, C++ is not built."""
+"""colcon's build step for CMake packages, without CMake: files and interfaces are installed."""
 
 from __future__ import annotations
 

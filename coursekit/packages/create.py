@@ -99,7 +99,8 @@ def _refusal(recipe: Recipe, destination: str) -> str | None:
         why = "Aborted since 'ament_python' packages can't be named 'test'."
         return f"{why} Please choose a different package name."
     if not _NAME.fullmatch(recipe.name):
-        return f"Aborted! '{recipe.name}' is no package name: use small letters, digits and underscores, as in my_package"
+        cure = "use small letters, digits and underscores, as in my_package"
+        return f"Aborted! '{recipe.name}' is no package name: {cure}"
     path = os.path.join(destination, recipe.name)
     if os.path.exists(path):
         cure = "Either remove the directory or choose a different destination directory or package name"
@@ -190,7 +191,8 @@ class _Maker:
             (Path(self.folder) / "LICENSE").write_text(text, encoding="utf-8")
             return
         print(
-            f"\n[WARNING]: Unknown license '{self.recipe.license}'.  This has been set in the package.xml, but "
+            f"\n[WARNING]: Unknown license '{self.recipe.license}'.  "
+            "This has been set in the package.xml, but "
             "no LICENSE file has been created.\nIt is recommended to use one of the ament license "
             "identitifers:\n" + "\n".join(licenses.NAMES)
         )

@@ -45,6 +45,7 @@ class Recipe:
 
 def manifest(recipe: Recipe) -> str:
     """Return the text of package.xml."""
+    email = quoteattr(recipe.maintainer_email)
     schema = _SCHEMA.format(recipe.package_format)
     lines = [
         '<?xml version="1.0"?>',
@@ -53,7 +54,7 @@ def manifest(recipe: Recipe) -> str:
         f"  <name>{recipe.name}</name>",
         "  <version>0.0.0</version>",
         f"  <description>{escape(recipe.description)}</description>",
-        f"  <maintainer email={quoteattr(recipe.maintainer_email)}>{escape(recipe.maintainer_name)}</maintainer>",
+        f"  <maintainer email={email}>{escape(recipe.maintainer_name)}</maintainer>",
         f"  <license>{escape(recipe.license)}</license>",
         "",
     ]

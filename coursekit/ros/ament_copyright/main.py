@@ -11,7 +11,7 @@ _HEAD_LINES = 20
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Return 0 when every source file below the given folders has a notice, else 1 after naming the others."""
+    """Return 0 when every source file below the folders has a notice, else 1 after naming the others."""
     folders = [Path(a) for a in (sys.argv[1:] if argv is None else argv) if not a.startswith("-")] or [
         Path(".")
     ]

@@ -42,9 +42,10 @@ def message_to_yaml(
     z: 0.0
     """
     values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
-    return yaml.dump(
+    text: str = yaml.dump(
         values, Dumper=_Dumper, allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style
     )
+    return text
 
 
 def message_to_ordereddict(

@@ -13,7 +13,8 @@ _SUFFIXES = {"msg": (".msg", ".idl"), "srv": (".srv", ".idl"), "action": (".acti
 
 def get_interface_packages() -> dict[str, str]:
     """Return the packages that have interfaces, with the prefix each is in."""
-    return get_resources("rosidl_interfaces")
+    packages: dict[str, str] = get_resources("rosidl_interfaces")
+    return packages
 
 
 def _of(package_names: Iterable[str], kinds: Iterable[str]) -> dict[str, list[str]]:

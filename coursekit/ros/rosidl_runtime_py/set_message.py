@@ -20,7 +20,8 @@ def set_message_fields(
 ) -> list[Setter]:
     """Set the fields that a dictionary names; return functions that set times to "now".
 
-    With `expand_header_auto`, 'auto' for a header asks for its stamp; with `expand_time_now`, 'now' asks for a time.
+    With `expand_header_auto`, 'auto' for a header asks for its stamp;
+    with `expand_time_now`, 'now' asks for a time.
     Raises AttributeError for an unknown field and TypeError or ValueError for a value that does not fit.
 
     >>> from geometry_msgs.msg import Vector3

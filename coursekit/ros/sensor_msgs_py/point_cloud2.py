@@ -12,7 +12,7 @@ from numpy.lib.recfunctions import structured_to_unstructured, unstructured_to_s
 from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import Header
 
-_DATATYPES = {
+_DATATYPES: dict[int, np.dtype[Any]] = {
     PointField.INT8: np.dtype(np.int8),
     PointField.UINT8: np.dtype(np.uint8),
     PointField.INT16: np.dtype(np.int16),
@@ -26,7 +26,7 @@ DUMMY_FIELD_PREFIX = "unnamed_field"
 
 
 def dtype_from_fields(fields: Iterable[PointField], point_step: int | None = None) -> np.dtype[Any]:
-    """Return the structured dtype of points; a field of count n > 1 becomes n fields name_0 ... name_(n-1)."""
+    """Return the dtype of one point; a field of count n > 1 becomes name_0 ... name_(n-1)."""
     names, formats, offsets = [], [], []
     for index, field in enumerate(fields):
         kind, name = _DATATYPES[field.datatype], field.name or f"{DUMMY_FIELD_PREFIX}_{index}"
@@ -39,7 +39,8 @@ def dtype_from_fields(fields: Iterable[PointField], point_step: int | None = Non
     layout: dict[str, Any] = {"names": names, "formats": formats, "offsets": offsets}
     if point_step is not None:
         layout["itemsize"] = point_step
-    return np.dtype(layout)
+    dtype: np.dtype[Any] = np.dtype(layout)  # type: ignore[call-overload]
+    return dtype
 
 
 def read_points(
@@ -116,7 +117,8 @@ def create_cloud(
 ) -> PointCloud2:
     """Return a cloud of points: a structured array, or rows of values in the order of the fields.
 
-    A two-dimensional array of records gives an organized cloud. Raises AssertionError when the types do not match.
+    A two-dimensional array of records gives an organized cloud.
+    Raises AssertionError when the types do not match.
     """
     dtype = dtype_from_fields(fields, point_step if point_step is not None else step)
     if not (isinstance(points, np.ndarray) and points.dtype.names):

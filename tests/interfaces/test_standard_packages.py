@@ -1,0 +1,77 @@
+"""The standard packages say what Humble's say."""
+
+import subprocess
+import sys
+
+import pytest
+from catkin_pkg.package import parse_package
+from rosbags.typesys import Stores, get_typestore
+
+from coursekit.interfaces import interface_of, load
+from coursekit.interfaces.find import UNDERLAY, known_interfaces, known_packages
+
+STORE = get_typestore(Stores.ROS2_HUMBLE)
+FOREIGN = ("rmw_dds_common", "statistics_msgs", "rosbag2_interfaces")
+SHARED = sorted(name for name in STORE.fielddefs if name.split("/")[0] not in FOREIGN)
+PACKAGES = [name for name in known_packages() if (UNDERLAY / "share" / name / "package.xml").is_file()]
+
+
+def ours(kind):
+    base = "uint8" if kind.base == "char" else kind.base
+    return f"{base}[{'<=' if kind.is_upper_bound else ''}{kind.size or ''}]" if kind.is_array else base
+
+
+def theirs(description):
+    node, argument = description
+    if node.name == "NAME":
+        return argument
+    if node.name == "BASE":
+        return "uint8" if argument[0] == "char" else argument[0]
+    bound = f"<={argument[1]}" if node.name == "SEQUENCE" and argument[1] else argument[1] or ""
+    return f"{theirs(argument[0])}[{bound}]"
+
+
+@pytest.mark.parametrize("name", SHARED)
+def test_fields_and_constants_are_humbles(name):
+    constants, fields = STORE.fielddefs[name]
+    message = interface_of(name)
+    dummy = "structure_needs_at_least_one_member"
+    assert [(f.name, ours(f.type)) for f in message.fields] == [
+        (n, theirs(t)) for n, t in fields if n != dummy
+    ]
+    assert [(c.name, c.value) for c in message.constants] == [(n, v) for n, _, v in constants]
+
+
+def test_every_interface_makes_classes():
+    for name in known_interfaces():
+        assert load(name)._TYPE_NAME == name
+
+
+@pytest.mark.parametrize("name", PACKAGES)
+def test_every_package_has_a_valid_manifest_and_index(name):
+    package = parse_package(str(UNDERLAY / "share" / name))
+    index = UNDERLAY / "share" / "ament_index" / "resource_index"
+    files = sorted(
+        p.parent.name + "/" + p.name
+        for k in ("msg", "srv", "action")
+        for p in (UNDERLAY / "share" / name / k).glob("*")
+    )
+    assert package.name == name
+    assert (index / "packages" / name).is_file()
+    assert (index / "rosidl_interfaces" / name).read_text().splitlines() == files
+
+
+def test_every_package_can_be_imported_by_its_name():
+    code = "import importlib, sys\nfor n in sys.argv[1:]: importlib.import_module(n)"
+    names = [
+        f"{p}.{k}"
+        for p in PACKAGES
+        for k in ("msg", "srv", "action")
+        if (UNDERLAY / "share" / p / k).is_dir()
+    ]
+    subprocess.run([sys.executable, "-c", code, *names], check=True)
+
+
+def test_defaults_that_matter_are_there():
+    assert load("geometry_msgs/Pose")().orientation.w == 1.0
+    assert load("rcl_interfaces/ParameterDescriptor").READ_ONLY__DEFAULT is False

@@ -18,7 +18,7 @@ from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.find import known_interfaces
 
 sys.path.insert(0, str(Path(__file__).parent))
-from filling import fill  # noqa: E402
+from filling import fill
 
 STORE = get_typestore(Stores.ROS2_HUMBLE)
 SHARED = sorted(name for name in known_interfaces() if name in STORE.fielddefs)

@@ -103,7 +103,8 @@ def test_a_package_on_the_python_path_is_found_without_sourcing(tmp_path, monkey
         (tmp_path / folder).mkdir(parents=True)
     (tmp_path / "share/lonely_pkg/package.xml").write_text("<package/>")
     (tmp_path / "share/lonely_pkg/msg/One.msg").write_text("int8 a 1\n")
-    face = "from coursekit.interfaces.face import expose\n__getattr__, __dir__, __all__ = expose(__name__, __file__)\n"
+    face = "from coursekit.interfaces.face import expose\n"
+    face += "__getattr__, __dir__, __all__ = expose(__name__, __file__)\n"
     (site / "lonely_pkg" / "__init__.py").write_text("")
     (site / "lonely_pkg" / "msg" / "__init__.py").write_text(face)
     monkeypatch.syspath_prepend(str(site))

@@ -44,7 +44,7 @@ def test_fields_and_constants_are_humbles(name):
 
 def test_every_interface_makes_classes():
     for name in known_interfaces():
-        assert load(name)._TYPE_NAME == name
+        assert name == load(name)._TYPE_NAME
 
 
 @pytest.mark.parametrize("name", PACKAGES)

@@ -1,0 +1,147 @@
+"""CMakeLists.txt is read as far as files go."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from coursekit.packages.cmake_condition import holds
+from coursekit.packages.cmake_run import read_project
+from coursekit.packages.cmake_text import CMakeError, parse_commands
+from coursekit.packages.install_rules import copies
+
+
+@pytest.fixture
+def project(tmp_path):
+    """Write files; return what the package installs as {target: source relative to the package}."""
+
+    def read(cmake, *files):
+        (tmp_path / "CMakeLists.txt").write_text("project(pkg)\n" + cmake)
+        for name in files:
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text("")
+        reading = read_project(tmp_path)
+        return {c.target: str(c.source.relative_to(tmp_path)) for c in copies(reading, "pkg", "site")}
+
+    return read
+
+
+def test_commands_comments_quotes_and_brackets():
+    commands = parse_commands('A(b "c d;e" # x\n  [[f)]]) #[[ g( ]]\nh()')
+    assert [(c.name, [a.text for a in c.arguments], c.line) for c in commands] == [
+        ("a", ["b", "c d;e", "f)"], 1),
+        ("h", [], 3),
+    ]
+
+
+@pytest.mark.parametrize(("text", "line"), [("a(\nb", 1), ("\n)", 2), ("a b", 1), ('a("b)', 1)])
+def test_bad_text_names_its_line(text, line):
+    with pytest.raises(CMakeError) as caught:
+        parse_commands(text)
+    assert caught.value.line == line
+
+
+@given(st.text(alphabet='ab()"#[]=${};\\\n ', max_size=60))
+def test_any_text_is_read_or_refused(text):
+    try:
+        assert isinstance(parse_commands(text), list)
+    except CMakeError as error:
+        assert error.line >= 1
+
+
+@pytest.mark.parametrize(
+    ("words", "result"),
+    [
+        ("X", True), ("NOT X", False), ("UNSET", False), ("OFF OR ON", True), ("X AND NOT OFF", True),
+        ("X STREQUAL yes", True), ("ANY MATCHES A.Y", True), ("DEFINED X", True), ("DEFINED Y", False),
+        ("( X OR OFF ) AND OFF", False), ("3.10 VERSION_LESS 3.9", False), ("TARGET foo", False),
+    ],
+)  # fmt: skip
+def test_conditions(words, result):
+    assert holds(words.split(), {"X": "yes"}) is result
+
+
+def test_variables_lists_loops_and_conditions(project):
+    cmake = """
+    set(base share/${PROJECT_NAME})
+    set(files a.txt)
+    list(APPEND files b.txt "c d.txt")
+    foreach(file IN LISTS files)
+      install(FILES ${file} DESTINATION ${base})
+    endforeach()
+    if(BUILD_TESTING)
+      install(FILES no.txt DESTINATION x)
+    elseif(NOT CMAKE_CXX_STANDARD)
+      install(FILES e.txt DESTINATION ${base} RENAME f.txt)
+    else()
+      install(FILES no.txt DESTINATION x)
+    endif()
+    """
+    found = project(cmake, "a.txt", "b.txt", "c d.txt", "e.txt")
+    assert list(found) == ["share/pkg/a.txt", "share/pkg/b.txt", "share/pkg/c d.txt", "share/pkg/f.txt"]
+
+
+def test_directories_with_and_without_a_slash(project):
+    cmake = "install(DIRECTORY launch config/ DESTINATION share/pkg)"
+    assert project(cmake, "launch/a.py", "config/sub/b.yaml") == {
+        "share/pkg/launch/a.py": "launch/a.py",
+        "share/pkg/sub/b.yaml": "config/sub/b.yaml",
+    }
+
+
+def test_patterns(project):
+    cmake = """
+    install(DIRECTORY d DESTINATION x PATTERN "*.bak" EXCLUDE)
+    install(DIRECTORY d DESTINATION y FILES_MATCHING PATTERN "*.bak")
+    """
+    assert sorted(project(cmake, "d/a.txt", "d/a.bak")) == ["x/d/a.txt", "y/d/a.bak"]
+
+
+def test_globs_subdirectories_and_functions(project, tmp_path):
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "CMakeLists.txt").write_text(
+        "install(PROGRAMS run.py DESTINATION lib/${PROJECT_NAME})"
+    )
+    cmake = """
+    function(unused)
+      install(FILES nothing DESTINATION x)
+    endfunction()
+    file(GLOB launches "launch/*.py")
+    install(FILES ${launches} DESTINATION share/pkg/launch)
+    add_subdirectory(sub)
+    """
+    assert project(cmake, "launch/a.py", "sub/run.py") == {
+        "share/pkg/launch/a.py": "launch/a.py",
+        "lib/pkg/run.py": "sub/run.py",
+    }
+
+
+def test_python_packages_go_to_site_packages(project):
+    assert project("ament_python_install_package(${PROJECT_NAME})", "pkg/__init__.py", "pkg/a/b.py") == {
+        "site/pkg/__init__.py": "pkg/__init__.py",
+        "site/pkg/a/b.py": "pkg/a/b.py",
+    }
+
+
+def test_targets_are_remembered_not_built(tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(p)\nadd_executable(a a.cpp)\nadd_library(h INTERFACE)\n"
+    )
+    assert read_project(tmp_path).targets == ["a"]
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        "install(FILES nope.txt DESTINATION x)",
+        "install(DIRECTORY nope DESTINATION x)",
+        "install(FILES CMakeLists.txt)",
+        "ament_python_install_package(nope)",
+        "add_subdirectory(nope)",
+        "if(X)",
+        'message(FATAL_ERROR "stop")',
+    ],
+)
+def test_what_cmake_would_refuse_is_refused_with_its_line(project, cmake):
+    with pytest.raises(CMakeError) as caught:
+        project(cmake)
+    assert caught.value.line == 2

@@ -1,0 +1,163 @@
+"""Real colcon builds the ten packages of the fixture workspace, and says what is wrong in others."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+WORKSPACE = Path(__file__).parent.parent / "fixtures" / "ros2_ws"
+BIN = Path(sys.executable).parent
+ENV = {
+    k: v for k, v in os.environ.items() if k not in ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH")
+}
+ENV["PATH"] = f"{BIN}{os.pathsep}{ENV['PATH']}"
+ENV["CMAKE"] = "/nonexistent"
+
+
+def colcon(folder, *args):
+    """Run colcon in a folder."""
+    command = [str(BIN / "colcon"), "--log-base", "log", *args]
+    return subprocess.run(command, cwd=folder, env=ENV, capture_output=True, text=True, check=False)
+
+
+def sourced(folder, command):
+    """Run a shell command after `source install/setup.bash`."""
+    line = f"source install/setup.bash && {command}"
+    result = subprocess.run(
+        ["bash", "-c", line], cwd=folder, env=ENV, capture_output=True, text=True, check=True
+    )
+    return result.stdout
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """The fixture workspace, built with --symlink-install; its output in `.output`."""
+    folder = tmp_path_factory.mktemp("ws")
+    shutil.copytree(WORKSPACE / "src", folder / "src")
+    result = colcon(folder, "build", "--symlink-install", "--executor", "sequential")
+    assert result.returncode == 0, result.stdout + result.stderr
+    (folder / "output.txt").write_text(result.stdout)
+    return folder
+
+
+def test_all_ten_packages_are_built_in_order(built):
+    output = (built / "output.txt").read_text()
+    assert "Summary: 10 packages finished" in output
+    order = [line.split()[2] for line in output.splitlines() if line.startswith("Finished <<<")]
+    assert order.index("s4_custom_interface") < order.index("s4_py_apps")
+
+
+def test_cpp_is_skipped_in_one_line(built):
+    lines = [
+        x for x in (built / "output.txt").read_text().splitlines() if "C++" in x and "s2_cpp_pubsub" in x
+    ]
+    assert lines == [
+        "Skipped C++ of s2_cpp_pubsub: publisher_exe, subscriber_exe "
+        "(there is no compiler here; the rest is installed)"
+    ]
+    assert (built / "install/s2_cpp_pubsub/share/s2_cpp_pubsub/launch/pair.launch.py").is_file()
+
+
+def test_interfaces_can_be_imported_after_sourcing(built):
+    code = (
+        "import s4_custom_interface.msg as m, s4_custom_interface.srv as s, s4_custom_interface.action as a; "
+        "print(m.Sphere(radius=2.0), s.AddThreeInts.Request(a=1), a.CountTo.Goal())"
+    )
+    assert sourced(built, f'"{sys.executable}" -c "{code}"').split(" s4")[0] == (
+        "s4_custom_interface.msg.Sphere(center=geometry_msgs.msg.Point(x=0.0, y=0.0, z=0.0), radius=2.0)"
+    )
+
+
+def test_the_index_is_sourced_although_it_was_empty(built):
+    code = "from ament_index_python import *; print(get_package_prefix('s5_bringup')); "
+    code += "print(get_resource('rosidl_interfaces', 's4_custom_interface')[0])"
+    prefix, *files = sourced(built, f'"{sys.executable}" -c "{code}"').split()
+    assert prefix == str(built / "install" / "s5_bringup")
+    assert files == [
+        "msg/HardwareStatus.msg",
+        "msg/Sphere.msg",
+        "srv/AddThreeInts.srv",
+        "action/CountTo.action",
+    ]
+
+
+def test_files_scripts_and_python_modules_are_installed(built):
+    share = built / "install/s5_bringup/share/s5_bringup"
+    assert sorted(p.name for p in (share / "config").iterdir()) == ["first.yaml"]
+    assert sorted(p.name for p in (share / "launch").iterdir()) == [
+        "all.launch.py",
+        "pair.launch.xml",
+        "pair.launch.yaml",
+    ]
+    assert sourced(built, "install/s4_cpp_apps/lib/s4_cpp_apps/report") == "installed without a compiler\n"
+
+
+def test_symlinks_follow_the_source(built):
+    path = built / "install/s4_custom_interface/share/s4_custom_interface/msg/Sphere.msg"
+    assert path.samefile(built / "src/s4_custom_interface/msg/Sphere.msg")
+
+
+def test_colcon_test_runs_the_tests_of_a_package(built):
+    result = colcon(built, "test", "--packages-select", "s2_py_pubsub", "s5_bringup")
+    assert "Skipped tests of s5_bringup: they need CMake" in result.stdout
+    assert "1 test, 0 errors, 0 failures" in colcon(built, "test-result", "--all").stdout
+
+
+@pytest.fixture
+def interface_package(tmp_path):
+    """A copy of s4_custom_interface in a workspace of its own."""
+    shutil.copytree(WORKSPACE / "src" / "s4_custom_interface", tmp_path / "src" / "s4_custom_interface")
+    return tmp_path / "src" / "s4_custom_interface"
+
+
+def build_errors(package):
+    """Build the workspace of a package; return its exit code and stderr."""
+    result = colcon(package.parent.parent, "build")
+    return result.returncode, result.stderr
+
+
+def test_a_bad_interface_fails_its_package_with_file_line_and_caret(interface_package):
+    (interface_package / "msg" / "Sphere.msg").write_text("geometry_msgs/Point center\nflot64 radius\n")
+    code, errors = build_errors(interface_package)
+    path = interface_package / "msg" / "Sphere.msg"
+    assert code == 1
+    assert f"{path}:2:1: unknown type 'flot64'; did you mean 'float64'?\n  flot64 radius\n  ^\n" in errors
+
+
+def test_a_missing_dependency_is_named(interface_package):
+    (interface_package / "msg" / "Sphere.msg").write_text("nav_msgs/Path p\nnope_msgs/X x\nNope y\n")
+    code, errors = build_errors(interface_package)
+    assert code == 1
+    assert "'nav_msgs/Path' needs DEPENDENCIES nav_msgs in rosidl_generate_interfaces()" in errors
+    assert "no package nope_msgs with such a message" in errors
+    assert "unknown type 'Nope'" in errors
+
+
+def test_a_missing_group_or_generator_is_named(interface_package):
+    manifest = interface_package / "package.xml"
+    manifest.write_text(
+        manifest.read_text().replace("<member_of_group>rosidl_interface_packages</member_of_group>", "")
+    )
+    cmake = interface_package / "CMakeLists.txt"
+    cmake.write_text(cmake.read_text().replace("find_package(rosidl_default_generators REQUIRED)", ""))
+    code, errors = build_errors(interface_package)
+    assert code == 1 and "<member_of_group>" in errors and "find_package(rosidl_default_generators" in errors
+
+
+def test_a_bad_maintainer_email_is_shown(interface_package):
+    manifest = interface_package / "package.xml"
+    manifest.write_text(manifest.read_text().replace("student@example.com", "student at example"))
+    code, errors = build_errors(interface_package)
+    assert code == 1 and 'Invalid email "student at example"' in errors
+
+
+def test_an_interface_taken_away_is_uninstalled(interface_package):
+    assert build_errors(interface_package)[0] == 0
+    cmake = interface_package / "CMakeLists.txt"
+    cmake.write_text(cmake.read_text().replace('"msg/HardwareStatus.msg"', ""))
+    assert build_errors(interface_package)[0] == 0
+    share = interface_package.parent.parent / "install/s4_custom_interface/share/s4_custom_interface"
+    assert [p.name for p in (share / "msg").iterdir()] == ["Sphere.msg"]

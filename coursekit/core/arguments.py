@@ -19,7 +19,7 @@ _PATH = rf"/?{_WORD}(?:/{_WORD})*"
 _SCOPE = re.compile(rf"(?:({_WORD}):(?!=))?(.*)", re.DOTALL)
 _MATCH = re.compile(rf"(?:(rostopic|rosservice)://)?((?:~/)?{_PATH})")
 _REPLACEMENT = re.compile(rf"(?:~/)?{_PATH}")
-_PARAMETER = re.compile(r"/?(?!__)[A-Za-z_]\w*(?:/[A-Za-z_]\w*|\.[A-Za-z_]\w*)*/?", re.ASCII)
+_PARAMETER = re.compile(r"/?(?!__)[A-Za-z_]\w*(?:(?:\.?/|\.)[A-Za-z_]\w*)*/?", re.ASCII)
 _NODE_PATTERN = "/**"
 
 

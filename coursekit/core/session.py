@@ -48,6 +48,7 @@ class Session:
         self.processes: list[Process] = []
         self.embedded = False
         """Set where the interpreter is a Jupyter kernel: then only cells and processes run on the virtual clock."""
+        self.in_cell = False
         self.graphs: dict[int, Graph] = {}
         self.on_start: list[Callable[[Process], None]] = []
         self._pids = itertools.count(1000)
@@ -229,7 +230,7 @@ def virtual_session_here() -> Session | None:
     session = process.session if process is not None else _session
     if session is None or not is_lane_thread(session.clock):
         return None
-    return session if process is not None or not session.embedded else None
+    return session if process is not None or not session.embedded or session.in_cell else None
 
 
 __all__ = ["Clock", "Session", "current", "virtual_session_here"]

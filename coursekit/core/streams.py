@@ -49,7 +49,10 @@ class StreamProxy:
         return getattr(self._target(), name)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        setattr(self._real, name, value)
+        if hasattr(type(self), name):
+            self.__dict__[name] = value  # who replaces our `write` (IPython does) goes on to call the old one
+        else:
+            setattr(self._real, name, value)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._target())

@@ -34,6 +34,24 @@ def _virtual_session() -> Any:
     return virtual_session_here()
 
 
+_OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywidgets", "tornado", "traitlets", "zmq")
+_OF_PYTHON = ("concurrent", "coursekit", "queue", "threading")
+
+
+def _waiting_session() -> Any:
+    """The virtual session on whose clock the caller waits; None for a kernel's own libraries, which wait for real."""
+    session = _virtual_session()
+    if session is None or not session.embedded or current_process() is not None:
+        return session
+    frame = sys._getframe(1)
+    while frame is not None:
+        top = frame.f_globals.get("__name__", "").partition(".")[0]
+        if top not in _OF_PYTHON:
+            return None if top in _OF_THE_KERNEL else session
+        frame = frame.f_back  # type: ignore[assignment]
+    return session
+
+
 def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], None]:
     """What the thread runs: its own `run`, in a copy of the present context."""
     run = thread.run
@@ -122,7 +140,7 @@ class _Released:
 
 def condition_wait(self: threading.Condition, timeout: float | None = None) -> bool:
     """`Condition.wait`, on the session's clock where the caller is a lane or a process."""
-    process, session = current_process(), _virtual_session()
+    process, session = current_process(), _waiting_session()
     session = session or (process.session if process is not None else None)
     if session is None:
         return _condition_wait(self, timeout)
@@ -150,7 +168,9 @@ class LaneLock:
         self._waiters: list[Any] = []
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        session = _virtual_session()
+        if self._lock.acquire(False):
+            return True
+        session = _waiting_session()
         if session is None:
             return self._lock.acquire(blocking, timeout)
         deadline = None if timeout < 0 else session.clock.steady() + round(timeout * 1e9)

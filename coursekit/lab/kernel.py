@@ -1,0 +1,164 @@
+"""The session inside a Jupyter kernel: its start, its door for terminals, and what belongs to which cell."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from coursekit.core import streams
+from coursekit.core.executables import UNDERLAY
+from coursekit.core.session import Session, current
+
+_state: dict[str, Any] = {}
+
+
+def running_shell() -> Any:
+    """The IPython shell, None outside of one."""
+    ipython = sys.modules.get("IPython")
+    return ipython.get_ipython() if ipython is not None else None
+
+
+def source_underlay(environ: Any = os.environ) -> None:
+    """What `source /opt/ros/humble/setup.bash` does to the environment, for the course's own underlay."""
+    environ.setdefault("ROS_DISTRO", "humble")
+    environ.setdefault("ROS_VERSION", "2")
+    environ.setdefault("ROS_PYTHON_VERSION", "3")
+    prefixes = [one for one in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    if str(UNDERLAY) not in prefixes:
+        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*prefixes, str(UNDERLAY)])
+    folder = str(Path(sys.executable).parent)
+    if folder not in environ.get("PATH", "").split(os.pathsep):
+        environ["PATH"] = os.pathsep.join([folder, environ.get("PATH", "")])
+
+
+def start() -> Session:
+    """Make this kernel's session: once; further calls give the same one."""
+    session = current()
+    if _state.get("session") is session:
+        return session
+    _state["session"] = session
+    source_underlay()
+    streams.install()
+    shell = running_shell()
+    if shell is not None and getattr(shell, "kernel", None) is not None:
+        session.embedded = True
+        cells = Cells(session, shell)
+        _state["cells"] = cells
+        _register_magics(shell)
+    if not session.clock.virtual:
+        _open_door(session)
+    atexit.register(_stop)
+    return session
+
+
+def _register_magics(shell: Any) -> None:
+    from .magics import CourseMagics
+
+    shell.register_magics(CourseMagics)
+
+
+def _open_door(session: Session) -> None:
+    from coursekit.cli.attach import domain_id
+    from coursekit.cli.hub import open_door
+
+    _state["door"] = open_door(session, domain_id())
+    if _state["door"] is None:
+        print(
+            f"Another session already answers terminals for ROS_DOMAIN_ID={domain_id()} (another notebook?). "
+            "Its graph is what `ros2` in a terminal shows; close that notebook's kernel to have this one's."
+        )
+
+
+def _stop() -> None:
+    door = _state.pop("door", None)
+    if door is not None:
+        door.close()
+    session = _state.pop("session", None)
+    if session is not None:
+        session.close(grace_sec=0.5)
+
+
+def reset() -> None:
+    """End every process and node of the session, as if the kernel had been restarted; variables stay."""
+    session = start()
+    ended = len(session.processes)
+    for process in list(session.processes):
+        process.interrupt()
+    for process in list(session.processes):
+        if process.wait(1.0) is None:
+            process.kill()
+            process.wait(2.0)
+    nodes = sum(len(graph.nodes) for graph in session.graphs.values())
+    for graph in session.graphs.values():
+        graph.clear()
+    _forget_interpreter_contexts()
+    print(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty.")
+
+
+def _forget_interpreter_contexts() -> None:
+    from rclpy.context import shutdown_all
+    from rclpy.utilities import _locals
+
+    shutdown_all()
+    _locals().clear()
+
+
+class Cells:
+    """Knows which processes and nodes each cell made, so that running it again replaces them."""
+
+    def __init__(self, session: Session, shell: Any) -> None:
+        self.session = session
+        self.cell = ""
+        self.made: dict[str, list[Any]] = {}
+        session.in_cell = False
+        session.on_start.append(self._note_process)
+        shell.events.register("pre_run_cell", self._begin)
+        shell.events.register("post_run_cell", self._end)
+        self.session.in_cell = True  # the cell that imports the lab is running
+
+    def _note_process(self, process: Any) -> None:
+        if process.parent is None and self.session.in_cell and self.cell:
+            self.made.setdefault(self.cell, []).append(process)
+
+    def _note_nodes(self) -> None:
+        for graph in self.session.graphs.values():
+            for node in graph.nodes:
+                if node.process is None and not any(node in made for made in self.made.values()):
+                    self.made.setdefault(self.cell, []).append(node)
+
+    def _begin(self, info: Any) -> None:
+        self.cell = getattr(info, "cell_id", None) or ""
+        replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
+        if replaced:
+            print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
+        self.session.in_cell = True
+
+    def _end(self, _result: Any) -> None:
+        if self.cell:
+            self._note_nodes()
+        self.session.in_cell = False
+
+
+def _describe(one: Any) -> str:
+    return f"node {one.full_name}" if hasattr(one, "full_name") else f"process {' '.join(one.argv)}"
+
+
+def _end_one(one: Any) -> bool:
+    """End a process or node of an earlier run; whether it was still there."""
+    if hasattr(one, "full_name"):
+        there = one in one.graph.nodes
+        one.close()
+        return there
+    if one.exit_code is not None:
+        return False
+    one.interrupt()
+    if one.wait(1.0) is None:
+        one.kill()
+        one.wait(2.0)
+    return True
+
+
+__all__ = ["reset", "source_underlay", "start"]

@@ -1,0 +1,132 @@
+"""A terminal in the notebook: one process, its output, its state, a Ctrl-C button and a line to type."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+LINES = 500
+"""Lines that the browser keeps; the process remembers more."""
+UPDATE_SECONDS = 0.1
+"""Output is sent at most this often, so that a node that logs at 100 Hz does not flood the notebook."""
+
+_STATIC = Path(__file__).parent / "static"
+
+
+class Terminal(anywidget.AnyWidget):
+    """The panel of one process.
+
+    All that the process prints goes here, never into a cell. `text` is what it printed; printing the terminal shows
+    its last lines, so that a notebook reads without a browser.
+    """
+
+    _esm = _STATIC / "terminal.js"
+    _css = _STATIC / "terminal.css"
+    title = traitlets.Unicode("").tag(sync=True)
+
+    def __init__(self, process: Any, title: str = "") -> None:
+        super().__init__(title=title or process.name)
+        self.process = process
+        self._pending: list[str] = []
+        self._lock = threading.Lock()
+        self._alarm: Any = None
+        self.on_msg(self._hear)
+        process.on_output(self._collect)
+        process.on_exit(lambda _: self._flush())
+
+    # -- what a program sees
+
+    @property
+    def text(self) -> str:
+        """All that the process printed (its newest two million characters)."""
+        return str(self.process.output)
+
+    def tail(self, lines: int = 10) -> str:
+        """The last lines."""
+        return "\n".join(self.text.splitlines()[-lines:])
+
+    def interrupt(self) -> None:
+        """Press Ctrl-C."""
+        self.process.interrupt()
+
+    def type(self, line: str) -> None:
+        """Type a line and press Enter."""
+        self.process.write_stdin(line + "\n")
+
+    def wait(self, timeout_sec: float | None = None) -> int | None:
+        """Wait until the process ends; its exit code, None if it still runs."""
+        return self.process.wait(timeout_sec)
+
+    @property
+    def state(self) -> str:
+        """'running', or how it ended."""
+        if self.process.exit_code is None:
+            return "running"
+        return "finished" if self.process.exit_code == 0 else f"exit code {self.process.exit_code}"
+
+    def __repr__(self) -> str:
+        return f"[{self.title}: {self.state}]"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**kwargs)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = repr(self)
+        return bundle
+
+    # -- to the browser
+
+    def _collect(self, _stream: str, text: str) -> None:
+        with self._lock:
+            self._pending.append(text)
+            if self._alarm is not None:
+                return
+            clock = self.process.session.clock
+            self._alarm = clock.call_at(clock.steady() + round(UPDATE_SECONDS * 1e9), self._flush)
+
+    def _flush(self) -> None:
+        with self._lock:
+            text, self._pending, self._alarm = "".join(self._pending), [], None
+        lines = text.splitlines(keepends=True)
+        skipped = max(0, len(lines) - LINES)
+        self._tell("".join(lines[skipped:]), skipped=skipped)
+
+    def _tell(self, text: str, skipped: int = 0, whole: bool = False) -> None:
+        self.send({"text": text, "skipped": skipped, "whole": whole, "state": self.state})
+
+    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+        kind = message.get("type")
+        if kind == "ready":
+            self._tell("".join(self.text.splitlines(keepends=True)[-LINES:]), whole=True)
+        elif kind == "interrupt":
+            self.process.interrupt()
+        elif kind == "line":
+            self.process.write_stdin(str(message.get("text", "")) + "\n")
+
+
+class Terminals:
+    """Terminals side by side, as Terminator shows them."""
+
+    def __init__(self, terminals: list[Terminal], columns: int = 2) -> None:
+        self.terminals = terminals
+        self.columns = columns
+
+    def __repr__(self) -> str:
+        return " ".join(repr(terminal) for terminal in self.terminals)
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        import ipywidgets
+
+        grid = ipywidgets.GridBox(
+            self.terminals,
+            layout=ipywidgets.Layout(grid_template_columns=f"repeat({self.columns}, minmax(0, 1fr))", grid_gap="8px"),
+        )
+        bundle = grid._repr_mimebundle_(**kwargs)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = repr(self)
+        return bundle

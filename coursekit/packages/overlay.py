@@ -1,0 +1,63 @@
+"""What sourcing `install/setup.bash` of a workspace does to an environment, read from colcon's .dsv files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+
+def overlay_environment(install: Path, env: Mapping[str, str]) -> dict[str, str]:
+    """`env` as it is after `source INSTALL/setup.bash`.
+
+    Packages come in the order of their dependencies, so that one that is built on another is found first.
+    """
+    result = dict(env)
+    for package, prefix in _packages_in_order(install):
+        for action in _actions(prefix, f"share/{package}/package.dsv"):
+            _apply(action, prefix, result)
+    return result
+
+
+def _packages_in_order(install: Path) -> list[tuple[str, Path]]:
+    found: dict[str, tuple[Path, list[str]]] = {}
+    for prefix in [install, *sorted(entry for entry in install.iterdir() if entry.is_dir())]:
+        folder = prefix / "share" / "colcon-core" / "packages"
+        for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
+            found[entry.name] = (prefix, [one for one in entry.read_text().split(os.pathsep) if one])
+    ordered: dict[str, Path] = {}
+
+    def visit(name: str, path: tuple[str, ...] = ()) -> None:
+        if name in found and name not in ordered and name not in path:
+            for needed in found[name][1]:
+                visit(needed, (*path, name))
+            ordered[name] = found[name][0]
+
+    for name in found:
+        visit(name)
+    return list(ordered.items())
+
+
+def _actions(prefix: Path, file: str) -> Iterator[list[str]]:
+    path = prefix / file
+    if not path.is_file():
+        return
+    for line in path.read_text().splitlines():
+        kind, _, rest = line.strip().partition(";")
+        if kind != "source":
+            yield [kind, *rest.split(";")]
+        elif rest.endswith(".dsv"):
+            yield from _actions(prefix, rest)
+
+
+def _apply(action: list[str], prefix: Path, env: dict[str, str]) -> None:
+    kind, name, *values = action
+    value = values[0] if values else ""
+    path = str(prefix / value) if value else str(prefix)
+    if kind == "prepend-non-duplicate" or (kind == "prepend-non-duplicate-if-exists" and Path(path).exists()):
+        others = [one for one in env.get(name, "").split(os.pathsep) if one and one != path]
+        env[name] = os.pathsep.join([path, *others])
+    elif kind == "set":
+        env[name] = path if value and (prefix / value).exists() else value
+    elif kind == "set-if-unset":
+        env.setdefault(name, value)

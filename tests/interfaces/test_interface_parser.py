@@ -14,7 +14,8 @@ def fields(text):
 
 
 def test_every_kind_of_field_is_read():
-    text = "bool a\nstring<=5 b\nwstring c\nint8[] d\nint8[3] e\nint8[<=3] f\nOther g\nstd_msgs/Header[] h\nstring<=4[<=2] i"
+    text = "bool a\nstring<=5 b\nwstring c\nint8[] d\nint8[3] e\nint8[<=3] f\n"
+    text += "Other g\nstd_msgs/Header[] h\nstring<=4[<=2] i"
     assert [kind for _, kind, _ in fields(text)] == [
         "bool", "string<=5", "wstring", "int8[]", "int8[3]", "int8[<=3]", "pkg/Other", "std_msgs/Header[]",
         "string<=4[<=2]",
@@ -22,7 +23,8 @@ def test_every_kind_of_field_is_read():
 
 
 def test_defaults_are_read_as_python_values():
-    text = "float64 w 1\nint32 x 0x1F\nbool b true\nstring s 'it\\'s'\nint8[3] a [1, -2, 3]\nstring[] t [\"a, b\", 'c']"
+    text = "float64 w 1\nint32 x 0x1F\nbool b true\nstring s 'it\\'s'\n"
+    text += "int8[3] a [1, -2, 3]\nstring[] t [\"a, b\", 'c']"
     assert [default for _, _, default in fields(text)] == [1.0, 31, True, "it's", [1, -2, 3], ["a, b", "c"]]
 
 

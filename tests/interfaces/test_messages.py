@@ -68,7 +68,8 @@ from coursekit.interfaces import definition as d
             BoundedSequences(),
             "bool_values",
             [True] * 4,
-            "The 'bool_values' field must be a set or sequence with length <= 3 and each value of type 'bool'",
+            "The 'bool_values' field must be a set or sequence with length <= 3 "
+            "and each value of type 'bool'",
         ),
         (
             LaserScan(),

@@ -59,11 +59,11 @@ def launch(session: Session) -> Callable[..., Result]:
             service = LaunchService(**options)
             made.append(service)
             service.include_launch_description(LaunchDescription(list(entities)))
-            if meanwhile is not None:
-                session.spawn(meanwhile, service)
             return service.run()
 
         process = session.start(main, name='launch')
+        if meanwhile is not None:
+            session.spawn(lambda: meanwhile(made[0]))
         if interrupt_after is not None:
             session.clock.sleep(interrupt_after)
             process.interrupt()

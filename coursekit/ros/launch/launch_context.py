@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 from collections import deque
-from collections.abc import Iterable, Mapping, MutableMapping
+from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 
 from .event import Event
@@ -37,6 +37,7 @@ class LaunchContext:
         self.__environment_at_start = dict(os.environ)
         self._launched_processes: list[Any] = []
         self._process_count = 0
+        self._at_end: list[Callable[[], None]] = []
         self.__is_shutdown = False
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
 

@@ -131,6 +131,8 @@ class LaunchService:
         try:
             await self.__serve(shutdown_when_idle)
         finally:
+            while self.__context._at_end:
+                self.__context._at_end.pop()()
             self.__context._set_asyncio_loop(None)
             self.__context._set_is_shutdown(False)
             self.__loop = None

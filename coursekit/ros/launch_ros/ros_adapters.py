@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from coursekit.core import session
+from coursekit.core.lane import ProcessKilled
 from coursekit.core.process import current_process
-from launch.event_handlers import OnShutdown
 from launch.launch_context import LaunchContext
 
 KEY = 'ros_adapter'
@@ -45,8 +45,8 @@ class ROSAdapter:
 
         try:
             self.__ros_executor.spin()
-        except (ExternalShutdownException, ShutdownException, KeyboardInterrupt):
-            pass
+        except (ExternalShutdownException, ShutdownException, KeyboardInterrupt, ProcessKilled):
+            pass  # the launch is over
 
     def shutdown(self) -> None:
         """End the node and the spinning."""
@@ -71,8 +71,13 @@ def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
     if adapter is None:
         adapter = ROSAdapter(argv=context.argv)
         context.extend_globals({KEY: adapter})
-        context.register_event_handler(OnShutdown(on_shutdown=lambda event, where: adapter.shutdown()))
+        context._at_end.append(lambda: _end(context, adapter))
     return adapter
+
+
+def _end(context: LaunchContext, adapter: ROSAdapter) -> None:
+    adapter.shutdown()
+    context.extend_globals({KEY: None})
 
 
 def get_ros_node(context: LaunchContext) -> Any:

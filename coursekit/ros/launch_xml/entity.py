@@ -58,8 +58,9 @@ class Entity(frontend.Entity):
         if name not in self.__element.attrib:
             return self.__missing(name, data_type, optional)
         value = self.__attribute(name)
+        has_substitutions = any('$(' in text for text in ([value] if isinstance(value, str) else value))
         try:
-            return get_typed_value(value, data_type, can_be_str=can_be_str)
+            return get_typed_value(value, data_type, can_be_str=can_be_str and has_substitutions)
         except ValueError as error:
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "

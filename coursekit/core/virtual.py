@@ -151,7 +151,7 @@ class VirtualClock:
         context = contextvars.copy_context()
         lane = VirtualLane.__new__(VirtualLane)
 
-        def run() -> None:
+        def run(*_result_of_the_lane_that_ended: Any) -> None:
             try:
                 function()
             finally:

@@ -71,7 +71,7 @@ def test_a_scoped_parameter_is_for_the_node_in_the_root_namespace():
     assert parsed.overrides == (("/m", "a", 2), ("/n", "b", 3))
 
 
-@pytest.mark.parametrize("name", ["a", "a.b.c", "/a/b", "a__b", "_a", "a/"])
+@pytest.mark.parametrize("name", ["a", "a.b.c", "/a/b", "a__b", "_a", "a/", "a./b.c"])
 def test_these_are_parameter_names(name):
     assert parse_ros_arguments([ROS, "-p", f"{name}:=x:=y"]).parameters_for("/n") == {name: "x:=y"}
 

@@ -108,3 +108,11 @@ def test_a_thread_from_outside_waits_for_a_virtual_lane():
     answered.set()
     thread.join()
     assert seen == [True]
+
+
+def test_a_lane_that_ends_may_hand_over_to_one_that_has_not_begun():
+    clock, log = VirtualClock(), []
+    for name in "abc":
+        clock.spawn(lambda name=name: log.append(name), name)
+    clock.sleep(0.1)
+    assert log == ["a", "b", "c"]

@@ -171,7 +171,8 @@ class Rate:
         tick = current().clock.new_event()
         self._sleepers.append(tick)
         tick.wait()
-        self._check()
+        if self._is_shutdown:
+            raise ROSInterruptException()
 
     def _check(self) -> None:
         if self._is_shutdown:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+
 from rclpy import qos as _qos
 from rclpy.duration import Duration
 from rclpy.exceptions import ParameterAlreadyDeclaredException
@@ -20,6 +21,10 @@ _CHOICES = {
 _DURATIONS = (QoSPolicyKind.LIFESPAN, QoSPolicyKind.DEADLINE, QoSPolicyKind.LIVELINESS_LEASE_DURATION)
 
 
+QosCallbackResult = SetParametersResult
+QosCallbackType = Callable[[QoSProfile], QosCallbackResult]
+
+
 class InvalidQosOverridesError(Exception):
     """The validation callback refused the profile with its overrides."""
 
@@ -27,7 +32,7 @@ class InvalidQosOverridesError(Exception):
 class QoSOverridingOptions:
     """Which policies of an entity become read-only parameters of its node.
 
-    `callback` says whether the resulting profile is acceptable; `entity_id` tells two publishers (or
+    `callback` says by a SetParametersResult whether the resulting profile is acceptable; `entity_id` tells two publishers (or
     subscriptions) of the same topic apart.
     """
 
@@ -35,7 +40,7 @@ class QoSOverridingOptions:
         self,
         policy_kinds: Iterable[QoSPolicyKind],
         *,
-        callback: Callable[[QoSProfile], bool] | None = None,
+        callback: QosCallbackType | None = None,
         entity_id: str | None = None,
     ) -> None:
         self._policy_kinds = policy_kinds
@@ -48,7 +53,7 @@ class QoSOverridingOptions:
         return self._policy_kinds
 
     @property
-    def callback(self) -> Callable[[QoSProfile], bool] | None:
+    def callback(self) -> QosCallbackType | None:
         """Who says whether the profile is acceptable."""
         return self._callback
 
@@ -59,7 +64,7 @@ class QoSOverridingOptions:
 
     @classmethod
     def with_default_policies(
-        cls, *, callback: Callable[[QoSProfile], bool] | None = None, entity_id: str | None = None
+        cls, *, callback: QosCallbackType | None = None, entity_id: str | None = None
     ) -> QoSOverridingOptions:
         """Return options for history, depth and reliability."""
         kinds = (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY)
@@ -86,8 +91,10 @@ def _declare_qos_parameters(
         setattr(
             qos, word, _from_parameter(policy, _declared(node, name, _to_parameter(qos, policy), descriptor))
         )
-    if options.callback is not None and not options.callback(qos):
-        raise InvalidQosOverridesError(f"Provided QoS overrides {whose}, are not valid")
+    if options.callback is not None:
+        verdict = options.callback(qos)
+        if not verdict.successful:
+            raise InvalidQosOverridesError(f"Provided QoS overrides {whose}, are not valid: {verdict.reason}")
 
 
 def _entity_name(entity_type: type) -> str:

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from coursekit.core.session import Session
 from launch import LaunchContext, LaunchDescription, LaunchService
 from launch.logging import reset
+
+from coursekit.core.session import Session
 
 HEADER_LINES = 2
 
@@ -26,12 +27,12 @@ class Result:
 
     @property
     def text(self) -> str:
-        return '\n'.join(self.lines)
+        return "\n".join(self.lines)
 
 
 @pytest.fixture
 def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
-    monkeypatch.setenv('ROS_LOG_DIR', str(tmp_path / 'log'))
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     with Session(virtual=True).use() as made:
         reset()
         yield made
@@ -61,7 +62,7 @@ def launch(session: Session) -> Callable[..., Result]:
             service.include_launch_description(LaunchDescription(list(entities)))
             return service.run()
 
-        process = session.start(main, name='launch')
+        process = session.start(main, name="launch")
         if meanwhile is not None:
             session.spawn(lambda: meanwhile(made[0]))
         if interrupt_after is not None:
@@ -81,12 +82,12 @@ class Workspace:
 
     def package(self, name: str) -> Path:
         """Make a package; return its share folder."""
-        index = self.prefix / 'share/ament_index/resource_index/packages'
+        index = self.prefix / "share/ament_index/resource_index/packages"
         index.mkdir(parents=True, exist_ok=True)
         (index / name).touch()
-        share = self.prefix / 'share' / name
+        share = self.prefix / "share" / name
         share.mkdir(exist_ok=True)
-        (share / 'package.xml').write_text(f'<package><name>{name}</name></package>')
+        (share / "package.xml").write_text(f"<package><name>{name}</name></package>")
         return share
 
     def file(self, package: str, name: str, text: str) -> Path:
@@ -99,22 +100,22 @@ class Workspace:
     def executable(self, package: str, name: str, text: str) -> Path:
         """Make a Python executable of a package."""
         self.package(package)
-        path = self.prefix / 'lib' / package / name
+        path = self.prefix / "lib" / package / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text('#!/usr/bin/env python3\n' + text)
+        path.write_text("#!/usr/bin/env python3\n" + text)
         path.chmod(0o755)
         return path
 
 
 @pytest.fixture
 def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Workspace:
-    prefix = tmp_path / 'install'
-    others = os.environ.get('AMENT_PREFIX_PATH')
-    monkeypatch.setenv('AMENT_PREFIX_PATH', f'{prefix}:{others}' if others else str(prefix))
+    prefix = tmp_path / "install"
+    others = os.environ.get("AMENT_PREFIX_PATH")
+    monkeypatch.setenv("AMENT_PREFIX_PATH", f"{prefix}:{others}" if others else str(prefix))
     return Workspace(prefix)
 
 
-TALKER = '''
+TALKER = """
 import sys
 import rclpy
 from rclpy.node import Node
@@ -147,11 +148,11 @@ def main():
 
 
 main()
-'''
+"""
 
 
 @pytest.fixture
 def talker(workspace: Workspace) -> Workspace:
     """A workspace with package `demo` and its executable `talker`."""
-    workspace.executable('demo', 'talker', TALKER)
+    workspace.executable("demo", "talker", TALKER)
     return workspace

@@ -34,7 +34,7 @@ from launch.event_handlers import OnExecutionComplete, OnShutdown
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration, LocalSubstitution, PythonExpression
 from launch.utilities import visit_all_entities_and_collect_futures
 
-USER = '[INFO] [launch.user]: '
+USER = "[INFO] [launch.user]: "
 
 
 def visit(context: LaunchContext, *entities: object) -> LaunchContext:
@@ -44,101 +44,133 @@ def visit(context: LaunchContext, *entities: object) -> LaunchContext:
 
 
 def test_a_default_is_set_only_where_nothing_was_given(context: LaunchContext) -> None:
-    context.launch_configurations['given'] = 'mine'
-    visit(context, DeclareLaunchArgument('given', default_value='x'),
-          DeclareLaunchArgument('other', default_value=[LaunchConfiguration('given'), '!']))
-    assert context.launch_configurations == {'given': 'mine', 'other': 'mine!'}
+    context.launch_configurations["given"] = "mine"
+    visit(
+        context,
+        DeclareLaunchArgument("given", default_value="x"),
+        DeclareLaunchArgument("other", default_value=[LaunchConfiguration("given"), "!"]),
+    )
+    assert context.launch_configurations == {"given": "mine", "other": "mine!"}
 
 
 def test_a_missing_argument_is_a_runtime_error_that_names_it(context: LaunchContext) -> None:
     with pytest.raises(RuntimeError, match=r"Required launch argument 'speed' \(description: 'in m/s'\)"):
-        visit(context, DeclareLaunchArgument('speed', description='in m/s'))
+        visit(context, DeclareLaunchArgument("speed", description="in m/s"))
 
 
 def test_only_the_choices_may_be_given(context: LaunchContext) -> None:
-    argument = DeclareLaunchArgument('mode', choices=['slow', 'fast'], description='How fast')
+    argument = DeclareLaunchArgument("mode", choices=["slow", "fast"], description="How fast")
     assert argument.description == "How fast. Valid choices are: ['slow', 'fast']"
-    context.launch_configurations['mode'] = 'warp'
-    with pytest.raises(RuntimeError, match=r'Argument "mode" provided value "warp" is not valid. Valid options are'):
+    context.launch_configurations["mode"] = "warp"
+    with pytest.raises(
+        RuntimeError, match=r'Argument "mode" provided value "warp" is not valid. Valid options are'
+    ):
         visit(context, argument)
     with pytest.raises(ValueError, match='Provided default_value "warp" is not in provided choices'):
-        DeclareLaunchArgument('mode', default_value='warp', choices=['slow'])
-    with pytest.raises(ValueError, match='empty'):
-        DeclareLaunchArgument('mode', choices=[])
+        DeclareLaunchArgument("mode", default_value="warp", choices=["slow"])
+    with pytest.raises(ValueError, match="empty"):
+        DeclareLaunchArgument("mode", choices=[])
 
 
 def test_configurations_are_set_unset_pushed_popped_and_reset(context: LaunchContext) -> None:
-    visit(context, SetLaunchConfiguration('a', '1'), SetLaunchConfiguration(['b', 'c'], LaunchConfiguration('a')))
-    assert context.launch_configurations == {'a': '1', 'bc': '1'}
-    visit(context, PushLaunchConfigurations(), UnsetLaunchConfiguration('a'), UnsetLaunchConfiguration('never set'))
-    assert context.launch_configurations == {'bc': '1'}
-    visit(context, ResetLaunchConfigurations({'kept': LaunchConfiguration('bc')}))
-    assert context.launch_configurations == {'kept': '1'}
+    visit(
+        context,
+        SetLaunchConfiguration("a", "1"),
+        SetLaunchConfiguration(["b", "c"], LaunchConfiguration("a")),
+    )
+    assert context.launch_configurations == {"a": "1", "bc": "1"}
+    visit(
+        context,
+        PushLaunchConfigurations(),
+        UnsetLaunchConfiguration("a"),
+        UnsetLaunchConfiguration("never set"),
+    )
+    assert context.launch_configurations == {"bc": "1"}
+    visit(context, ResetLaunchConfigurations({"kept": LaunchConfiguration("bc")}))
+    assert context.launch_configurations == {"kept": "1"}
     visit(context, PopLaunchConfigurations())
-    assert context.launch_configurations == {'a': '1', 'bc': '1'}
-    with pytest.raises(RuntimeError, match='stack unexpectedly empty'):
+    assert context.launch_configurations == {"a": "1", "bc": "1"}
+    with pytest.raises(RuntimeError, match="stack unexpectedly empty"):
         visit(context, PopLaunchConfigurations())
 
 
 def test_the_environment_is_set_unset_pushed_popped_and_reset(
     context: LaunchContext, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.delenv('LAUNCH_TEST', raising=False)
-    visit(context, PushEnvironment(), SetEnvironmentVariable('LAUNCH_TEST', 'a'))
-    assert os.environ['LAUNCH_TEST'] == 'a'
-    visit(context, AppendEnvironmentVariable('LAUNCH_TEST', 'b'),
-          AppendEnvironmentVariable('LAUNCH_TEST', 'c', prepend=True, separator=';'))
-    assert os.environ['LAUNCH_TEST'] == f'c;a{os.pathsep}b'
-    visit(context, UnsetEnvironmentVariable('LAUNCH_TEST'), UnsetEnvironmentVariable('LAUNCH_TEST'))
-    assert 'LAUNCH_TEST' not in os.environ
-    visit(context, AppendEnvironmentVariable('LAUNCH_TEST', 'new'))
-    assert os.environ['LAUNCH_TEST'] == 'new'
+    monkeypatch.delenv("LAUNCH_TEST", raising=False)
+    visit(context, PushEnvironment(), SetEnvironmentVariable("LAUNCH_TEST", "a"))
+    assert os.environ["LAUNCH_TEST"] == "a"
+    visit(
+        context,
+        AppendEnvironmentVariable("LAUNCH_TEST", "b"),
+        AppendEnvironmentVariable("LAUNCH_TEST", "c", prepend=True, separator=";"),
+    )
+    assert os.environ["LAUNCH_TEST"] == f"c;a{os.pathsep}b"
+    visit(context, UnsetEnvironmentVariable("LAUNCH_TEST"), UnsetEnvironmentVariable("LAUNCH_TEST"))
+    assert "LAUNCH_TEST" not in os.environ
+    visit(context, AppendEnvironmentVariable("LAUNCH_TEST", "new"))
+    assert os.environ["LAUNCH_TEST"] == "new"
     visit(context, ResetEnvironment())
-    assert 'LAUNCH_TEST' not in os.environ
-    visit(context, SetEnvironmentVariable('LAUNCH_TEST', 'x'), PopEnvironment())
-    assert 'LAUNCH_TEST' not in os.environ
-    with pytest.raises(RuntimeError, match='stack unexpectedly empty'):
+    assert "LAUNCH_TEST" not in os.environ
+    visit(context, SetEnvironmentVariable("LAUNCH_TEST", "x"), PopEnvironment())
+    assert "LAUNCH_TEST" not in os.environ
+    with pytest.raises(RuntimeError, match="stack unexpectedly empty"):
         visit(context, PopEnvironment())
 
 
 def test_a_group_keeps_what_it_sets_inside(context: LaunchContext, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv('LAUNCH_TEST', raising=False)
+    monkeypatch.delenv("LAUNCH_TEST", raising=False)
     seen: list[dict[str, str]] = []
     look = OpaqueFunction(function=lambda where: seen.append(dict(where.launch_configurations)))
-    context.launch_configurations['outer'] = '1'
-    visit(context, GroupAction(
-        [SetLaunchConfiguration('inner', '2'), SetEnvironmentVariable('LAUNCH_TEST', 'x'), look],
-        launch_configurations={'own': LaunchConfiguration('outer')}))
-    assert seen == [{'outer': '1', 'own': '1', 'inner': '2'}]
-    assert context.launch_configurations == {'outer': '1'}
-    assert 'LAUNCH_TEST' not in os.environ
+    context.launch_configurations["outer"] = "1"
+    visit(
+        context,
+        GroupAction(
+            [SetLaunchConfiguration("inner", "2"), SetEnvironmentVariable("LAUNCH_TEST", "x"), look],
+            launch_configurations={"own": LaunchConfiguration("outer")},
+        ),
+    )
+    assert seen == [{"outer": "1", "own": "1", "inner": "2"}]
+    assert context.launch_configurations == {"outer": "1"}
+    assert "LAUNCH_TEST" not in os.environ
 
 
 def test_a_group_without_forwarding_sees_only_its_own_configurations(context: LaunchContext) -> None:
     seen: list[dict[str, str]] = []
-    context.launch_configurations.update({'outer': '1', 'other': '2'})
-    visit(context, GroupAction(
-        [OpaqueFunction(function=lambda where: seen.append(dict(where.launch_configurations)))],
-        forwarding=False, launch_configurations={'own': LaunchConfiguration('outer')}))
-    assert seen == [{'own': '1'}]
-    assert context.launch_configurations == {'outer': '1', 'other': '2'}
+    context.launch_configurations.update({"outer": "1", "other": "2"})
+    visit(
+        context,
+        GroupAction(
+            [OpaqueFunction(function=lambda where: seen.append(dict(where.launch_configurations)))],
+            forwarding=False,
+            launch_configurations={"own": LaunchConfiguration("outer")},
+        ),
+    )
+    assert seen == [{"own": "1"}]
+    assert context.launch_configurations == {"outer": "1", "other": "2"}
 
 
 def test_a_group_without_scope_leaves_what_it_sets(context: LaunchContext) -> None:
-    visit(context, GroupAction([SetLaunchConfiguration('a', '1')], scoped=False, launch_configurations={'b': '2'}))
-    assert context.launch_configurations == {'a': '1', 'b': '2'}
+    visit(
+        context,
+        GroupAction([SetLaunchConfiguration("a", "1")], scoped=False, launch_configurations={"b": "2"}),
+    )
+    assert context.launch_configurations == {"a": "1", "b": "2"}
 
 
 def test_conditions_decide_whether_an_action_is_carried_out(context: LaunchContext) -> None:
-    visit(context, SetLaunchConfiguration('a', '1', condition=IfCondition('true')),
-          SetLaunchConfiguration('b', '1', condition=IfCondition('false')),
-          SetLaunchConfiguration('c', '1', condition=UnlessCondition('false')))
-    assert context.launch_configurations == {'a': '1', 'c': '1'}
+    visit(
+        context,
+        SetLaunchConfiguration("a", "1", condition=IfCondition("true")),
+        SetLaunchConfiguration("b", "1", condition=IfCondition("false")),
+        SetLaunchConfiguration("c", "1", condition=UnlessCondition("false")),
+    )
+    assert context.launch_configurations == {"a": "1", "c": "1"}
 
 
 def test_messages_are_logged_in_the_users_name(launch) -> None:
-    result = launch([SetLaunchConfiguration('a', 'b'), LogInfo(msg=['a is ', LaunchConfiguration('a')])])
-    assert (result.code, result.lines) == (0, [USER + 'a is b'])
+    result = launch([SetLaunchConfiguration("a", "b"), LogInfo(msg=["a is ", LaunchConfiguration("a")])])
+    assert (result.code, result.lines) == (0, [USER + "a is b"])
 
 
 def test_functions_get_the_context_and_their_arguments_and_give_entities(launch) -> None:
@@ -146,8 +178,8 @@ def test_functions_get_the_context_and_their_arguments_and_give_entities(launch)
         assert isinstance(context, LaunchContext)
         return [LogInfo(msg=word)] * times
 
-    result = launch([OpaqueFunction(function=function, args=['twice'], kwargs={'times': 2})])
-    assert result.lines == [USER + 'twice'] * 2
+    result = launch([OpaqueFunction(function=function, args=["twice"], kwargs={"times": 2})])
+    assert result.lines == [USER + "twice"] * 2
 
 
 def test_a_coroutine_is_cancelled_when_the_launch_ends(launch, session) -> None:
@@ -160,8 +192,10 @@ def test_a_coroutine_is_cancelled_when_the_launch_ends(launch, session) -> None:
             ended.append((name, session.clock.steady()))
             raise
 
-    result = launch([OpaqueCoroutine(coroutine=coroutine, args=['x']), TimerAction(period=2.0, actions=[Shutdown()])])
-    assert (result.code, ended) == (0, [('x', 2_000_000_000)])
+    result = launch(
+        [OpaqueCoroutine(coroutine=coroutine, args=["x"]), TimerAction(period=2.0, actions=[Shutdown()])]
+    )
+    assert (result.code, ended) == (0, [("x", 2_000_000_000)])
 
 
 def test_a_coroutine_that_goes_on_keeps_the_launch_alive(launch, session) -> None:
@@ -170,121 +204,147 @@ def test_a_coroutine_that_goes_on_keeps_the_launch_alive(launch, session) -> Non
     async def coroutine():
         start = session.clock.steady()
         await asyncio.sleep(60.0)
-        done, _ = await asyncio.wait([asyncio.ensure_future(asyncio.sleep(1.0, 'slept'))])
+        done, _ = await asyncio.wait([asyncio.ensure_future(asyncio.sleep(1.0, "slept"))])
         times.append((session.clock.steady() - start, done.pop().result()))
 
     assert launch([OpaqueCoroutine(coroutine=coroutine, ignore_context=True)]).code == 0
-    assert times == [(61_000_000_000, 'slept')]
+    assert times == [(61_000_000_000, "slept")]
     with pytest.raises(TypeError):
         OpaqueCoroutine(coroutine=lambda context: None)
 
 
 def test_work_in_an_executor_is_awaited(launch) -> None:
     async def coroutine(context):
-        context.launch_configurations['answer'] = str(await asyncio.to_thread(lambda: 6 * 7))
+        context.launch_configurations["answer"] = str(await asyncio.to_thread(lambda: 6 * 7))
 
     result = launch([OpaqueCoroutine(coroutine=coroutine)])
-    assert result.service.context.launch_configurations == {'answer': '42'}
+    assert result.service.context.launch_configurations == {"answer": "42"}
 
 
 def test_an_error_in_a_coroutine_ends_the_launch_with_1(launch) -> None:
     async def coroutine(context):
-        raise ValueError('went wrong')
+        raise ValueError("went wrong")
 
     result = launch([OpaqueCoroutine(coroutine=coroutine)])
     assert result.code == 1
-    assert '[ERROR] [launch]: Caught exception in launch (see debug for traceback): went wrong' in result.lines
+    assert (
+        "[ERROR] [launch]: Caught exception in launch (see debug for traceback): went wrong" in result.lines
+    )
 
 
 def test_timers_fire_in_order_of_their_time(launch, session) -> None:
     start = session.clock.steady()
-    result = launch([
-        TimerAction(period=20.0, actions=[LogInfo(msg='late')]),
-        SetLaunchConfiguration('soon', '1.5'),
-        TimerAction(period=[LaunchConfiguration('soon')], actions=[LogInfo(msg='soon')]),
-    ])
-    assert result.lines == [USER + 'soon', USER + 'late']
+    result = launch(
+        [
+            TimerAction(period=20.0, actions=[LogInfo(msg="late")]),
+            SetLaunchConfiguration("soon", "1.5"),
+            TimerAction(period=[LaunchConfiguration("soon")], actions=[LogInfo(msg="soon")]),
+        ]
+    )
+    assert result.lines == [USER + "soon", USER + "late"]
     assert session.clock.steady() - start == 20_000_000_000
 
 
 def test_a_cancelled_timer_does_nothing_and_is_not_waited_for(launch, session) -> None:
-    timer = TimerAction(period=100.0, actions=[LogInfo(msg='never')])
-    early = TimerAction(period=1.0, actions=[LogInfo(msg='never either')])
+    timer = TimerAction(period=100.0, actions=[LogInfo(msg="never")])
+    early = TimerAction(period=1.0, actions=[LogInfo(msg="never either")])
     early.cancel()
-    result = launch([timer, early, TimerAction(period=2.0, actions=[
-        OpaqueFunction(function=lambda context: timer.cancel())])])
+    result = launch(
+        [
+            timer,
+            early,
+            TimerAction(period=2.0, actions=[OpaqueFunction(function=lambda context: timer.cancel())]),
+        ]
+    )
     assert result.lines == []
     assert session.clock.steady() < 3e9
 
 
 def test_timers_end_with_the_launch_unless_they_are_to_stay(launch) -> None:
-    result = launch([
-        TimerAction(period=5.0, actions=[LogInfo(msg='gone')]),
-        TimerAction(period=5.0, actions=[LogInfo(msg='stays')], cancel_on_shutdown=False),
-        TimerAction(period=1.0, actions=[Shutdown(reason='enough')]),
-        RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg=['why: ', LocalSubstitution('event.reason')])])),
-    ])
-    assert result.lines == [USER + 'why: enough', USER + 'stays']
+    result = launch(
+        [
+            TimerAction(period=5.0, actions=[LogInfo(msg="gone")]),
+            TimerAction(period=5.0, actions=[LogInfo(msg="stays")], cancel_on_shutdown=False),
+            TimerAction(period=1.0, actions=[Shutdown(reason="enough")]),
+            RegisterEventHandler(
+                OnShutdown(on_shutdown=[LogInfo(msg=["why: ", LocalSubstitution("event.reason")])])
+            ),
+        ]
+    )
+    assert result.lines == [USER + "why: enough", USER + "stays"]
 
 
 def test_handlers_react_to_events_until_they_are_unregistered(launch) -> None:
     class Ring(Event):
-        name = 'ring'
+        name = "ring"
 
-    handler = EventHandler(matcher=lambda event: isinstance(event, Ring), entities=[LogInfo(msg='ding')])
-    result = launch([
-        RegisterEventHandler(handler),
-        EmitEvent(event=Ring()),
-        EmitEvent(event=Ring()),
-        TimerAction(period=1.0, actions=[UnregisterEventHandler(handler), EmitEvent(event=Ring())]),
-    ])
-    assert result.lines == [USER + 'ding'] * 2
+    handler = EventHandler(matcher=lambda event: isinstance(event, Ring), entities=[LogInfo(msg="ding")])
+    result = launch(
+        [
+            RegisterEventHandler(handler),
+            EmitEvent(event=Ring()),
+            EmitEvent(event=Ring()),
+            TimerAction(period=1.0, actions=[UnregisterEventHandler(handler), EmitEvent(event=Ring())]),
+        ]
+    )
+    assert result.lines == [USER + "ding"] * 2
 
 
 def test_a_handler_that_handles_once_reacts_only_once(launch) -> None:
     handler = EventHandler(
-        matcher=lambda event: event.name == 'ring', handle_once=True,
-        entities=lambda event, context: LogInfo(msg=f'got {event.name}'))
+        matcher=lambda event: event.name == "ring",
+        handle_once=True,
+        entities=lambda event, context: LogInfo(msg=f"got {event.name}"),
+    )
     ring = Event()
-    ring.name = 'ring'
+    ring.name = "ring"
     result = launch([RegisterEventHandler(handler), EmitEvent(event=ring), EmitEvent(event=ring)])
-    assert result.lines == [USER + 'got ring']
+    assert result.lines == [USER + "got ring"]
 
 
 def test_the_completion_of_an_action_is_an_event(launch) -> None:
     timer = TimerAction(period=3.0, actions=[])
-    result = launch([
-        RegisterEventHandler(OnExecutionComplete(target_action=timer, on_completion=[LogInfo(msg='done')])), timer])
-    assert result.lines == [USER + 'done']
+    result = launch(
+        [
+            RegisterEventHandler(
+                OnExecutionComplete(target_action=timer, on_completion=[LogInfo(msg="done")])
+            ),
+            timer,
+        ]
+    )
+    assert result.lines == [USER + "done"]
 
 
 def test_included_arguments_are_checked_before_anything_starts(launch) -> None:
-    inner = LaunchDescription([LogInfo(msg='not reached'), DeclareLaunchArgument('need', description='it')])
-    result = launch([IncludeLaunchDescription(inner, launch_arguments=[('other', '1')])])
+    inner = LaunchDescription([LogInfo(msg="not reached"), DeclareLaunchArgument("need", description="it")])
+    result = launch([IncludeLaunchDescription(inner, launch_arguments=[("other", "1")])])
     assert result.code == 1
     assert result.lines == [
-        '[ERROR] [launch]: Caught exception in launch (see debug for traceback): Included launch description '
-        "missing required argument 'need' (description: 'it'), given: [other]"]
+        "[ERROR] [launch]: Caught exception in launch (see debug for traceback): Included launch description "
+        "missing required argument 'need' (description: 'it'), given: [other]"
+    ]
 
 
 def test_what_an_include_sets_stays_unless_a_group_is_around_it(launch) -> None:
-    inner = LaunchDescription([DeclareLaunchArgument('a', default_value='?'), LogInfo(msg=LaunchConfiguration('a'))])
-    show = LogInfo(msg=['outside: ', LaunchConfiguration('a', default='nothing')])
-    arguments = {'a': '1'}.items()
+    inner = LaunchDescription(
+        [DeclareLaunchArgument("a", default_value="?"), LogInfo(msg=LaunchConfiguration("a"))]
+    )
+    show = LogInfo(msg=["outside: ", LaunchConfiguration("a", default="nothing")])
+    arguments = {"a": "1"}.items()
     grouped = launch([GroupAction([IncludeLaunchDescription(inner, launch_arguments=arguments)]), show])
-    assert grouped.lines == [USER + '1', USER + 'outside: nothing']
+    assert grouped.lines == [USER + "1", USER + "outside: nothing"]
     plain = launch([IncludeLaunchDescription(inner, launch_arguments=arguments), show])
-    assert plain.lines == [USER + '1', USER + 'outside: 1']
+    assert plain.lines == [USER + "1", USER + "outside: 1"]
 
 
 def test_an_exception_in_an_action_is_told_and_gives_1(launch) -> None:
-    result = launch([LogInfo(msg=PythonExpression('1 / 0')), LogInfo(msg='not reached')])
+    result = launch([LogInfo(msg=PythonExpression("1 / 0")), LogInfo(msg="not reached")])
     assert result.code == 1
     assert len(result.lines) == 1
-    assert 'Caught exception in launch (see debug for traceback): failed to evaluate' in result.text
+    assert "Caught exception in launch (see debug for traceback): failed to evaluate" in result.text
 
 
 def test_the_environment_of_a_launch_does_not_leak_out_of_its_process(launch) -> None:
-    result = launch([SetEnvironmentVariable('LEAK', 'x'), LogInfo(msg=EnvironmentVariable('LEAK'))])
-    assert result.lines == [USER + 'x']
-    assert 'LEAK' not in os.environ
+    result = launch([SetEnvironmentVariable("LEAK", "x"), LogInfo(msg=EnvironmentVariable("LEAK"))])
+    assert result.lines == [USER + "x"]
+    assert "LEAK" not in os.environ

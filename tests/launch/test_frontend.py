@@ -16,9 +16,11 @@ from launch.launch_description_sources import (
 )
 from launch.substitution import Substitution
 
-USER = '[INFO] [launch.user]: '
+USER = "[INFO] [launch.user]: "
 
-SHOW = 'import os, sys\nprint("ARGV", " ".join(sys.argv[1:]), "ENV", os.environ.get("A"), os.environ.get("B"))\n'
+SHOW = (
+    'import os, sys\nprint("ARGV", " ".join(sys.argv[1:]), "ENV", os.environ.get("A"), os.environ.get("B"))\n'
+)
 
 
 def read(text: str) -> LaunchDescription:
@@ -27,10 +29,13 @@ def read(text: str) -> LaunchDescription:
 
 
 def both(xml: str, yaml: str) -> Any:
-    return pytest.mark.parametrize('text', [f'<launch>{xml}</launch>', 'launch:\n' + yaml], ids=['xml', 'yaml'])
+    return pytest.mark.parametrize(
+        "text", [f"<launch>{xml}</launch>", "launch:\n" + yaml], ids=["xml", "yaml"]
+    )
 
 
-@both('''
+@both(
+    """
   <arg name="who" default="you" description="whom to greet"><choice value="you"/><choice value="me"/></arg>
   <let name="greeting" value="hello $(var who)"/>
   <log message="$(var greeting)"/>
@@ -38,7 +43,8 @@ def both(xml: str, yaml: str) -> Any:
   <log message="unless" unless="false"/>
   <unset name="greeting"/>
   <log message="$(var greeting gone)"/>
-''', '''
+""",
+    """
 - arg: {name: who, default: you, description: whom to greet, choice: [{value: you}, {value: me}]}
 - let: {name: greeting, value: hello $(var who)}
 - log: {message: $(var greeting)}
@@ -46,12 +52,14 @@ def both(xml: str, yaml: str) -> Any:
 - log: {message: unless, unless: "false"}
 - unset: {name: greeting}
 - log: {message: $(var greeting gone)}
-''')
+""",
+)
 def test_arguments_configurations_and_conditions(launch, text: str) -> None:
-    assert launch([read(text)]).lines == [USER + 'hello you', USER + 'unless', USER + 'gone']
+    assert launch([read(text)]).lines == [USER + "hello you", USER + "unless", USER + "gone"]
 
 
-@both('''
+@both(
+    """
   <let name="a" value="1"/>
   <group>
     <let name="a" value="2"/>
@@ -64,7 +72,8 @@ def test_arguments_configurations_and_conditions(launch, text: str) -> None:
   <log message="$(var a) $(var b) $(env A unset)"/>
   <set_env name="A" value="z"/><unset_env name="A"/>
   <log message="$(env A 'not set')"/>
-''', '''
+""",
+    """
 - let: {name: a, value: "1"}
 - group:
   - let: {name: a, value: "2"}
@@ -81,35 +90,47 @@ def test_arguments_configurations_and_conditions(launch, text: str) -> None:
 - set_env: {name: A, value: z}
 - unset_env: {name: A}
 - log: {message: $(env A 'not set')}
-''')
-def test_groups_scope_configurations_and_environment(launch, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv('A', raising=False)
+""",
+)
+def test_groups_scope_configurations_and_environment(
+    launch, text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("A", raising=False)
     assert launch([read(text)]).lines == [
-        USER + '2 x-y', USER + 'none 1', USER + '1 3 unset', USER + 'not set']
+        USER + "2 x-y",
+        USER + "none 1",
+        USER + "1 3 unset",
+        USER + "not set",
+    ]
 
 
-@both('''
+@both(
+    """
   <timer period="2.5"><log message="later"/></timer>
   <executable cmd="echo 'two  words' $(eval '1 + 1') end" output="screen" name="say"/>
   <executable cmd="true" respawn="false" shell="false" sigterm_timeout="1.0" on_exit="shutdown"/>
-''', '''
+""",
+    """
 - timer: {period: 2.5, children: [log: {message: later}]}
 - executable: {cmd: "echo 'two  words' $(eval '1 + 1') end", output: screen, name: say}
 - executable: {cmd: "true", respawn: false, shell: false, sigterm_timeout: 1.0, on_exit: shutdown}
-''')
+""",
+)
 def test_timers_and_executables(launch, text: str) -> None:
     lines = launch([read(text)]).lines
-    assert '[say-1] two  words 2 end' in lines
-    assert USER + 'later' not in lines
-    assert '[INFO] [launch]: process[true-2] was required: shutting down launched system' in lines
+    assert "[say-1] two  words 2 end" in lines
+    assert USER + "later" not in lines
+    assert "[INFO] [launch]: process[true-2] was required: shutting down launched system" in lines
 
 
-@both('''
+@both(
+    """
   <set_parameter name="everywhere" value="7"/>
   <set_remap from="old" to="new"/>
   <group>
     <push-ros-namespace namespace="robot1"/>
-    <node pkg="demo" exec="show" name="tom" namespace="ns" output="screen" args="-x 'a b'" ros_args="--log-level info">
+    <node pkg="demo" exec="show" name="tom" namespace="ns" output="screen"
+          args="-x 'a b'" ros_args="--log-level info">
       <param name="speed" value="1.5"/>
       <param name="label" value="1" type="str"/>
       <param name="list" value="1,2,3" value-sep=","/>
@@ -120,7 +141,8 @@ def test_timers_and_executables(launch, text: str) -> None:
       <env name="B" value="$(var on)"/>
     </node>
   </group>
-''', '''
+""",
+    """
 - set_parameter: {name: everywhere, value: 7}
 - set_remap: {from: old, to: new}
 - group:
@@ -141,123 +163,212 @@ def test_timers_and_executables(launch, text: str) -> None:
       - {from: $(var folder)/p.yaml}
       remap: [{from: a, to: b}]
       env: [{name: A, value: "1"}, {name: B, value: $(var on)}]
-''')
+""",
+)
 def test_nodes_with_all_that_can_be_in_them(launch, workspace, text: str, tmp_path: Path) -> None:
     from launch.actions import SetLaunchConfiguration
 
-    workspace.executable('demo', 'show', SHOW + 'import re\n'
-                         'for path in re.findall(r"--params-file (\\S*launch_params_\\S+)", " ".join(sys.argv)):\n'
-                         '    print("FILE", " ".join(open(path).read().split()))\n')
-    (tmp_path / 'p.yaml').write_text('/**: {ros__parameters: {a: 1}}')
-    lines = launch([SetLaunchConfiguration('on', 'true'), SetLaunchConfiguration('folder', str(tmp_path)),
-                    read(text)]).lines
-    argv = next(line for line in lines if 'ARGV' in line)
-    assert argv.startswith('[show-1] ARGV -x a b --ros-args --log-level info --ros-args -r __node:=tom '
-                           '-r __ns:=/robot1/ns -p everywhere:=7 --params-file ')
-    assert argv.endswith(f'--params-file {tmp_path}/p.yaml -r old:=new -r a:=b ENV 1 true')
-    files = [line.split('FILE ')[1] for line in lines if 'FILE' in line]
-    assert files == [f'/robot1/ns/tom: ros__parameters: {text}' for text in (
-        'speed: 1.5', "label: '1'", 'list: - 1 - 2 - 3', 'camera.on: true camera.width: 640')]
+    workspace.executable(
+        "demo",
+        "show",
+        SHOW + "import re\n"
+        'for path in re.findall(r"--params-file (\\S*launch_params_\\S+)", " ".join(sys.argv)):\n'
+        '    print("FILE", " ".join(open(path).read().split()))\n',
+    )
+    (tmp_path / "p.yaml").write_text("/**: {ros__parameters: {a: 1}}")
+    lines = launch(
+        [SetLaunchConfiguration("on", "true"), SetLaunchConfiguration("folder", str(tmp_path)), read(text)]
+    ).lines
+    argv = next(line for line in lines if "ARGV" in line)
+    assert argv.startswith(
+        "[show-1] ARGV -x a b --ros-args --log-level info --ros-args -r __node:=tom "
+        "-r __ns:=/robot1/ns -p everywhere:=7 --params-file "
+    )
+    assert argv.endswith(f"--params-file {tmp_path}/p.yaml -r old:=new -r a:=b ENV 1 true")
+    files = [line.split("FILE ")[1] for line in lines if "FILE" in line]
+    assert files == [
+        f"/robot1/ns/tom: ros__parameters: {text}"
+        for text in ("speed: 1.5", "label: '1'", "list: - 1 - 2 - 3", "camera.on: true camera.width: 640")
+    ]
 
 
-@both('''
+@both(
+    """
   <include file="$(dirname)/inner.launch.xml"><arg name="a" value="from outside"/></include>
   <log message="back in $(filename)"/>
-''', '''
+""",
+    """
 - include: {file: $(dirname)/inner.launch.xml, arg: [{name: a, value: from outside}]}
 - log: {message: back in $(filename)}
-''')
+""",
+)
 def test_includes_know_where_they_are(launch, text: str, tmp_path: Path) -> None:
-    outer = tmp_path / ('outer.launch.xml' if text.startswith('<') else 'outer.launch.yaml')
+    outer = tmp_path / ("outer.launch.xml" if text.startswith("<") else "outer.launch.yaml")
     outer.write_text(text)
-    (tmp_path / 'inner.launch.xml').write_text(
-        '<launch><arg name="a"/><log message="$(var a) in $(filename)"/></launch>')
+    (tmp_path / "inner.launch.xml").write_text(
+        '<launch><arg name="a"/><log message="$(var a) in $(filename)"/></launch>'
+    )
     assert launch([IncludeLaunchDescription(AnyLaunchDescriptionSource(str(outer)))]).lines == [
-        USER + f'from outside in {tmp_path}/inner.launch.xml', USER + f'back in {outer}']
+        USER + f"from outside in {tmp_path}/inner.launch.xml",
+        USER + f"back in {outer}",
+    ]
 
 
 def test_a_whole_xml_launch_file_runs_nodes(launch, talker) -> None:
-    path = talker.file('demo', 'launch/talk.launch.xml', '''<launch>
+    path = talker.file(
+        "demo",
+        "launch/talk.launch.xml",
+        """<launch>
       <arg name="text" default="hello"/>
       <group>
         <push_ros_namespace namespace="robot1"/>
-        <node pkg="demo" exec="talker" name="tom" output="screen"><param name="text" value="$(var text)"/></node>
-      </group></launch>''')
-    result = launch([IncludeLaunchDescription(XMLLaunchDescriptionSource(str(path)),
-                                              launch_arguments={'text': 'off'}.items())], interrupt_after=1.5)
-    assert 'Caught exception' not in result.text or 'off' in result.text
+        <node pkg="demo" exec="talker" name="tom" output="screen">
+          <param name="text" value="$(var text)"/></node>
+      </group></launch>""",
+    )
+    result = launch(
+        [
+            IncludeLaunchDescription(
+                XMLLaunchDescriptionSource(str(path)), launch_arguments={"text": "off"}.items()
+            )
+        ],
+        interrupt_after=1.5,
+    )
+    assert "Caught exception" not in result.text or "off" in result.text
     result = launch([IncludeLaunchDescription(XMLLaunchDescriptionSource(str(path)))], interrupt_after=1.5)
     assert '[robot1.tom]: Publishing: "hello 0" on /robot1/chatter' in result.text
 
 
 def test_shares_of_packages_can_be_named(launch, workspace) -> None:
-    workspace.file('demo', 'launch/inner.launch.yaml', 'launch:\n- log: {message: inner}\n')
-    text = '<launch><include file="$(find-pkg-share demo)/launch/inner.launch.yaml"/>' \
-           '<log message="$(find-pkg-prefix demo)"/></launch>'
-    assert launch([read(text)]).lines == [USER + 'inner', USER + str(workspace.prefix)]
+    workspace.file("demo", "launch/inner.launch.yaml", "launch:\n- log: {message: inner}\n")
+    text = (
+        '<launch><include file="$(find-pkg-share demo)/launch/inner.launch.yaml"/>'
+        '<log message="$(find-pkg-prefix demo)"/></launch>'
+    )
+    assert launch([read(text)]).lines == [USER + "inner", USER + str(workspace.prefix)]
 
 
 def test_lifecycle_and_sim_time_elements_are_known() -> None:
-    names = [type(entity).__name__ for entity in read(
-        '<launch><set_use_sim_time value="true"/><lifecycle_node pkg="a" exec="b" name="c" namespace=""/>'
-        '<ros_timer period="1.0"><log message="x"/></ros_timer><set_ros_log_dir log_dir="/x"/>'
-        '<node_container name="c" namespace="" pkg="p" exec="e"><composable_node pkg="a" plugin="a::B" name="n">'
-        '<param name="x" value="1"/><remap from="a" to="b"/></composable_node></node_container>'
-        '<shutdown reason="done"/></launch>').entities]
-    assert names == ['SetUseSimTime', 'LifecycleNode', 'ROSTimer', 'SetROSLogDir', 'ComposableNodeContainer', 'Shutdown']
+    names = [
+        type(entity).__name__
+        for entity in read(
+            '<launch><set_use_sim_time value="true"/><lifecycle_node pkg="a" exec="b" name="c" namespace=""/>'
+            '<ros_timer period="1.0"><log message="x"/></ros_timer><set_ros_log_dir log_dir="/x"/>'
+            '<node_container name="c" namespace="" pkg="p" exec="e">'
+            '<composable_node pkg="a" plugin="a::B" name="n">'
+            '<param name="x" value="1"/><remap from="a" to="b"/></composable_node></node_container>'
+            '<shutdown reason="done"/></launch>'
+        ).entities
+    ]
+    assert names == [
+        "SetUseSimTime",
+        "LifecycleNode",
+        "ROSTimer",
+        "SetROSLogDir",
+        "ComposableNodeContainer",
+        "Shutdown",
+    ]
 
 
-@pytest.mark.parametrize(('name', 'text', 'words'), [
-    ('a.launch.xml', '<launch>\n  <nod pkg="a"/>\n</launch>', ['a.launch.xml:2', '<nod>', 'did you mean node?']),
-    ('a.launch.xml', '<launch>\n\n<group>\n<log/></group></launch>', ['a.launch.xml:4', '<log>', "'message'"]),
-    ('a.launch.xml', '<launch>\n<log message="a" mesage="b"/></launch>', ['a.launch.xml:2', 'mesage']),
-    ('a.launch.xml', '<launch>\n<log message="a"><x/></log></launch>', ['a.launch.xml:2', 'nested tag', 'x']),
-    ('a.launch.xml', '<launch>\n<log message="$(var"/></launch>', ['a.launch.xml:2', 'a name', 'not closed']),
-    ('a.launch.xml', '<launch>\n<log message="$(varr a)"/></launch>', ['a.launch.xml:2', 'did you mean var?']),
-    ('a.launch.xml', '<launch>\n<timer period="soon"/></launch>', ['a.launch.xml:2', '<timer>', 'soon']),
-    ('a.launch.xml', '<launch>\n<node>\n</launch>', ['a.launch.xml:3', 'mismatched tag']),
-    ('a.launch.xml', '<start/>', ['a.launch.xml:1', "Expected 'launch' as root tag"]),
-    ('a.launch.xml', '<launch><log message="a" if="true" unless="true"/></launch>', ["can't be used simultaneously"]),
-    ('a.launch.xml', '<launch>\n<node pkg="a" exec="b"><param name="a" from="b"/></node></launch>',
-     ['a.launch.xml:2', 'mutually exclusive']),
-    ('a.launch.xml', '<launch>\n<node pkg="a" exec="b"><param value="b"/></node></launch>', ['name or from']),
-    ('a.launch.xml', '<launch>\n<node pkg="a" exec="b"><param name="b"/></node></launch>', ['value attribute']),
-    ('a.launch.yaml', 'launch:\n- log: {message: a}\n- nod: {pkg: a}\n', ['a.launch.yaml:3', '<nod>', 'mean node?']),
-    ('a.launch.yaml', 'launch:\n- log: {mesage: a}\n', ['a.launch.yaml:2', 'message']),
-    ('a.launch.yaml', 'launch:\n- log: {message: 3}\n', ['a.launch.yaml:2', 'message', 'quotes']),
-    ('a.launch.yaml', 'launch:\n- log\n', ['a.launch.yaml:1', 'expected one']),
-    ('a.launch.yaml', 'launch: [\n', ['a.launch.yaml', 'not valid YAML', 'line 2']),
-    ('a.launch.yaml', 'a: 1\nb: 2\n', ['a.launch.yaml:1', 'one mapping']),
-    ('a.launch.yaml', 'launch: {log: {message: a}}\n', ['launch']),
-])
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        (
+            "a.launch.xml",
+            '<launch>\n  <nod pkg="a"/>\n</launch>',
+            ["a.launch.xml:2", "<nod>", "did you mean node?"],
+        ),
+        (
+            "a.launch.xml",
+            "<launch>\n\n<group>\n<log/></group></launch>",
+            ["a.launch.xml:4", "<log>", "'message'"],
+        ),
+        ("a.launch.xml", '<launch>\n<log message="a" mesage="b"/></launch>', ["a.launch.xml:2", "mesage"]),
+        (
+            "a.launch.xml",
+            '<launch>\n<log message="a"><x/></log></launch>',
+            ["a.launch.xml:2", "nested tag", "x"],
+        ),
+        (
+            "a.launch.xml",
+            '<launch>\n<log message="$(var"/></launch>',
+            ["a.launch.xml:2", "a name", "not closed"],
+        ),
+        (
+            "a.launch.xml",
+            '<launch>\n<log message="$(varr a)"/></launch>',
+            ["a.launch.xml:2", "did you mean var?"],
+        ),
+        ("a.launch.xml", '<launch>\n<timer period="soon"/></launch>', ["a.launch.xml:2", "<timer>", "soon"]),
+        ("a.launch.xml", "<launch>\n<node>\n</launch>", ["a.launch.xml:3", "mismatched tag"]),
+        ("a.launch.xml", "<start/>", ["a.launch.xml:1", "Expected 'launch' as root tag"]),
+        (
+            "a.launch.xml",
+            '<launch><log message="a" if="true" unless="true"/></launch>',
+            ["can't be used simultaneously"],
+        ),
+        (
+            "a.launch.xml",
+            '<launch>\n<node pkg="a" exec="b"><param name="a" from="b"/></node></launch>',
+            ["a.launch.xml:2", "mutually exclusive"],
+        ),
+        (
+            "a.launch.xml",
+            '<launch>\n<node pkg="a" exec="b"><param value="b"/></node></launch>',
+            ["name or from"],
+        ),
+        (
+            "a.launch.xml",
+            '<launch>\n<node pkg="a" exec="b"><param name="b"/></node></launch>',
+            ["value attribute"],
+        ),
+        (
+            "a.launch.yaml",
+            "launch:\n- log: {message: a}\n- nod: {pkg: a}\n",
+            ["a.launch.yaml:3", "<nod>", "mean node?"],
+        ),
+        ("a.launch.yaml", "launch:\n- log: {mesage: a}\n", ["a.launch.yaml:2", "message"]),
+        ("a.launch.yaml", "launch:\n- log: {message: 3}\n", ["a.launch.yaml:2", "message", "quotes"]),
+        ("a.launch.yaml", "launch:\n- log\n", ["a.launch.yaml:1", "expected one"]),
+        ("a.launch.yaml", "launch: [\n", ["a.launch.yaml", "not valid YAML", "line 2"]),
+        ("a.launch.yaml", "a: 1\nb: 2\n", ["a.launch.yaml:1", "one mapping"]),
+        ("a.launch.yaml", "launch: {log: {message: a}}\n", ["launch"]),
+    ],
+)
 def test_errors_name_file_line_and_element(tmp_path: Path, name: str, text: str, words: list[str]) -> None:
     path = tmp_path / name
     path.write_text(text)
     source = AnyLaunchDescriptionSource(str(path))
     from launch import LaunchContext
+
     with pytest.raises(Exception) as caught:
         source.get_launch_description(LaunchContext())
     message = str(caught.value)
-    assert any(word in message for word in words) if words[-1] == 'not closed' else all(
-        word in message for word in words), message
+    assert (
+        any(word in message for word in words)
+        if words[-1] == "not closed"
+        else all(word in message for word in words)
+    ), message
 
 
 def test_a_file_of_no_known_format_says_what_was_tried(tmp_path: Path) -> None:
-    path = tmp_path / 'a.launch'
-    path.write_text('neither: [this\nnor that')
-    with pytest.raises(InvalidFrontendLaunchFileError, match='Caught multiple exceptions'):
+    path = tmp_path / "a.launch"
+    path.write_text("neither: [this\nnor that")
+    with pytest.raises(InvalidFrontendLaunchFileError, match="Caught multiple exceptions"):
         Parser.load(str(path))
 
 
 def test_sources_tell_their_location_and_method(tmp_path: Path) -> None:
-    for source, method in ((FrontendLaunchDescriptionSource('a'), 'interpreted frontend launch file'),
-                           (XMLLaunchDescriptionSource('a'), 'interpreted XML launch file'),
-                           (YAMLLaunchDescriptionSource('a'), 'interpreted YAML launch file')):
+    for source, method in (
+        (FrontendLaunchDescriptionSource("a"), "interpreted frontend launch file"),
+        (XMLLaunchDescriptionSource("a"), "interpreted XML launch file"),
+        (YAMLLaunchDescriptionSource("a"), "interpreted YAML launch file"),
+    ):
         assert (source.method, source.location) == (method, "'a'")
 
 
 def test_programs_can_expose_actions_and_substitutions_of_their_own(launch) -> None:
-    @expose_action('test_shout')
+    @expose_action("test_shout")
     class Shout(Action):
         def __init__(self, what: Any) -> None:
             super().__init__()
@@ -265,27 +376,27 @@ def test_programs_can_expose_actions_and_substitutions_of_their_own(launch) -> N
 
         @classmethod
         def parse(cls, entity: Entity, parser: Parser) -> Any:
-            return cls, {'what': parser.parse_substitution(entity.get_attr('what'))}
+            return cls, {"what": parser.parse_substitution(entity.get_attr("what"))}
 
         def execute(self, context: Any) -> Any:
             from launch.actions import LogInfo
 
-            return [LogInfo(msg=[*self.what, '!'])]
+            return [LogInfo(msg=[*self.what, "!"])]
 
-    @expose_substitution('test-upper')
+    @expose_substitution("test-upper")
     class Upper(Substitution):
         def __init__(self, text: Any) -> None:
             self.text_parts = text
 
         @classmethod
         def parse(cls, data: Any) -> Any:
-            return cls, {'text': data[0]}
+            return cls, {"text": data[0]}
 
         def perform(self, context: Any) -> str:
-            return ''.join(part.perform(context) for part in self.text_parts).upper()
+            return "".join(part.perform(context) for part in self.text_parts).upper()
 
-    assert launch([read('<launch><test_shout what="$(test-upper hey)"/></launch>')]).lines == [USER + 'HEY!']
-    with pytest.raises(RuntimeError, match='is not a callable or a class with a method parse'):
-        expose_action('x')(3)
-    with pytest.raises(RuntimeError, match='Not recognized frontend implementation'):
-        Parser.get_parser_from_extension('toml')
+    assert launch([read('<launch><test_shout what="$(test-upper hey)"/></launch>')]).lines == [USER + "HEY!"]
+    with pytest.raises(RuntimeError, match="is not a callable or a class with a method parse"):
+        expose_action("x")(3)
+    with pytest.raises(RuntimeError, match="Not recognized frontend implementation"):
+        Parser.get_parser_from_extension("toml")

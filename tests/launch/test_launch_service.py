@@ -12,15 +12,15 @@ from launch.events import Shutdown
 def test_a_service_may_run_several_times_and_in_the_code_that_made_it(
     session, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    service = LaunchService(argv=['a:=1'], noninteractive=True)
-    assert service.context.argv == ['a:=1']
-    for word in ('first', 'second'):
+    service = LaunchService(argv=["a:=1"], noninteractive=True)
+    assert service.context.argv == ["a:=1"]
+    for word in ("first", "second"):
         service.include_launch_description(LaunchDescription([LogInfo(msg=word)]))
         assert service.run() == 0
     assert capsys.readouterr().out.splitlines()[1:] == [
-        '[INFO] [launch]: Default logging verbosity is set to INFO',
-        '[INFO] [launch.user]: first',
-        '[INFO] [launch.user]: second',
+        "[INFO] [launch]: Default logging verbosity is set to INFO",
+        "[INFO] [launch.user]: first",
+        "[INFO] [launch.user]: second",
     ]
 
 
@@ -45,42 +45,56 @@ def test_a_service_runs_inside_of_another_running_loop(session) -> None:
 
 def test_a_service_can_be_awaited_on_another_loop(session, capsys: pytest.CaptureFixture[str]) -> None:
     service = LaunchService(noninteractive=True)
-    service.include_launch_description(LaunchDescription([ExecuteProcess(cmd=['echo', 'a'], output='screen')]))
+    service.include_launch_description(
+        LaunchDescription([ExecuteProcess(cmd=["echo", "a"], output="screen")])
+    )
     loop = ClockLoop()
     assert loop.run_until_complete(service.run_async()) == 0
-    assert '[echo-1] a' in capsys.readouterr().out
+    assert "[echo-1] a" in capsys.readouterr().out
 
 
 def test_without_shutdown_when_idle_it_runs_until_it_is_told(session) -> None:
     service = LaunchService(noninteractive=True)
-    service.include_launch_description(LaunchDescription([TimerAction(period=5.0, actions=[
-        OpaqueFunction(function=lambda context: context.emit_event_sync(Shutdown(reason='test')))])]))
+    service.include_launch_description(
+        LaunchDescription(
+            [
+                TimerAction(
+                    period=5.0,
+                    actions=[
+                        OpaqueFunction(
+                            function=lambda context: context.emit_event_sync(Shutdown(reason="test"))
+                        )
+                    ],
+                )
+            ]
+        )
+    )
 
     def later() -> None:
         session.clock.sleep(50.0)
         service.shutdown()
 
     session.spawn(later)
-    assert session.start(lambda: service.run(shutdown_when_idle=False), name='launch').wait() == 0
+    assert session.start(lambda: service.run(shutdown_when_idle=False), name="launch").wait() == 0
     assert session.clock.steady() == 5_000_000_000
 
 
 def test_events_from_another_lane_arrive(launch, session) -> None:
     def meanwhile(service: LaunchService) -> None:
         session.clock.sleep(2.0)
-        service.include_launch_description(LaunchDescription([LogInfo(msg='thrown in')]))
+        service.include_launch_description(LaunchDescription([LogInfo(msg="thrown in")]))
 
     result = launch([TimerAction(period=10.0, actions=[])], meanwhile=meanwhile)
-    assert result.lines == ['[INFO] [launch.user]: thrown in']
+    assert result.lines == ["[INFO] [launch.user]: thrown in"]
 
 
 def test_debug_shows_events_and_tracebacks(launch) -> None:
     def fail(context) -> None:
-        raise ValueError('why')
+        raise ValueError("why")
 
     result = launch([OpaqueFunction(function=fail)], debug=True)
-    assert 'ValueError: why' in result.text
-    assert 'Traceback' in result.text
+    assert "ValueError: why" in result.text
+    assert "Traceback" in result.text
     assert "processing event: '<launch.events.shutdown.Shutdown" in result.text
 
 
@@ -89,23 +103,23 @@ def test_the_loop_keeps_asyncio_promises(session) -> None:
     order: list[str] = []
 
     async def work() -> str:
-        loop.call_later(2.0, order.append, 'two')
-        cancelled = loop.call_later(1.5, order.append, 'never')
-        loop.call_later(1.0, order.append, 'one')
+        loop.call_later(2.0, order.append, "two")
+        cancelled = loop.call_later(1.5, order.append, "never")
+        loop.call_later(1.0, order.append, "one")
         cancelled.cancel()
-        loop.call_soon(order.append, 'soon')
+        loop.call_soon(order.append, "soon")
         with pytest.raises(asyncio.TimeoutError):
             await asyncio.wait_for(loop.create_future(), timeout=3.0)
-        results = await asyncio.gather(asyncio.sleep(1.0, 'a'), loop.run_in_executor(None, lambda: 'b'))
+        results = await asyncio.gather(asyncio.sleep(1.0, "a"), loop.run_in_executor(None, lambda: "b"))
         with pytest.raises(ZeroDivisionError):
             await loop.run_in_executor(None, lambda: 1 / 0)
-        return ''.join(results)
+        return "".join(results)
 
-    assert loop.run_until_complete(work()) == 'ab'
-    assert order == ['soon', 'one', 'two']
+    assert loop.run_until_complete(work()) == "ab"
+    assert order == ["soon", "one", "two"]
     assert session.clock.steady() == 4_000_000_000
     loop.call_later(1.0, loop.stop)
     loop.run_forever()
     loop.close()
-    with pytest.raises(RuntimeError, match='Event loop is closed'):
+    with pytest.raises(RuntimeError, match="Event loop is closed"):
         loop.run_forever()

@@ -24,7 +24,7 @@ from launch_ros.descriptions import ComposableNode, ParameterFile, ParameterValu
 from launch_ros.parameter_descriptions import Parameter as OneParameter
 from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix, FindPackageShare, Parameter
 
-SHOW = '''
+SHOW = """
 import os
 import sys
 
@@ -33,7 +33,7 @@ for index, word in enumerate(sys.argv):
         print('FILE', open(word).read().replace('\\n', '|'))
 print('ARGV', ' '.join(sys.argv[1:]))
 print('LOG', os.environ.get('ROS_LOG_DIR'))
-'''
+"""
 
 Arguments = Callable[..., list[str]]
 
@@ -41,123 +41,190 @@ Arguments = Callable[..., list[str]]
 @pytest.fixture
 def show(launch: Any, workspace: Any) -> Arguments:
     """Return a function that launches entities and tells the argv of the nodes in them."""
-    workspace.executable('demo', 'show', SHOW)
+    workspace.executable("demo", "show", SHOW)
 
     def run(*entities: Any) -> list[str]:
         result = launch(entities)
         assert result.code == 0, result.text
-        return [line.split('ARGV ')[1] for line in result.lines if 'ARGV ' in line]
+        return [line.split("ARGV ")[1] for line in result.lines if "ARGV " in line]
 
     return run
 
 
 def node(**kwargs: Any) -> Node:
-    return Node(package='demo', executable='show', output='screen', **kwargs)
+    return Node(package="demo", executable="show", output="screen", **kwargs)
 
 
 def file_of(arguments: str) -> Any:
-    return yaml.safe_load(Path(arguments.split('--params-file ')[1].split()[0]).read_text())
+    return yaml.safe_load(Path(arguments.split("--params-file ")[1].split()[0]).read_text())
 
 
 def test_a_plain_node_gets_no_names(show: Arguments) -> None:
-    assert show(node()) == ['--ros-args']
+    assert show(node()) == ["--ros-args"]
 
 
 def test_names_remappings_and_arguments_become_ros_arguments(show: Arguments) -> None:
-    arguments, = show(SetLaunchConfiguration('n', 'tom'), node(
-        name=LaunchConfiguration('n'), namespace='ns', arguments=['-x', LaunchConfiguration('n')],
-        ros_arguments=['--log-level', 'debug'],
-        remappings=[('a', 'b'), (['/c', 'd'], LaunchConfiguration('n'))]))
-    assert arguments == ('-x tom --ros-args --log-level debug --ros-args -r __node:=tom -r __ns:=/ns '
-                         '-r a:=b -r /cd:=tom')
+    (arguments,) = show(
+        SetLaunchConfiguration("n", "tom"),
+        node(
+            name=LaunchConfiguration("n"),
+            namespace="ns",
+            arguments=["-x", LaunchConfiguration("n")],
+            ros_arguments=["--log-level", "debug"],
+            remappings=[("a", "b"), (["/c", "d"], LaunchConfiguration("n"))],
+        ),
+    )
+    assert arguments == (
+        "-x tom --ros-args --log-level debug --ros-args -r __node:=tom -r __ns:=/ns -r a:=b -r /cd:=tom"
+    )
 
 
 def test_the_process_may_have_a_name_of_its_own(launch, workspace) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    result = launch([node(exec_name='other')])
-    assert result.lines[-1] == '[INFO] [other-1]: process has finished cleanly [pid 1001]'
+    workspace.executable("demo", "show", SHOW)
+    result = launch([node(exec_name="other")])
+    assert result.lines[-1] == "[INFO] [other-1]: process has finished cleanly [pid 1001]"
 
 
-@pytest.mark.parametrize(('pushed', 'own', 'expected'), [
-    ([], None, None),
-    ([], 'node_ns', '/node_ns'),
-    ([], '/abs', '/abs'),
-    ([], '', '/'),
-    (['ns'], None, '/ns'),
-    (['ns'], 'node_ns', '/ns/node_ns'),
-    (['ns'], '/abs', '/abs'),
-    (['ns'], '', '/ns'),
-    (['/ns'], 'node_ns', '/ns/node_ns'),
-    (['rel', 'second'], 'node_ns', '/rel/second/node_ns'),
-    (['rel', '/abs'], 'node_ns', '/abs/node_ns'),
-    (['ns', '/'], 'node_ns', '/node_ns'),
-    (['ns/'], 'node_ns', '/ns/node_ns'),
-    (['one/two'], 'three/', '/one/two/three'),
-])
-def test_namespaces_are_put_together(show: Arguments, pushed: list[str], own: str | None, expected: str | None) -> None:
-    arguments, = show(*[PushRosNamespace(name) for name in pushed], node(namespace=own))
-    assert arguments == ('--ros-args' if expected is None else f'--ros-args -r __ns:={expected}')
+@pytest.mark.parametrize(
+    ("pushed", "own", "expected"),
+    [
+        ([], None, None),
+        ([], "node_ns", "/node_ns"),
+        ([], "/abs", "/abs"),
+        ([], "", "/"),
+        (["ns"], None, "/ns"),
+        (["ns"], "node_ns", "/ns/node_ns"),
+        (["ns"], "/abs", "/abs"),
+        (["ns"], "", "/ns"),
+        (["/ns"], "node_ns", "/ns/node_ns"),
+        (["rel", "second"], "node_ns", "/rel/second/node_ns"),
+        (["rel", "/abs"], "node_ns", "/abs/node_ns"),
+        (["ns", "/"], "node_ns", "/node_ns"),
+        (["ns/"], "node_ns", "/ns/node_ns"),
+        (["one/two"], "three/", "/one/two/three"),
+    ],
+)
+def test_namespaces_are_put_together(
+    show: Arguments, pushed: list[str], own: str | None, expected: str | None
+) -> None:
+    (arguments,) = show(*[PushRosNamespace(name) for name in pushed], node(namespace=own))
+    assert arguments == ("--ros-args" if expected is None else f"--ros-args -r __ns:={expected}")
 
 
 def test_a_pushed_namespace_ends_with_its_group(show: Arguments) -> None:
-    assert show(GroupAction([PushRosNamespace('a'), node()]), node()) == [
-        '--ros-args -r __ns:=/a', '--ros-args']
+    assert show(GroupAction([PushRosNamespace("a"), node()]), node()) == [
+        "--ros-args -r __ns:=/a",
+        "--ros-args",
+    ]
 
 
-@pytest.mark.parametrize('entities', [
-    [PushRosNamespace('not valid')], [node(name='not valid')], [node(namespace='1/2')]])
+@pytest.mark.parametrize(
+    "entities", [[PushRosNamespace("not valid")], [node(name="not valid")], [node(namespace="1/2")]]
+)
 def test_invalid_names_are_errors(launch, workspace, entities) -> None:
-    workspace.executable('demo', 'show', SHOW)
+    workspace.executable("demo", "show", SHOW)
     assert launch(entities).code == 1
 
 
 def test_parameters_are_written_to_a_file_for_the_node(show: Arguments) -> None:
-    arguments, = show(SetLaunchConfiguration('off', 'off'), node(name='n', namespace='/', parameters=[{
-        'a': 1, 'b': 2.5, 'c': True, 'd': 'text', 'e': 'off', 'f': LaunchConfiguration('off'),
-        'g': [1, 2.5], 'h': {'i': {'j': 'x'}}, (TextSubstitution(text='k'), LaunchConfiguration('off')): 3,
-        'l': ['a', 'b'], 'm': ParameterValue(LaunchConfiguration('off'), value_type=str),
-        'n': [[LaunchConfiguration('off'), 'a'], 'b'], 'o': ['x', LaunchConfiguration('off')], 'p': '1',
-    }]))
-    values = file_of(arguments)['/n']['ros__parameters']
+    (arguments,) = show(
+        SetLaunchConfiguration("off", "off"),
+        node(
+            name="n",
+            namespace="/",
+            parameters=[
+                {
+                    "a": 1,
+                    "b": 2.5,
+                    "c": True,
+                    "d": "text",
+                    "e": "off",
+                    "f": LaunchConfiguration("off"),
+                    "g": [1, 2.5],
+                    "h": {"i": {"j": "x"}},
+                    (TextSubstitution(text="k"), LaunchConfiguration("off")): 3,
+                    "l": ["a", "b"],
+                    "m": ParameterValue(LaunchConfiguration("off"), value_type=str),
+                    "n": [[LaunchConfiguration("off"), "a"], "b"],
+                    "o": ["x", LaunchConfiguration("off")],
+                    "p": "1",
+                }
+            ],
+        ),
+    )
+    values = file_of(arguments)["/n"]["ros__parameters"]
     assert values == {
-        'a': 1, 'b': 2.5, 'c': True, 'd': 'text', 'e': 'off', 'f': False, 'g': [1.0, 2.5], 'h.i.j': 'x', 'koff': 3,
-        'l': ['a', 'b'], 'm': 'off', 'n': ['offa', 'b'], 'o': 'xoff', 'p': '1'}
-    assert all(type(item) is float for item in values['g'])
+        "a": 1,
+        "b": 2.5,
+        "c": True,
+        "d": "text",
+        "e": "off",
+        "f": False,
+        "g": [1.0, 2.5],
+        "h.i.j": "x",
+        "koff": 3,
+        "l": ["a", "b"],
+        "m": "off",
+        "n": ["offa", "b"],
+        "o": "xoff",
+        "p": "1",
+    }
+    assert all(type(item) is float for item in values["g"])
 
 
 def test_the_file_is_for_all_nodes_when_the_name_is_not_known(show: Arguments) -> None:
-    arguments, = show(node(parameters=[{'a': 1}]))
-    assert file_of(arguments) == {'/**': {'ros__parameters': {'a': 1}}}
+    (arguments,) = show(node(parameters=[{"a": 1}]))
+    assert file_of(arguments) == {"/**": {"ros__parameters": {"a": 1}}}
 
 
 def test_files_and_mappings_keep_their_order(show: Arguments, tmp_path: Path) -> None:
-    (tmp_path / 'p.yaml').write_text('/**: {ros__parameters: {a: 1}}')
-    arguments, = show(SetLaunchConfiguration('folder', str(tmp_path)), node(parameters=[
-        {'a': 0}, PathJoinSubstitution([LaunchConfiguration('folder'), 'p.yaml']), tmp_path / 'p.yaml',
-        OneParameter('b', 'x')]))
+    (tmp_path / "p.yaml").write_text("/**: {ros__parameters: {a: 1}}")
+    (arguments,) = show(
+        SetLaunchConfiguration("folder", str(tmp_path)),
+        node(
+            parameters=[
+                {"a": 0},
+                PathJoinSubstitution([LaunchConfiguration("folder"), "p.yaml"]),
+                tmp_path / "p.yaml",
+                OneParameter("b", "x"),
+            ]
+        ),
+    )
     parts = arguments.split()
-    assert parts[3:] == ['--params-file', f'{tmp_path}/p.yaml', '--params-file', f'{tmp_path}/p.yaml', '-p', 'b:=x']
+    assert parts[3:] == [
+        "--params-file",
+        f"{tmp_path}/p.yaml",
+        "--params-file",
+        f"{tmp_path}/p.yaml",
+        "-p",
+        "b:=x",
+    ]
 
 
 def test_a_file_that_does_not_exist_is_warned_of_and_left_out(launch, workspace, tmp_path: Path) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    result = launch([node(parameters=[str(tmp_path / 'none.yaml')])])
-    assert f'[WARNING] [launch_ros.actions.node]: Parameter file path is not a file: {tmp_path}/none.yaml' \
+    workspace.executable("demo", "show", SHOW)
+    result = launch([node(parameters=[str(tmp_path / "none.yaml")])])
+    assert (
+        f"[WARNING] [launch_ros.actions.node]: Parameter file path is not a file: {tmp_path}/none.yaml"
         in result.lines
-    assert '[show-1] ARGV --ros-args' in result.lines
+    )
+    assert "[show-1] ARGV --ros-args" in result.lines
 
 
 def test_substitutions_in_a_parameter_file_are_performed_on_request(show: Arguments, tmp_path: Path) -> None:
-    path = tmp_path / 'p.yaml'
-    path.write_text('/**:\n  ros__parameters:\n    robot: $(var robot)  # $(var comment)\n')
-    arguments, = show(SetLaunchConfiguration('robot', 'r2'), node(parameters=[ParameterFile(str(path), allow_substs=True)]))
-    assert file_of(arguments) == {'/**': {'ros__parameters': {'robot': 'r2'}}}
+    path = tmp_path / "p.yaml"
+    path.write_text("/**:\n  ros__parameters:\n    robot: $(var robot)  # $(var comment)\n")
+    (arguments,) = show(
+        SetLaunchConfiguration("robot", "r2"), node(parameters=[ParameterFile(str(path), allow_substs=True)])
+    )
+    assert file_of(arguments) == {"/**": {"ros__parameters": {"robot": "r2"}}}
 
 
-@pytest.mark.parametrize('wrong', [
-    [{'a': None}], [{'a': []}], ['a', 3], [{'a': object()}], [{3: 'a'}], [{'a': [1, [2]]}]])
+@pytest.mark.parametrize(
+    "wrong", [[{"a": None}], [{"a": []}], ["a", 3], [{"a": object()}], [{3: "a"}], [{"a": [1, [2]]}]]
+)
 def test_wrong_parameters_are_type_errors_or_fail_the_launch(launch, workspace, wrong) -> None:
-    workspace.executable('demo', 'show', SHOW)
+    workspace.executable("demo", "show", SHOW)
     try:
         action = node(parameters=wrong)
     except TypeError:
@@ -167,118 +234,168 @@ def test_wrong_parameters_are_type_errors_or_fail_the_launch(launch, workspace, 
 
 def test_parameters_and_remappings_must_have_the_right_shape() -> None:
     with pytest.raises(TypeError):
-        node(parameters={'a': 1})
+        node(parameters={"a": 1})
     with pytest.raises(TypeError, match="'remapping' expected to be"):
-        node(remappings=[['a', 'b']])
-    with pytest.raises(TypeError, match='2-tuple'):
-        node(remappings=[('a', 'b', 'c')])
+        node(remappings=[["a", "b"]])
+    with pytest.raises(TypeError, match="2-tuple"):
+        node(remappings=[("a", "b", "c")])
 
 
 def test_what_a_substitution_gives_must_be_a_parameter(launch, workspace) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    result = launch([SetLaunchConfiguration('x', '{a: 1}'), node(parameters=[{'a': LaunchConfiguration('x')}])])
+    workspace.executable("demo", "show", SHOW)
+    result = launch(
+        [SetLaunchConfiguration("x", "{a: 1}"), node(parameters=[{"a": LaunchConfiguration("x")}])]
+    )
     assert result.code == 1
-    assert 'Allowed value types are bytes, bool, int, float, str' in result.text
-    assert 'ParameterValue(value, value_type=str)' in result.text
+    assert "Allowed value types are bytes, bool, int, float, str" in result.text
+    assert "ParameterValue(value, value_type=str)" in result.text
 
 
 def test_parameters_can_be_set_for_all_nodes_of_a_group(show: Arguments, tmp_path: Path) -> None:
-    (tmp_path / 'p.yaml').write_text('/**: {ros__parameters: {a: 1}}')
+    (tmp_path / "p.yaml").write_text("/**: {ros__parameters: {a: 1}}")
     inside, outside = show(
-        GroupAction([
-            SetParameter('speed', 1), SetParameter('speed', 2.5), SetParameter('words', ['a', 'b']),
-            SetParameter('text', '1'), SetUseSimTime(True), SetParametersFromFile(str(tmp_path / 'p.yaml')),
-            SetRemap('a', 'b'), node(remappings=[('c', 'd')])]),
-        node())
+        GroupAction(
+            [
+                SetParameter("speed", 1),
+                SetParameter("speed", 2.5),
+                SetParameter("words", ["a", "b"]),
+                SetParameter("text", "1"),
+                SetUseSimTime(True),
+                SetParametersFromFile(str(tmp_path / "p.yaml")),
+                SetRemap("a", "b"),
+                node(remappings=[("c", "d")]),
+            ]
+        ),
+        node(),
+    )
     # argv is shown without quotes around the parts that hold spaces
-    assert inside == (f"--ros-args -p speed:=2.5 -p words:=[a, b] -p text:='1' -p use_sim_time:=true "
-                      f'--params-file {tmp_path}/p.yaml -r a:=b -r c:=d')
-    assert outside == '--ros-args'
+    assert inside == (
+        f"--ros-args -p speed:=2.5 -p words:=[a, b] -p text:='1' -p use_sim_time:=true "
+        f"--params-file {tmp_path}/p.yaml -r a:=b -r c:=d"
+    )
+    assert outside == "--ros-args"
 
 
 def test_a_parameter_set_for_all_can_be_read_back(launch) -> None:
-    result = launch([SetParameter('a', 5), LogInfo(msg=[Parameter('a'), ' ', Parameter('b', default='none')])])
-    assert result.lines == ['[INFO] [launch.user]: 5 none']
-    failed = launch([LogInfo(msg=Parameter('b'))])
+    result = launch(
+        [SetParameter("a", 5), LogInfo(msg=[Parameter("a"), " ", Parameter("b", default="none")])]
+    )
+    assert result.lines == ["[INFO] [launch.user]: 5 none"]
+    failed = launch([LogInfo(msg=Parameter("b"))])
     assert "parameter 'b' not found" in failed.text
 
 
 def test_the_log_folder_of_nodes_can_be_set(launch, workspace) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    assert '[show-1] LOG /x/y' in launch([SetROSLogDir('/x/y'), node()]).lines
+    workspace.executable("demo", "show", SHOW)
+    assert "[show-1] LOG /x/y" in launch([SetROSLogDir("/x/y"), node()]).lines
 
 
 def test_packages_and_executables_are_found(context: LaunchContext, workspace) -> None:
-    path = workspace.executable('demo', 'show', SHOW)
-    assert FindPackagePrefix('demo').perform(context) == str(workspace.prefix)
-    assert FindPackageShare(['de', 'mo']).perform(context) == str(workspace.prefix / 'share/demo')
-    assert ExecutableInPackage('show', 'demo').perform(context) == str(path)
+    path = workspace.executable("demo", "show", SHOW)
+    assert FindPackagePrefix("demo").perform(context) == str(workspace.prefix)
+    assert FindPackageShare(["de", "mo"]).perform(context) == str(workspace.prefix / "share/demo")
+    assert ExecutableInPackage("show", "demo").perform(context) == str(path)
 
 
 def test_what_is_not_found_is_an_error_that_names_the_alternatives(launch, workspace) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    assert "package 'demmo' not found" in launch([Node(package='demmo', executable='x')]).text
-    text = launch([Node(package='demo', executable='sho')]).text
+    workspace.executable("demo", "show", SHOW)
+    assert "package 'demmo' not found" in launch([Node(package="demmo", executable="x")]).text
+    text = launch([Node(package="demo", executable="sho")]).text
     assert "executable 'sho' not found on the libexec directory" in text
-    assert 'the package has: show' in text
+    assert "the package has: show" in text
 
 
 def test_two_nodes_of_one_name_are_warned_of(launch, workspace) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    result = launch([node(name='a', namespace='n'), node(name='a', namespace='n')])
-    assert ('[WARNING] [launch_ros.actions.node]: there are now at least 2 nodes with the name /n/a created within '
-            'this launch context') in result.lines
+    workspace.executable("demo", "show", SHOW)
+    result = launch([node(name="a", namespace="n"), node(name="a", namespace="n")])
+    assert (
+        "[WARNING] [launch_ros.actions.node]: there are now at least 2 nodes with the name /n/a created "
+        "within this launch context"
+    ) in result.lines
 
 
 def test_the_full_name_is_known_after_it_was_carried_out(launch, workspace) -> None:
-    workspace.executable('demo', 'show', SHOW)
-    action = node(name='a', namespace='n')
+    workspace.executable("demo", "show", SHOW)
+    action = node(name="a", namespace="n")
     with pytest.raises(RuntimeError, match="cannot access 'node_name' before executing action"):
         _ = action.node_name
     launch([action])
-    assert action.node_name == '/n/a'
+    assert action.node_name == "/n/a"
 
 
 def test_an_executable_may_be_a_path(launch, workspace) -> None:
-    path = workspace.executable('demo', 'show', SHOW)
-    assert '[show-1] ARGV --ros-args' in launch([Node(executable=str(path), output='screen')]).lines
+    path = workspace.executable("demo", "show", SHOW)
+    assert "[show-1] ARGV --ros-args" in launch([Node(executable=str(path), output="screen")]).lines
 
 
 def test_components_run_as_python_executables_of_their_package(launch, talker) -> None:
-    component = ComposableNode(package='demo', plugin='demo::Talker', name='tom', parameters=[{'text': 'hi'}])
-    result = launch([
-        ComposableNodeContainer(name='box', namespace='', package='rclcpp_components',
-                                executable='component_container', composable_node_descriptions=[component])],
-        interrupt_after=1.5)
+    component = ComposableNode(package="demo", plugin="demo::Talker", name="tom", parameters=[{"text": "hi"}])
+    result = launch(
+        [
+            ComposableNodeContainer(
+                name="box",
+                namespace="",
+                package="rclcpp_components",
+                executable="component_container",
+                composable_node_descriptions=[component],
+            )
+        ],
+        interrupt_after=1.5,
+    )
     assert '[talker-1] [INFO] [1700000001.000000000] [tom]: Publishing: "hi 0" on /chatter' in result.lines
 
 
 def test_a_component_that_is_only_a_library_is_a_clear_error(launch, talker) -> None:
-    result = launch([LoadComposableNodes(target_container='/box', composable_node_descriptions=[
-        ComposableNode(package='demo', plugin='demo::Camera')])])
+    result = launch(
+        [
+            LoadComposableNodes(
+                target_container="/box",
+                composable_node_descriptions=[ComposableNode(package="demo", plugin="demo::Camera")],
+            )
+        ]
+    )
     assert result.code == 1
     assert "component 'demo::Camera' of package 'demo' is a C++ library" in result.text
 
 
 def test_parameters_remappings_and_namespaces_reach_the_node(launch, talker) -> None:
-    result = launch([
-        DeclareLaunchArgument('rate', default_value='2'),
-        GroupAction([
-            PushRosNamespace('robot1'),
-            Node(package='demo', executable='talker', name='tom', output='screen',
-                 parameters=[{'text': 'hi', 'rate': ParameterValue(LaunchConfiguration('rate'), value_type=float)}],
-                 remappings=[('chatter', 'gossip')])]),
-    ], interrupt_after=0.6)
-    assert result.lines[1] == ('[talker-1] [INFO] [1700000000.500000000] [robot1.tom]: Publishing: "hi 0" on '
-                               '/robot1/gossip')
+    result = launch(
+        [
+            DeclareLaunchArgument("rate", default_value="2"),
+            GroupAction(
+                [
+                    PushRosNamespace("robot1"),
+                    Node(
+                        package="demo",
+                        executable="talker",
+                        name="tom",
+                        output="screen",
+                        parameters=[
+                            {
+                                "text": "hi",
+                                "rate": ParameterValue(LaunchConfiguration("rate"), value_type=float),
+                            }
+                        ],
+                        remappings=[("chatter", "gossip")],
+                    ),
+                ]
+            ),
+        ],
+        interrupt_after=0.6,
+    )
+    assert result.lines[1] == (
+        '[talker-1] [INFO] [1700000000.500000000] [robot1.tom]: Publishing: "hi 0" on /robot1/gossip'
+    )
 
 
 def test_a_node_can_start_later(launch, talker, session) -> None:
-    result = launch([TimerAction(period=10.0, actions=[Node(package='demo', executable='talker', output='screen')])],
-                    interrupt_after=11.5)
-    assert '1700000011.000000000' in result.lines[1]
+    result = launch(
+        [TimerAction(period=10.0, actions=[Node(package="demo", executable="talker", output="screen")])],
+        interrupt_after=11.5,
+    )
+    assert "1700000011.000000000" in result.lines[1]
 
 
 def test_a_description_may_be_made_of_nodes_without_launching(workspace) -> None:
-    description = LaunchDescription([node(name='a')])
+    description = LaunchDescription([node(name="a")])
     assert len(description.entities) == 1

@@ -9,8 +9,16 @@ import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-LAUNCH_FILE_ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.launch.yml', '_launch.py', '_launch.xml',
-                       '_launch.yaml', '_launch.yml')
+LAUNCH_FILE_ENDINGS = (
+    ".launch.py",
+    ".launch.xml",
+    ".launch.yaml",
+    ".launch.yml",
+    "_launch.py",
+    "_launch.xml",
+    "_launch.yaml",
+    "_launch.yml",
+)
 
 
 class LaunchFileError(Exception):
@@ -19,28 +27,56 @@ class LaunchFileError(Exception):
 
 def register(subparsers: Any) -> None:
     """Add the `launch` command to the parser of `ros2`."""
-    parser = subparsers.add_parser('launch', help='Run a launch file', description='Run a launch file')
-    parser.add_argument('-n', '--noninteractive', action='store_true',
-                        help='Run with no terminal of its own: Ctrl-C is not passed on by a terminal')
-    parser.add_argument('-d', '--debug', action='store_true',
-                        help='Put the launch system in debug mode, which prints more')
+    parser = subparsers.add_parser("launch", help="Run a launch file", description="Run a launch file")
+    parser.add_argument(
+        "-n",
+        "--noninteractive",
+        action="store_true",
+        help="Run with no terminal of its own: Ctrl-C is not passed on by a terminal",
+    )
+    parser.add_argument(
+        "-d", "--debug", action="store_true", help="Put the launch system in debug mode, which prints more"
+    )
     only = parser.add_mutually_exclusive_group()
-    only.add_argument('-p', '--print', '--print-description', dest='print_description', action='store_true',
-                      help='Print the launch description without launching it')
-    only.add_argument('-s', '--show-args', '--show-arguments', dest='show_args', action='store_true',
-                      help='Show the arguments that may be given to the launch file')
-    parser.add_argument('-a', '--show-all-subprocesses-output', action='store_true',
-                        help='Show what all processes print, whatever their output setting is')
-    parser.add_argument('--launch-prefix', default=None,
-                        help='Command that goes before every executable, for example gdb')
-    parser.add_argument('--launch-prefix-filter', default=None,
-                        help='Regular expression of the executables that get the launch prefix')
-    package = parser.add_argument('package_name', help='Name of the package, or path of a launch file')
+    only.add_argument(
+        "-p",
+        "--print",
+        "--print-description",
+        dest="print_description",
+        action="store_true",
+        help="Print the launch description without launching it",
+    )
+    only.add_argument(
+        "-s",
+        "--show-args",
+        "--show-arguments",
+        dest="show_args",
+        action="store_true",
+        help="Show the arguments that may be given to the launch file",
+    )
+    parser.add_argument(
+        "-a",
+        "--show-all-subprocesses-output",
+        action="store_true",
+        help="Show what all processes print, whatever their output setting is",
+    )
+    parser.add_argument(
+        "--launch-prefix", default=None, help="Command that goes before every executable, for example gdb"
+    )
+    parser.add_argument(
+        "--launch-prefix-filter",
+        default=None,
+        help="Regular expression of the executables that get the launch prefix",
+    )
+    package = parser.add_argument("package_name", help="Name of the package, or path of a launch file")
     package.completer = complete_package_or_file  # type: ignore[attr-defined]
-    file = parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
+    file = parser.add_argument("launch_file_name", nargs="?", help="Name of the launch file")
     file.completer = complete_file_name  # type: ignore[attr-defined]
-    parser.add_argument('launch_arguments', nargs='*',
-                        help="Arguments of the launch file, as '<name>:=<value>'; the last one of a name wins")
+    parser.add_argument(
+        "launch_arguments",
+        nargs="*",
+        help="Arguments of the launch file, as '<name>:=<value>'; the last one of a name wins",
+    )
     parser.set_defaults(main=main)
 
 
@@ -53,13 +89,15 @@ def main(args: argparse.Namespace) -> int:
         print(error, file=sys.stderr)
         return 1
     if args.show_all_subprocesses_output:
-        os.environ['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
+        os.environ["OVERRIDE_LAUNCH_PROCESS_OUTPUT"] = "both"
     if args.print_description or args.show_args:
         return _show(path, arguments_only=args.show_args)
     return _launch(path, arguments, [*pairs, *_prefix_arguments(args)], args)
 
 
-def find_launch_file(package_or_path: str, name: str | None, arguments: Iterable[str]) -> tuple[str, list[str]]:
+def find_launch_file(
+    package_or_path: str, name: str | None, arguments: Iterable[str]
+) -> tuple[str, list[str]]:
     """Return the launch file's path and the arguments for it.
 
     Raises:
@@ -67,7 +105,7 @@ def find_launch_file(package_or_path: str, name: str | None, arguments: Iterable
     """
     from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
 
-    if name is None or ':=' in name:
+    if name is None or ":=" in name:
         first = [] if name is None else [name]
         return _existing(package_or_path), [*first, *arguments]
     try:
@@ -75,7 +113,9 @@ def find_launch_file(package_or_path: str, name: str | None, arguments: Iterable
     except (PackageNotFoundError, ValueError) as error:
         if os.path.isfile(package_or_path):
             return package_or_path, [name, *arguments]
-        raise LaunchFileError(f"Package '{package_or_path}' not found: {error}{_near_package(package_or_path)}") from None
+        raise LaunchFileError(
+            f"Package '{package_or_path}' not found: {error}{_near_package(package_or_path)}"
+        ) from None
     return file_in_share(package_or_path, share, name), list(arguments)
 
 
@@ -85,16 +125,18 @@ def _existing(path: str) -> str:
     from ament_index_python.packages import get_packages_with_prefixes
 
     if path in get_packages_with_prefixes():
-        files = ', '.join(sorted(complete_file_name('', argparse.Namespace(package_name=path)))) or 'none'
+        files = ", ".join(sorted(complete_file_name("", argparse.Namespace(package_name=path)))) or "none"
         raise LaunchFileError(f"No launch file supplied; package '{path}' has: {files}")
-    raise LaunchFileError(f"No launch file supplied: there is no file '{path}'; type ros2 launch PACKAGE FILE")
+    raise LaunchFileError(
+        f"No launch file supplied: there is no file '{path}'; type ros2 launch PACKAGE FILE"
+    )
 
 
 def _near_package(name: str) -> str:
     from ament_index_python.packages import get_packages_with_prefixes
 
     near = difflib.get_close_matches(name, sorted(get_packages_with_prefixes()), n=1)
-    return f'; did you mean {near[0]}?' if near else ''
+    return f"; did you mean {near[0]}?" if near else ""
 
 
 def file_in_share(package: str, share: str, name: str) -> str:
@@ -108,11 +150,13 @@ def file_in_share(package: str, share: str, name: str) -> str:
         known = sorted(os.path.basename(path) for path in _files(share) if path.endswith(LAUNCH_FILE_ENDINGS))
         raise LaunchFileError(
             f"file '{name}' was not found in the share directory of package '{package}' which is at '{share}'"
-            f"{'; its launch files: ' + ', '.join(known) if known else ''}")
+            f"{'; its launch files: ' + ', '.join(known) if known else ''}"
+        )
     if len(found) > 1:
-        paths = ', '.join(f"'{path}'" for path in found)
+        paths = ", ".join(f"'{path}'" for path in found)
         raise LaunchFileError(
-            f"file '{name}' was found more than once in the share directory of package '{package}': [{paths}]")
+            f"file '{name}' was found more than once in the share directory of package '{package}': [{paths}]"
+        )
     return found[0]
 
 
@@ -134,15 +178,17 @@ def parse_launch_arguments(arguments: Iterable[str]) -> list[tuple[str, str]]:
     """
     pairs: dict[str, str] = {}
     for argument in arguments:
-        name, sign, value = argument.partition(':=')
+        name, sign, value = argument.partition(":=")
         if not sign or not name or not value:
-            raise LaunchFileError(f"malformed launch argument '{argument}', expected format '<name>:=<value>'")
+            raise LaunchFileError(
+                f"malformed launch argument '{argument}', expected format '<name>:=<value>'"
+            )
         pairs[name] = value
     return list(pairs.items())
 
 
 def _prefix_arguments(args: argparse.Namespace) -> list[tuple[str, str]]:
-    settings = {'launch-prefix': args.launch_prefix, 'launch-prefix-filter': args.launch_prefix_filter}
+    settings = {"launch-prefix": args.launch_prefix, "launch-prefix-filter": args.launch_prefix_filter}
     return [(name, value) for name, value in settings.items() if value is not None]
 
 
@@ -152,8 +198,11 @@ def _launch(path: str, arguments: list[str], pairs: list[tuple[str, str]], args:
     from launch.launch_description_sources import AnyLaunchDescriptionSource
 
     service = LaunchService(argv=arguments, noninteractive=args.noninteractive, debug=args.debug)
-    service.include_launch_description(LaunchDescription([
-        IncludeLaunchDescription(AnyLaunchDescriptionSource(path), launch_arguments=pairs)]))
+    service.include_launch_description(
+        LaunchDescription(
+            [IncludeLaunchDescription(AnyLaunchDescriptionSource(path), launch_arguments=pairs)]
+        )
+    )
     return service.run()
 
 
@@ -166,8 +215,11 @@ def _show(path: str, arguments_only: bool) -> int:
     except InvalidLaunchFileError as error:
         print(error, file=sys.stderr)
         return 1
-    print(arguments_text(description) if arguments_only
-          else LaunchIntrospector().format_launch_description(description))
+    print(
+        arguments_text(description)
+        if arguments_only
+        else LaunchIntrospector().format_launch_description(description)
+    )
     return 0
 
 
@@ -176,16 +228,16 @@ def arguments_text(description: Any) -> str:
     arguments = description.get_launch_arguments()
     lines = ["Arguments (pass arguments as '<name>:=<value>'):"]
     for argument in arguments:
-        star = '*' if argument._conditionally_included else ''
-        lines += ['', f"    '{argument.name}':{star}", f'        {argument.description}']
+        star = "*" if argument._conditionally_included else ""
+        lines += ["", f"    '{argument.name}':{star}", f"        {argument.description}"]
         if argument.default_value is not None:
-            default = ' + '.join(token.describe() for token in argument.default_value)
-            lines.append(f'        (default: {default})')
+            default = " + ".join(token.describe() for token in argument.default_value)
+            lines.append(f"        (default: {default})")
     if not arguments:
-        lines += ['', '  No arguments.']
+        lines += ["", "  No arguments."]
     elif any(argument._conditionally_included for argument in arguments):
-        lines += ['', '* argument(s) which are only used if specific conditions occur']
-    return '\n'.join(lines)
+        lines += ["", "* argument(s) which are only used if specific conditions occur"]
+    return "\n".join(lines)
 
 
 def complete_package_or_file(prefix: str, **_: Any) -> list[str]:
@@ -193,11 +245,13 @@ def complete_package_or_file(prefix: str, **_: Any) -> list[str]:
     from ament_index_python.packages import get_packages_with_prefixes
 
     folder = os.path.dirname(prefix)
-    names = sorted(os.listdir(folder or '.')) if os.path.isdir(folder or '.') else []
+    names = sorted(os.listdir(folder or ".")) if os.path.isdir(folder or ".") else []
     paths = [os.path.join(folder, name) for name in names]
     files = [path for path in paths if path.endswith(LAUNCH_FILE_ENDINGS)]
     folders = [path + os.sep for path in paths if os.path.isdir(path)]
-    return [name for name in [*sorted(get_packages_with_prefixes()), *files, *folders] if name.startswith(prefix)]
+    return [
+        name for name in [*sorted(get_packages_with_prefixes()), *files, *folders] if name.startswith(prefix)
+    ]
 
 
 def complete_file_name(prefix: str, parsed_args: argparse.Namespace, **_: Any) -> list[str]:

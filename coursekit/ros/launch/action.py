@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from .condition import Condition
 from .launch_description_entity import LaunchDescriptionEntity
@@ -28,14 +28,14 @@ class Action(LaunchDescriptionEntity):
         """
         from .conditions import IfCondition, UnlessCondition
 
-        if_text = entity.get_attr('if', optional=True)
-        unless_text = entity.get_attr('unless', optional=True)
+        if_text = entity.get_attr("if", optional=True)
+        unless_text = entity.get_attr("unless", optional=True)
         if if_text is not None and unless_text is not None:
             raise RuntimeError("if and unless conditions can't be used simultaneously")
         if if_text is not None:
-            return Action, {'condition': IfCondition(parser.parse_substitution(if_text))}
+            return Action, {"condition": IfCondition(parser.parse_substitution(if_text))}
         if unless_text is not None:
-            return Action, {'condition': UnlessCondition(parser.parse_substitution(unless_text))}
+            return Action, {"condition": UnlessCondition(parser.parse_substitution(unless_text))}
         return Action, {}
 
     @property
@@ -45,7 +45,7 @@ class Action(LaunchDescriptionEntity):
 
     def describe(self) -> str:
         """Return a short description of this action."""
-        return f'{type(self).__name__}({hex(id(self))})'
+        return f"{type(self).__name__}({hex(id(self))})"
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities this action gives when it is carried out."""
@@ -61,14 +61,14 @@ class Action(LaunchDescriptionEntity):
         """Return the sub-entities that depend on this action's condition."""
         if self.condition is None:
             return []
-        return [('Conditionally included by ' + self.describe(), self.get_sub_entities())]
+        return [("Conditionally included by " + self.describe(), self.get_sub_entities())]
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Carry the action out when its condition holds."""
         if self.__condition is not None and not self.__condition.evaluate(context):
             return None
         try:
-            return cast('list[LaunchDescriptionEntity] | None', self.execute(context))
+            return self.execute(context)
         finally:
             from .events import ExecutionComplete
 

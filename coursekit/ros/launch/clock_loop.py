@@ -36,9 +36,10 @@ class ClockLoop(asyncio.AbstractEventLoop):
 
     def time(self) -> float:
         """Return the session's steady time in seconds."""
-        return self.__session.clock.steady() / 1e9
+        seconds: float = self.__session.clock.steady() / 1e9
+        return seconds
 
-    def call_soon(
+    def call_soon(  # type: ignore[override]
         self, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.Handle:
         """Have a callback run in the next round."""
@@ -46,7 +47,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
         self.__ready.append(handle)
         return handle
 
-    def call_soon_threadsafe(
+    def call_soon_threadsafe(  # type: ignore[override]
         self, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.Handle:
         """Have a callback run soon; may be called from any thread or process of the session."""
@@ -54,13 +55,13 @@ class ClockLoop(asyncio.AbstractEventLoop):
         self.__wake.set()
         return handle
 
-    def call_later(
+    def call_later(  # type: ignore[override]
         self, delay: float, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.TimerHandle:
         """Have a callback run after `delay` seconds."""
         return self.call_at(self.time() + delay, callback, *args, context=context)
 
-    def call_at(
+    def call_at(  # type: ignore[override]
         self, when: float, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.TimerHandle:
         """Have a callback run at a steady time, in seconds."""
@@ -76,7 +77,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
         """Return a new future of this loop."""
         return asyncio.Future(loop=self)
 
-    def create_task(self, coro: Any, **kwargs: Any) -> asyncio.Task[Any]:  # type: ignore[override]
+    def create_task(self, coro: Any, **kwargs: Any) -> asyncio.Task[Any]:
         """Start a coroutine."""
         return asyncio.Task(coro, loop=self, **kwargs)
 
@@ -112,9 +113,9 @@ class ClockLoop(asyncio.AbstractEventLoop):
 
     def __run(self, finished: Callable[[], bool]) -> None:
         if self.__closed:
-            raise RuntimeError('Event loop is closed')
+            raise RuntimeError("Event loop is closed")
         if self.__running:
-            raise RuntimeError('This event loop is already running')
+            raise RuntimeError("This event loop is already running")
         self.__running = True
         try:
             while not finished():
@@ -198,7 +199,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
         """Log the exception."""
         from .logging import get_logger
 
-        get_logger('launch').error(context.get('message'), exc_info=context.get('exception'))
+        get_logger("launch").error(context.get("message"), exc_info=context.get("exception"))
 
 
 def _settle(future: asyncio.Future[Any], result: Any, error: BaseException | None) -> None:
@@ -214,7 +215,7 @@ def _run_as_current(loop: ClockLoop, handle: asyncio.Handle) -> None:
     """Run a callback with `loop` as this thread's running loop, then put the loop around it back."""
     outer = asyncio.events._get_running_loop()
     task = None
-    swap = getattr(asyncio.tasks, '_swap_current_task', None)
+    swap = getattr(asyncio.tasks, "_swap_current_task", None)
     if outer is not None and swap is not None:
         task = swap(outer, None)
     asyncio.events._set_running_loop(loop)

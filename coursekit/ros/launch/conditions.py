@@ -13,16 +13,16 @@ if TYPE_CHECKING:
     from .launch_context import LaunchContext
 
 __all__ = [
-    'IfCondition',
-    'InvalidConditionExpressionError',
-    'LaunchConfigurationEquals',
-    'LaunchConfigurationNotEquals',
-    'UnlessCondition',
-    'evaluate_condition_expression',
+    "IfCondition",
+    "InvalidConditionExpressionError",
+    "LaunchConfigurationEquals",
+    "LaunchConfigurationNotEquals",
+    "UnlessCondition",
+    "evaluate_condition_expression",
 ]
 
-VALID_TRUE = ('true', '1')
-VALID_FALSE = ('false', '0')
+VALID_TRUE = ("true", "1")
+VALID_FALSE = ("false", "0")
 
 
 class InvalidConditionExpressionError(RuntimeError):
@@ -32,7 +32,8 @@ class InvalidConditionExpressionError(RuntimeError):
         self.expression = expression
         super().__init__(
             f"invalid condition expression, expected one of '{list(VALID_TRUE)}' or "
-            f"'{list(VALID_FALSE)}', but got '{expression}'")
+            f"'{list(VALID_FALSE)}', but got '{expression}'"
+        )
 
 
 def evaluate_condition_expression(context: LaunchContext, expression: Sequence[Substitution]) -> bool:
@@ -67,8 +68,8 @@ class _ExpressionCondition(Condition):
 
     def describe(self) -> str:
         """Return the condition with its expression."""
-        inner = ' + '.join(sub.describe() for sub in self.__expression)
-        return f'{type(self).__name__}({inner})'
+        inner = " + ".join(sub.describe() for sub in self.__expression)
+        return f"{type(self).__name__}({inner})"
 
 
 class IfCondition(_ExpressionCondition):
@@ -113,16 +114,12 @@ class _ConfigurationCondition(Condition):
 class LaunchConfigurationEquals(_ConfigurationCondition):
     """Holds when the launch configuration has this value (None: is not set)."""
 
-    def __init__(
-        self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None
-    ) -> None:
+    def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:
         super().__init__(launch_configuration_name, expected_value, True)
 
 
 class LaunchConfigurationNotEquals(_ConfigurationCondition):
     """Holds when the launch configuration does not have this value (None: is set)."""
 
-    def __init__(
-        self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None
-    ) -> None:
+    def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:
         super().__init__(launch_configuration_name, expected_value, False)

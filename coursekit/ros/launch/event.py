@@ -6,4 +6,4 @@ from __future__ import annotations
 class Event:
     """Something that happened; event handlers react to it."""
 
-    name = 'launch.Event'
+    name = "launch.Event"

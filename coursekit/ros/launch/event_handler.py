@@ -30,12 +30,12 @@ class BaseEventHandler:
     @property
     def handler_description(self) -> str:
         """What the handler does; subclasses override it."""
-        return '{}'
+        return "{}"
 
     @property
     def matcher_description(self) -> str:
         """Which events the handler accepts; subclasses override it."""
-        return '{}'
+        return "{}"
 
     def matches(self, event: Event) -> bool:
         """Return whether this handler wants `event`."""
@@ -43,12 +43,14 @@ class BaseEventHandler:
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
         """Return a description and the entities this handler may give."""
-        return (f"{type(self).__name__}(matcher='{self.matcher_description}', "
-                f"handler='{self.handler_description}', handle_once={self.handle_once})"), []
+        return (
+            f"{type(self).__name__}(matcher='{self.matcher_description}', "
+            f"handler='{self.handler_description}', handle_once={self.handle_once})"
+        ), []
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """Put `event` into the context's locals; subclasses return what to visit next."""
-        context.extend_locals({'event': event})
+        context.extend_locals({"event": event})
         if self.handle_once:
             context.unregister_event_handler(self)
         return None
@@ -81,8 +83,9 @@ class EventHandler(BaseEventHandler):
         """Return the entities to visit for `event`."""
         super().handle(event, context)
         if callable(self.__entities) and not isinstance(self.__entities, LaunchDescriptionEntity):
-            return self.__entities(event, context)
-        return self.__entities
+            entities: SomeEntitiesType | None = self.__entities(event, context)
+            return entities
+        return as_entities(self.__entities)
 
 
 def as_entities(some: Any) -> list[Any]:

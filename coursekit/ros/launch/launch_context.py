@@ -78,7 +78,7 @@ class LaunchContext:
 
     def _pop_locals(self) -> None:
         if not self.__locals_stack:
-            raise RuntimeError('locals stack unexpectedly empty')
+            raise RuntimeError("locals stack unexpectedly empty")
         self.__locals = self.__locals_stack.pop()
 
     def get_locals_as_dict(self) -> dict[str, Any]:
@@ -105,7 +105,7 @@ class LaunchContext:
 
     def _pop_launch_configurations(self) -> None:
         if not self.__configurations_stack:
-            raise RuntimeError('launch configurations stack unexpectedly empty')
+            raise RuntimeError("launch configurations stack unexpectedly empty")
         _restore(self.__configurations, self.__configurations_stack.pop())
 
     def _reset_launch_configurations(self, launch_configurations: Mapping[str, str]) -> None:
@@ -123,7 +123,7 @@ class LaunchContext:
 
     def _pop_environment(self) -> None:
         if not self.__environment_stack:
-            raise RuntimeError('environment stack unexpectedly empty')
+            raise RuntimeError("environment stack unexpectedly empty")
         _restore(os.environ, self.__environment_stack.pop())
 
     def _reset_environment(self) -> None:
@@ -206,11 +206,12 @@ class _Locals:
 
     def __init__(self, values: dict[str, Any]) -> None:
         self.__dict__.update(values)
-        self.__dict__['_names'] = sorted(values)
+        self.__dict__["_names"] = sorted(values)
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(
-            f"'LaunchContext.locals' has no attribute '{name}' (known: {', '.join(self.__dict__['_names'])})")
+            f"'LaunchContext.locals' has no attribute '{name}' (known: {', '.join(self.__dict__['_names'])})"
+        )
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"can't set attribute '{name}', locals are read-only; use extend_locals")

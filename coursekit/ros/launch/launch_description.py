@@ -30,9 +30,9 @@ class LaunchDescription(LaunchDescriptionEntity):
         if self.__deprecated_reason is not None:
             from .logging import get_logger
 
-            path = context.get_locals_as_dict().get('current_launch_file_path')
-            what = f'launch file [{path}] is deprecated' if path else 'deprecated launch description'
-            get_logger().warning(f'{what}: {self.__deprecated_reason}')
+            path = context.get_locals_as_dict().get("current_launch_file_path")
+            what = f"launch file [{path}] is deprecated" if path else "deprecated launch description"
+            get_logger().warning(f"{what}: {self.__deprecated_reason}")
         return self.__entities
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -19,8 +19,8 @@ class LaunchDescriptionSource:
     def __init__(
         self,
         launch_description: LaunchDescription | None = None,
-        location: SomeSubstitutionsType = '<string>',
-        method: str = 'unspecified mechanism from a script',
+        location: SomeSubstitutionsType = "<string>",
+        method: str = "unspecified mechanism from a script",
     ) -> None:
         self.__launch_description = launch_description
         self.__location = normalize_to_list_of_substitutions(location)
@@ -48,13 +48,13 @@ class LaunchDescriptionSource:
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
         """Return the description of a location; subclasses override this."""
-        raise RuntimeError(f'{type(self).__name__} cannot load {location}: use a source for files')
+        raise RuntimeError(f"{type(self).__name__} cannot load {location}: use a source for files")
 
     @property
     def location(self) -> str:
         """The location: the path once it is known, before that its substitutions in words."""
         if self.__expanded_location is None:
-            return ' + '.join(str(sub.describe()) for sub in self.__location)
+            return " + ".join(str(sub.describe()) for sub in self.__location)
         return self.__expanded_location
 
     @property

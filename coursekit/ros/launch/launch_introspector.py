@@ -10,7 +10,7 @@ from .utilities import is_a
 
 def format_substitutions(subs: list[Substitution]) -> str:
     """Return substitutions in words, joined with a plus."""
-    return ' + '.join(sub.describe() for sub in subs)
+    return " + ".join(sub.describe() for sub in subs)
 
 
 class LaunchIntrospector:
@@ -24,16 +24,16 @@ class LaunchIntrospector:
 
     def format_launch_description(self, launch_description: LaunchDescription) -> str:
         """Return the tree of a launch description."""
-        return '\n'.join([_title(launch_description), *_branches(launch_description)])
+        return "\n".join([_title(launch_description), *_branches(launch_description)])
 
 
 def _title(entity: LaunchDescriptionEntity) -> str:
     from .actions import ExecuteLocal
 
     if is_a(entity, LaunchDescription):
-        return ''
+        return ""
     if isinstance(entity, ExecuteLocal):
-        command = [format_substitutions(part) for part in entity.process_description.cmd]  # type: ignore[arg-type]
+        command = [format_substitutions(part) for part in entity.process_description.cmd]
         return f"{type(entity).__name__}(cmd=[{', '.join(command)}])"
     return entity.describe()
 
@@ -46,7 +46,7 @@ def _branches(entity: LaunchDescriptionEntity) -> list[str]:
     for condition, entities in groups:
         if condition is not None:
             inner = _tree([(_title(sub), _branches(sub)) for sub in entities])
-            items.append((f'ConditionalGroup({condition})', inner))
+            items.append((f"ConditionalGroup({condition})", inner))
         else:
             items += [(_title(sub), _branches(sub)) for sub in entities]
     return _tree(items)
@@ -57,6 +57,6 @@ def _tree(items: list[tuple[str, list[str]]]) -> list[str]:
     lines = []
     for index, (title, inner) in enumerate(items):
         last = index == len(items) - 1
-        lines.append(('└── ' if last else '├── ') + title)
-        lines += [('    ' if last else '│   ') + line for line in inner]
+        lines.append(("└── " if last else "├── ") + title)
+        lines += [("    " if last else "│   ") + line for line in inner]
     return lines

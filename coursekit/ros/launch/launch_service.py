@@ -20,7 +20,7 @@ from .launch_description_entity import LaunchDescriptionEntity
 from .logging.config import shown_log_dir
 from .utilities.entities import visit_entities
 
-INTERRUPTED = 'user interrupted with ctrl-c (SIGINT)'
+INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
 
 
 class LaunchService:
@@ -41,8 +41,8 @@ class LaunchService:
     ) -> None:
         launch_logging.launch_config.level = logging.DEBUG if debug else logging.INFO
         self.__debug = debug
-        self.__logger = launch_logging.get_logger('launch')
-        self.__logger.info(f'All log files can be found below {shown_log_dir()}')
+        self.__logger = launch_logging.get_logger("launch")
+        self.__logger.info(f"All log files can be found below {shown_log_dir()}")
         self.__logger.info(f"Default logging verbosity is set to {'DEBUG' if debug else 'INFO'}")
         self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self.__context.register_event_handler(OnIncludeLaunchDescription())
@@ -84,7 +84,7 @@ class LaunchService:
     def shutdown(self, force_sync: bool = False) -> None:
         """End the launch; safe from any thread. Does nothing when it does not run."""
         if self.__loop is not None:
-            self.__loop.call_soon_threadsafe(self._shutdown, 'LaunchService.shutdown() called', False)
+            self.__loop.call_soon_threadsafe(self._shutdown, "LaunchService.shutdown() called", False)
 
     # -- running
 
@@ -94,8 +94,8 @@ class LaunchService:
         Ctrl-C shuts the launch down, and is passed on to the processes it started.
         """
         if self.__loop is not None:
-            raise RuntimeError('LaunchService.run() called from multiple threads concurrently.')
-        loop = ClockLoop()
+            raise RuntimeError("LaunchService.run() called from multiple threads concurrently.")
+        loop = ClockLoop()  # type: ignore[abstract]
         loop.set_debug(self.__debug)
         task = loop.create_task(self.run_async(shutdown_when_idle=shutdown_when_idle))
         try:
@@ -116,11 +116,11 @@ class LaunchService:
 
     def _on_sigint(self) -> None:
         if self.__interrupted:
-            self.__logger.warning(f'{INTERRUPTED} again, ignoring...')
+            self.__logger.warning(f"{INTERRUPTED} again, ignoring...")
             return
         self.__interrupted = True
         self.__logger.warning(INTERRUPTED)
-        self._shutdown('ctrl-c (SIGINT)', True)
+        self._shutdown("ctrl-c (SIGINT)", True)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Launch on the loop that runs this coroutine; see `run`."""
@@ -148,7 +148,7 @@ class LaunchService:
             elif self.__shutting_down:
                 return
             elif shutdown_when_idle:
-                self._shutdown('idle', False)
+                self._shutdown("idle", False)
             else:
                 await self.__something_happens()
 
@@ -185,11 +185,11 @@ class LaunchService:
 
     def __fail(self, error: BaseException) -> None:
         """Log an error and shut down; the launch returns 1."""
-        text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))
-        self.__logger.debug('Traceback: ' + text)
-        self.__logger.error(f'Caught exception in launch (see debug for traceback): {error}')
+        text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
+        self.__logger.debug("Traceback: " + text)
+        self.__logger.error(f"Caught exception in launch (see debug for traceback): {error}")
         self.__return_code = 1
-        self._shutdown(f'An exception was raised in an async action/event: {error}', False)
+        self._shutdown(f"An exception was raised in an async action/event: {error}", False)
 
     def __handle(self, event: Event) -> None:
         """Have every handler that wants the event handle it, each with locals of its own."""
@@ -227,5 +227,5 @@ class LaunchService:
     def __end_processes(self) -> None:
         """End what still runs when the launch itself was killed, so that nothing is left behind."""
         for process in self.__context._launched_processes:
-            if process.state == 'running':
+            if process.state == "running":
                 process.kill()

@@ -14,15 +14,15 @@ class ProcessOutput:
     def __init__(self, action: Any, name: str, output: Any, output_format: str, cached: bool) -> None:
         self.__action = action
         self.__format = output_format
-        self.__loggers = dict(zip(('stdout', 'stderr'), get_output_loggers(name, output), strict=True))
-        self.__rest = {'stdout': '', 'stderr': ''}
-        self.__cache = {'stdout': io.StringIO(), 'stderr': io.StringIO()} if cached else {}
+        self.__loggers = dict(zip(("stdout", "stderr"), get_output_loggers(name, output), strict=True))
+        self.__rest = {"stdout": "", "stderr": ""}
+        self.__cache = {"stdout": io.StringIO(), "stderr": io.StringIO()} if cached else {}
 
     def write(self, stream: str, text: str) -> None:
         """Log the lines that are whole; keep the rest."""
         if self.__cache:
             self.__cache[stream].write(text)
-        *lines, self.__rest[stream] = (self.__rest[stream] + text).split('\n')
+        *lines, self.__rest[stream] = (self.__rest[stream] + text).split("\n")
         for line in lines:
             self.__log(stream, line)
 
@@ -31,11 +31,11 @@ class ProcessOutput:
         for stream, rest in self.__rest.items():
             if rest:
                 self.__log(stream, rest)
-                self.__rest[stream] = ''
+                self.__rest[stream] = ""
 
     def cached(self, stream: str) -> str:
         """Return all that was written to a stream."""
         return self.__cache[stream].getvalue()
 
     def __log(self, stream: str, line: str) -> None:
-        self.__loggers[stream].info('%s', self.__format.format(line=line, this=self.__action))
+        self.__loggers[stream].info("%s", self.__format.format(line=line, this=self.__action))

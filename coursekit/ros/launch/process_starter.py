@@ -33,14 +33,14 @@ def start_process(
     """
     current = session.current()
     if shell:
-        cmd = [env.get('SHELL') or '/bin/sh', '-c', ' '.join(cmd)]
-    elif cmd[0] == 'ros2':
-        return current.start(_ros2(), name='ros2', argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
+        cmd = [env.get("SHELL") or "/bin/sh", "-c", " ".join(cmd)]
+    elif cmd[0] == "ros2":
+        return current.start(_ros2(), name="ros2", argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
     elif is_package_executable(cmd[0]):
         return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
-    program = which(cmd[0], env.get('PATH'))
+    program = which(cmd[0], env.get("PATH"))
     if program is None:
-        raise FileNotFoundError(2, 'there is no such program', cmd[0])
+        raise FileNotFoundError(2, "there is no such program", cmd[0])
     child = ChildProcess(current, [program, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output)
 
@@ -51,7 +51,7 @@ def is_package_executable(path: str) -> bool:
         return False
     folder = Path(path).parent
     prefix = folder.parent.parent
-    return folder.parent.name == 'lib' and (prefix / 'share' / folder.name).is_dir()
+    return folder.parent.name == "lib" and (prefix / "share" / folder.name).is_dir()
 
 
 def _ros2() -> Callable[[], Any]:

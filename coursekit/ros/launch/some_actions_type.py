@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Union
 
 from .action import Action
 
-SomeActionsType = Union[Action, Iterable[Action]]
+SomeActionsType = Action | Iterable[Action]
 
 SomeActionsType_types_tuple = (Action, Iterable)

@@ -20,7 +20,7 @@ class Substitution:
             RuntimeError: when arguments are given to a substitution that takes none.
         """
         if data:
-            raise RuntimeError(f'{cls.__name__} takes no arguments, but {len(data)} were given')
+            raise RuntimeError(f"{cls.__name__} takes no arguments, but {len(data)} were given")
         return cls, {}
 
     def describe(self) -> str:
@@ -29,4 +29,4 @@ class Substitution:
 
     def perform(self, context: LaunchContext) -> str:
         """Return the text of this substitution in `context`; subclasses override this."""
-        return ''
+        return ""

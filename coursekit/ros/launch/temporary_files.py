@@ -21,7 +21,7 @@ class TemporaryFiles:
     def new_path(self, prefix: str) -> str:
         """Return the path of a file that does not exist yet; it is removed when Python ends."""
         if self.__folder is None:
-            self.__folder = tempfile.mkdtemp(prefix='launch_')
+            self.__folder = tempfile.mkdtemp(prefix="launch_")
             atexit.register(shutil.rmtree, self.__folder, ignore_errors=True)
         current = session.current()
         if not current.clock.virtual:
@@ -29,7 +29,7 @@ class TemporaryFiles:
             os.close(handle)
             return path
         number = next(self.__numbers.setdefault(id(current), itertools.count(1)))
-        return os.path.join(self.__folder, f'{prefix}{number}')
+        return os.path.join(self.__folder, f"{prefix}{number}")
 
     def shown(self, text: str) -> str:
         """Return text with this run's own folder replaced by what is the same in every run."""

@@ -5,12 +5,12 @@ from .parameters_type import SomeParameters
 from .remap_rule_type import SomeRemapRules
 
 __all__ = [
-    'SomeParameters',
-    'SomeRemapRules',
-    'actions',
-    'descriptions',
-    'event_handlers',
-    'events',
-    'substitutions',
-    'utilities',
+    "SomeParameters",
+    "SomeRemapRules",
+    "actions",
+    "descriptions",
+    "event_handlers",
+    "events",
+    "substitutions",
+    "utilities",
 ]

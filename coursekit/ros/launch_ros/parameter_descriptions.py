@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Union
+from typing import Any
 
 import yaml
 from launch.frontend.parse_substitution import parse_substitution
@@ -19,7 +19,7 @@ from launch.utilities import (
 )
 from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
-EvaluatedParameterValue = Union[str, int, float, bool, bytes, list[str], list[int], list[float], list[bool]]
+EvaluatedParameterValue = str | int | float | bool | bytes | list[str] | list[int] | list[float] | list[bool]
 
 
 class ParameterValue:
@@ -50,14 +50,14 @@ class ParameterValue:
         return value
 
     def __str__(self) -> str:
-        return f'launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})'
+        return f"launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})"
 
 
 class Parameter:
     """One parameter, with name and value."""
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, *, value_type: Any = None) -> None:
-        ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
+        ensure_argument_type(name, SomeSubstitutionsType_types_tuple, "name")
         self.__name = normalize_to_list_of_substitutions(name)
         self.__value = ParameterValue(value, value_type=value_type)
         self.__evaluated_name: str | None = None
@@ -83,8 +83,10 @@ class Parameter:
         return self.__evaluated_name, self.__value.evaluate(context)
 
     def __str__(self) -> str:
-        return (f'launch_ros.description.Parameter'
-                f'(name={self.name}, value={self.value}, value_type={self.value_type})')
+        return (
+            f"launch_ros.description.Parameter"
+            f"(name={self.name}, value={self.value}, value_type={self.value_type})"
+        )
 
 
 class ParameterFile:
@@ -97,7 +99,11 @@ class ParameterFile:
         allow_substs: bool | SomeSubstitutionsType = False,
     ) -> None:
         ensure_argument_type(
-            param_file, (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes), 'param_file', 'ParameterFile()')
+            param_file,
+            (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes),
+            "param_file",
+            "ParameterFile()",
+        )
         if isinstance(param_file, (os.PathLike, bytes)):
             param_file = os.fsdecode(param_file)
         self.__param_file = normalize_to_list_of_substitutions(param_file)
@@ -132,17 +138,21 @@ class ParameterFile:
         self.__evaluated = None
 
     def __str__(self) -> str:
-        return (f'launch_ros.description.ParameterFile'
-                f'(param_file={self.param_file}, allow_substs={self.allow_substs})')
+        return (
+            f"launch_ros.description.ParameterFile"
+            f"(param_file={self.param_file}, allow_substs={self.allow_substs})"
+        )
 
 
 def _substituted(context: LaunchContext, path: Path) -> Path:
     """Write a copy of a parameter file in which all substitutions have been performed."""
-    text = yaml.safe_dump(_yaml(path.read_text(encoding='utf-8'), f'{path} is not a valid yaml file'), sort_keys=False)
+    text = yaml.safe_dump(
+        _yaml(path.read_text(encoding="utf-8"), f"{path} is not a valid yaml file"), sort_keys=False
+    )
     performed = perform_substitutions(context, parse_substitution(text))
-    _yaml(performed, f'{path} is not a valid yaml file after its substitutions were performed')
-    copy = Path(temporary_files.new_path('launch_params_'))
-    copy.write_text(performed, encoding='utf-8')
+    _yaml(performed, f"{path} is not a valid yaml file after its substitutions were performed")
+    copy = Path(temporary_files.new_path("launch_params_"))
+    copy.write_text(performed, encoding="utf-8")
     return copy
 
 
@@ -150,4 +160,4 @@ def _yaml(text: str, complaint: str) -> Any:
     try:
         return yaml.safe_load(text)
     except yaml.YAMLError as error:
-        raise SubstitutionFailure(f'{complaint}: {error}') from error
+        raise SubstitutionFailure(f"{complaint}: {error}") from error

@@ -15,13 +15,13 @@ from .parameter_descriptions import Parameter, ParameterFile, ParameterValue
 if TYPE_CHECKING:
     from .parameter_descriptions import EvaluatedParameterValue
 
-SomeParameterFile = Union[SomeSubstitutionsType, pathlib.Path, ParameterFile]
-SomeParameterName = Sequence[Union[Substitution, str]]
-SomeParameterValue = Union[ParameterValue, SomeSubstitutionsType, Sequence[Any], float, int, str, bool, bytes]
+SomeParameterFile = SomeSubstitutionsType | pathlib.Path | ParameterFile
+SomeParameterName = Sequence[Substitution | str]
+SomeParameterValue = ParameterValue | SomeSubstitutionsType | Sequence[Any] | float | int | str | bool | bytes
 SomeParametersDict = Mapping[Any, Any]
-SomeParameters = Sequence[Union[SomeParameterFile, Parameter, Mapping[Any, Any]]]
-Parameters = Sequence[Union[ParameterFile, Parameter, Mapping[Any, Any]]]
+SomeParameters = Sequence[SomeParameterFile | Parameter | Mapping[Any, Any]]
+Parameters = Sequence[ParameterFile | Parameter | Mapping[Any, Any]]
 ParametersDict = dict[tuple[Substitution, ...], Any]
-EvaluatedParameters = Sequence[Union[pathlib.Path, Parameter, 'dict[str, EvaluatedParameterValue]']]
+EvaluatedParameters = Sequence[Union[pathlib.Path, Parameter, "dict[str, EvaluatedParameterValue]"]]
 
 SomeParameterFile_types_tuple = (*SomeSubstitutionsType_types_tuple, os.PathLike, ParameterFile)

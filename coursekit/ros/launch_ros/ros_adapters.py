@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from launch.launch_context import LaunchContext
+
 from coursekit.core import session
 from coursekit.core.lane import ProcessKilled
 from coursekit.core.process import current_process
-from launch.launch_context import LaunchContext
 
-KEY = 'ros_adapter'
+KEY = "ros_adapter"
 
 
 class ROSAdapter:
@@ -35,7 +36,7 @@ class ROSAdapter:
         self.__ros_context = rclpy.context.Context()
         rclpy.init(args=self.__argv, context=self.__ros_context)
         number = process.pid if process is not None else current.new_pid()
-        self.__ros_node = rclpy.node.Node(f'launch_ros_{number}', context=self.__ros_context)
+        self.__ros_node = rclpy.node.Node(f"launch_ros_{number}", context=self.__ros_context)
         self.__ros_executor = rclpy.executors.SingleThreadedExecutor(context=self.__ros_context)
         self.__ros_executor.add_node(self.__ros_node)
         current.spawn(self.__spin)

@@ -3,4 +3,4 @@
 from .entity import Entity
 from .parser import Parser
 
-__all__ = ['Entity', 'Parser']
+__all__ = ["Entity", "Parser"]

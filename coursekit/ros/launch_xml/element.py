@@ -14,7 +14,7 @@ class Element:
     attrib: dict[str, str]
     place: str
     children: list[Element] = field(default_factory=list)
-    text: str = ''
+    text: str = ""
 
 
 def read_elements(text: str, name: str) -> Element:
@@ -31,7 +31,7 @@ def read_elements(text: str, name: str) -> Element:
     open_elements: list[Element] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
-        element = Element(tag, attributes, f'{name}:{parser.CurrentLineNumber}')
+        element = Element(tag, attributes, f"{name}:{parser.CurrentLineNumber}")
         (open_elements[-1].children if open_elements else roots).append(element)
         open_elements.append(element)
 

@@ -44,10 +44,10 @@ class Entity(frontend.Entity):
         """Raise ValueError when an attribute or nested tag was never asked for."""
         tags = [child.tag for child in self.__element.children if child.tag not in self.__read_children]
         if tags:
-            raise ValueError(f'Unexpected nested tag(s) found in `{self.type_name}`: {set(tags)}')
+            raise ValueError(f"Unexpected nested tag(s) found in `{self.type_name}`: {set(tags)}")
         names = [name for name in self.__element.attrib if name not in self.__read_attributes]
         if names:
-            raise ValueError(f'Unexpected attribute(s) found in `{self.type_name}`: {set(names)}')
+            raise ValueError(f"Unexpected attribute(s) found in `{self.type_name}`: {set(names)}")
 
     def get_attr(
         self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True
@@ -56,31 +56,35 @@ class Entity(frontend.Entity):
         if check_is_list_entity(data_type):
             return self.__child_entities(name, optional)
         if name not in self.__element.attrib:
-            return self.__missing(name, data_type, optional)
+            self.__complain(name, data_type, optional)
+            return None
         value = self.__attribute(name)
-        has_substitutions = any('$(' in text for text in ([value] if isinstance(value, str) else value))
+        has_substitutions = any("$(" in text for text in ([value] if isinstance(value, str) else value))
         try:
             return get_typed_value(value, data_type, can_be_str=can_be_str and has_substitutions)
         except ValueError as error:
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "
-                f"'{value}' can not be converted to one of those types") from error
+                f"'{value}' can not be converted to one of those types"
+            ) from error
 
     def __attribute(self, name: str) -> str | list[str]:
         """Return an attribute's text, split where `name-sep` says so."""
-        self.__read_attributes.update((name, name + '-sep'))
+        self.__read_attributes.update((name, name + "-sep"))
         text = self.__element.attrib[name]
-        separator = self.__element.attrib.get(name + '-sep')
+        separator = self.__element.attrib.get(name + "-sep")
         return text if separator is None else text.split(separator)
 
     def __child_entities(self, name: str, optional: bool) -> list[Entity] | None:
         found = [child for child in self.__element.children if child.tag == name]
         if not found:
-            return self.__missing(name, 'a nested tag', optional)
+            self.__complain(name, "a nested tag", optional)
+            return None
         self.__read_children.add(name)
         return [Entity(child, parent=self) for child in found]
 
-    def __missing(self, name: str, data_type: Any, optional: bool) -> None:
+    def __complain(self, name: str, data_type: Any, optional: bool) -> None:
         if not optional:
             raise AttributeError(
-                f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'")
+                f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"
+            )

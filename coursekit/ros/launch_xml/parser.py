@@ -22,16 +22,18 @@ class Parser(frontend.Parser):
             ValueError: when the text is not XML; says file, line and column.
         """
         if isinstance(file, str):
-            with open(file, encoding='utf-8') as opened:
+            with open(file, encoding="utf-8") as opened:
                 return cls.load(opened)
-        name = str(getattr(file, 'name', '<text>'))
+        name = str(getattr(file, "name", "<text>"))
         try:
             return Entity(read_elements(file.read(), name)), cls()
         except expat.ExpatError as error:
             what = expat.ErrorString(error.code)
-            raise ValueError(f'{name}:{error.lineno}: not valid XML: {what} (column {error.offset})') from error
+            raise ValueError(
+                f"{name}:{error.lineno}: not valid XML: {what} (column {error.offset})"
+            ) from error
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
         """Return the file name endings of this format."""
-        return {'xml'}
+        return {"xml"}

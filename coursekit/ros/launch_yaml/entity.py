@@ -18,9 +18,9 @@ class Entity(frontend.Entity):
         type_name: str | None = None,
         *,
         parent: Entity | None = None,
-        file_name: str = '',
+        file_name: str = "",
     ) -> None:
-        self.__line = getattr(element, 'line', parent.line if parent is not None else 1)
+        self.__line = getattr(element, "line", parent.line if parent is not None else 1)
         self.__file_name = file_name
         self.__parent = parent
         if type_name is None:
@@ -34,8 +34,9 @@ class Entity(frontend.Entity):
         if not isinstance(element, dict) or len(element) != 1:
             raise RuntimeError(
                 f"{self.place}: expected one 'name: attributes' after the dash, got {element!r}; "
-                'indent the attributes below the name')
-        (type_name, value), = element.items()
+                "indent the attributes below the name"
+            )
+        ((type_name, value),) = element.items()
         return type_name, value
 
     @property
@@ -56,7 +57,7 @@ class Entity(frontend.Entity):
     @property
     def place(self) -> str:
         """Where the element stands, as file:line."""
-        return f'{self.__file_name}:{self.__line}'
+        return f"{self.__file_name}:{self.__line}"
 
     @property
     def children(self) -> list[frontend.Entity]:
@@ -64,23 +65,25 @@ class Entity(frontend.Entity):
         self.__children_called = True
         children = self.__element
         if isinstance(children, dict):
-            if 'children' not in children:
-                raise ValueError(f'Expected entity `{self.type_name}` to have children entities.')
-            self.__read_keys.add('children')
-            children = children['children']
+            if "children" not in children:
+                raise ValueError(f"Expected entity `{self.type_name}` to have children entities.")
+            self.__read_keys.add("children")
+            children = children["children"]
         if not isinstance(children, list):
-            raise TypeError(f'Expected `{self.type_name}` to hold a list, got {type(children).__name__}')
+            raise TypeError(f"Expected `{self.type_name}` to hold a list, got {type(children).__name__}")
         return [Entity(child, parent=self, file_name=self.__file_name) for child in children]
 
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError when a key was never asked for."""
         if isinstance(self.__element, list):
             if not self.__children_called:
-                raise ValueError(f'Unexpected nested entity(ies) found in `{self.type_name}`: {self.__element}')
+                raise ValueError(
+                    f"Unexpected nested entity(ies) found in `{self.type_name}`: {self.__element}"
+                )
             return
         keys = [key for key in self.__element if key not in self.__read_keys]
         if keys:
-            raise ValueError(f'Unexpected key(s) found in `{self.type_name}`: {set(keys)}')
+            raise ValueError(f"Unexpected key(s) found in `{self.type_name}`: {set(keys)}")
 
     def get_attr(
         self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True
@@ -89,7 +92,7 @@ class Entity(frontend.Entity):
         if not isinstance(self.__element, dict) or name not in self.__element:
             if optional:
                 return None
-            raise AttributeError(f'Can not find attribute {name} in Entity {self.type_name}')
+            raise AttributeError(f"Can not find attribute {name} in Entity {self.type_name}")
         self.__read_keys.add(name)
         value = self.__element[name]
         if check_is_list_entity(data_type):
@@ -99,7 +102,8 @@ class Entity(frontend.Entity):
     def __entities(self, name: str, value: Any) -> list[Entity]:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
             raise TypeError(
-                f'Attribute {name} of Entity {self.type_name} expected to be a list of dictionaries.')
+                f"Attribute {name} of Entity {self.type_name} expected to be a list of dictionaries."
+            )
         return [Entity(item, name, parent=self, file_name=self.__file_name) for item in value]
 
     def __typed(self, name: str, value: Any, data_type: Any, can_be_str: bool) -> Any:
@@ -108,5 +112,6 @@ class Entity(frontend.Entity):
         if not is_instance_of(value, data_type, can_be_str=can_be_str):
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}', "
-                f"got '{value}' ({type(value).__name__}); text needs quotes")
+                f"got '{value}' ({type(value).__name__}); text needs quotes"
+            )
         return value

@@ -24,7 +24,7 @@ def _construct_mapping(loader: PlacedLoader, node: yaml.MappingNode) -> Any:
     mapping.update(loader.construct_mapping(node))
 
 
-PlacedLoader.add_constructor('tag:yaml.org,2002:map', _construct_mapping)
+PlacedLoader.add_constructor("tag:yaml.org,2002:map", _construct_mapping)
 
 
 def read_yaml(text: str) -> Any:

@@ -22,18 +22,20 @@ class Parser(frontend.Parser):
             ValueError: when the text is not YAML, or its root is not one element.
         """
         if isinstance(file, str):
-            with open(file, encoding='utf-8') as opened:
+            with open(file, encoding="utf-8") as opened:
                 return cls.load(opened)
-        name = str(getattr(file, 'name', '<text>'))
+        name = str(getattr(file, "name", "<text>"))
         try:
             tree = read_yaml(file.read())
         except yaml.YAMLError as error:
-            raise ValueError(f'{name}: not valid YAML: {error}') from error
+            raise ValueError(f"{name}: not valid YAML: {error}") from error
         if not isinstance(tree, dict) or len(tree) != 1:
-            raise ValueError(f"{name}:1: a YAML launch file is one mapping, 'launch:' and a list of actions below it")
+            raise ValueError(
+                f"{name}:1: a YAML launch file is one mapping, 'launch:' and a list of actions below it"
+            )
         return Entity(tree, file_name=name), cls()
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
         """Return the file name endings of this format."""
-        return {'yaml', 'yml'}
+        return {"yaml", "yml"}

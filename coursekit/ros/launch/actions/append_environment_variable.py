@@ -15,7 +15,7 @@ from ..utilities import normalize_to_list_of_substitutions, perform_substitution
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
 
-@expose_action('append_env')
+@expose_action("append_env")
 class AppendEnvironmentVariable(Action):
     """Adds a value after (or before) what an environment variable holds; sets it when it is not set."""
 
@@ -37,14 +37,14 @@ class AppendEnvironmentVariable(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<append_env name= value= prepend= separator=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
-        kwargs['value'] = parser.parse_substitution(entity.get_attr('value'))
-        prepend = entity.get_attr('prepend', data_type=bool, optional=True, can_be_str=True)
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
+        prepend = entity.get_attr("prepend", data_type=bool, optional=True, can_be_str=True)
         if prepend is not None:
-            kwargs['prepend'] = parser.parse_if_substitutions(prepend)
-        separator = entity.get_attr('separator', optional=True)
+            kwargs["prepend"] = parser.parse_if_substitutions(prepend)
+        separator = entity.get_attr("separator", optional=True)
         if separator is not None:
-            kwargs['separator'] = parser.parse_substitution(separator)
+            kwargs["separator"] = parser.parse_substitution(separator)
         return cls, kwargs
 
     @property

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..launch_description_entity import LaunchDescriptionEntity
 
 
-@expose_action('arg')
+@expose_action("arg")
 class DeclareLaunchArgument(Action):
     """Declares that a launch file takes an argument, with a default, a description and choices.
 
@@ -37,33 +37,36 @@ class DeclareLaunchArgument(Action):
         self.__name = name
         self.__choices = None if choices is None else list(choices)
         if self.__choices is not None and not self.__choices:
-            raise ValueError('provided choices arg is not supposed to be an empty list; leave it out for any value')
+            raise ValueError(
+                "provided choices arg is not supposed to be an empty list; leave it out for any value"
+            )
         if self.__choices and isinstance(default_value, str) and default_value not in self.__choices:
             raise ValueError(
-                f'Provided default_value "{default_value}" is not in provided choices "{self.__choices}".')
-        self.__logger_name = 'launch.actions.declare_launch_argument'
+                f'Provided default_value "{default_value}" is not in provided choices "{self.__choices}".'
+            )
+        self.__logger_name = "launch.actions.declare_launch_argument"
         self.__default = None if default_value is None else normalize_to_list_of_substitutions(default_value)
-        self.__description = description if description is not None else 'no description given'
+        self.__description = description if description is not None else "no description given"
         if self.__choices and description is None:
-            self.__description = f'one of: {self.__choices}'
+            self.__description = f"one of: {self.__choices}"
         elif self.__choices:
-            self.__description += f'. Valid choices are: {self.__choices}'
+            self.__description += f". Valid choices are: {self.__choices}"
         self._conditionally_included = False
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<arg name= default= description=><choice value=/></arg>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['name'] = parser.escape_characters(entity.get_attr('name'))
-        default = entity.get_attr('default', optional=True)
+        kwargs["name"] = parser.escape_characters(entity.get_attr("name"))
+        default = entity.get_attr("default", optional=True)
         if default is not None:
-            kwargs['default_value'] = parser.parse_substitution(default)
-        description = entity.get_attr('description', optional=True)
+            kwargs["default_value"] = parser.parse_substitution(default)
+        description = entity.get_attr("description", optional=True)
         if description is not None:
-            kwargs['description'] = parser.escape_characters(description)
-        choices = entity.get_attr('choice', data_type=list[Entity], optional=True)
+            kwargs["description"] = parser.escape_characters(description)
+        choices = entity.get_attr("choice", data_type=list[Entity], optional=True)
         if choices is not None:
-            kwargs['choices'] = [choice.get_attr('value') for choice in choices]
+            kwargs["choices"] = [choice.get_attr("value") for choice in choices]
         return cls, kwargs
 
     @property
@@ -88,7 +91,7 @@ class DeclareLaunchArgument(Action):
 
     def describe(self) -> str:
         """Return the argument with its default."""
-        default = ' + '.join(sub.describe() for sub in self.__default or [])
+        default = " + ".join(sub.describe() for sub in self.__default or [])
         return f"DeclareLaunchArgument('{self.__name}'{', default=' + default if self.__default else ''})"
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
@@ -103,12 +106,17 @@ class DeclareLaunchArgument(Action):
             context.launch_configurations[self.__name] = perform_substitutions(context, self.__default)
         value = context.launch_configurations[self.__name]
         if self.__choices is not None and value not in self.__choices:
-            text = f'Argument "{self.__name}" provided value "{value}" is not valid. Valid options are: {self.__choices}'
+            text = (
+                f'Argument "{self.__name}" provided value "{value}" is not valid. '
+                f"Valid options are: {self.__choices}"
+            )
             get_logger(self.__logger_name).error(text)
             raise RuntimeError(text)
         return None
 
     def __missing(self) -> str:
         get_logger(self.__logger_name).debug(f"launch argument '{self.__name}' has no value and no default")
-        return (f"Required launch argument '{self.__name}' (description: '{self.__description}') was not provided; "
-                f'give it as {self.__name}:=VALUE')
+        return (
+            f"Required launch argument '{self.__name}' (description: '{self.__description}') was not "
+            f"provided; give it as {self.__name}:=VALUE"
+        )

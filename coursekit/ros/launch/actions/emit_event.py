@@ -15,7 +15,7 @@ class EmitEvent(Action):
     """Emits an event; handlers react to it after those before it."""
 
     def __init__(self, *, event: Event, **kwargs: Any) -> None:
-        ensure_argument_type(event, (Event,), 'event', 'EmitEvent')
+        ensure_argument_type(event, (Event,), "event", "EmitEvent")
         super().__init__(**kwargs)
         self.__event = event
 

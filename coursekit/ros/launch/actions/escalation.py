@@ -27,10 +27,10 @@ class Escalation:
         self, action: ExecuteLocal, sigterm_timeout: list[Substitution], sigkill_timeout: list[Substitution]
     ) -> None:
         self.__action = action
-        both = PythonExpression(['float(', *sigterm_timeout, ') + float(', *sigkill_timeout, ')'])
+        both = PythonExpression(["float(", *sigterm_timeout, ") + float(", *sigkill_timeout, ")"])
         self.__timers = [
-            self.__timer(sigterm_timeout, 'SIGINT', 'SIGTERM'),
-            self.__timer([both], 'SIGTERM', 'SIGKILL'),
+            self.__timer(sigterm_timeout, "SIGINT", "SIGTERM"),
+            self.__timer([both], "SIGTERM", "SIGKILL"),
         ]
 
     def timers(self) -> list[Action]:
@@ -46,10 +46,14 @@ class Escalation:
         event = SignalProcess(signal_number=after, process_matcher=matches_action(self.__action))
         complaint = OpaqueFunction(function=self.__complain, args=[timeout, before, after])
         return TimerAction(
-            period=timeout, actions=[complaint, EmitEvent(event=event)], cancel_on_shutdown=False)
+            period=timeout, actions=[complaint, EmitEvent(event=event)], cancel_on_shutdown=False
+        )
 
-    def __complain(self, context: LaunchContext, timeout: list[Substitution], before: str, after: str) -> None:
+    def __complain(
+        self, context: LaunchContext, timeout: list[Substitution], before: str, after: str
+    ) -> None:
         name = str(self.__action.process_description.final_name)
         get_logger(name).error(
             f"process[{name}] failed to terminate '{perform_substitutions(context, timeout)}' seconds "
-            f"after receiving '{before}', escalating to '{after}'")
+            f"after receiving '{before}', escalating to '{after}'"
+        )

@@ -55,11 +55,11 @@ class ExecuteLocal(Action):
         *,
         process_description: Executable,
         shell: bool = False,
-        sigterm_timeout: SomeSubstitutionsType = LaunchConfiguration('sigterm_timeout', default=5),
-        sigkill_timeout: SomeSubstitutionsType = LaunchConfiguration('sigkill_timeout', default=5),
+        sigterm_timeout: SomeSubstitutionsType = LaunchConfiguration("sigterm_timeout", default=5),
+        sigkill_timeout: SomeSubstitutionsType = LaunchConfiguration("sigkill_timeout", default=5),
         emulate_tty: bool = False,
-        output: Any = 'log',
-        output_format: str = '[{this.process_description.final_name}] {line}',
+        output: Any = "log",
+        output_format: str = "[{this.process_description.final_name}] {line}",
         cached_output: bool = False,
         log_cmd: bool = False,
         on_exit: OnExit = None,
@@ -74,7 +74,7 @@ class ExecuteLocal(Action):
         self.__sigterm_timeout = normalize_to_list_of_substitutions(sigterm_timeout)
         self.__sigkill_timeout = normalize_to_list_of_substitutions(sigkill_timeout)
         self.__emulate_tty = emulate_tty
-        output = os.environ.get('OVERRIDE_LAUNCH_PROCESS_OUTPUT', output)
+        output = os.environ.get("OVERRIDE_LAUNCH_PROCESS_OUTPUT", output)
         self.__output = output if isinstance(output, dict) else normalize_to_list_of_substitutions(output)
         self.__output_format = output_format
         self.__cached_output = cached_output
@@ -139,17 +139,19 @@ class ExecuteLocal(Action):
 
     def get_stdout(self) -> str:
         """Return all of stdout; needs `cached_output=True`."""
-        return self.__cached('stdout')
+        return self.__cached("stdout")
 
     def get_stderr(self) -> str:
         """Return all of stderr; needs `cached_output=True`."""
-        return self.__cached('stderr')
+        return self.__cached("stderr")
 
     def __cached(self, stream: str) -> str:
         if not self.__cached_output:
             raise RuntimeError(
-                f"cached output must be true to be able to get {stream}, proc '{self.__description.final_name}'")
-        return '' if self.__lines is None else self.__lines.cached(stream)
+                f"cached output must be true to be able to get {stream}, "
+                f"proc '{self.__description.final_name}'"
+            )
+        return "" if self.__lines is None else self.__lines.cached(stream)
 
     # -- starting
 
@@ -157,11 +159,11 @@ class ExecuteLocal(Action):
         """Perform the substitutions of the description."""
         self.__description.prepare(context, self)
         self.__details = {
-            'action': self,
-            'name': self.__description.final_name,
-            'cmd': self.__description.final_cmd,
-            'cwd': self.__description.final_cwd,
-            'env': self.__description.final_env,
+            "action": self,
+            "name": self.__description.final_name,
+            "cmd": self.__description.final_cmd,
+            "cwd": self.__description.final_cwd,
+            "env": self.__description.final_env,
         }
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
@@ -178,7 +180,11 @@ class ExecuteLocal(Action):
         if context.is_shutdown:
             return None
         assert context.asyncio_loop is not None
-        output = self.__output if isinstance(self.__output, dict) else perform_substitutions(context, self.__output)
+        output = (
+            self.__output
+            if isinstance(self.__output, dict)
+            else perform_substitutions(context, self.__output)
+        )
         self.__lines = ProcessOutput(self, name, output, self.__output_format, self.__cached_output)
         self.__logger = get_logger(name)
         self.__completed = context.asyncio_loop.create_future()
@@ -218,10 +224,10 @@ class ExecuteLocal(Action):
         try:
             ended = self.__start(context)
         except Exception:
-            self.__logger.error(f'exception occurred while executing process:\n{traceback.format_exc()}')
+            self.__logger.error(f"exception occurred while executing process:\n{traceback.format_exc()}")
             return False
         self.__logger.info(f"process started with pid [{self.__process.pid}]")
-        self.__details['pid'] = self.__process.pid
+        self.__details["pid"] = self.__process.pid
         context.emit_event_sync(ProcessStarted(**self.__details))
         code = await ended
         await _events_handled(context)
@@ -235,39 +241,47 @@ class ExecuteLocal(Action):
         ended: asyncio.Future[int] = loop.create_future()
 
         def on_output(stream: str, text: str) -> None:
-            kind = ProcessStdout if stream == 'stdout' else ProcessStderr
+            kind = ProcessStdout if stream == "stdout" else ProcessStderr
             loop.call_soon_threadsafe(
-                lambda: context.emit_event_sync(kind(text=text.encode('utf-8', 'replace'), **details)))
+                lambda: context.emit_event_sync(kind(text=text.encode("utf-8", "replace"), **details))
+            )
 
         def on_end(process: Any) -> None:
-            loop.call_soon_threadsafe(lambda: ended.done() or ended.set_result(process.exit_code))
+            loop.call_soon_threadsafe(ended.set_result, process.exit_code)
 
-        details['pid'] = 0
+        details["pid"] = 0
         self.__process = start_process(
-            details['cmd'], cwd=details['cwd'], env=details['env'], shell=self.__shell, on_output=on_output)
+            details["cmd"], cwd=details["cwd"], env=details["env"], shell=self.__shell, on_output=on_output
+        )
         context._launched_processes.append(self.__process)
         self.__process.on_exit(on_end)
         return ended
 
     def __log_details(self, context: LaunchContext) -> None:
-        if 'emulate_tty' in context.launch_configurations:
+        if "emulate_tty" in context.launch_configurations:
             evaluate_condition_expression(
-                context, normalize_to_list_of_substitutions(context.launch_configurations['emulate_tty']))
+                context, normalize_to_list_of_substitutions(context.launch_configurations["emulate_tty"])
+            )
         if self.__log_cmd:
             custom = self.__description.env is not None or self.__description.additional_env is not None
             self.__logger.info(
                 f"process details: cmd='{self.__command_line()}', cwd='{self.__description.final_cwd}', "
-                f"custom_env?={custom}")
+                f"custom_env?={custom}"
+            )
 
     def __command_line(self) -> str:
-        return temporary_files.shown(' '.join(part for part in cast(Any, self.__details)['cmd'] if part.strip()))
+        return temporary_files.shown(
+            " ".join(part for part in cast(Any, self.__details)["cmd"] if part.strip())
+        )
 
     def __log_end(self, code: int) -> None:
         pid = self.__process.pid
         if code == 0:
-            self.__logger.info(f'process has finished cleanly [pid {pid}]')
+            self.__logger.info(f"process has finished cleanly [pid {pid}]")
         else:
-            self.__logger.error(f"process has died [pid {pid}, exit code {code}, cmd '{self.__command_line()}'].")
+            self.__logger.error(
+                f"process has died [pid {pid}, exit code {code}, cmd '{self.__command_line()}']."
+            )
 
     async def __to_respawn(self, context: LaunchContext) -> bool:
         """Wait the respawn delay; return whether the process is to be started again."""
@@ -290,7 +304,9 @@ class ExecuteLocal(Action):
 
     def __on_io(self, event: ProcessIO) -> None:
         if self.__lines is not None:
-            self.__lines.write('stdout' if event.from_stdout else 'stderr', event.text.decode(errors='replace'))
+            self.__lines.write(
+                "stdout" if event.from_stdout else "stderr", event.text.decode(errors="replace")
+            )
 
     def __on_shutdown_process(self, event: Event, context: LaunchContext) -> list[Action] | None:
         return self._shutdown_process(context, send_sigint=True)
@@ -314,17 +330,20 @@ class ExecuteLocal(Action):
         self.__escalation = Escalation(self, self.__sigterm_timeout, self.__sigkill_timeout)
         actions: list[Action] = [*self.__escalation.timers()]
         if send_sigint:
-            actions.append(EmitEvent(event=SignalProcess(
-                signal_number='SIGINT', process_matcher=matches_action(self))))
+            actions.append(
+                EmitEvent(event=SignalProcess(signal_number="SIGINT", process_matcher=matches_action(self)))
+            )
         return actions
 
     def __on_signal(self, event: Event, context: LaunchContext) -> None:
         signal_event = cast(SignalProcess, event)
         if self.__process is None:
-            raise RuntimeError('Signal event received before subprocess transport available.')
+            raise RuntimeError("Signal event received before subprocess transport available.")
         name = cast(str, self.__description.final_name)
         if not self.__is_running():
-            self.__logger.debug(f"signal '{signal_event.signal_name}' not sent to '{name}' because it has closed already")
+            self.__logger.debug(
+                f"signal '{signal_event.signal_name}' not sent to '{name}' because it has closed already"
+            )
             return
         self.__logger.info(f"sending signal '{signal_event.signal_name}' to process[{name}]")
         self.__process.send_signal(int(signal_event.signal))

@@ -14,11 +14,11 @@ from ..substitutions import TextSubstitution
 from .execute_local import ExecuteLocal
 from .shutdown_action import Shutdown
 
-TIMEOUTS = ('sigterm_timeout', 'sigkill_timeout')
-SWITCHES = ('emulate_tty', 'log_cmd', 'shell')
+TIMEOUTS = ("sigterm_timeout", "sigkill_timeout")
+SWITCHES = ("emulate_tty", "log_cmd", "shell")
 
 
-@expose_action('executable')
+@expose_action("executable")
 class ExecuteProcess(ExecuteLocal):
     """Starts a command, for example `cmd=['ros2', 'topic', 'list']`.
 
@@ -38,7 +38,8 @@ class ExecuteProcess(ExecuteLocal):
         **kwargs: Any,
     ) -> None:
         description = Executable(
-            cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env)
+            cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env
+        )
         super().__init__(process_description=description, **kwargs)
 
     @classmethod
@@ -47,20 +48,27 @@ class ExecuteProcess(ExecuteLocal):
     ) -> tuple[type[Action], dict[str, Any]]:
         """Read `<executable cmd= name= cwd= output= ...><env name= value=/></executable>`."""
         _, kwargs = super().parse(entity, parser)
-        if 'cmd' not in ignore:
-            kwargs['cmd'] = cls._parse_cmdline(entity.get_attr('cmd'), parser)
-        texts = {'name': 'name', 'cwd': 'cwd', 'output': 'output', 'launch-prefix': 'prefix'}
+        if "cmd" not in ignore:
+            kwargs["cmd"] = cls._parse_cmdline(entity.get_attr("cmd"), parser)
+        texts = {"name": "name", "cwd": "cwd", "output": "output", "launch-prefix": "prefix"}
         for attribute, keyword in [*texts.items(), *((name, name) for name in TIMEOUTS)]:
             data_type = float if attribute in TIMEOUTS else str
-            value = entity.get_attr(attribute, data_type=data_type, optional=True) if attribute not in ignore else None
+            value = (
+                entity.get_attr(attribute, data_type=data_type, optional=True)
+                if attribute not in ignore
+                else None
+            )
             if value is not None:
                 kwargs[keyword] = parser.parse_substitution(str(value))
         cls._parse_switches(entity, parser, kwargs, ignore)
-        environment = entity.get_attr('env', data_type=list[Entity], optional=True)
+        environment = entity.get_attr("env", data_type=list[Entity], optional=True)
         if environment is not None:
-            kwargs['additional_env'] = {
-                tuple(parser.parse_substitution(item.get_attr('name'))):
-                parser.parse_substitution(item.get_attr('value')) for item in environment}
+            kwargs["additional_env"] = {
+                tuple(parser.parse_substitution(item.get_attr("name"))): parser.parse_substitution(
+                    item.get_attr("value")
+                )
+                for item in environment
+            }
         return cls, kwargs
 
     @classmethod
@@ -72,19 +80,20 @@ class ExecuteProcess(ExecuteLocal):
             value = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
             if value is not None:
                 kwargs[name] = value
-        respawn = entity.get_attr('respawn', data_type=bool, optional=True)
+        respawn = entity.get_attr("respawn", data_type=bool, optional=True)
         if respawn is not None:
-            kwargs['respawn'] = parser.parse_if_substitutions(respawn)
-        for name, kind in (('respawn_delay', float), ('respawn_max_retries', int)):
+            kwargs["respawn"] = parser.parse_if_substitutions(respawn)
+        for name, kind in (("respawn_delay", float), ("respawn_max_retries", int)):
             value = entity.get_attr(name, data_type=kind, optional=True, can_be_str=False)
             if value is not None:
                 kwargs[name] = value
-        on_exit = entity.get_attr('on_exit', optional=True)
+        on_exit = entity.get_attr("on_exit", optional=True)
         if on_exit is not None:
-            if on_exit != 'shutdown':
-                raise ValueError('Attribute on_exit of Entity node expected to be `shutdown` but got `'
-                                 f'{on_exit}` instead')
-            kwargs['on_exit'] = [Shutdown()]
+            if on_exit != "shutdown":
+                raise ValueError(
+                    f"Attribute on_exit of Entity node expected to be `shutdown` but got `{on_exit}` instead"
+                )
+            kwargs["on_exit"] = [Shutdown()]
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[list[Substitution]]:
@@ -123,12 +132,12 @@ class _Splitter:
     def __init__(self) -> None:
         self.arguments: list[list[Substitution]] = []
         self.current: list[Substitution] = []
-        self.text = ''
+        self.text = ""
         self.started = False
 
     def split(self, substitutions: Iterable[Substitution]) -> list[list[Substitution]]:
         """Return the arguments."""
-        quote = ''
+        quote = ""
         for substitution in substitutions:
             if isinstance(substitution, TextSubstitution):
                 for character in substitution.text:
@@ -143,8 +152,8 @@ class _Splitter:
     def take(self, character: str, quote: str) -> str:
         """Take one character; return the quote that is open after it."""
         if character == quote:
-            return ''
-        if not quote and character in '\'"':
+            return ""
+        if not quote and character in "'\"":
             self.started = True
             return character
         if not quote and character.isspace():
@@ -158,11 +167,11 @@ class _Splitter:
         """Put the text so far into the argument."""
         if self.text:
             self.current.append(TextSubstitution(text=self.text))
-            self.text = ''
+            self.text = ""
 
     def end_argument(self) -> None:
         """Put the argument so far among the arguments."""
         self.end_text()
         if self.started:
-            self.arguments.append(self.current or [TextSubstitution(text='')])
+            self.arguments.append(self.current or [TextSubstitution(text="")])
         self.current, self.started = [], False

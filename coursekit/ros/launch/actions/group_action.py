@@ -19,7 +19,7 @@ from .reset_launch_configurations import ResetLaunchConfigurations
 from .set_launch_configuration import SetLaunchConfiguration
 
 
-@expose_action('group')
+@expose_action("group")
 class GroupAction(Action):
     """Actions under one condition; what they set ends with the group unless `scoped` is False.
 
@@ -47,17 +47,21 @@ class GroupAction(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<group scoped= forwarding=>` with `<keep name= value=/>` and actions."""
         _, kwargs = super().parse(entity, parser)
-        for name in ('scoped', 'forwarding'):
+        for name in ("scoped", "forwarding"):
             value = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
             if value is not None:
                 kwargs[name] = value
-        keeps = [child for child in entity.children if child.type_name == 'keep']
+        keeps = [child for child in entity.children if child.type_name == "keep"]
         if keeps:
-            kwargs['launch_configurations'] = {
-                tuple(parser.parse_substitution(keep.get_attr('name'))):
-                parser.parse_substitution(keep.get_attr('value')) for keep in keeps}
-        kwargs['actions'] = [
-            parser.parse_action(child) for child in entity.children if child.type_name != 'keep']
+            kwargs["launch_configurations"] = {
+                tuple(parser.parse_substitution(keep.get_attr("name"))): parser.parse_substitution(
+                    keep.get_attr("value")
+                )
+                for keep in keeps
+            }
+        kwargs["actions"] = [
+            parser.parse_action(child) for child in entity.children if child.type_name != "keep"
+        ]
         return cls, kwargs
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:

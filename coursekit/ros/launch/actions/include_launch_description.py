@@ -18,10 +18,10 @@ from .declare_launch_argument import DeclareLaunchArgument
 from .opaque_function import OpaqueFunction
 from .set_launch_configuration import SetLaunchConfiguration
 
-LOCATION_LOCALS = ('current_launch_file_path', 'current_launch_file_directory')
+LOCATION_LOCALS = ("current_launch_file_path", "current_launch_file_directory")
 
 
-@expose_action('include')
+@expose_action("include")
 class IncludeLaunchDescription(Action):
     """Visits the entities of another launch description, with arguments for it.
 
@@ -50,17 +50,20 @@ class IncludeLaunchDescription(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<include file=><arg name= value=/></include>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['launch_description_source'] = parser.parse_substitution(entity.get_attr('file'))
-        arguments = entity.get_attr('arg', data_type=list[Entity], optional=True)
-        arguments = (arguments or []) + (entity.get_attr('let', data_type=list[Entity], optional=True) or [])
+        kwargs["launch_description_source"] = parser.parse_substitution(entity.get_attr("file"))
+        arguments = entity.get_attr("arg", data_type=list[Entity], optional=True)
+        arguments = (arguments or []) + (entity.get_attr("let", data_type=list[Entity], optional=True) or [])
         pairs = [
-            (parser.parse_substitution(item.get_attr('name')), parser.parse_substitution(item.get_attr('value')))
+            (
+                parser.parse_substitution(item.get_attr("name")),
+                parser.parse_substitution(item.get_attr("value")),
+            )
             for item in arguments
         ]
         for item in arguments:
             item.assert_entity_completely_parsed()
         if pairs:
-            kwargs['launch_arguments'] = pairs
+            kwargs["launch_arguments"] = pairs
         return cls, kwargs
 
     @property
@@ -75,7 +78,7 @@ class IncludeLaunchDescription(Action):
 
     def describe(self) -> str:
         """Return the location of what is included."""
-        return f'IncludeLaunchDescription({self.__source.location})'
+        return f"IncludeLaunchDescription({self.__source.location})"
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the included description when it can be had before launching."""
@@ -93,7 +96,7 @@ class IncludeLaunchDescription(Action):
         self.__check_arguments(context, description)
         settings = [SetLaunchConfiguration(name, value) for name, value in self.__arguments]
         path = os.path.abspath(self.__source.location)
-        location = {'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)}
+        location = {"current_launch_file_path": path, "current_launch_file_directory": os.path.dirname(path)}
         return [
             *settings,
             OpaqueFunction(function=_enter, args=[location]),
@@ -103,7 +106,9 @@ class IncludeLaunchDescription(Action):
 
     def __check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
         given = [
-            perform_substitutions(context, normalize_to_list_of_substitutions(name)) for name, _ in self.__arguments]
+            perform_substitutions(context, normalize_to_list_of_substitutions(name))
+            for name, _ in self.__arguments
+        ]
         known = [*context.launch_configurations, *given]
         declared = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, includes in declared:
@@ -120,8 +125,10 @@ def _given_by(context: LaunchContext, includes: list[IncludeLaunchDescription]) 
 
 
 def _missing(argument: DeclareLaunchArgument, given: list[str]) -> str:
-    return (f"Included launch description missing required argument '{argument.name}' "
-            f"(description: '{argument.description}'), given: [{', '.join(given)}]")
+    return (
+        f"Included launch description missing required argument '{argument.name}' "
+        f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+    )
 
 
 def _enter(context: LaunchContext, location: dict[str, Any]) -> None:

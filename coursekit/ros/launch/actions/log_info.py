@@ -14,7 +14,7 @@ from ..substitution import Substitution
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('log')
+@expose_action("log")
 class LogInfo(Action):
     """Logs a message at level INFO, in the name of launch.user."""
 
@@ -26,7 +26,7 @@ class LogInfo(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<log message=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['msg'] = parser.parse_substitution(entity.get_attr('message'))
+        kwargs["msg"] = parser.parse_substitution(entity.get_attr("message"))
         return cls, kwargs
 
     @property
@@ -40,5 +40,5 @@ class LogInfo(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Log the message."""
-        get_logger('launch.user').info(perform_substitutions(context, self.__msg))
+        get_logger("launch.user").info(perform_substitutions(context, self.__msg))
         return None

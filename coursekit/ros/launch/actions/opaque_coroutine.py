@@ -27,7 +27,9 @@ class OpaqueCoroutine(Action):
     ) -> None:
         super().__init__(**left_over_kwargs)
         if not asyncio.iscoroutinefunction(coroutine):
-            raise TypeError(f"OpaqueCoroutine expected a coroutine function for 'coroutine', got '{type(coroutine)}'")
+            raise TypeError(
+                f"OpaqueCoroutine expected a coroutine function for 'coroutine', got '{type(coroutine)}'"
+            )
         self.__coroutine = coroutine
         self.__args = list(args or [])
         self.__kwargs = dict(kwargs or {})

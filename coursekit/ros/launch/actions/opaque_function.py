@@ -25,13 +25,15 @@ class OpaqueFunction(Action):
         super().__init__(**left_over_kwargs)
         if not callable(function):
             raise TypeError(f"OpaqueFunction expected a callable for 'function', got '{type(function)}'")
-        ensure_argument_type(args, (Iterable, type(None)), 'args', 'OpaqueFunction')
-        ensure_argument_type(kwargs, (Mapping, type(None)), 'kwargs', 'OpaqueFunction')
+        ensure_argument_type(args, (Iterable, type(None)), "args", "OpaqueFunction")
+        ensure_argument_type(kwargs, (Mapping, type(None)), "kwargs", "OpaqueFunction")
         self.__function = function
         self.__args = list(args or [])
         self.__kwargs = dict(kwargs or {})
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Call the function."""
-        entities: list[LaunchDescriptionEntity] | None = self.__function(context, *self.__args, **self.__kwargs)
+        entities: list[LaunchDescriptionEntity] | None = self.__function(
+            context, *self.__args, **self.__kwargs
+        )
         return entities

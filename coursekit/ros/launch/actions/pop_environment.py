@@ -10,7 +10,7 @@ from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 
 
-@expose_action('pop_env')
+@expose_action("pop_env")
 class PopEnvironment(Action):
     """Brings back the environment that was pushed last."""
 

@@ -10,7 +10,7 @@ from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 
 
-@expose_action('pop_launch_configurations')
+@expose_action("pop_launch_configurations")
 class PopLaunchConfigurations(Action):
     """Brings back the launch configurations that were pushed last."""
 

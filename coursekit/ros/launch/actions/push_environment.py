@@ -10,7 +10,7 @@ from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 
 
-@expose_action('push_env')
+@expose_action("push_env")
 class PushEnvironment(Action):
     """Remembers the environment until it is popped."""
 

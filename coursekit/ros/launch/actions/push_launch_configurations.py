@@ -10,7 +10,7 @@ from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 
 
-@expose_action('push_launch_configurations')
+@expose_action("push_launch_configurations")
 class PushLaunchConfigurations(Action):
     """Remembers the launch configurations until they are popped."""
 

@@ -10,7 +10,7 @@ from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 
 
-@expose_action('reset_env')
+@expose_action("reset_env")
 class ResetEnvironment(Action):
     """Makes the environment as it was when the launch began."""
 

@@ -13,7 +13,7 @@ from ..some_substitutions_type import SomeSubstitutionsType
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('reset')
+@expose_action("reset")
 class ResetLaunchConfigurations(Action):
     """Clears all launch configurations, then sets the given ones; their values see the old ones."""
 
@@ -29,10 +29,13 @@ class ResetLaunchConfigurations(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<reset><keep name= value=/></reset>`."""
         _, kwargs = super().parse(entity, parser)
-        keeps = entity.get_attr('keep', data_type=list[Entity], optional=True) or []
-        kwargs['launch_configurations'] = {
-            tuple(parser.parse_substitution(keep.get_attr('name'))):
-            parser.parse_substitution(keep.get_attr('value')) for keep in keeps}
+        keeps = entity.get_attr("keep", data_type=list[Entity], optional=True) or []
+        kwargs["launch_configurations"] = {
+            tuple(parser.parse_substitution(keep.get_attr("name"))): parser.parse_substitution(
+                keep.get_attr("value")
+            )
+            for keep in keeps
+        }
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:

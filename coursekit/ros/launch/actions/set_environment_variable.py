@@ -13,7 +13,7 @@ from ..substitution import Substitution
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('set_env')
+@expose_action("set_env")
 class SetEnvironmentVariable(Action):
     """Gives an environment variable a value, for what is started afterwards."""
 
@@ -26,8 +26,8 @@ class SetEnvironmentVariable(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<set_env name= value=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
-        kwargs['value'] = parser.parse_substitution(entity.get_attr('value'))
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
         return cls, kwargs
 
     @property

@@ -13,7 +13,7 @@ from ..substitution import Substitution
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('let')
+@expose_action("let")
 class SetLaunchConfiguration(Action):
     """Gives a launch configuration a value."""
 
@@ -26,8 +26,8 @@ class SetLaunchConfiguration(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<let name= value=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
-        kwargs['value'] = parser.parse_substitution(entity.get_attr('value'))
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
         return cls, kwargs
 
     @property

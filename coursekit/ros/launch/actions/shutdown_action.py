@@ -14,27 +14,29 @@ from ..logging import get_logger
 from .emit_event import EmitEvent
 
 
-@expose_action('shutdown')
+@expose_action("shutdown")
 class Shutdown(EmitEvent):
     """Ends the launch and all it started."""
 
-    def __init__(self, *, reason: str = 'reason not given', **kwargs: Any) -> None:
+    def __init__(self, *, reason: str = "reason not given", **kwargs: Any) -> None:
         super().__init__(event=ShutdownEvent(reason=reason), **kwargs)
 
     @classmethod
-    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Shutdown], dict[str, Any]]:  # type: ignore[override]
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Shutdown], dict[str, Any]]:
         """Read `<shutdown reason=/>`."""
         _, kwargs = super().parse(entity, parser)
-        reason = entity.get_attr('reason', optional=True)
+        reason = entity.get_attr("reason", optional=True)
         if reason is not None:
-            kwargs['reason'] = parser.escape_characters(reason)
+            kwargs["reason"] = parser.escape_characters(reason)
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Emit the shutdown; say which process was required when one has just ended."""
-        event: Event | None = context.get_locals_as_dict().get('event')
+        event: Event | None = context.get_locals_as_dict().get("event")
         if isinstance(event, ProcessExited):
-            get_logger('launch').info(f'process[{event.process_name}] was required: shutting down launched system')
+            get_logger("launch").info(
+                f"process[{event.process_name}] was required: shutting down launched system"
+            )
         return super().execute(context)
 
 

@@ -19,7 +19,7 @@ from ..utilities import ensure_argument_type, normalize_to_list_of_substitutions
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
 
-@expose_action('timer')
+@expose_action("timer")
 class TimerAction(Action):
     """Does something once, `period` seconds after it is visited, unless it is cancelled before."""
 
@@ -32,7 +32,7 @@ class TimerAction(Action):
         **kwargs: Any,
     ) -> None:
         super().__init__(**kwargs)
-        ensure_argument_type(actions, Iterable, 'actions', 'TimerAction')
+        ensure_argument_type(actions, Iterable, "actions", "TimerAction")
         self.__period = normalize_typed_substitution(period, float)
         self.__actions = list(actions)
         self.__cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
@@ -45,8 +45,10 @@ class TimerAction(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<timer period=>` with actions inside."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['period'] = parser.parse_if_substitutions(entity.get_attr('period', data_type=float, can_be_str=True))
-        kwargs['actions'] = [parser.parse_action(child) for child in entity.children]
+        kwargs["period"] = parser.parse_if_substitutions(
+            entity.get_attr("period", data_type=float, can_be_str=True)
+        )
+        kwargs["actions"] = [parser.parse_action(child) for child in entity.children]
         return cls, kwargs
 
     @property
@@ -61,16 +63,16 @@ class TimerAction(Action):
 
     def describe(self) -> str:
         """Return the period in words."""
-        return f'TimerAction(period={self.__period_text()}, actions=<actions>)'
+        return f"TimerAction(period={self.__period_text()}, actions=<actions>)"
 
     def __period_text(self) -> str:
         if isinstance(self.__period, float):
             return str(self.__period)
-        return ' + '.join(sub.describe() for sub in normalize_to_list_of_substitutions(self.__period))
+        return " + ".join(sub.describe() for sub in normalize_to_list_of_substitutions(self.__period))
 
     def describe_conditional_sub_entities(self) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
         """Return what is done when the time has come."""
-        return [(f'{self.__period_text()} seconds pass without being canceled', self.__actions)]
+        return [(f"{self.__period_text()} seconds pass without being canceled", self.__actions)]
 
     def handle(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
         """Return what is done now that the time has come."""
@@ -95,7 +97,10 @@ class TimerAction(Action):
         if perform_typed_substitution(context, self.__cancel_on_shutdown, bool):
             context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
         context.register_event_handler(
-            EventHandler(matcher=self.__is_mine, entities=lambda _, where: self.handle(where), handle_once=True))
+            EventHandler(
+                matcher=self.__is_mine, entities=lambda _, where: self.handle(where), handle_once=True
+            )
+        )
         self.__context_locals = dict(context.get_locals_as_dict())
         self._start(context)
         return None

@@ -13,7 +13,7 @@ from ..substitution import Substitution
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('unset_env')
+@expose_action("unset_env")
 class UnsetEnvironmentVariable(Action):
     """Takes an environment variable away; harmless when it is not set."""
 
@@ -25,7 +25,7 @@ class UnsetEnvironmentVariable(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<unset_env name=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
         return cls, kwargs
 
     @property

@@ -38,9 +38,11 @@ class Executable:
         self.__cmd = [normalize_to_list_of_substitutions(part) for part in cmd]
         self.__cmd += [normalize_to_list_of_substitutions(part) for part in arguments or []]
         self.__prefix = normalize_to_list_of_substitutions(
-            LaunchConfiguration('launch-prefix', default='') if prefix is None else prefix)
+            LaunchConfiguration("launch-prefix", default="") if prefix is None else prefix
+        )
         self.__prefix_filter = normalize_to_list_of_substitutions(
-            LaunchConfiguration('launch-prefix-filter', default='') if prefix is None else '')
+            LaunchConfiguration("launch-prefix-filter", default="") if prefix is None else ""
+        )
         self.__name = None if name is None else normalize_to_list_of_substitutions(name)
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
         self.__env = _pairs(env)
@@ -80,37 +82,39 @@ class Executable:
     @property
     def final_name(self) -> str | None:
         """The name with its number, such as talker-1; None before `prepare`."""
-        return self.__final.get('name')
+        return self.__final.get("name")
 
     @property
     def final_cmd(self) -> list[str] | None:
         """The command line as text; None before `prepare`."""
-        return self.__final.get('cmd')
+        return self.__final.get("cmd")
 
     @property
     def final_cwd(self) -> str | None:
         """The working folder as text; None for the launch's."""
-        return self.__final.get('cwd')
+        return self.__final.get("cwd")
 
     @property
     def final_env(self) -> dict[str, str] | None:
         """The whole environment; None before `prepare`."""
-        return self.__final.get('env')
+        return self.__final.get("env")
 
     def prepare(self, context: LaunchContext, action: Action | None = None) -> None:
         """Perform all substitutions, and number the process."""
         cmd = [perform_substitutions(context, part) for part in self.__cmd]
         context._process_count += 1
-        name = os.path.basename(cmd[0]) if self.__name is None else perform_substitutions(context, self.__name)
+        name = (
+            os.path.basename(cmd[0]) if self.__name is None else perform_substitutions(context, self.__name)
+        )
         prefix = shlex.split(perform_substitutions(context, self.__prefix))
         wanted = perform_substitutions(context, self.__prefix_filter)
         if prefix and re.match(wanted, os.path.basename(cmd[0])):
             cmd = [*prefix, *cmd]
         self.__final = {
-            'name': f'{name}-{context._process_count}',
-            'cmd': cmd,
-            'cwd': None if self.__cwd is None else perform_substitutions(context, self.__cwd),
-            'env': self.__environment(context),
+            "name": f"{name}-{context._process_count}",
+            "cmd": cmd,
+            "cwd": None if self.__cwd is None else perform_substitutions(context, self.__cwd),
+            "env": self.__environment(context),
         }
 
     def __environment(self, context: LaunchContext) -> dict[str, str]:

@@ -10,12 +10,12 @@ from .on_process_start import OnProcessStart
 from .on_shutdown import OnShutdown
 
 __all__ = [
-    'OnActionEventBase',
-    'OnExecutionComplete',
-    'OnIncludeLaunchDescription',
-    'OnProcessExit',
-    'OnProcessIO',
-    'OnProcessStart',
-    'OnShutdown',
-    'event_named',
+    "OnActionEventBase",
+    "OnExecutionComplete",
+    "OnIncludeLaunchDescription",
+    "OnProcessExit",
+    "OnProcessIO",
+    "OnProcessStart",
+    "OnShutdown",
+    "event_named",
 ]

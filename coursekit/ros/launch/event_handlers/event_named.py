@@ -9,4 +9,4 @@ from ..event import Event
 
 def event_named(name: str) -> Callable[[Event], bool]:
     """Return a function that accepts events with this name."""
-    return lambda event: getattr(event, 'name', None) == name
+    return lambda event: getattr(event, "name", None) == name

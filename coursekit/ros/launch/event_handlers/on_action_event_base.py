@@ -31,11 +31,15 @@ class OnActionEventBase(BaseEventHandler):
         target_action_cls: type[Action],
         **kwargs: Any,
     ) -> None:
-        if action_matcher is not None and not callable(action_matcher) \
-                and not isinstance(action_matcher, target_action_cls):
+        if (
+            action_matcher is not None
+            and not callable(action_matcher)
+            and not isinstance(action_matcher, target_action_cls)
+        ):
             raise RuntimeError(
-                f"{type(self).__name__} 'target_action' must be a {target_action_cls.__name__} or a function, "
-                f'got {type(action_matcher).__name__}')
+                f"{type(self).__name__} 'target_action' must be a {target_action_cls.__name__} or a "
+                f"function, got {type(action_matcher).__name__}"
+            )
         self.__target = action_matcher
         self.__on_event: Any = on_event
         self.__target_event_cls = target_event_cls
@@ -44,7 +48,7 @@ class OnActionEventBase(BaseEventHandler):
     def __wants(self, event: Event) -> bool:
         if not isinstance(event, self.__target_event_cls):
             return False
-        action = getattr(event, 'action', None)
+        action = getattr(event, "action", None)
         if self.__target is None or action is self.__target:
             return True
         is_action = isinstance(self.__target, LaunchDescriptionEntity)
@@ -66,9 +70,9 @@ class OnActionEventBase(BaseEventHandler):
     @property
     def handler_description(self) -> str:
         """What is done, in words."""
-        return 'a function' if callable(self.__on_event) else f'{as_entities(self.__on_event)}'
+        return "a function" if callable(self.__on_event) else f"{as_entities(self.__on_event)}"
 
     @property
     def matcher_description(self) -> str:
         """Which events are wanted, in words."""
-        return f'event == {self.__target_event_cls.__name__} of {self.__target or "any action"}'
+        return f"event == {self.__target_event_cls.__name__} of {self.__target or 'any action'}"

@@ -26,5 +26,9 @@ class OnExecutionComplete(OnActionEventBase):
         from ..action import Action
 
         super().__init__(
-            action_matcher=target_action, on_event=on_completion,
-            target_event_cls=ExecutionComplete, target_action_cls=Action, **kwargs)
+            action_matcher=target_action,
+            on_event=on_completion,
+            target_event_cls=ExecutionComplete,
+            target_action_cls=Action,
+            **kwargs,
+        )

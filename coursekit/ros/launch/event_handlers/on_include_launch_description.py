@@ -27,4 +27,4 @@ class OnIncludeLaunchDescription(BaseEventHandler):
     @property
     def matcher_description(self) -> str:
         """Which events are wanted, in words."""
-        return 'event issubclass of launch.events.IncludeLaunchDescription'
+        return "event issubclass of launch.events.IncludeLaunchDescription"

@@ -27,4 +27,8 @@ class OnProcessExit(OnActionEventBase):
 
         super().__init__(
             action_matcher=target_action,  # type: ignore[arg-type]
-            on_event=on_exit, target_event_cls=ProcessExited, target_action_cls=ExecuteLocal, **kwargs)
+            on_event=on_exit,
+            target_event_cls=ProcessExited,
+            target_action_cls=ExecuteLocal,
+            **kwargs,
+        )

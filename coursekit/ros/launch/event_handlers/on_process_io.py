@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from ..actions.execute_local import ExecuteLocal
     from ..launch_context import LaunchContext
 
-Reaction = Callable[[ProcessIO], 'SomeEntitiesType | None']
+Reaction = Callable[[ProcessIO], "SomeEntitiesType | None"]
 
 
 class OnProcessIO(OnActionEventBase):
@@ -33,7 +33,11 @@ class OnProcessIO(OnActionEventBase):
         self.__reactions = (on_stdin, on_stdout, on_stderr)
         super().__init__(
             action_matcher=target_action,  # type: ignore[arg-type]
-            on_event=self.__react, target_event_cls=ProcessIO, target_action_cls=ExecuteLocal, **kwargs)
+            on_event=self.__react,
+            target_event_cls=ProcessIO,
+            target_action_cls=ExecuteLocal,
+            **kwargs,
+        )
 
     def __react(self, event: ProcessIO, context: LaunchContext) -> SomeEntitiesType | None:
         streams = (event.from_stdin, event.from_stdout, event.from_stderr)

@@ -27,4 +27,8 @@ class OnProcessStart(OnActionEventBase):
 
         super().__init__(
             action_matcher=target_action,  # type: ignore[arg-type]
-            on_event=on_start, target_event_cls=ProcessStarted, target_action_cls=ExecuteLocal, **kwargs)
+            on_event=on_start,
+            target_event_cls=ProcessStarted,
+            target_action_cls=ExecuteLocal,
+            **kwargs,
+        )

@@ -43,4 +43,4 @@ class OnShutdown(BaseEventHandler):
     @property
     def matcher_description(self) -> str:
         """Which events are wanted, in words."""
-        return 'event issubclass of launch.events.Shutdown'
+        return "event issubclass of launch.events.Shutdown"

@@ -8,10 +8,10 @@ from .shutdown import Shutdown
 from .timer_event import TimerEvent
 
 __all__ = [
-    'ExecutionComplete',
-    'IncludeLaunchDescription',
-    'Shutdown',
-    'TimerEvent',
-    'matches_action',
-    'process',
+    "ExecutionComplete",
+    "IncludeLaunchDescription",
+    "Shutdown",
+    "TimerEvent",
+    "matches_action",
+    "process",
 ]

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 class ExecutionComplete(Event):
     """An action was carried out, and all its work is done."""
 
-    name = 'launch.events.ExecutionComplete'
+    name = "launch.events.ExecutionComplete"
 
     def __init__(self, *, action: Action) -> None:
         self.__action = action

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 class IncludeLaunchDescription(Event):
     """A launch description is to be launched."""
 
-    name = 'launch.events.IncludeLaunchDescription'
+    name = "launch.events.IncludeLaunchDescription"
 
     def __init__(self, launch_description: LaunchDescription) -> None:
         self.__launch_description = launch_description

@@ -8,9 +8,9 @@ from ..event import Event
 class Shutdown(Event):
     """The launch is to end."""
 
-    name = 'launch.events.Shutdown'
+    name = "launch.events.Shutdown"
 
-    def __init__(self, *, reason: str = 'reason not given', due_to_sigint: bool = False) -> None:
+    def __init__(self, *, reason: str = "reason not given", due_to_sigint: bool = False) -> None:
         self.__reason = reason
         self.__due_to_sigint = due_to_sigint
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 class TimerEvent(Event):
     """The time of a TimerAction has come."""
 
-    name = 'launch.events.TimerEvent'
+    name = "launch.events.TimerEvent"
 
     def __init__(self, *, timer_action: TimerAction) -> None:
         self.__timer_action = timer_action

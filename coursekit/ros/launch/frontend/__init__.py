@@ -5,9 +5,9 @@ from .expose import expose_action, expose_substitution
 from .parser import InvalidFrontendLaunchFileError, Parser
 
 __all__ = [
-    'Entity',
-    'InvalidFrontendLaunchFileError',
-    'Parser',
-    'expose_action',
-    'expose_substitution',
+    "Entity",
+    "InvalidFrontendLaunchFileError",
+    "Parser",
+    "expose_action",
+    "expose_substitution",
 ]

@@ -26,7 +26,7 @@ class Entity:
     @property
     def place(self) -> str:
         """Where the element stands, as file:line, for error messages."""
-        return ''
+        return ""
 
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError when an attribute or child of this element was never asked for."""

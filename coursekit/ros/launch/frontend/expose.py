@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .entity import Entity
     from .parser import Parser
 
-Exposed = TypeVar('Exposed')
+Exposed = TypeVar("Exposed")
 
 action_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]] = {}
 substitution_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]] = {}
@@ -21,20 +21,21 @@ substitution_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
     """Return a decorator that makes an action class, or a parse function, an element `name`."""
-    return _expose(name, action_parse_methods, 'action')
+    return _expose(name, action_parse_methods, "action")
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
     """Return a decorator that makes a substitution class, or a parse function, `$(name ...)`."""
-    return _expose(name, substitution_parse_methods, 'substitution')
+    return _expose(name, substitution_parse_methods, "substitution")
 
 
 def _expose(name: str, register: dict[str, Any], kind: str) -> Callable[[Exposed], Exposed]:
     def decorate(exposed: Exposed) -> Exposed:
-        parse = getattr(exposed, 'parse', None) if inspect.isclass(exposed) else exposed
+        parse = getattr(exposed, "parse", None) if inspect.isclass(exposed) else exposed
         if not callable(parse):
             raise RuntimeError(
-                f'Exposed {kind} parser for {name!r} is not a callable or a class with a method parse.')
+                f"Exposed {kind} parser for {name!r} is not a callable or a class with a method parse."
+            )
         register[name] = parse
         return exposed
 
@@ -49,11 +50,13 @@ def instantiate_action(entity: Entity, parser: Parser) -> Action:
     """
     if entity.type_name not in action_parse_methods:
         raise RuntimeError(
-            f'Unrecognized entity of the type: {entity.type_name}'
-            + _alternatives(entity.type_name, action_parse_methods))
+            f"Unrecognized entity of the type: {entity.type_name}"
+            + _alternatives(entity.type_name, action_parse_methods)
+        )
     action_type, kwargs = action_parse_methods[entity.type_name](entity, parser)
     entity.assert_entity_completely_parsed()
-    return action_type(**kwargs)
+    action: Action = action_type(**kwargs)
+    return action
 
 
 def instantiate_substitution(type_name: str, *args: Any) -> Substitution:
@@ -64,14 +67,16 @@ def instantiate_substitution(type_name: str, *args: Any) -> Substitution:
     """
     if type_name not in substitution_parse_methods:
         raise RuntimeError(
-            f'Unknown substitution: {type_name}' + _alternatives(type_name, substitution_parse_methods))
+            f"Unknown substitution: {type_name}" + _alternatives(type_name, substitution_parse_methods)
+        )
     substitution_type, kwargs = substitution_parse_methods[type_name](list(args))
-    positional = kwargs.pop('args', ())
-    return substitution_type(*positional, **kwargs)
+    positional = kwargs.pop("args", ())
+    substitution: Substitution = substitution_type(*positional, **kwargs)
+    return substitution
 
 
 def _alternatives(name: str, known: Iterable[str]) -> str:
     names = sorted(known)
     near = difflib.get_close_matches(name, names, n=1)
-    hint = f'; did you mean {near[0]}?' if near else ''
+    hint = f"; did you mean {near[0]}?" if near else ""
     return f"{hint} (known: {', '.join(names)})"

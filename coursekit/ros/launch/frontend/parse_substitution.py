@@ -8,7 +8,7 @@ from typing import Any
 from ..substitution import Substitution
 from .expose import instantiate_substitution
 
-NAME = re.compile(r'[A-Za-z0-9_-]+')
+NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 
 class InvalidSubstitution(ValueError):
@@ -21,7 +21,7 @@ def replace_escaped_characters(data: str) -> str:
     >>> replace_escaped_characters(r'a\$b')
     'a$b'
     """
-    return re.sub(r'\\(.)', r'\1', data)
+    return re.sub(r"\\(.)", r"\1", data)
 
 
 def parse_substitution(string_value: str) -> list[Substitution]:
@@ -34,7 +34,7 @@ def parse_substitution(string_value: str) -> list[Substitution]:
         InvalidSubstitution: when a `$(` is not closed.
         RuntimeError: for a substitution nobody knows.
     """
-    return _Reader(string_value).template('')
+    return _Reader(string_value).template("")
 
 
 def parse_if_substitutions(value: Any) -> Any:
@@ -46,7 +46,7 @@ def parse_if_substitutions(value: Any) -> Any:
     if isinstance(value, list):
         items = [_parse_one(item) for item in value]
         if len({type(item) for item in items if not isinstance(item, list)}) > 1:
-            raise ValueError('The result is a non-uniform list')
+            raise ValueError("The result is a non-uniform list")
         return items
     return _parse_one(value)
 
@@ -55,7 +55,7 @@ def _parse_one(value: Any) -> Any:
     if not isinstance(value, str):
         return value
     parsed = parse_substitution(value)
-    if len(parsed) == 1 and hasattr(parsed[0], 'text'):
+    if len(parsed) == 1 and hasattr(parsed[0], "text"):
         return parsed[0].text
     return parsed
 
@@ -70,12 +70,12 @@ class _Reader:
     def template(self, stop: str) -> list[Substitution]:
         """Read text and substitutions up to one of the characters in `stop`, or to the end."""
         found: list[Substitution] = []
-        plain = ''
+        plain = ""
         while self.at < len(self.text) and self.text[self.at] not in stop:
-            if self.text.startswith('$(', self.at):
+            if self.text.startswith("$(", self.at):
                 if plain:
                     found.append(_plain(plain))
-                    plain = ''
+                    plain = ""
                 found.append(self.substitution())
             else:
                 plain += self.piece()
@@ -85,8 +85,8 @@ class _Reader:
 
     def piece(self) -> str:
         """Read one character, or a backslash and the one after it."""
-        length = 2 if self.text[self.at] == '\\' else 1
-        piece = self.text[self.at:self.at + length]
+        length = 2 if self.text[self.at] == "\\" else 1
+        piece = self.text[self.at : self.at + length]
         self.at += length
         return piece
 
@@ -97,26 +97,26 @@ class _Reader:
         self.skip_space()
         name = NAME.match(self.text, self.at)
         if name is None:
-            raise self.error('a name is missing after $(', self.at)
+            raise self.error("a name is missing after $(", self.at)
         self.at = name.end()
         arguments = []
-        while self.skip_space() and not self.text.startswith(')', self.at):
+        while self.skip_space() and not self.text.startswith(")", self.at):
             arguments.append(self.argument())
         if self.at >= len(self.text):
-            raise self.error('$( is not closed', start)
+            raise self.error("$( is not closed", start)
         self.at += 1
         return instantiate_substitution(name.group(), *arguments)
 
     def argument(self) -> list[Substitution]:
         """Read one argument, perhaps in quotes."""
         quote = self.text[self.at]
-        if quote not in '\'"':
-            return self.template(' \t\n\r)')
+        if quote not in "'\"":
+            return self.template(" \t\n\r)")
         start = self.at
         self.at += 1
         inside = self.template(quote)
         if self.at >= len(self.text):
-            raise self.error(f'the quote {quote} is not closed', start)
+            raise self.error(f"the quote {quote} is not closed", start)
         self.at += 1
         return inside
 

@@ -18,9 +18,18 @@ if TYPE_CHECKING:
     from ..action import Action
     from ..launch_description import LaunchDescription
 
-EXTENSION_MODULES = ('launch.actions', 'launch.substitutions', 'launch_ros.actions', 'launch_ros.substitutions')
-ENTRY_POINT_GROUP = 'launch.frontend.launch_extension'
-PARSERS = {'xml': ('launch_xml', 'Parser'), 'yaml': ('launch_yaml', 'Parser'), 'yml': ('launch_yaml', 'Parser')}
+EXTENSION_MODULES = (
+    "launch.actions",
+    "launch.substitutions",
+    "launch_ros.actions",
+    "launch_ros.substitutions",
+)
+ENTRY_POINT_GROUP = "launch.frontend.launch_extension"
+PARSERS = {
+    "xml": ("launch_xml", "Parser"),
+    "yaml": ("launch_yaml", "Parser"),
+    "yml": ("launch_yaml", "Parser"),
+}
 
 
 class InvalidFrontendLaunchFileError(InvalidLaunchFileError):
@@ -65,7 +74,9 @@ class Parser:
             RuntimeError: when there is none.
         """
         if extension not in PARSERS:
-            raise RuntimeError(f'Not recognized frontend implementation: {extension} (known: {", ".join(PARSERS)})')
+            raise RuntimeError(
+                f"Not recognized frontend implementation: {extension} (known: {', '.join(PARSERS)})"
+            )
         module, name = PARSERS[extension]
         parser: type[Parser] = getattr(importlib.import_module(module), name)
         return parser
@@ -83,14 +94,14 @@ class Parser:
             InvalidFrontendLaunchFileError: when no parser can read it.
         """
         if isinstance(file, (str, os.PathLike)):
-            with open(file, encoding='utf-8') as opened:
+            with open(file, encoding="utf-8") as opened:
                 return cls._load_text(opened.read(), str(file))
-        return cls._load_text(file.read(), getattr(file, 'name', ''))
+        return cls._load_text(file.read(), getattr(file, "name", ""))
 
     @classmethod
     def _load_text(cls, text: str, name: str) -> tuple[Entity, Parser]:
         ending = os.path.splitext(str(name))[1][1:]
-        endings = [ending] if ending in PARSERS else ['xml', 'yaml']
+        endings = [ending] if ending in PARSERS else ["xml", "yaml"]
         errors: list[BaseException] = []
         for candidate in endings:
             stream = io.StringIO(text)
@@ -100,7 +111,8 @@ class Parser:
             except Exception as error:
                 errors.append(error)
         raise InvalidFrontendLaunchFileError(
-            ending if ending in PARSERS else '', likely_errors=errors) from errors[0]
+            ending if ending in PARSERS else "", likely_errors=errors
+        ) from errors[0]
 
     def parse_action(self, entity: Entity) -> Action:
         """Return the action an element stands for; an error says in which file, line and element."""
@@ -134,10 +146,12 @@ class Parser:
         """
         from ..launch_description import LaunchDescription
 
-        if entity.type_name != 'launch':
-            raise ElementError(entity, RuntimeError(f"Expected 'launch' as root tag, got '{entity.type_name}'"))
-        reason = entity.get_attr('deprecated', optional=True)
-        entity.get_attr('version', optional=True)
+        if entity.type_name != "launch":
+            raise ElementError(
+                entity, RuntimeError(f"Expected 'launch' as root tag, got '{entity.type_name}'")
+            )
+        reason = entity.get_attr("deprecated", optional=True)
+        entity.get_attr("version", optional=True)
         actions = [self.parse_action(child) for child in entity.children]
         return LaunchDescription(actions, deprecated_reason=reason)
 
@@ -147,5 +161,5 @@ class ElementError(RuntimeError):
 
     def __init__(self, entity: Entity, error: BaseException) -> None:
         self.entity = entity
-        place = f'{entity.place}: ' if entity.place else ''
-        super().__init__(f'{place}in <{entity.type_name}>: {error}')
+        place = f"{entity.place}: " if entity.place else ""
+        super().__init__(f"{place}in <{entity.type_name}>: {error}")

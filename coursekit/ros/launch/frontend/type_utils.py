@@ -7,7 +7,7 @@ from typing import Any, get_args, get_origin
 from ..utilities.type_utils import coerce_to_type, extract_type, get_typed_value
 from .entity import Entity
 
-__all__ = ['check_is_list_entity', 'coerce_to_type', 'extract_type', 'get_typed_value']
+__all__ = ["check_is_list_entity", "coerce_to_type", "extract_type", "get_typed_value"]
 
 
 def check_is_list_entity(data_type: Any) -> bool:

@@ -13,14 +13,14 @@ from .python_launch_file_utilities import (
 )
 
 __all__ = [
-    'AnyLaunchDescriptionSource',
-    'FrontendLaunchDescriptionSource',
-    'InvalidPythonLaunchFileError',
-    'PythonLaunchDescriptionSource',
-    'XMLLaunchDescriptionSource',
-    'YAMLLaunchDescriptionSource',
-    'get_launch_description_from_any_launch_file',
-    'get_launch_description_from_frontend_launch_file',
-    'get_launch_description_from_python_launch_file',
-    'load_python_launch_file_as_module',
+    "AnyLaunchDescriptionSource",
+    "FrontendLaunchDescriptionSource",
+    "InvalidPythonLaunchFileError",
+    "PythonLaunchDescriptionSource",
+    "XMLLaunchDescriptionSource",
+    "YAMLLaunchDescriptionSource",
+    "get_launch_description_from_any_launch_file",
+    "get_launch_description_from_frontend_launch_file",
+    "get_launch_description_from_python_launch_file",
+    "load_python_launch_file_as_module",
 ]

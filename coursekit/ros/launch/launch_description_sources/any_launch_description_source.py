@@ -12,7 +12,7 @@ class AnyLaunchDescriptionSource(LaunchDescriptionSource):
     """A Python, XML or YAML launch file, told apart by its name's ending."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
-        super().__init__(None, launch_file_path, 'interpreted launch file')
+        super().__init__(None, launch_file_path, "interpreted launch file")
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
         return get_launch_description_from_any_launch_file(location)

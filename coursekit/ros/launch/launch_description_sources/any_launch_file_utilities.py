@@ -22,10 +22,10 @@ def get_launch_description_from_any_launch_file(
     """
     path = str(launch_file_path)
     if not os.path.isfile(path):
-        raise FileNotFoundError(2, 'launch file does not exist', path)
+        raise FileNotFoundError(2, "launch file does not exist", path)
     ending = os.path.splitext(path)[1][1:]
     try:
-        if ending == 'py':
+        if ending == "py":
             return get_launch_description_from_python_launch_file(path)
         return get_launch_description_from_frontend_launch_file(path, parser=parser)
     except InvalidLaunchFileError:

@@ -16,7 +16,7 @@ class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
         self,
         launch_file_path: SomeSubstitutionsType,
         *,
-        method: str = 'interpreted frontend launch file',
+        method: str = "interpreted frontend launch file",
         parser: type[Parser] = Parser,
     ) -> None:
         super().__init__(None, launch_file_path, method)

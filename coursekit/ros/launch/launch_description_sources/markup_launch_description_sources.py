@@ -13,7 +13,9 @@ class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(
             launch_file_path,
-            method='interpreted XML launch file', parser=Parser.get_parser_from_extension('xml'))
+            method="interpreted XML launch file",
+            parser=Parser.get_parser_from_extension("xml"),
+        )
 
 
 class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
@@ -22,4 +24,6 @@ class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(
             launch_file_path,
-            method='interpreted YAML launch file', parser=Parser.get_parser_from_extension('yaml'))
+            method="interpreted YAML launch file",
+            parser=Parser.get_parser_from_extension("yaml"),
+        )

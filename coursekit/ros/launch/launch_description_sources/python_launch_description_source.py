@@ -12,7 +12,7 @@ class PythonLaunchDescriptionSource(LaunchDescriptionSource):
     """A Python file with a `generate_launch_description()`."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
-        super().__init__(None, launch_file_path, 'interpreted python launch file')
+        super().__init__(None, launch_file_path, "interpreted python launch file")
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
         return get_launch_description_from_python_launch_file(location)

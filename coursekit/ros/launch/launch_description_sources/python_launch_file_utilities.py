@@ -22,7 +22,7 @@ class InvalidPythonLaunchFileError(InvalidLaunchFileError):
 
 def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:
     """Return the launch file as a module; nothing is written beside it."""
-    loader = SourceFileLoader('python_launch_file', python_launch_file_path)
+    loader = SourceFileLoader("python_launch_file", python_launch_file_path)
     spec = spec_from_loader(loader.name, loader)
     assert spec is not None
     module = module_from_spec(spec)
@@ -44,11 +44,12 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
     path = str(python_launch_file_path)
     try:
         module = load_python_launch_file_as_module(path)
-        generate = getattr(module, 'generate_launch_description', None)
+        generate = getattr(module, "generate_launch_description", None)
         if generate is None:
             raise InvalidPythonLaunchFileError(
                 f"launch file at '{path}' does not contain the required function "
-                "'generate_launch_description()'")
+                "'generate_launch_description()'"
+            )
         description = generate()
     except (InvalidLaunchFileError, SyntaxError, FileNotFoundError):
         raise
@@ -57,7 +58,8 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
     if not isinstance(description, LaunchDescription):
         raise InvalidPythonLaunchFileError(
             f"'generate_launch_description()' of '{path}' must return a LaunchDescription, "
-            f'got {type(description).__name__}')
+            f"got {type(description).__name__}"
+        )
     return description
 
 
@@ -66,6 +68,8 @@ class PythonLaunchFileFailure(RuntimeError):
 
     def __init__(self, error: Exception, path: str) -> None:
         name = os.path.basename(path)
-        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == path]
-        place = f'{name}:{lines[-1]}' if lines else name
-        super().__init__(f'{place}: {type(error).__name__}: {error}')
+        lines = [
+            frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == path
+        ]
+        place = f"{name}:{lines[-1]}" if lines else name
+        super().__init__(f"{place}: {type(error).__name__}: {error}")

@@ -32,10 +32,10 @@ class LaunchConfig:
     @log_dir.setter
     def log_dir(self, value: str) -> None:
         if self.files:
-            raise RuntimeError('cannot set log directory after loggers have been created')
+            raise RuntimeError("cannot set log directory after loggers have been created")
         self.__log_dir = str(value)
 
-    def get_log_file_path(self, file_name: str = 'launch.log') -> str:
+    def get_log_file_path(self, file_name: str = "launch.log") -> str:
         """Return the full path of a log file; makes the folder."""
         os.makedirs(self.log_dir, exist_ok=True)
         return os.path.join(self.log_dir, file_name)
@@ -58,12 +58,12 @@ class _CurrentConfig:
 
 launch_config = _CurrentConfig()
 _outside: dict[str, LaunchConfig] = {}
-KEY = 'launch.logging'
+KEY = "launch.logging"
 
 
 def _store() -> dict[Any, Any]:
     process = current_process()
-    return _outside if process is None else process.locals  # type: ignore[return-value]
+    return _outside if process is None else process.locals
 
 
 def current_config() -> LaunchConfig:
@@ -87,9 +87,9 @@ def reset() -> LaunchConfig:
 
 def logging_directory() -> Path:
     """Return ROS's folder for logs: ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log."""
-    if os.environ.get('ROS_LOG_DIR'):
-        return Path(os.environ['ROS_LOG_DIR']).expanduser()
-    return Path(os.environ.get('ROS_HOME') or '~/.ros').expanduser() / 'log'
+    if os.environ.get("ROS_LOG_DIR"):
+        return Path(os.environ["ROS_LOG_DIR"]).expanduser()
+    return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"
 
 
 def _folder_name() -> str:
@@ -97,11 +97,11 @@ def _folder_name() -> str:
     clock = session.current().clock
     seconds, nanoseconds = divmod(clock.now(), 1_000_000_000)
     moment = time.gmtime(seconds) if clock.virtual else time.localtime(seconds)
-    stamp = time.strftime('%Y-%m-%d-%H-%M-%S', moment)
+    stamp = time.strftime("%Y-%m-%d-%H-%M-%S", moment)
     process = current_process()
     pid = process.pid if process is not None else 0 if clock.virtual else os.getpid()
-    host = 'localhost' if clock.virtual else socket.gethostname()
-    return f'{stamp}-{nanoseconds // 1000:06d}-{host}-{pid}'
+    host = "localhost" if clock.virtual else socket.gethostname()
+    return f"{stamp}-{nanoseconds // 1000:06d}-{host}-{pid}"
 
 
 def shown_log_dir() -> str:
@@ -109,5 +109,5 @@ def shown_log_dir() -> str:
     folder = current_config().log_dir
     home = str(Path.home())
     if session.current().clock.virtual and folder.startswith(home + os.sep):
-        return '~' + folder[len(home):]
+        return "~" + folder[len(home) :]
     return folder

@@ -13,12 +13,11 @@ from .config import LaunchConfig, current_config
 
 Writer = Callable[[int, str], None]
 OUTPUT_CONFIGURATIONS: dict[str, dict[str, tuple[str, ...]]] = {
-    'screen': {'both': ('screen',)},
-    'log': {'both': ('log',), 'stderr': ('screen',)},
-    'both': {'both': ('log', 'screen')},
-    'own_log': {'both': ('own_log',), 'stdout': ('own_log',), 'stderr': ('own_log',)},
-    'full': {
-        'both': ('screen', 'log', 'own_log'), 'stdout': ('own_log',), 'stderr': ('own_log',)},
+    "screen": {"both": ("screen",)},
+    "log": {"both": ("log",), "stderr": ("screen",)},
+    "both": {"both": ("log", "screen")},
+    "own_log": {"both": ("own_log",), "stdout": ("own_log",), "stderr": ("own_log",)},
+    "full": {"both": ("screen", "log", "own_log"), "stdout": ("own_log",), "stderr": ("own_log",)},
 }
 
 
@@ -44,7 +43,7 @@ class ScreenHandler(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write one line."""
-        sys.stdout.write(self.format(record) + '\n')
+        sys.stdout.write(self.format(record) + "\n")
         sys.stdout.flush()
 
 
@@ -53,22 +52,22 @@ class StampedFormatter(logging.Formatter):
 
     def format(self, record: logging.LogRecord) -> str:
         """Return the line with its time in seconds before it."""
-        return f'{session.current().clock.now() / 1e9:.7f} {super().format(record)}'
+        return f"{session.current().clock.now() / 1e9:.7f} {super().format(record)}"
 
 
-NAMED = '[%(levelname)s] [%(name)s]: %(message)s'
+NAMED = "[%(levelname)s] [%(name)s]: %(message)s"
 
 
 def get_logger(name: str | None = None) -> LaunchLogger:
     """Return the logger of that name (default 'launch'): to the screen and to launch.log."""
     config = current_config()
-    name = name or 'launch'
+    name = name or "launch"
     if name not in config.loggers:
         logger = LaunchLogger(name, config)
         screen = ScreenHandler()
         screen.setFormatter(logging.Formatter(NAMED))
         logger.addHandler(screen)
-        logger.addHandler(_file(config, 'launch.log', NAMED))
+        logger.addHandler(_file(config, "launch.log", NAMED))
         config.loggers[name] = logger
     found: LaunchLogger = config.loggers[name]
     return found
@@ -86,7 +85,7 @@ def get_output_loggers(
         ValueError: for another configuration.
     """
     targets = _targets(output_config)
-    return (_output_logger(process_name, 'stdout', targets), _output_logger(process_name, 'stderr', targets))
+    return (_output_logger(process_name, "stdout", targets), _output_logger(process_name, "stderr", targets))
 
 
 def _targets(output_config: str | Mapping[str, Any]) -> Mapping[str, Any]:
@@ -94,9 +93,10 @@ def _targets(output_config: str | Mapping[str, Any]) -> Mapping[str, Any]:
         if output_config not in OUTPUT_CONFIGURATIONS:
             raise ValueError(
                 f"'{output_config}' is not a valid standard output config, expected one of "
-                f'{list(OUTPUT_CONFIGURATIONS)}')
+                f"{list(OUTPUT_CONFIGURATIONS)}"
+            )
         return OUTPUT_CONFIGURATIONS[output_config]
-    unknown = [key for key in output_config if key not in ('stdout', 'stderr', 'both')]
+    unknown = [key for key in output_config if key not in ("stdout", "stderr", "both")]
     if unknown:
         raise ValueError(f"{unknown} are not valid output sources, expected 'stdout', 'stderr' or 'both'")
     return {key: (value,) if isinstance(value, str) else tuple(value) for key, value in output_config.items()}
@@ -105,18 +105,18 @@ def _targets(output_config: str | Mapping[str, Any]) -> Mapping[str, Any]:
 def _output_logger(process_name: str, stream: str, targets: Mapping[str, Any]) -> LaunchLogger:
     """Return the logger of one stream, made anew so that another configuration can be chosen."""
     config = current_config()
-    logger = LaunchLogger(f'{process_name}-{stream}', config)
-    wanted = {*targets.get('both', ()), *targets.get(stream, ())}
-    if 'screen' in wanted:
+    logger = LaunchLogger(f"{process_name}-{stream}", config)
+    wanted = {*targets.get("both", ()), *targets.get(stream, ())}
+    if "screen" in wanted:
         screen = ScreenHandler()
-        screen.setFormatter(logging.Formatter('%(message)s'))
+        screen.setFormatter(logging.Formatter("%(message)s"))
         logger.addHandler(screen)
-    if 'log' in wanted:
-        logger.addHandler(_file(config, 'launch.log', '%(message)s'))
-    if 'own_log' in targets.get('both', ()):
-        logger.addHandler(_file(config, f'{process_name}.log', '%(message)s'))
-    if 'own_log' in targets.get(stream, ()):
-        logger.addHandler(_file(config, f'{process_name}-{stream}.log', '%(message)s'))
+    if "log" in wanted:
+        logger.addHandler(_file(config, "launch.log", "%(message)s"))
+    if "own_log" in targets.get("both", ()):
+        logger.addHandler(_file(config, f"{process_name}.log", "%(message)s"))
+    if "own_log" in targets.get(stream, ()):
+        logger.addHandler(_file(config, f"{process_name}-{stream}.log", "%(message)s"))
     config.loggers[logger.name] = logger
     return logger
 
@@ -141,8 +141,8 @@ class _LogFile(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Append one line."""
         if self.__file is None:
-            self.__file = open(self.__path, 'a', encoding='utf-8', buffering=1)  # noqa: SIM115
-        self.__file.write(self.format(record) + '\n')
+            self.__file = open(self.__path, "a", encoding="utf-8", buffering=1)  # noqa: SIM115
+        self.__file.write(self.format(record) + "\n")
 
     def close(self) -> None:
         """Close the file."""

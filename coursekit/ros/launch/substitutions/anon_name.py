@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('anon')
+@expose_substitution("anon")
 class AnonName(Substitution):
     """A name made unique; the same name gives the same unique name within one launch."""
 
@@ -27,8 +27,8 @@ class AnonName(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(anon name)`."""
         if len(data) != 1:
-            raise TypeError('anon substitution expects 1 argument')
-        return cls, {'name': data[0]}
+            raise TypeError("anon substitution expects 1 argument")
+        return cls, {"name": data[0]}
 
     @property
     def name(self) -> list[Substitution]:
@@ -42,7 +42,7 @@ class AnonName(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """Return the unique name, made on first use."""
         name = perform_substitutions(context, self.__name)
-        key = 'anon' + name
+        key = "anon" + name
         if key not in context.launch_configurations:
             context.launch_configurations[key] = _unique(name)
         return context.launch_configurations[key]
@@ -52,5 +52,5 @@ def _unique(name: str) -> str:
     """Return `name` with a number of the session's own: the same in every run on the virtual clock."""
     from coursekit.core import session
 
-    number = int.from_bytes(session.current().new_uuid()[:8], 'big')
-    return re.sub(r'[.:-]', '_', f'{name}_{number}')
+    number = int.from_bytes(session.current().new_uuid()[:8], "big")
+    return re.sub(r"[.:-]", "_", f"{name}_{number}")

@@ -26,10 +26,10 @@ def _truth(context: LaunchContext, value: list[Substitution]) -> bool:
 
 def _exactly(count: int, name: str, data: Sequence[Any]) -> None:
     if len(data) != count:
-        raise TypeError(f'{name} substitution expects {count} argument(s), got {len(data)}')
+        raise TypeError(f"{name} substitution expects {count} argument(s), got {len(data)}")
 
 
-@expose_substitution('not')
+@expose_substitution("not")
 class NotSubstitution(Substitution):
     """'true' when the value is false, and the other way round."""
 
@@ -40,8 +40,8 @@ class NotSubstitution(Substitution):
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(not value)`."""
-        _exactly(1, 'not', data)
-        return cls, {'value': data[0]}
+        _exactly(1, "not", data)
+        return cls, {"value": data[0]}
 
     @property
     def value(self) -> list[Substitution]:
@@ -69,7 +69,7 @@ class _PairSubstitution(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read the two arguments."""
         _exactly(2, cls.__name__, data)
-        return cls, {'left': data[0], 'right': data[1]}
+        return cls, {"left": data[0], "right": data[1]}
 
     @property
     def left(self) -> list[Substitution]:
@@ -83,11 +83,11 @@ class _PairSubstitution(Substitution):
 
     def describe(self) -> str:
         """Return both values in words."""
-        sides = [' + '.join(sub.describe() for sub in side) for side in (self._left, self._right)]
+        sides = [" + ".join(sub.describe() for sub in side) for side in (self._left, self._right)]
         return f"{type(self).__name__}({', '.join(sides)})"
 
 
-@expose_substitution('and')
+@expose_substitution("and")
 class AndSubstitution(_PairSubstitution):
     """'true' when both values are."""
 
@@ -97,7 +97,7 @@ class AndSubstitution(_PairSubstitution):
         return str(left and right).lower()
 
 
-@expose_substitution('or')
+@expose_substitution("or")
 class OrSubstitution(_PairSubstitution):
     """'true' when one of the values is."""
 
@@ -107,7 +107,7 @@ class OrSubstitution(_PairSubstitution):
         return str(left or right).lower()
 
 
-@expose_substitution('equals')
+@expose_substitution("equals")
 class EqualsSubstitution(_PairSubstitution):
     """'true' when the texts are equal, or mean the same truth value or number."""
 
@@ -121,7 +121,7 @@ class EqualsSubstitution(_PairSubstitution):
         return left == right or _same_truth(left, right) or _same_number(left, right)
 
 
-@expose_substitution('not-equals')
+@expose_substitution("not-equals")
 class NotEqualsSubstitution(EqualsSubstitution):
     """'true' when EqualsSubstitution would be 'false'."""
 
@@ -140,38 +140,38 @@ class _ManySubstitution(Substitution):
     @classmethod
     def parse(cls, data: Iterable[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read the arguments."""
-        return cls, {'args': list(data)}
+        return cls, {"args": list(data)}
 
     def describe(self) -> str:
         """Return the values in words."""
-        values = [' + '.join(sub.describe() for sub in value) for value in self._values]
+        values = [" + ".join(sub.describe() for sub in value) for value in self._values]
         return f"{type(self).__name__}({', '.join(values)})"
 
 
-@expose_substitution('any')
+@expose_substitution("any")
 class AnySubstitution(_ManySubstitution):
     """'true' when one of the values is."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
-        return str(any([_truth(context, value) for value in self._values])).lower()
+        return str(any(_truth(context, value) for value in self._values)).lower()
 
 
-@expose_substitution('all')
+@expose_substitution("all")
 class AllSubstitution(_ManySubstitution):
     """'true' when all the values are."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
-        return str(all([_truth(context, value) for value in self._values])).lower()
+        return str(all(_truth(context, value) for value in self._values)).lower()
 
 
 def _text(value: Any) -> Any:
-    return str(value) if isinstance(value, (bool, int, float)) else '' if value is None else value
+    return str(value) if isinstance(value, (bool, int, float)) else "" if value is None else value
 
 
 def _same_truth(left: str, right: str) -> bool:
-    words = {'true': True, '1': True, 'false': False, '0': False}
+    words = {"true": True, "1": True, "false": False, "0": False}
     known = left.strip().lower() in words and right.strip().lower() in words
     return known and words[left.strip().lower()] == words[right.strip().lower()]
 

@@ -18,10 +18,10 @@ from .substitution_failure import SubstitutionFailure
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
-ON_STDERR = ('fail', 'ignore', 'warn', 'capture')
+ON_STDERR = ("fail", "ignore", "warn", "capture")
 
 
-@expose_substitution('command')
+@expose_substitution("command")
 class Command(Substitution):
     """What a command prints to its standard output, for example xacro's robot description.
 
@@ -29,9 +29,7 @@ class Command(Substitution):
     'ignore', or 'capture' (then the error output is part of the text).
     """
 
-    def __init__(
-        self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = 'fail'
-    ) -> None:
+    def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail") -> None:
         super().__init__()
         self.__command = normalize_to_list_of_substitutions(command)
         self.__on_stderr = normalize_to_list_of_substitutions(on_stderr)
@@ -40,10 +38,10 @@ class Command(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(command 'text')` or `$(command 'text' on_stderr)`."""
         if not 1 <= len(data) <= 2:
-            raise ValueError('command substitution expects 1 or 2 arguments')
-        kwargs: dict[str, Any] = {'command': data[0]}
+            raise ValueError("command substitution expects 1 or 2 arguments")
+        kwargs: dict[str, Any] = {"command": data[0]}
         if len(data) == 2:
-            kwargs['on_stderr'] = data[1]
+            kwargs["on_stderr"] = data[1]
         return cls, kwargs
 
     @property
@@ -69,33 +67,45 @@ class Command(Substitution):
         text = perform_substitutions(context, self.__command)
         on_stderr = perform_substitutions(context, self.__on_stderr)
         if on_stderr not in ON_STDERR:
-            raise SubstitutionFailure(f"expected 'on_stderr' to be one of {list(ON_STDERR)}, got '{on_stderr}'")
-        done = _run(text, dict(context.environment), merge=on_stderr == 'capture')
+            raise SubstitutionFailure(
+                f"expected 'on_stderr' to be one of {list(ON_STDERR)}, got '{on_stderr}'"
+            )
+        done = _run(text, dict(context.environment), merge=on_stderr == "capture")
         if done.returncode != 0:
             raise SubstitutionFailure(
-                f'executed command failed. Command: {text}\nCaptured stderr output: {done.stderr or done.stdout}')
+                f"executed command failed. Command: {text}\n"
+                f"Captured stderr output: {done.stderr or done.stdout}"
+            )
         if done.stderr:
             _complain(text, done.stderr, on_stderr, context)
         return done.stdout
 
 
 def _run(text: str, environment: dict[str, str], merge: bool) -> subprocess.CompletedProcess[str]:
-    words = shlex.split(text, posix=os.name != 'nt')
+    words = shlex.split(text, posix=os.name != "nt")
     if not words:
-        raise SubstitutionFailure('command substitution got an empty command')
-    program = which(words[0], environment.get('PATH'))
+        raise SubstitutionFailure("command substitution got an empty command")
+    program = which(words[0], environment.get("PATH"))
     if program is None:
-        raise SubstitutionFailure(f'file not found executing command: {text}\n{words[0]!r} is not on the PATH')
+        raise SubstitutionFailure(
+            f"file not found executing command: {text}\n{words[0]!r} is not on the PATH"
+        )
     return subprocess.run(
-        [program, *words[1:]], env=environment, text=True, check=False, stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT if merge else subprocess.PIPE)
+        [program, *words[1:]],
+        env=environment,
+        text=True,
+        check=False,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT if merge else subprocess.PIPE,
+    )
 
 
 def _complain(text: str, stderr: str, on_stderr: str, context: LaunchContext) -> None:
     message = f"executed command showed stderr output. Command: {text}\nCaptured stderr output:\n{stderr}"
-    if on_stderr == 'fail':
+    if on_stderr == "fail":
         raise SubstitutionFailure(message)
-    if on_stderr == 'warn':
+    if on_stderr == "warn":
         from ..logging import get_logger
 
-        get_logger('launch').warning(message)
+        get_logger("launch").warning(message)

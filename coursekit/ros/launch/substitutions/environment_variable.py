@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('env')
+@expose_substitution("env")
 class EnvironmentVariable(Substitution):
     """The value of an environment variable when the launch file runs."""
 
@@ -30,10 +30,10 @@ class EnvironmentVariable(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(env NAME)` or `$(env NAME default)`."""
         if not 1 <= len(data) <= 2:
-            raise TypeError(f'$(env ...) takes a name and perhaps a default, got {len(data)} arguments')
-        kwargs: dict[str, Any] = {'name': data[0]}
+            raise TypeError(f"$(env ...) takes a name and perhaps a default, got {len(data)} arguments")
+        kwargs: dict[str, Any] = {"name": data[0]}
         if len(data) == 2:
-            kwargs['default_value'] = data[1]
+            kwargs["default_value"] = data[1]
         return cls, kwargs
 
     @property

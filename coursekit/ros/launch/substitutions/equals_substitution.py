@@ -2,4 +2,4 @@
 
 from .boolean_substitution import EqualsSubstitution
 
-__all__ = ['EqualsSubstitution']
+__all__ = ["EqualsSubstitution"]

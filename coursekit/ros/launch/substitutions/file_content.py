@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('file-content')
+@expose_substitution("file-content")
 class FileContent(Substitution):
     """The whole text of a file, read when the launch file runs."""
 
@@ -27,8 +27,8 @@ class FileContent(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(file-content path)`."""
         if len(data) != 1:
-            raise TypeError('file-content substitution expects 1 argument')
-        return cls, {'path': data[0]}
+            raise TypeError("file-content substitution expects 1 argument")
+        return cls, {"path": data[0]}
 
     @property
     def path(self) -> list[Substitution]:
@@ -47,7 +47,7 @@ class FileContent(Substitution):
         """
         path = perform_substitutions(context, self.__path)
         try:
-            with open(path, encoding='utf-8') as file:
+            with open(path, encoding="utf-8") as file:
                 return file.read()
         except OSError as error:
             raise SubstitutionFailure(f"Failed to read file '{path}': {error.strerror}") from error

@@ -24,7 +24,7 @@ def which(name: str, path: str | None) -> str | None:
     return shutil.which(name, path=path) or shutil.which(name, path=beside)
 
 
-@expose_substitution('find-exec')
+@expose_substitution("find-exec")
 class FindExecutable(Substitution):
     """The full path of a program."""
 
@@ -36,8 +36,8 @@ class FindExecutable(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(find-exec name)`."""
         if len(data) != 1:
-            raise AttributeError('find-exec substitution expects 1 argument')
-        return cls, {'name': data[0]}
+            raise AttributeError("find-exec substitution expects 1 argument")
+        return cls, {"name": data[0]}
 
     @property
     def name(self) -> list[Substitution]:
@@ -55,7 +55,7 @@ class FindExecutable(Substitution):
             SubstitutionFailure: when there is no such program.
         """
         name = perform_substitutions(context, self.__name)
-        found = which(name, context.environment.get('PATH'))
+        found = which(name, context.environment.get("PATH"))
         if found is None:
             raise SubstitutionFailure(f"executable '{name}' not found on the PATH")
         return found

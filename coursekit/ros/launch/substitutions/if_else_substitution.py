@@ -16,19 +16,19 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('if')
+@expose_substitution("if")
 class IfElseSubstitution(Substitution):
     """The one text when a condition is true, the other when it is false."""
 
     def __init__(
         self,
         condition: SomeSubstitutionsType,
-        if_value: SomeSubstitutionsType = '',
-        else_value: SomeSubstitutionsType = '',
+        if_value: SomeSubstitutionsType = "",
+        else_value: SomeSubstitutionsType = "",
     ) -> None:
         super().__init__()
-        if if_value == else_value == '':
-            raise RuntimeError('One of if_value and else_value must be specified')
+        if if_value == else_value == "":
+            raise RuntimeError("One of if_value and else_value must be specified")
         self._condition = normalize_to_list_of_substitutions(condition)
         self._if_value = normalize_to_list_of_substitutions(if_value)
         self._else_value = normalize_to_list_of_substitutions(else_value)
@@ -37,13 +37,13 @@ class IfElseSubstitution(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(if condition text)` or `$(if condition text other)`."""
         if not 2 <= len(data) <= 3:
-            raise TypeError('if substitution expects 2 or 3 arguments')
-        return cls, dict(zip(('condition', 'if_value', 'else_value'), data, strict=False))
+            raise TypeError("if substitution expects 2 or 3 arguments")
+        return cls, dict(zip(("condition", "if_value", "else_value"), data, strict=False))
 
     def describe(self) -> str:
         """Return the three parts in words."""
         parts = (self._condition, self._if_value, self._else_value)
-        texts = [' + '.join(sub.describe() for sub in part) for part in parts]
+        texts = [" + ".join(sub.describe() for sub in part) for part in parts]
         return f"IfElseSubstitution({', '.join(texts)})"
 
     def perform(self, context: LaunchContext) -> str:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('var')
+@expose_substitution("var")
 class LaunchConfiguration(Substitution):
     """The value that a launch argument or SetLaunchConfiguration gave to a name.
 
@@ -33,10 +33,10 @@ class LaunchConfiguration(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(var name)` or `$(var name default)`."""
         if not 1 <= len(data) <= 2:
-            raise TypeError(f'$(var ...) takes a name and perhaps a default, got {len(data)} arguments')
-        kwargs: dict[str, Any] = {'variable_name': data[0]}
+            raise TypeError(f"$(var ...) takes a name and perhaps a default, got {len(data)} arguments")
+        kwargs: dict[str, Any] = {"variable_name": data[0]}
         if len(data) == 2:
-            kwargs['default'] = data[1]
+            kwargs["default"] = data[1]
         return cls, kwargs
 
     @property

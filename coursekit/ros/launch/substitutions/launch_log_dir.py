@@ -11,14 +11,14 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('launch_log_dir')
-@expose_substitution('log_dir')
+@expose_substitution("launch_log_dir")
+@expose_substitution("log_dir")
 class LaunchLogDir(Substitution):
     """The absolute folder of this launch's log files."""
 
     def describe(self) -> str:
         """Return the substitution's name."""
-        return 'LaunchLogDir()'
+        return "LaunchLogDir()"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the folder."""

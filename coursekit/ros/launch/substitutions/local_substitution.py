@@ -36,7 +36,7 @@ class LocalSubstitution(Substitution):
         Raises:
             SubstitutionFailure: when there is no such local.
         """
-        tree = ast.parse(self.__expression, mode='eval').body
+        tree = ast.parse(self.__expression, mode="eval").body
         try:
             return str(_value(tree, context.get_locals_as_dict()))
         except (AttributeError, KeyError, IndexError) as error:
@@ -53,4 +53,4 @@ def _value(node: ast.AST, names: Mapping[str, Any]) -> Any:
         return _value(node.value, names)[_value(node.slice, names)]
     if isinstance(node, ast.Constant):
         return node.value
-    raise SubstitutionFailure(f'a local is a name, an attribute or an item, not {ast.unparse(node)!r}')  # type: ignore[arg-type]
+    raise SubstitutionFailure(f"a local is a name, an attribute or an item, not {ast.unparse(node)!r}")

@@ -2,4 +2,4 @@
 
 from .boolean_substitution import NotEqualsSubstitution
 
-__all__ = ['NotEqualsSubstitution']
+__all__ = ["NotEqualsSubstitution"]

@@ -33,20 +33,20 @@ class PathJoinSubstitution(Substitution):
 
     def describe(self) -> str:
         """Return the parts in words."""
-        parts = [' + '.join(sub.describe() for sub in part) for part in self.__parts]
+        parts = [" + ".join(sub.describe() for sub in part) for part in self.__parts]
         return f"PathJoin({', '.join(parts)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the joined path."""
         parts = [perform_substitutions(context, part) for part in self.__parts]
-        return os.path.join(*parts) if parts else ''
+        return os.path.join(*parts) if parts else ""
 
 
 class StringJoinSubstitution(Substitution):
     """Texts joined with a delimiter."""
 
     def __init__(
-        self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ''
+        self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ""
     ) -> None:
         super().__init__()
         self.__parts = [normalize_to_list_of_substitutions(part) for part in substitutions]
@@ -54,7 +54,7 @@ class StringJoinSubstitution(Substitution):
 
     def describe(self) -> str:
         """Return the parts in words."""
-        parts = [' + '.join(sub.describe() for sub in part) for part in self.__parts]
+        parts = [" + ".join(sub.describe() for sub in part) for part in self.__parts]
         return f"StringJoin({', '.join(parts)})"
 
     def perform(self, context: LaunchContext) -> str:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('eval')
+@expose_substitution("eval")
 class PythonExpression(Substitution):
     """What a Python expression gives, as text; the names of `math` are known in it.
 
@@ -28,7 +28,7 @@ class PythonExpression(Substitution):
     def __init__(
         self,
         expression: SomeSubstitutionsType,
-        python_modules: SomeSubstitutionsType = ('math',),
+        python_modules: SomeSubstitutionsType = ("math",),
     ) -> None:
         super().__init__()
         self.__expression = normalize_to_list_of_substitutions(expression)
@@ -38,11 +38,11 @@ class PythonExpression(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(eval 'expression')`, perhaps followed by 'module, module'."""
         if not 1 <= len(data) <= 2:
-            raise TypeError('eval substitution expects 1 or 2 arguments; put the expression in quotes')
-        kwargs: dict[str, Any] = {'expression': data[0]}
+            raise TypeError("eval substitution expects 1 or 2 arguments; put the expression in quotes")
+        kwargs: dict[str, Any] = {"expression": data[0]}
         if len(data) == 2:
-            texts = [getattr(sub, 'text', '') for sub in normalize_to_list_of_substitutions(data[1])]
-            kwargs['python_modules'] = [name.strip() for name in ''.join(texts).split(',')]
+            texts = [getattr(sub, "text", "") for sub in normalize_to_list_of_substitutions(data[1])]
+            kwargs["python_modules"] = [name.strip() for name in "".join(texts).split(",")]
         return cls, kwargs
 
     @property
@@ -70,11 +70,12 @@ class PythonExpression(Substitution):
         for module_name in self.__python_modules:
             module = importlib.import_module(perform_substitutions(context, [module_name]))
             known[module.__name__] = module
-            if module.__name__ == 'math':
+            if module.__name__ == "math":
                 known.update(vars(module))
         try:
             return str(eval(expression, known))
         except Exception as error:
             raise SubstitutionFailure(
                 f'failed to evaluate the expression "{expression}": {type(error).__name__}: {error}; '
-                'text values need quotes of their own') from error
+                "text values need quotes of their own"
+            ) from error

@@ -12,13 +12,13 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-@expose_substitution('filename')
+@expose_substitution("filename")
 class ThisLaunchFile(Substitution):
     """The absolute path of this launch file."""
 
     def describe(self) -> str:
         """Return the substitution's name."""
-        return 'ThisLaunchFile()'
+        return "ThisLaunchFile()"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path.
@@ -26,19 +26,19 @@ class ThisLaunchFile(Substitution):
         Raises:
             SubstitutionFailure: outside of a launch file.
         """
-        path = context.get_locals_as_dict().get('current_launch_file_path')
+        path = context.get_locals_as_dict().get("current_launch_file_path")
         if path is None:
-            raise SubstitutionFailure('ThisLaunchFile used outside of a launch file (in a script)')
+            raise SubstitutionFailure("ThisLaunchFile used outside of a launch file (in a script)")
         return str(path)
 
 
-@expose_substitution('dirname')
+@expose_substitution("dirname")
 class ThisLaunchFileDir(Substitution):
     """The absolute folder of this launch file."""
 
     def describe(self) -> str:
         """Return the substitution's name."""
-        return 'ThisLaunchFileDir()'
+        return "ThisLaunchFileDir()"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the folder.
@@ -46,7 +46,7 @@ class ThisLaunchFileDir(Substitution):
         Raises:
             SubstitutionFailure: outside of a launch file.
         """
-        folder = context.get_locals_as_dict().get('current_launch_file_directory')
+        folder = context.get_locals_as_dict().get("current_launch_file_directory")
         if folder is None:
-            raise SubstitutionFailure('ThisLaunchFileDir used outside of a launch file (in a script)')
+            raise SubstitutionFailure("ThisLaunchFileDir used outside of a launch file (in a script)")
         return str(folder)

@@ -2,4 +2,4 @@
 
 from .this_launch_file import ThisLaunchFileDir
 
-__all__ = ['ThisLaunchFileDir']
+__all__ = ["ThisLaunchFileDir"]

@@ -11,14 +11,14 @@ from .perform_substitutions_impl import perform_substitutions
 from .signal_management import AsyncSafeSignalManager
 
 __all__ = [
-    'AsyncSafeSignalManager',
-    'create_future',
-    'create_futures',
-    'ensure_argument_type',
-    'is_a',
-    'is_a_subclass',
-    'normalize_to_list_of_entities',
-    'normalize_to_list_of_substitutions',
-    'perform_substitutions',
-    'visit_all_entities_and_collect_futures',
+    "AsyncSafeSignalManager",
+    "create_future",
+    "create_futures",
+    "ensure_argument_type",
+    "is_a",
+    "is_a_subclass",
+    "normalize_to_list_of_entities",
+    "normalize_to_list_of_substitutions",
+    "perform_substitutions",
+    "visit_all_entities_and_collect_futures",
 ]

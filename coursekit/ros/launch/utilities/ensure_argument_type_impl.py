@@ -14,14 +14,15 @@ def ensure_argument_type(
 ) -> None:
     """Raise TypeError unless `argument` is an instance of one of `types`.
 
-    >>> ensure_argument_type(1, (str, list), 'name', 'Node')
+    >>> ensure_argument_type(1, str, 'name', 'Node')
     Traceback (most recent call last):
-    TypeError: Node 'name' expected to be one of [<class 'str'>, <class 'list'>], but got '1' of type '<class 'int'>'
+    TypeError: Node 'name' expected to be '<class 'str'>', but got '1' of type '<class 'int'>'
     """
     wanted = list(types) if isinstance(types, Iterable) else [types]
     if isinstance(argument, tuple(wanted)):
         return
-    phrase = f'one of {wanted}' if len(wanted) > 1 else f"'{wanted[0]}'"
+    phrase = f"one of {wanted}" if len(wanted) > 1 else f"'{wanted[0]}'"
     raise TypeError(
         f"{caller + ' ' if caller else ''}'{argument_name}' expected to be {phrase}, "
-        f"but got '{argument}' of type '{type(argument)}'")
+        f"but got '{argument}' of type '{type(argument)}'"
+    )

@@ -26,8 +26,9 @@ def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Subs
         if isinstance(item, (str, Path)):
             return TextSubstitution(text=str(item))
         raise TypeError(
-            'Failed to normalize given item of type '
-            f"'{type(item)}', when only 'str' or 'launch.Substitution' were expected.")
+            "Failed to normalize given item of type "
+            f"'{type(item)}', when only 'str' or 'launch.Substitution' were expected."
+        )
 
     if isinstance(subs, (str, Path, Substitution)):
         return [one(subs)]
@@ -44,5 +45,5 @@ def normalize_to_list_of_entities(
         return [entities]
     flat: list[LaunchDescriptionEntity] = []
     for item in entities:
-        flat += normalize_to_list_of_entities(item)  # type: ignore[arg-type]
+        flat += normalize_to_list_of_entities(item)
     return flat

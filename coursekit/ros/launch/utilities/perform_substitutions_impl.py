@@ -13,4 +13,4 @@ if TYPE_CHECKING:
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
     """Return the joined text of all substitutions in `context`."""
-    return ''.join(context.perform_substitution(sub) for sub in subs)
+    return "".join(context.perform_substitution(sub) for sub in subs)

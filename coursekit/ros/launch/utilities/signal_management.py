@@ -28,9 +28,7 @@ class AsyncSafeSignalManager:
     ) -> None:
         self.__handlers.clear()
 
-    def handle(
-        self, signum: int, handler: Callable[[int], None] | None
-    ) -> Callable[[int], None] | None:
+    def handle(self, signum: int, handler: Callable[[int], None] | None) -> Callable[[int], None] | None:
         """Remember `handler` for `signum`; return the one before it."""
         previous = self.__handlers.get(signum)
         self.__handlers[signum] = handler

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, List, Union, get_args, get_origin  # noqa: UP035
+from typing import TYPE_CHECKING, Any, get_args, get_origin
 
 import yaml
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 ScalarTypesTuple = (int, float, bool, str)
-ScalarValueType = Union[int, float, bool, str]
-ListValueType = Union[List[int], List[float], List[bool], List[str]]  # noqa: UP006
-AllowedTypesTuple = (*ScalarTypesTuple, List[int], List[float], List[bool], List[str])  # noqa: UP006
+ScalarValueType = int | float | bool | str
+ListValueType = list[int] | list[float] | list[bool] | list[str]
+AllowedTypesTuple = (*ScalarTypesTuple, list[int], list[float], list[bool], list[str])
 AllowedTypesType = Any
-AllowedValueType = Union[ScalarValueType, ListValueType]
-SomeValueType = Union[SomeSubstitutionsType, ScalarValueType, Sequence[Any]]
-StrSomeValueType = Union[ScalarValueType, Sequence[Any]]
+AllowedValueType = ScalarValueType | ListValueType
+SomeValueType = SomeSubstitutionsType | ScalarValueType | Sequence[Any]
+StrSomeValueType = ScalarValueType | Sequence[Any]
 NormalizedValueType = Any
 
 
@@ -43,7 +43,7 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
     is_list = is_typing_list(data_type)
     scalar = get_args(data_type)[0] if is_list else data_type
     if scalar not in ScalarTypesTuple:
-        raise ValueError(f'Unrecognized data type: {data_type}')
+        raise ValueError(f"Unrecognized data type: {data_type}")
     return scalar, is_list
 
 
@@ -108,7 +108,7 @@ def _list_as(read: Any, scalar: Any) -> Any:
 
 
 def _type_name(data_type: Any) -> str:
-    return getattr(data_type, '__name__', None) if isinstance(data_type, type) else str(data_type)  # type: ignore
+    return getattr(data_type, "__name__", None) if isinstance(data_type, type) else str(data_type)  # type: ignore
 
 
 def coerce_list(value: Iterable[str], data_type: Any = None, *, can_be_str: bool = False) -> list[Any]:
@@ -169,7 +169,8 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
 def _normalize_typed_list(items: list[Any], data_type: Any) -> list[Any]:
     if any(is_substitution(item) for item in items):
         return [normalize_to_list_of_substitutions(item) if is_substitution(item) else item for item in items]
-    if {type(item) for item in items} == {int, float} or data_type == List[float]:  # noqa: UP006
+    wants_floats = data_type is not None and extract_type(data_type)[0] is float
+    if wants_floats or {type(item) for item in items} == {int, float}:
         items = [float(item) if type(item) is int else item for item in items]
     if not is_instance_of(items, data_type, can_be_str=data_type is not None):
         raise TypeError(f"Got the list '{items}', expected a uniform list of type '{data_type}'")

@@ -5,4 +5,4 @@ from __future__ import annotations
 import os
 from typing import Union
 
-FilePath = Union[str, bytes, 'os.PathLike[str]']
+FilePath = Union[str, bytes, "os.PathLike[str]"]

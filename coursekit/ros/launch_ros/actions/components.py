@@ -31,21 +31,22 @@ def _node(context: LaunchContext, description: ComposableNode) -> Node:
     package = perform_substitutions(context, description.package)
     plugin = perform_substitutions(context, description.node_plugin)
     executable = _executable(package, plugin)
-    return Node(package=package, executable=executable, output='screen', **description.node_arguments)
+    return Node(package=package, executable=executable, output="screen", **description.node_arguments)
 
 
 def _executable(package: str, plugin: str) -> str:
     names = candidate_names(plugin)
     try:
-        folder = os.path.join(get_package_prefix(package), 'lib', package)
+        folder = os.path.join(get_package_prefix(package), "lib", package)
     except PackageNotFoundError as error:
         raise RuntimeError(f"component '{plugin}': {error}") from error
     for name in names:
         if os.path.isfile(os.path.join(folder, name)):
             return name
     raise RuntimeError(
-        f"component '{plugin}' of package '{package}' is a C++ library, which cannot be loaded here; it would "
-        f"run as a Python executable called {' or '.join(names)}, which the package does not have")
+        f"component '{plugin}' of package '{package}' is a C++ library, which cannot be loaded here; it "
+        f"would run as a Python executable called {' or '.join(names)}, which the package does not have"
+    )
 
 
 def candidate_names(plugin: str) -> list[str]:
@@ -54,6 +55,6 @@ def candidate_names(plugin: str) -> list[str]:
     >>> candidate_names('demo::TalkerNode')
     ['talker_node', 'talker']
     """
-    snake = re.sub(r'(?<=[a-z0-9])(?=[A-Z])', '_', plugin.rsplit('::', 1)[-1]).lower()
-    short = snake.removesuffix('_node')
-    return [snake, short] if snake.endswith('_node') else [snake, f'{snake}_node']
+    snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", plugin.rsplit("::", 1)[-1]).lower()
+    short = snake.removesuffix("_node")
+    return [snake, short] if snake.endswith("_node") else [snake, f"{snake}_node"]

@@ -17,7 +17,7 @@ from .components import nodes_for
 from .node_frontend import parse_parameters, parse_remaps
 
 
-@expose_action('node_container')
+@expose_action("node_container")
 class ComposableNodeContainer(Action):
     """Starts the components of a container, each as a process of its own.
 
@@ -44,39 +44,40 @@ class ComposableNodeContainer(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<node_container name= pkg= exec= namespace=><composable_node .../></node_container>`."""
         _, kwargs = super().parse(entity, parser)
-        for attribute in ('name', 'namespace', 'pkg', 'exec', 'args', 'output'):
-            value = entity.get_attr(attribute, optional=attribute != 'name')
+        for attribute in ("name", "namespace", "pkg", "exec", "args", "output"):
+            value = entity.get_attr(attribute, optional=attribute != "name")
             if value is not None:
                 kwargs[attribute] = parser.parse_substitution(value)
-        kwargs['composable_node_descriptions'] = parse_components(entity, parser)
+        kwargs["composable_node_descriptions"] = parse_components(entity, parser)
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Return the nodes of the components."""
         nodes = nodes_for(context, self.__descriptions)
-        name = ''.join(context.perform_substitution(sub) for sub in self.__name)
-        get_logger('launch_ros.actions.composable_node_container').info(
-            f"container '{name}': its {len(nodes)} component(s) run as processes of their own")
+        name = "".join(context.perform_substitution(sub) for sub in self.__name)
+        get_logger("launch_ros.actions.composable_node_container").info(
+            f"container '{name}': its {len(nodes)} component(s) run as processes of their own"
+        )
         return [*nodes]
 
 
 def parse_components(entity: Entity, parser: Parser) -> list[ComposableNode]:
     """Return the `<composable_node>` elements inside an element."""
     components = []
-    for item in entity.get_attr('composable_node', data_type=list[Entity], optional=True) or []:
+    for item in entity.get_attr("composable_node", data_type=list[Entity], optional=True) or []:
         kwargs: dict[str, Any] = {
-            'package': parser.parse_substitution(item.get_attr('pkg')),
-            'plugin': parser.parse_substitution(item.get_attr('plugin')),
-            'remappings': parse_remaps(item, parser),
+            "package": parser.parse_substitution(item.get_attr("pkg")),
+            "plugin": parser.parse_substitution(item.get_attr("plugin")),
+            "remappings": parse_remaps(item, parser),
         }
-        for attribute in ('name', 'namespace'):
+        for attribute in ("name", "namespace"):
             value = item.get_attr(attribute, optional=True)
             if value is not None:
                 kwargs[attribute] = parser.parse_substitution(value)
-        parameters = item.get_attr('param', data_type=list[Entity], optional=True)
+        parameters = item.get_attr("param", data_type=list[Entity], optional=True)
         if parameters:
-            kwargs['parameters'] = parse_parameters(parameters, parser)
-        item.get_attr('extra_arg', data_type=list[Entity], optional=True)
+            kwargs["parameters"] = parse_parameters(parameters, parser)
+        item.get_attr("extra_arg", data_type=list[Entity], optional=True)
         item.assert_entity_completely_parsed()
         components.append(ComposableNode(**kwargs))
     return components

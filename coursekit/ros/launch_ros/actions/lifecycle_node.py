@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, cast
 
-from coursekit.core import session
 from launch.event import Event
 from launch.event_handler import EventHandler
 from launch.frontend import expose_action
@@ -13,17 +12,19 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.logging import get_logger
 from launch.some_substitutions_type import SomeSubstitutionsType
 
+from coursekit.core import session
+
 from ..events.lifecycle import ChangeState, StateTransition
 from ..ros_adapters import get_ros_node
 from .node import Node
 
 
-@expose_action('lifecycle_node')
+@expose_action("lifecycle_node")
 class LifecycleNode(Node):
     """Starts a lifecycle node, emits StateTransition when it changes and obeys ChangeState."""
 
     def __init__(
-        self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType = '', **kwargs: Any
+        self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType = "", **kwargs: Any
     ) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
         self.__client: Any = None
@@ -42,9 +43,12 @@ class LifecycleNode(Node):
         self._perform_substitutions(context)
         node = get_ros_node(context)
         self.__subscription = node.create_subscription(
-            lifecycle_msgs.msg.TransitionEvent, f'{self.node_name}/transition_event',
-            lambda msg: self.__on_transition(context, msg), 10)
-        self.__client = node.create_client(lifecycle_msgs.srv.ChangeState, f'{self.node_name}/change_state')
+            lifecycle_msgs.msg.TransitionEvent,
+            f"{self.node_name}/transition_event",
+            lambda msg: self.__on_transition(context, msg),
+            10,
+        )
+        self.__client = node.create_client(lifecycle_msgs.srv.ChangeState, f"{self.node_name}/change_state")
         context.register_event_handler(EventHandler(matcher=self.__wants, entities=self.__change))
         return super().execute(context)
 
@@ -60,16 +64,19 @@ class LifecycleNode(Node):
         assert context.asyncio_loop is not None
         transition_id = cast(ChangeState, event).transition_id
         context.add_completion_future(
-            context.asyncio_loop.run_in_executor(None, self.__call, transition_id, context))
+            context.asyncio_loop.run_in_executor(None, self.__call, transition_id, context)
+        )
 
     def __call(self, transition_id: int, context: LaunchContext) -> None:
         """Ask the node for the transition, in a lane of its own; a shutdown ends the waiting."""
         from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
-        logger = get_logger('launch_ros.actions.lifecycle_node')
+        logger = get_logger("launch_ros.actions.lifecycle_node")
         while not self.__client.wait_for_service(timeout_sec=1.0):
             if context.is_shutdown:
-                logger.warning(f"Abandoning wait for the '{self.__client.srv_name}' service, due to shutdown.")
+                logger.warning(
+                    f"Abandoning wait for the '{self.__client.srv_name}' service, due to shutdown."
+                )
                 return
         request = ChangeStateService.Request()
         request.transition.id = transition_id
@@ -79,9 +86,12 @@ class LifecycleNode(Node):
         while not answered.wait(1.0):
             if context.is_shutdown:
                 logger.warning(
-                    f"Abandoning wait for the '{self.__client.srv_name}' service response, due to shutdown.")
+                    f"Abandoning wait for the '{self.__client.srv_name}' service response, due to shutdown."
+                )
                 future.cancel()
                 return
         if not future.result().success:
-            logger.error(f"Failed to make transition '{ChangeState.valid_transitions[transition_id]}' "
-                         f"for LifecycleNode '{self.node_name}'")
+            logger.error(
+                f"Failed to make transition '{ChangeState.valid_transitions[transition_id]}' "
+                f"for LifecycleNode '{self.node_name}'"
+            )

@@ -17,8 +17,10 @@ from ..events import matches_node_name
 from ..events.lifecycle import ChangeState, StateTransition
 
 GOALS = {
-    'TRANSITION_CONFIGURE': 'inactive', 'TRANSITION_CLEANUP': 'unconfigured',
-    'TRANSITION_ACTIVATE': 'active', 'TRANSITION_DEACTIVATE': 'inactive',
+    "TRANSITION_CONFIGURE": "inactive",
+    "TRANSITION_CLEANUP": "unconfigured",
+    "TRANSITION_ACTIVATE": "active",
+    "TRANSITION_DEACTIVATE": "inactive",
 }
 
 
@@ -36,7 +38,7 @@ class LifecycleTransition(Action):
         self.__names = [normalize_to_list_of_substitutions(name) for name in lifecycle_node_names]
         self.__transitions = list(transition_ids)
         if not self.__names or not self.__transitions:
-            raise RuntimeError('LifecycleTransition needs at least one node name and one transition')
+            raise RuntimeError("LifecycleTransition needs at least one node name and one transition")
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Return the first transition and what continues after each."""
@@ -49,12 +51,22 @@ class LifecycleTransition(Action):
         matcher = matches_node_name(node_name)
         steps = [
             EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=transition))
-            for transition in self.__transitions]
+            for transition in self.__transitions
+        ]
         handlers: list[LaunchDescriptionEntity] = []
         for transition, following in zip(self.__transitions, steps[1:], strict=False):
-            goal = GOALS.get(ChangeState.valid_transitions[transition], 'finalized')
-            handlers.append(RegisterEventHandler(OnStateTransition(
-                matcher=lambda event, goal=goal: isinstance(event, StateTransition)  # type: ignore[misc]
-                and matcher(event.action) and event.goal_state == goal,
-                entities=[following], handle_once=True)))
+            goal = GOALS.get(ChangeState.valid_transitions[transition], "finalized")
+            handlers.append(
+                RegisterEventHandler(
+                    OnStateTransition(
+                        matcher=lambda event, goal=goal: (
+                            isinstance(event, StateTransition)  # type: ignore[misc]
+                            and matcher(event.action)
+                            and event.goal_state == goal
+                        ),
+                        entities=[following],
+                        handle_once=True,
+                    )
+                )
+            )
         return [*handlers, steps[0]]

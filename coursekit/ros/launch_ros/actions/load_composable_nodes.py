@@ -14,7 +14,7 @@ from .components import nodes_for
 from .composable_node_container import parse_components
 
 
-@expose_action('load_composable_node')
+@expose_action("load_composable_node")
 class LoadComposableNodes(Action):
     """Starts components, each as a process of its own; see ComposableNodeContainer."""
 
@@ -33,8 +33,8 @@ class LoadComposableNodes(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<load_composable_node target=><composable_node .../></load_composable_node>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['target_container'] = parser.parse_substitution(entity.get_attr('target'))
-        kwargs['composable_node_descriptions'] = parse_components(entity, parser)
+        kwargs["target_container"] = parser.parse_substitution(entity.get_attr("target"))
+        kwargs["composable_node_descriptions"] = parse_components(entity, parser)
         return cls, kwargs
 
     @property

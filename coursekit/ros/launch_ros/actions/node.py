@@ -40,7 +40,7 @@ from ..utilities.to_parameters_list import yaml_inline
 from .node_frontend import parse_node
 
 
-@expose_action('node')
+@expose_action("node")
 class Node(ExecuteProcess):
     """Starts an executable with ROS arguments: name, namespace, parameters, remappings.
 
@@ -48,8 +48,8 @@ class Node(ExecuteProcess):
     namespace is put below those of PushRosNamespace unless it is absolute.
     """
 
-    UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
-    UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'
+    UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"
+    UNSPECIFIED_NODE_NAMESPACE = "<node_namespace_unspecified>"
 
     def __init__(
         self,
@@ -65,15 +65,17 @@ class Node(ExecuteProcess):
         arguments: Iterable[SomeSubstitutionsType] | None = None,
         **kwargs: Any,
     ) -> None:
-        program = executable if package is None else ExecutableInPackage(package=package, executable=executable)
+        program = (
+            executable if package is None else ExecutableInPackage(package=package, executable=executable)
+        )
         cmd: list[Any] = [program, *(arguments or [])]
         if ros_arguments is not None:
-            cmd += ['--ros-args', *ros_arguments]
-        cmd.append('--ros-args')
+            cmd += ["--ros-args", *ros_arguments]
+        cmd.append("--ros-args")
         if name is not None:
-            cmd += ['-r', LocalSubstitution("ros_specific_arguments['name']", description='node name')]
+            cmd += ["-r", LocalSubstitution("ros_specific_arguments['name']", description="node name")]
         if parameters is not None:
-            ensure_argument_type(parameters, (list,), 'parameters', 'Node')
+            ensure_argument_type(parameters, (list,), "parameters", "Node")
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self.__package = package
         self.__executable = executable
@@ -89,7 +91,7 @@ class Node(ExecuteProcess):
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:  # type: ignore[override]
         """Read `<node pkg= exec= name= namespace= args= ...>` with param, remap and env inside."""
-        _, kwargs = super().parse(entity, parser, ignore=['cmd', 'name'])
+        _, kwargs = super().parse(entity, parser, ignore=["cmd", "name"])
         return cls, {**kwargs, **parse_node(cls, entity, parser)}
 
     # -- what others see
@@ -128,23 +130,24 @@ class Node(ExecuteProcess):
 
     def is_node_name_fully_specified(self) -> bool:
         """Return whether name and namespace were both given."""
-        return '<' not in self.node_name
+        return "<" not in self.node_name
 
     # -- carrying it out
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Start the node; warn when another one of the same name was started."""
         self._perform_substitutions(context)
-        arguments = {'name': f'__node:={self.__expanded_name}', 'ns': f'__ns:={self.__expanded_namespace}'}
-        context.extend_locals({'ros_specific_arguments': arguments})
+        arguments = {"name": f"__node:={self.__expanded_name}", "ns": f"__ns:={self.__expanded_namespace}"}
+        context.extend_locals({"ros_specific_arguments": arguments})
         result = super().execute(context)
         if self.is_node_name_fully_specified():
             add_node_name(context, self.node_name)
             count = get_node_name_count(context, self.node_name)
             if count > 1:
-                get_logger('launch_ros.actions.node').warning(
-                    f'there are now at least {count} nodes with the name {self.node_name} created within this '
-                    'launch context')
+                get_logger("launch_ros.actions.node").warning(
+                    f"there are now at least {count} nodes with the name {self.node_name} created within "
+                    "this launch context"
+                )
         return result
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
@@ -153,8 +156,11 @@ class Node(ExecuteProcess):
             return
         self.__expand_names(context)
         self.__final_node_name = prefix_namespace(self.__expanded_namespace, self.__expanded_name)
-        for arguments in (self.__global_parameters(context), self.__own_parameters(context),
-                          self.__remap_arguments(context)):
+        for arguments in (
+            self.__global_parameters(context),
+            self.__own_parameters(context),
+            self.__remap_arguments(context),
+        ):
             self.cmd.extend(normalize_to_list_of_substitutions(argument) for argument in arguments)
 
     def __expand_names(self, context: LaunchContext) -> None:
@@ -163,28 +169,30 @@ class Node(ExecuteProcess):
 
         try:
             if self.__name is not None:
-                self.__expanded_name = _perform(context, self.__name).lstrip('/')
+                self.__expanded_name = _perform(context, self.__name).lstrip("/")
                 validate_node_name(self.__expanded_name)
             own = None if self.__namespace is None else _perform(context, self.__namespace)
             namespace = make_namespace_absolute(
-                prefix_namespace(context.launch_configurations.get('ros_namespace'), own))
+                prefix_namespace(context.launch_configurations.get("ros_namespace"), own)
+            )
             if namespace is not None:
                 self.__expanded_namespace = namespace
-                self.cmd.extend(map(normalize_to_list_of_substitutions, (
-                    '-r', LocalSubstitution("ros_specific_arguments['ns']"))))
+                argument = LocalSubstitution("ros_specific_arguments['ns']", description="node namespace")
+                self.cmd.extend([normalize_to_list_of_substitutions("-r"), [argument]])
                 validate_namespace(namespace)
         except Exception:
-            get_logger('launch_ros.actions.node').error(
+            get_logger("launch_ros.actions.node").error(
                 f"Error while expanding or validating node name or namespace for 'package={self.__package}, "
-                f"executable={self.__executable}, name={self.__name}, namespace={self.__namespace}':")
+                f"executable={self.__executable}, name={self.__name}, namespace={self.__namespace}':"
+            )
             raise
 
     def __global_parameters(self, context: LaunchContext) -> list[str]:
         arguments: list[str] = []
-        settings: Any = context.launch_configurations.get('global_params', [])
+        settings: Any = context.launch_configurations.get("global_params", [])
         for setting in settings:
             if isinstance(setting, tuple):
-                arguments += ['-p', f'{setting[0]}:={yaml_inline(setting[1])}']
+                arguments += ["-p", f"{setting[0]}:={yaml_inline(setting[1])}"]
             else:
                 arguments += self.__file_arguments(os.path.abspath(setting))
         return arguments
@@ -194,35 +202,38 @@ class Node(ExecuteProcess):
         for parameter in evaluate_parameters(context, self.__parameters):
             if isinstance(parameter, Parameter):
                 name, value = parameter.evaluate(context)
-                arguments += ['-p', f'{name}:={yaml_inline(value)}']
+                arguments += ["-p", f"{name}:={yaml_inline(value)}"]
             elif isinstance(parameter, pathlib.Path):
                 arguments += self.__file_arguments(str(parameter))
             else:
-                arguments += ['--params-file', self._create_params_file_from_dict(parameter)]
+                arguments += ["--params-file", self._create_params_file_from_dict(parameter)]
         return arguments
 
     def __file_arguments(self, path: str) -> list[str]:
         if not os.path.isfile(path):
-            get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
+            get_logger("launch_ros.actions.node").warning(f"Parameter file path is not a file: {path}")
             return []
-        return ['--params-file', path]
+        return ["--params-file", path]
 
     def _create_params_file_from_dict(self, params: dict[str, Any]) -> str:
         """Write a parameter file for this node, or for all when its name is not known; return its path."""
-        key = self.node_name if self.is_node_name_fully_specified() else '/**'
+        key = self.node_name if self.is_node_name_fully_specified() else "/**"
         values = {name: list(value) if isinstance(value, tuple) else value for name, value in params.items()}
-        path = temporary_files.new_path('launch_params_')
-        with open(path, 'w', encoding='utf-8') as file:
-            yaml.safe_dump({key: {'ros__parameters': values}}, file, default_flow_style=False)
+        path = temporary_files.new_path("launch_params_")
+        with open(path, "w", encoding="utf-8") as file:
+            yaml.safe_dump({key: {"ros__parameters": values}}, file, default_flow_style=False)
         return path
 
     def __remap_arguments(self, context: LaunchContext) -> list[str]:
-        everywhere: Any = context.launch_configurations.get('ros_remaps', [])
+        everywhere: Any = context.launch_configurations.get("ros_remaps", [])
         own = [
             (perform_substitutions(context, source), perform_substitutions(context, target))
-            for source, target in self.__remappings]
+            for source, target in self.__remappings
+        ]
         self.__expanded_remappings = [*everywhere, *own]
-        return [part for source, target in self.__expanded_remappings for part in ('-r', f'{source}:={target}')]
+        return [
+            part for source, target in self.__expanded_remappings for part in ("-r", f"{source}:={target}")
+        ]
 
 
 def _perform(context: LaunchContext, value: SomeSubstitutionsType) -> str:

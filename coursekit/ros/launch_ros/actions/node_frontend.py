@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List  # noqa: UP035
+from typing import TYPE_CHECKING, Any
 
 from launch.frontend import Entity, Parser
 
@@ -12,41 +12,49 @@ if TYPE_CHECKING:
     from .node import Node
 
 TYPES: dict[str, Any] = {
-    'int': int, 'float': float, 'bool': bool, 'str': str,
-    'list[int]': List[int], 'list[float]': List[float],  # noqa: UP006
-    'list[bool]': List[bool], 'list[str]': List[str],  # noqa: UP006
-    'list_of_ints': List[int], 'list_of_floats': List[float],  # noqa: UP006
-    'list_of_bools': List[bool], 'list_of_strs': List[str],  # noqa: UP006
+    "int": int,
+    "float": float,
+    "bool": bool,
+    "str": str,
+    "list[int]": list[int],
+    "list[float]": list[float],
+    "list[bool]": list[bool],
+    "list[str]": list[str],
+    "list_of_ints": list[int],
+    "list_of_floats": list[float],
+    "list_of_bools": list[bool],
+    "list_of_strs": list[str],
 }
-ATTRIBUTES = {'name': 'name', 'exec_name': 'exec_name', 'pkg': 'package', 'namespace': 'namespace'}
+ATTRIBUTES = {"name": "name", "exec_name": "exec_name", "pkg": "package", "namespace": "namespace"}
 
 
 def parse_node(cls: type[Node], entity: Entity, parser: Parser) -> dict[str, Any]:
     """Return the keyword arguments of a Node that its element gives."""
-    kwargs: dict[str, Any] = {'executable': parser.parse_substitution(entity.get_attr('exec'))}
+    kwargs: dict[str, Any] = {"executable": parser.parse_substitution(entity.get_attr("exec"))}
     for attribute, keyword in ATTRIBUTES.items():
         value = entity.get_attr(attribute, optional=True)
         if value is not None:
             kwargs[keyword] = parser.parse_substitution(value)
-    for attribute, keyword in (('args', 'arguments'), ('ros_args', 'ros_arguments')):
+    for attribute, keyword in (("args", "arguments"), ("ros_args", "ros_arguments")):
         line = entity.get_attr(attribute, optional=True)
         if line is not None:
             kwargs[keyword] = cls._parse_cmdline(line, parser)
     remappings = parse_remaps(entity, parser)
     if remappings:
-        kwargs['remappings'] = remappings
-    parameters = entity.get_attr('param', data_type=list[Entity], optional=True)
+        kwargs["remappings"] = remappings
+    parameters = entity.get_attr("param", data_type=list[Entity], optional=True)
     if parameters is not None:
-        kwargs['parameters'] = parse_parameters(parameters, parser)
+        kwargs["parameters"] = parse_parameters(parameters, parser)
     return kwargs
 
 
 def parse_remaps(entity: Entity, parser: Parser) -> list[tuple[Any, Any]]:
     """Return the `<remap from= to=/>` of an element."""
-    remaps = entity.get_attr('remap', data_type=list[Entity], optional=True) or []
+    remaps = entity.get_attr("remap", data_type=list[Entity], optional=True) or []
     pairs = [
-        (parser.parse_substitution(remap.get_attr('from')), parser.parse_substitution(remap.get_attr('to')))
-        for remap in remaps]
+        (parser.parse_substitution(remap.get_attr("from")), parser.parse_substitution(remap.get_attr("to")))
+        for remap in remaps
+    ]
     for remap in remaps:
         remap.assert_entity_completely_parsed()
     return pairs
@@ -63,17 +71,17 @@ def parse_parameters(entities: list[Entity], parser: Parser) -> list[Any]:
 
 
 def _parse_parameter(entity: Entity, parser: Parser) -> Any:
-    file = entity.get_attr('from', optional=True)
-    allow_substs = entity.get_attr('allow_substs', data_type=bool, optional=True)
-    name = entity.get_attr('name', optional=True)
+    file = entity.get_attr("from", optional=True)
+    allow_substs = entity.get_attr("allow_substs", data_type=bool, optional=True)
+    name = entity.get_attr("name", optional=True)
     if file is not None and name is not None:
-        raise RuntimeError('name and from attributes are mutually exclusive')
+        raise RuntimeError("name and from attributes are mutually exclusive")
     if file is not None:
         allowed = parser.parse_if_substitutions(allow_substs) if allow_substs is not None else False
         entity.assert_entity_completely_parsed()
         return ParameterFile(parser.parse_substitution(file), allow_substs=allowed)
     if name is None:
-        raise ValueError('param Entity should have name or from attribute')
+        raise ValueError("param Entity should have name or from attribute")
     if allow_substs is not None:
         raise RuntimeError("'allow_substs' can only be used together with 'from' attribute")
     return _nested([entity], parser)
@@ -82,19 +90,19 @@ def _parse_parameter(entity: Entity, parser: Parser) -> Any:
 def _nested(entities: list[Entity], parser: Parser) -> dict[Any, Any]:
     values: dict[Any, Any] = {}
     for entity in entities:
-        name = tuple(parser.parse_substitution(entity.get_attr('name')))
-        kind = _type(entity.get_attr('type', optional=True))
-        value = entity.get_attr('value', data_type=kind, optional=True)
-        inner = entity.get_attr('param', data_type=list[Entity], optional=True)
+        name = tuple(parser.parse_substitution(entity.get_attr("name")))
+        kind = _type(entity.get_attr("type", optional=True))
+        value = entity.get_attr("value", data_type=kind, optional=True)
+        inner = entity.get_attr("param", data_type=list[Entity], optional=True)
         entity.assert_entity_completely_parsed()
         if inner and (value is not None or kind is not None):
-            raise RuntimeError('nested parameters and value attributes are mutually exclusive')
+            raise RuntimeError("nested parameters and value attributes are mutually exclusive")
         if inner:
             values[name] = _nested(inner, parser)
         elif value is not None:
             values[name] = ParameterValue(parser.parse_if_substitutions(value), value_type=kind)
         else:
-            raise RuntimeError('either a value attribute or nested params are needed')
+            raise RuntimeError("either a value attribute or nested params are needed")
     return values
 
 

@@ -16,8 +16,8 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 from ..utilities import make_namespace_absolute, prefix_namespace
 
 
-@expose_action('push_ros_namespace')
-@expose_action('push-ros-namespace')
+@expose_action("push_ros_namespace")
+@expose_action("push-ros-namespace")
 class PushROSNamespace(Action):
     """Puts the nodes that come after it, in the same group, below a namespace."""
 
@@ -29,7 +29,7 @@ class PushROSNamespace(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<push_ros_namespace namespace=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['namespace'] = parser.parse_substitution(entity.get_attr('namespace'))
+        kwargs["namespace"] = parser.parse_substitution(entity.get_attr("namespace"))
         return cls, kwargs
 
     @property
@@ -42,16 +42,17 @@ class PushROSNamespace(Action):
         from rclpy.validate_namespace import validate_namespace
 
         pushed = perform_substitutions(context, self.__namespace)
-        previous = context.launch_configurations.get('ros_namespace')
+        previous = context.launch_configurations.get("ros_namespace")
         namespace = make_namespace_absolute(prefix_namespace(previous, pushed))
         try:
-            validate_namespace(namespace)
+            validate_namespace(str(namespace))
         except Exception:
-            get_logger('launch_ros.actions.push_ros_namespace').error(
+            get_logger("launch_ros.actions.push_ros_namespace").error(
                 f"The resulting namespace is invalid: [previous_namespace='{previous}', "
-                f"pushed_namespace='{pushed}']")
+                f"pushed_namespace='{pushed}']"
+            )
             raise
-        context.launch_configurations['ros_namespace'] = str(namespace)
+        context.launch_configurations["ros_namespace"] = str(namespace)
         return None
 
 

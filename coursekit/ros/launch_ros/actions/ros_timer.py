@@ -16,7 +16,7 @@ from launch.utilities.type_utils import perform_typed_substitution
 from ..ros_adapters import get_ros_node
 
 
-@expose_action('ros_timer')
+@expose_action("ros_timer")
 class ROSTimer(TimerAction):
     """Does something once, after a period of ROS time: /clock's when use_sim_time was set before."""
 
@@ -34,9 +34,10 @@ class ROSTimer(TimerAction):
         from rclpy.parameter import Parameter
 
         node = get_ros_node(context)
-        settings: Any = context.launch_configurations.get('global_params', [])
-        wanted = dict(item for item in settings if isinstance(item, tuple)).get('use_sim_time', False)
-        node.set_parameters([Parameter('use_sim_time', value=bool(wanted))])
+        settings: Any = context.launch_configurations.get("global_params", [])
+        given: dict[str, Any] = dict(item for item in settings if isinstance(item, tuple))
+        wanted = given.get("use_sim_time", False)
+        node.set_parameters([Parameter("use_sim_time", value=bool(wanted))])
         period = perform_typed_substitution(context, self.period, float)
         self.__ros_timer = node.create_timer(period, lambda: self.__on_timer(context), clock=node.get_clock())
 

@@ -16,7 +16,7 @@ from ..parameter_descriptions import ParameterValue
 from ..utilities import evaluate_parameter_dict, normalize_parameter_dict
 
 
-@expose_action('set_parameter')
+@expose_action("set_parameter")
 class SetParameter(Action):
     """Sets a parameter of the nodes that come after it, in the same group; a node's own settings win."""
 
@@ -29,9 +29,9 @@ class SetParameter(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<set_parameter name= value=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
-        value = entity.get_attr('value', data_type=None)
-        kwargs['value'] = ParameterValue(parser.parse_if_substitutions(value))
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        value = entity.get_attr("value", data_type=None)
+        kwargs["value"] = ParameterValue(parser.parse_if_substitutions(value))
         return cls, kwargs
 
     @property
@@ -46,10 +46,10 @@ class SetParameter(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the parameter."""
-        configurations: dict[str, Any] = context.launch_configurations  # type: ignore[assignment]
-        settings = list(configurations.get('global_params', []))
+        configurations: dict[str, Any] = context.launch_configurations
+        settings = list(configurations.get("global_params", []))
         for name, value in evaluate_parameter_dict(context, self.__given).items():
             settings = [item for item in settings if not isinstance(item, tuple) or item[0] != name]
             settings.append((name, value))
-        configurations['global_params'] = settings
+        configurations["global_params"] = settings
         return None

@@ -13,7 +13,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('set_parameters_from_file')
+@expose_action("set_parameters_from_file")
 class SetParametersFromFile(Action):
     """Gives a parameter file to the nodes that come after it, in the same group."""
 
@@ -32,10 +32,10 @@ class SetParametersFromFile(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<set_parameters_from_file filename=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['filename'] = parser.parse_substitution(entity.get_attr('filename'))
-        node_name = entity.get_attr('node-name', optional=True)
+        kwargs["filename"] = parser.parse_substitution(entity.get_attr("filename"))
+        node_name = entity.get_attr("node-name", optional=True)
         if node_name is not None:
-            kwargs['node_name'] = parser.parse_substitution(node_name)
+            kwargs["node_name"] = parser.parse_substitution(node_name)
         return cls, kwargs
 
     @property
@@ -51,7 +51,7 @@ class SetParametersFromFile(Action):
         """
         path = perform_substitutions(context, self.__file)
         if not os.path.isfile(path):
-            raise FileNotFoundError(2, 'parameter file does not exist', path)
-        configurations: dict[str, Any] = context.launch_configurations  # type: ignore[assignment]
-        configurations['global_params'] = [*configurations.get('global_params', []), path]
+            raise FileNotFoundError(2, "parameter file does not exist", path)
+        configurations: dict[str, Any] = context.launch_configurations
+        configurations["global_params"] = [*configurations.get("global_params", []), path]
         return None

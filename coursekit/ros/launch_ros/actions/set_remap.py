@@ -13,7 +13,7 @@ from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('set_remap')
+@expose_action("set_remap")
 class SetRemap(Action):
     """Adds a remapping to the nodes that come after it, in the same group."""
 
@@ -26,8 +26,8 @@ class SetRemap(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<set_remap from= to=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['src'] = parser.parse_substitution(entity.get_attr('from'))
-        kwargs['dst'] = parser.parse_substitution(entity.get_attr('to'))
+        kwargs["src"] = parser.parse_substitution(entity.get_attr("from"))
+        kwargs["dst"] = parser.parse_substitution(entity.get_attr("to"))
         return cls, kwargs
 
     @property
@@ -42,7 +42,7 @@ class SetRemap(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Add the remapping."""
-        configurations: dict[str, Any] = context.launch_configurations  # type: ignore[assignment]
+        configurations: dict[str, Any] = context.launch_configurations
         pair = perform_substitutions(context, self.__src), perform_substitutions(context, self.__dst)
-        configurations['ros_remaps'] = [*configurations.get('ros_remaps', []), pair]
+        configurations["ros_remaps"] = [*configurations.get("ros_remaps", []), pair]
         return None

@@ -13,7 +13,7 @@ from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_action('set_ros_log_dir')
+@expose_action("set_ros_log_dir")
 class SetROSLogDir(Action):
     """Sets ROS_LOG_DIR for the nodes that come after it, in the same group."""
 
@@ -25,7 +25,7 @@ class SetROSLogDir(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<set_ros_log_dir log_dir=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs['new_log_dir'] = parser.parse_substitution(entity.get_attr('log_dir'))
+        kwargs["new_log_dir"] = parser.parse_substitution(entity.get_attr("log_dir"))
         return cls, kwargs
 
     @property
@@ -35,5 +35,5 @@ class SetROSLogDir(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the variable."""
-        context.environment['ROS_LOG_DIR'] = perform_substitutions(context, self.__log_dir)
+        context.environment["ROS_LOG_DIR"] = perform_substitutions(context, self.__log_dir)
         return None

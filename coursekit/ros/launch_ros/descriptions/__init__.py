@@ -3,4 +3,4 @@
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from .composable_node import ComposableNode
 
-__all__ = ['ComposableNode', 'Parameter', 'ParameterFile', 'ParameterValue']
+__all__ = ["ComposableNode", "Parameter", "ParameterFile", "ParameterValue"]

@@ -31,7 +31,11 @@ class ComposableNode:
         self.__package = normalize_to_list_of_substitutions(package)
         self.__plugin = normalize_to_list_of_substitutions(plugin)
         self.__given: dict[str, Any] = {
-            'name': name, 'namespace': namespace, 'parameters': parameters, 'remappings': remappings}
+            "name": name,
+            "namespace": namespace,
+            "parameters": parameters,
+            "remappings": remappings,
+        }
         self.__extra_arguments = extra_arguments
         self.__condition = condition
 

@@ -29,9 +29,11 @@ class OnStateTransition(EventHandler):
         goal_state: str | None = None,
         **kwargs: Any,
     ) -> None:
-        wanted = {'transition': transition, 'start_state': start_state, 'goal_state': goal_state}
+        wanted = {"transition": transition, "start_state": start_state, "goal_state": goal_state}
         if matcher is not None and (target_lifecycle_node or any(wanted.values())):
-            raise RuntimeError('OnStateTransition takes either a matcher or the things it is to match, not both')
+            raise RuntimeError(
+                "OnStateTransition takes either a matcher or the things it is to match, not both"
+            )
         self.__target = target_lifecycle_node
         self.__wanted = {name: value for name, value in wanted.items() if value is not None}
         super().__init__(matcher=matcher or self.__wants, entities=entities, **kwargs)

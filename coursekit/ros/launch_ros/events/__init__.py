@@ -3,4 +3,4 @@
 from . import lifecycle
 from .matchers import matches_node_name
 
-__all__ = ['lifecycle', 'matches_node_name']
+__all__ = ["lifecycle", "matches_node_name"]

@@ -16,7 +16,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 from .find_package import FindPackagePrefix
 
 
-@expose_substitution('exec-in-pkg')
+@expose_substitution("exec-in-pkg")
 class ExecutableInPackage(FindPackagePrefix):
     """The path of an executable in a package's `lib/<package>` folder."""
 
@@ -28,8 +28,8 @@ class ExecutableInPackage(FindPackagePrefix):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(exec-in-pkg executable package)`."""
         if len(data) != 2:
-            raise AttributeError('exec-in-pkg substitution expects 2 arguments')
-        return cls, {'executable': data[0], 'package': data[1]}
+            raise AttributeError("exec-in-pkg substitution expects 2 arguments")
+        return cls, {"executable": data[0], "package": data[1]}
 
     @property
     def executable(self) -> list[Substitution]:
@@ -38,9 +38,9 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def describe(self) -> str:
         """Return package and executable in words."""
-        package = ' + '.join(sub.describe() for sub in self.package)
-        executable = ' + '.join(sub.describe() for sub in self.__executable)
-        return f'ExecInPkg(pkg={package}, exec={executable})'
+        package = " + ".join(sub.describe() for sub in self.package)
+        executable = " + ".join(sub.describe() for sub in self.__executable)
+        return f"ExecInPkg(pkg={package}, exec={executable})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path.
@@ -51,7 +51,7 @@ class ExecutableInPackage(FindPackagePrefix):
         """
         executable = perform_substitutions(context, self.__executable)
         package = perform_substitutions(context, self.package)
-        folder = os.path.join(super().perform(context), 'lib', package)
+        folder = os.path.join(super().perform(context), "lib", package)
         path = os.path.join(folder, executable)
         if os.path.isfile(path):
             return path
@@ -59,4 +59,5 @@ class ExecutableInPackage(FindPackagePrefix):
         known = [name for name in known if os.path.isfile(os.path.join(folder, name))]
         raise SubstitutionFailure(
             f"executable '{executable}' not found on the libexec directory '{folder}'"
-            f"{'; the package has: ' + ', '.join(known) if known else '; the package has no executables'}")
+            f"{'; the package has: ' + ', '.join(known) if known else '; the package has no executables'}"
+        )

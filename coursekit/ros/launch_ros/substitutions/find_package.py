@@ -24,8 +24,8 @@ class FindPackage(Substitution):
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(find-pkg-share name)` and its like."""
         if len(data) != 1:
-            raise AttributeError('find package substitutions expect 1 argument')
-        return cls, {'package': data[0]}
+            raise AttributeError("find package substitutions expect 1 argument")
+        return cls, {"package": data[0]}
 
     @property
     def package(self) -> list[Substitution]:
@@ -49,12 +49,12 @@ class FindPackage(Substitution):
         return self.find(perform_substitutions(context, self.__package))
 
 
-@expose_substitution('find-pkg-prefix')
+@expose_substitution("find-pkg-prefix")
 class FindPackagePrefix(FindPackage):
     """The folder a package is installed in."""
 
 
-@expose_substitution('find-pkg-share')
+@expose_substitution("find-pkg-share")
 class FindPackageShare(FindPackage):
     """The package's share folder, where launch files and configuration lie."""
 

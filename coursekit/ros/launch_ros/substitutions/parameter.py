@@ -13,22 +13,27 @@ from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-@expose_substitution('param')
+@expose_substitution("param")
 class Parameter(Substitution):
     """What SetParameter gave to a name, as text."""
 
     def __init__(self, name: SomeSubstitutionsType, *, default: Any = None) -> None:
         super().__init__()
         self.__name = normalize_to_list_of_substitutions(name)
-        self.__default = None if default is None else normalize_to_list_of_substitutions(
-            default if isinstance(default, (str, Substitution, list, tuple)) else str(default))
+        self.__default = (
+            None
+            if default is None
+            else normalize_to_list_of_substitutions(
+                default if isinstance(default, (str, Substitution, list, tuple)) else str(default)
+            )
+        )
 
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
         """Read `$(param name)` or `$(param name default)`."""
         if not 1 <= len(data) <= 2:
-            raise TypeError('param substitution expects 1 or 2 arguments')
-        return cls, dict(zip(('name', 'default'), data, strict=False))
+            raise TypeError("param substitution expects 1 or 2 arguments")
+        return cls, dict(zip(("name", "default"), data, strict=False))
 
     @property
     def name(self) -> list[Substitution]:
@@ -51,7 +56,7 @@ class Parameter(Substitution):
             SubstitutionFailure: when there is neither.
         """
         name = perform_substitutions(context, self.__name)
-        settings: Any = context.launch_configurations.get('global_params', [])
+        settings: Any = context.launch_configurations.get("global_params", [])
         for setting in reversed(settings):
             if isinstance(setting, tuple) and setting[0] == name:
                 return str(setting[1])

@@ -14,8 +14,10 @@ from ..parameter_descriptions import EvaluatedParameterValue, ParameterFile, Par
 from ..parameters_type import EvaluatedParameters, Parameters, ParametersDict
 
 SCALARS = (bool, int, float, str)
-ADVICE = ('If the parameter is meant to be a string, try wrapping it in '
-          'launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)')
+ADVICE = (
+    "If the parameter is meant to be a string, try wrapping it in "
+    "launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)"
+)
 
 
 def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
@@ -40,11 +42,11 @@ def evaluate_parameter_dict(
         TypeError: when a value is no parameter, or a list holds several types.
     """
     if not isinstance(parameters, Mapping):
-        raise TypeError('expected dict')
+        raise TypeError("expected dict")
     evaluated = {}
     for parts, value in parameters.items():
         if not isinstance(parts, tuple):
-            raise TypeError(f'Expecting tuple of substitutions got {parts!r}')
+            raise TypeError(f"Expecting tuple of substitutions got {parts!r}")
         name = perform_substitutions(context, parts)
         evaluated[name] = _evaluate(context, name, value)
     return evaluated
@@ -54,14 +56,14 @@ def _evaluate(context: LaunchContext, name: str, value: Any) -> Any:
     if isinstance(value, ParameterValue):
         return value.evaluate(context)
     if not isinstance(value, tuple):
-        ensure_argument_type(value, (float, int, str, bool, bytes), 'value')
+        ensure_argument_type(value, (float, int, str, bool, bytes), "value")
         return value
     if value and isinstance(value[0], Substitution):
         return _read(name, perform_substitutions(context, value))
     if value and isinstance(value[0], Sequence) and not isinstance(value[0], str):
         return _uniform(name, [yaml.safe_load(perform_substitutions(context, item)) for item in value])
     if not value:
-        raise TypeError(f'given unnormalized parameters {name!r}, {value!r}: an empty list has no type')
+        raise TypeError(f"given unnormalized parameters {name!r}, {value!r}: an empty list has no type")
     return value
 
 
@@ -70,20 +72,22 @@ def _read(name: str, text: str) -> Any:
     try:
         value = yaml.safe_load(text or "''")
     except yaml.YAMLError as error:
-        raise TypeError(f'Unable to parse the value of parameter {name} as yaml. {ADVICE}') from error
+        raise TypeError(f"Unable to parse the value of parameter {name} as yaml. {ADVICE}") from error
     if isinstance(value, (*SCALARS, bytes)):
         return value
     if isinstance(value, list):
         return _uniform(name, value)
     raise TypeError(
-        'Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], '
-        f'Sequence[float], Sequence[str]. Got {type(value)} for "{name}". {ADVICE}')
+        "Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], "
+        f'Sequence[float], Sequence[str]. Got {type(value)} for "{name}". {ADVICE}'
+    )
 
 
 def _uniform(name: str, values: list[Any]) -> tuple[Any, ...]:
     kind = type(values[0]) if values else None
     if kind not in SCALARS or not all(type(value) is kind for value in values):
         raise TypeError(
-            'Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are '
-            f'bool, int, float, str. Got inconsistent input for "{name}"')
+            "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are "
+            f'bool, int, float, str. Got inconsistent input for "{name}"'
+        )
     return tuple(values)

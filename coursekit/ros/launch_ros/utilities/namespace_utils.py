@@ -5,12 +5,12 @@ from __future__ import annotations
 
 def is_root_namespace(ns: str) -> bool:
     """Return whether `ns` is '/'."""
-    return ns == '/'
+    return ns == "/"
 
 
 def is_namespace_absolute(ns: str) -> bool:
     """Return whether `ns` begins with '/'."""
-    return ns.startswith('/')
+    return ns.startswith("/")
 
 
 def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
@@ -23,7 +23,7 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
         return base_ns
     if is_root_namespace(ns):
         return ns
-    ns = ns.rstrip('/')
+    ns = ns.rstrip("/")
     if is_namespace_absolute(ns) or not base_ns:
         return ns
     if not ns:
@@ -35,4 +35,4 @@ def make_namespace_absolute(ns: str | None) -> str | None:
     """Return `ns` with a '/' before it; None stays None."""
     if ns is None or is_namespace_absolute(ns):
         return ns
-    return f'/{ns}'
+    return f"/{ns}"

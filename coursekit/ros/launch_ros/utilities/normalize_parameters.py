@@ -25,7 +25,7 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
         TypeError: when `parameters` is no list, or holds something else.
     """
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
-        raise TypeError(f'Expecting list of parameters, got {parameters}')
+        raise TypeError(f"Expecting list of parameters, got {parameters}")
     return tuple(_normalize_one(parameter) for parameter in parameters)
 
 
@@ -34,7 +34,7 @@ def _normalize_one(parameter: Any) -> Any:
         return normalize_parameter_dict(parameter)
     if isinstance(parameter, (Parameter, ParameterFile)):
         return parameter
-    ensure_argument_type(parameter, (*SomeSubstitutionsType_types_tuple, os.PathLike), 'parameters')
+    ensure_argument_type(parameter, (*SomeSubstitutionsType_types_tuple, os.PathLike), "parameters")
     return ParameterFile(parameter)
 
 
@@ -50,12 +50,12 @@ def normalize_parameter_dict(
         TypeError: for values that are no parameters.
     """
     if not isinstance(parameters, Mapping):
-        raise TypeError('expected dict')
+        raise TypeError("expected dict")
     normalized: ParametersDict = {}
     for name, value in parameters.items():
         parts = normalize_to_list_of_substitutions(name)
         if _prefix:
-            parts = [*_prefix, TextSubstitution(text='.'), *parts]
+            parts = [*_prefix, TextSubstitution(text="."), *parts]
         if isinstance(value, Mapping):
             normalized.update(normalize_parameter_dict(value, _prefix=parts))
         else:
@@ -72,12 +72,12 @@ def _normalize_value(value: Any) -> Any:
         return value
     if isinstance(value, Sequence):
         return _normalize_list(value)
-    raise TypeError(f'Unexpected type for parameter value {value!r}')
+    raise TypeError(f"Unexpected type for parameter value {value!r}")
 
 
 def _normalize_list(values: Sequence[Any]) -> tuple[Any, ...]:
     for value in values:
-        ensure_argument_type(value, (*SCALARS, *SomeSubstitutionsType_types_tuple), 'subvalue')
+        ensure_argument_type(value, (*SCALARS, *SomeSubstitutionsType_types_tuple), "subvalue")
     kinds = {Substitution if isinstance(value, Substitution) else type(value) for value in values}
     if kinds in ({int}, {bool}):
         return tuple(values)

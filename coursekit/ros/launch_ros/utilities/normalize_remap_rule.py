@@ -15,11 +15,13 @@ def normalize_remap_rule(remapping: SomeRemapRule) -> RemapRule:
     Raises:
         TypeError: when it is no pair; lists are not accepted, as in ROS 2.
     """
-    ensure_argument_type(remapping, (tuple,), 'remapping')
+    ensure_argument_type(remapping, (tuple,), "remapping")
     if len(remapping) != 2:
         raise TypeError(f"remapping rule must be a 2-tuple '(from, to)', got {remapping!r}")
     source, target = remapping
-    return tuple(normalize_to_list_of_substitutions(source)), tuple(normalize_to_list_of_substitutions(target))
+    return tuple(normalize_to_list_of_substitutions(source)), tuple(
+        normalize_to_list_of_substitutions(target)
+    )
 
 
 def normalize_remap_rules(remappings: SomeRemapRules) -> Generator[RemapRule, None, None]:

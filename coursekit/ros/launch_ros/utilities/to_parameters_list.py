@@ -31,10 +31,12 @@ def to_parameters_list(
             from coursekit.core.arguments import parse_ros_arguments
 
             full_name = f"{namespace.rstrip('/')}/{node_name or ''}"
-            arguments = parse_ros_arguments(['--ros-args', '--params-file', str(parameter)])
+            arguments = parse_ros_arguments(["--ros-args", "--params-file", str(parameter)])
             values.update(arguments.parameters_for(full_name))
     return [
-        rclpy.parameter.Parameter(name, value=list(value) if isinstance(value, tuple) else value).to_parameter_msg()
+        rclpy.parameter.Parameter(
+            name, value=list(value) if isinstance(value, tuple) else value
+        ).to_parameter_msg()
         for name, value in values.items()
     ]
 
@@ -46,5 +48,5 @@ def yaml_inline(value: Any) -> str:
     ('[1, 2]', "'1'", 'true')
     """
     plain = list(value) if isinstance(value, tuple) else value
-    text = yaml.safe_dump(plain, default_flow_style=True, width=float('inf'))
-    return text.removesuffix('\n').removesuffix('\n...')
+    text = yaml.safe_dump(plain, default_flow_style=True, width=float("inf"))
+    return text.removesuffix("\n").removesuffix("\n...")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from launch.launch_context import LaunchContext
 
-KEY = 'unique_ros_node_names'
+KEY = "unique_ros_node_names"
 
 
 def add_node_name(context: LaunchContext, node_name: str) -> None:

@@ -10,7 +10,7 @@ from .running_process_event import RunningProcessEvent
 class ProcessExited(RunningProcessEvent):
     """A process ended."""
 
-    name = 'launch.events.process.ProcessExited'
+    name = "launch.events.process.ProcessExited"
 
     def __init__(self, *, returncode: int, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -10,7 +10,7 @@ from .running_process_event import RunningProcessEvent
 class ProcessIO(RunningProcessEvent):
     """A process wrote something, or is to read something."""
 
-    name = 'launch.events.process.ProcessIO'
+    name = "launch.events.process.ProcessIO"
 
     def __init__(self, *, text: bytes, fd: int, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -41,7 +41,7 @@ class ProcessIO(RunningProcessEvent):
 class ProcessStdin(ProcessIO):
     """Something to be typed into a process."""
 
-    name = 'launch.events.process.ProcessStdin'
+    name = "launch.events.process.ProcessStdin"
 
     def __init__(self, *, text: bytes, **kwargs: Any) -> None:
         super().__init__(text=text, fd=0, **kwargs)
@@ -50,7 +50,7 @@ class ProcessStdin(ProcessIO):
 class ProcessStdout(ProcessIO):
     """A process wrote to its standard output."""
 
-    name = 'launch.events.process.ProcessStdout'
+    name = "launch.events.process.ProcessStdout"
 
     def __init__(self, *, text: bytes, **kwargs: Any) -> None:
         super().__init__(text=text, fd=1, **kwargs)
@@ -59,7 +59,7 @@ class ProcessStdout(ProcessIO):
 class ProcessStderr(ProcessIO):
     """A process wrote to its standard error."""
 
-    name = 'launch.events.process.ProcessStderr'
+    name = "launch.events.process.ProcessStderr"
 
     def __init__(self, *, text: bytes, **kwargs: Any) -> None:
         super().__init__(text=text, fd=2, **kwargs)

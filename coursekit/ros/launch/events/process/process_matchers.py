@@ -11,14 +11,16 @@ if TYPE_CHECKING:
 
 def matches_pid(pid: int) -> Callable[[ExecuteLocal], bool]:
     """Return a function that accepts the process with this number."""
-    return lambda action: action.process_details is not None and action.process_details.get('pid') == pid
+    return lambda action: action.process_details is not None and action.process_details.get("pid") == pid
 
 
 def matches_name(name: str) -> Callable[[ExecuteLocal], bool]:
     """Return a function that accepts the process with this name."""
-    return lambda action: action.process_details is not None and action.process_details['name'] == name
+    return lambda action: action.process_details is not None and action.process_details["name"] == name
 
 
 def matches_executable(executable: str) -> Callable[[ExecuteLocal], bool]:
     """Return a function that accepts processes of this program."""
-    return lambda action: action.process_details is not None and action.process_details['cmd'][0] == executable
+    return lambda action: (
+        action.process_details is not None and action.process_details["cmd"][0] == executable
+    )

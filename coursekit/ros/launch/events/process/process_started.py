@@ -8,4 +8,4 @@ from .running_process_event import RunningProcessEvent
 class ProcessStarted(RunningProcessEvent):
     """A process was started."""
 
-    name = 'launch.events.process.ProcessStarted'
+    name = "launch.events.process.ProcessStarted"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class ProcessTargetedEvent(Event):
     """An event for the processes that `process_matcher` accepts."""
 
-    name = 'launch.events.process.ProcessTargetedEvent'
+    name = "launch.events.process.ProcessTargetedEvent"
 
     def __init__(self, *, process_matcher: Callable[[ExecuteLocal], bool]) -> None:
         self.__process_matcher = process_matcher

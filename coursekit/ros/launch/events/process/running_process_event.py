@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class RunningProcessEvent(Event):
     """Something happened to a process."""
 
-    name = 'launch.events.process.RunningProcessEvent'
+    name = "launch.events.process.RunningProcessEvent"
 
     def __init__(
         self,

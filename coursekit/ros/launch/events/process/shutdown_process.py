@@ -8,4 +8,4 @@ from .process_targeted_event import ProcessTargetedEvent
 class ShutdownProcess(ProcessTargetedEvent):
     """The process is to end: SIGINT first, then SIGTERM, then SIGKILL."""
 
-    name = 'launch.events.process.ShutdownProcess'
+    name = "launch.events.process.ShutdownProcess"

@@ -20,7 +20,7 @@ class SignalProcess(ProcessTargetedEvent):
     'SIGINT'
     """
 
-    name = 'launch.events.process.SignalProcess'
+    name = "launch.events.process.SignalProcess"
 
     def __init__(
         self,
@@ -28,7 +28,7 @@ class SignalProcess(ProcessTargetedEvent):
         signal_number: str | int | signal.Signals,
         process_matcher: Callable[[ExecuteLocal], bool],
     ) -> None:
-        ensure_argument_type(signal_number, (str, int, signal.Signals), 'signal_number', 'SignalProcess')
+        ensure_argument_type(signal_number, (str, int, signal.Signals), "signal_number", "SignalProcess")
         super().__init__(process_matcher=process_matcher)
         if isinstance(signal_number, str):
             self.__signal = signal.Signals[signal_number]

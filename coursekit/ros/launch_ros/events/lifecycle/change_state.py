@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from launch.event import Event
 from lifecycle_msgs.msg import State, Transition
@@ -25,12 +25,20 @@ def _names(constants: type, prefix: tuple[str, ...]) -> dict[int, str]:
 class ChangeState(Event):
     """The lifecycle nodes that `lifecycle_node_matcher` accepts are to make a transition."""
 
-    name = 'launch_ros.events.lifecycle.ChangeState'
-    valid_states = _names(State, ('PRIMARY_STATE_', 'TRANSITION_STATE_'))
-    valid_transitions = {
-        getattr(Transition, name): name for name in (
-            'TRANSITION_CONFIGURE', 'TRANSITION_CLEANUP', 'TRANSITION_ACTIVATE', 'TRANSITION_DEACTIVATE',
-            'TRANSITION_UNCONFIGURED_SHUTDOWN', 'TRANSITION_INACTIVE_SHUTDOWN', 'TRANSITION_ACTIVE_SHUTDOWN')}
+    name = "launch_ros.events.lifecycle.ChangeState"
+    valid_states: ClassVar[dict[int, str]] = _names(State, ("PRIMARY_STATE_", "TRANSITION_STATE_"))
+    valid_transitions: ClassVar[dict[int, str]] = {
+        getattr(Transition, name): name
+        for name in (
+            "TRANSITION_CONFIGURE",
+            "TRANSITION_CLEANUP",
+            "TRANSITION_ACTIVATE",
+            "TRANSITION_DEACTIVATE",
+            "TRANSITION_UNCONFIGURED_SHUTDOWN",
+            "TRANSITION_INACTIVE_SHUTDOWN",
+            "TRANSITION_ACTIVE_SHUTDOWN",
+        )
+    }
 
     def __init__(
         self, *, lifecycle_node_matcher: Callable[[LifecycleNode], bool], transition_id: int
@@ -38,7 +46,8 @@ class ChangeState(Event):
         if transition_id not in self.valid_transitions:
             raise ValueError(
                 f"given an invalid transition_id '{transition_id}', expected one of: "
-                f"{', '.join(f'{number} ({name})' for number, name in self.valid_transitions.items())}")
+                f"{', '.join(f'{number} ({name})' for number, name in self.valid_transitions.items())}"
+            )
         self.__matcher = lifecycle_node_matcher
         self.__transition_id = transition_id
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class StateTransition(Event):
     """A lifecycle node told that it made a transition."""
 
-    name = 'launch_ros.events.lifecycle.StateTransition'
+    name = "launch_ros.events.lifecycle.StateTransition"
 
     def __init__(self, *, action: LifecycleNode, msg: Any) -> None:
         self.__action = action

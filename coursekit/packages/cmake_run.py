@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from coursekit.packages.cmake_condition import holds
-from coursekit.packages.cmake_text import Command, read_commands
+from coursekit.packages.cmake_text import CMakeError, Command, read_commands
 
 _REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
 _BLOCKS = {
@@ -61,6 +61,8 @@ _TARGETS = (
 
 def read_project(folder: Path) -> Reading:
     """Return what the CMakeLists.txt of a folder asks for; raises CMakeError."""
+    if not (folder / "CMakeLists.txt").is_file():
+        raise CMakeError("there is no such file, but this is a CMake package", folder / "CMakeLists.txt", 1)
     runner = _Runner(folder)
     runner.run(read_commands(folder / "CMakeLists.txt"))
     return runner.reading

@@ -14,6 +14,7 @@ from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install
 
 from coursekit.interfaces.errors import InterfaceError
+from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import install_rules, interface_rules
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
@@ -64,13 +65,16 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             self._create(
                 f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files)
             )
-            for name, text in interface_rules.python_files(package, files).items():
+            made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
+            for name, text in made.items():
                 self._create(f"{site}/{name}", text)
         for copy in install_rules.copies(reading, package, site):
             self._copy(copy.source, copy.target, copy.program)
         if (Path(self.context.args.path) / "package.xml").is_file():
             self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
         self._create(f"{_INDEX}/packages/{package}", "")
+        if reading.targets:  # so that `ros2 run` can say why an executable is missing
+            self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))
 
     def _site_packages(self) -> str:
         base = Path(self.context.args.install_base)

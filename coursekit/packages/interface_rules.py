@@ -128,7 +128,7 @@ def _unknown(base: str, message: Message, own: set[str], named: set[str], prefix
 def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the files of the Python package, relative to site-packages, with their text."""
     kinds = {path.suffix[1:] for path in files}
-    made = {f"{package}/__init__.py": f'"""Interfaces of {package}."""\n'}
+    made = {f"{package}/__init__.py": f'"""Interfaces of {package}."""\n', f"{package}/py.typed": ""}
     for kind, what in (("msg", "Messages"), ("srv", "Services"), ("action", "Actions")):
         if kind in kinds:
             made[f"{package}/{kind}/__init__.py"] = _FACE.format(what=what, package=package)

@@ -91,9 +91,9 @@ def _plain_collection(value: Any, kind: definition.AbstractType | None, options:
     limit = options["truncate_length"]
     if options["no_arr"] and isinstance(kind, definition.AbstractNestedType):
         return _abbreviated(value, kind)
-    items = value.tolist() if hasattr(value, "tolist") else value
-    shown = [_plain(item, None, options) for item in items[:limit]]
-    if len(items) > len(shown):
+    items = value[:limit]
+    shown = [_plain(item, None, options) for item in (items.tolist() if hasattr(items, "tolist") else items)]
+    if len(value) > len(shown):
         shown.append("...")
     return tuple(shown) if isinstance(value, tuple) else shown
 

@@ -1,0 +1,130 @@
+"""Type stubs of interface packages, so that editors and type checkers know every field.
+
+`python -m coursekit.interfaces.stubs` writes those of the underlay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from coursekit.interfaces.fields import DTYPES
+from coursekit.interfaces.find import KINDS, UNDERLAY
+from coursekit.interfaces.model import Action, FieldType, Interface, Message, Service
+from coursekit.interfaces.parser import parse_file
+
+_SCALARS = {
+    "bool": "bool",
+    "byte": "bytes",
+    "float32": "float",
+    "float64": "float",
+    "string": "str",
+    "wstring": "str",
+}
+_HEAD = """\
+# ruff: noqa
+# fmt: off
+# made by coursekit.interfaces.stubs from the definition files
+from array import array
+from collections.abc import Collection
+from typing import Any, ClassVar
+
+import numpy
+import numpy.typing
+"""
+
+
+def stub(package: str, interfaces: Iterable[Interface]) -> str:
+    """Return the text of a stub that declares the classes of some interfaces of one kind.
+
+    >>> from coursekit.interfaces.parser import parse
+    >>> 'def data(self) -> str: ...' in stub('p', [parse('p', 'msg', 'Text', 'string data')])
+    True
+    """
+    known = list(interfaces)
+    imports = sorted(
+        {used.split("/")[0] for one in known for m in _messages(one) for used in m.dependencies()}
+    )
+    lines = [_HEAD, *(f"import {name}.msg" for name in imports), ""]
+    for interface in known:
+        lines += _declare(interface)
+    return "\n".join(lines)
+
+
+def _messages(interface: Interface) -> list[Message]:
+    return [interface] if isinstance(interface, Message) else list(interface.messages())
+
+
+def _declare(interface: Interface) -> list[str]:
+    lines = [line for message in _messages(interface) for line in _message(message)]
+    if isinstance(interface, Service):
+        names = {"Request": interface.request.name, "Response": interface.response.name}
+        return [*lines, f"class {interface.name}:", *(f"    {k} = {v}" for k, v in names.items()), ""]
+    if isinstance(interface, Action):
+        parts = {"Goal": interface.goal, "Result": interface.result, "Feedback": interface.feedback}
+        lines += [f"class {interface.name}:", *(f"    {k} = {v.name}" for k, v in parts.items())]
+        return [*lines, "    Impl: ClassVar[Any]", ""]
+    return lines
+
+
+def _message(message: Message) -> list[str]:
+    arguments = "".join(f", {f.name}: {_taken(f.type)} = ..." for f in message.fields)
+    lines = [f"class {message.name}:"]
+    lines += [f"    {c.name}: ClassVar[{_scalar(c.type)}]" for c in message.constants]
+    lines += [f"    def __init__(self{', *' if arguments else ''}{arguments}) -> None: ..."]
+    lines += ["    SLOT_TYPES: ClassVar[tuple[Any, ...]]", "    @classmethod"]
+    lines += ["    def get_fields_and_field_types(cls) -> dict[str, str]: ..."]
+    for field in message.fields:
+        lines += ["    @property", f"    def {field.name}(self) -> {_given(field.type)}: ..."]
+        lines += [
+            f"    @{field.name}.setter",
+            f"    def {field.name}(self, value: {_taken(field.type)}) -> None: ...",
+        ]
+    return [*lines, ""]
+
+
+def _scalar(kind: FieldType) -> str:
+    if kind.is_primitive:
+        return _SCALARS.get(kind.base, "int")
+    package, _, name = kind.base.split("/")
+    return f"{package}.msg.{name}"
+
+
+def _given(kind: FieldType) -> str:
+    if not kind.is_array:
+        return _scalar(kind)
+    if not kind.is_number_block:
+        return f"list[{_scalar(kind)}]"
+    return f"numpy.typing.NDArray[numpy.{DTYPES[kind.base]}]" if kind.is_fixed else f"array[{_scalar(kind)}]"
+
+
+def _taken(kind: FieldType) -> str:
+    if not kind.is_array:
+        return _scalar(kind)
+    numbers = " | numpy.typing.NDArray[Any]" if kind.is_number_block and kind.is_fixed else ""
+    return f"Collection[{_scalar(kind)}]{numbers}"
+
+
+def package_stubs(package: str, files: Iterable[Path]) -> dict[str, str]:
+    """Return the stubs of a package by path relative to site-packages, for its definition files."""
+    made = {}
+    paths = sorted(files)
+    for kind in KINDS:
+        interfaces = [parse_file(package, path) for path in paths if path.suffix == f".{kind}"]
+        if interfaces:
+            made[f"{package}/{kind}/__init__.pyi"] = stub(package, interfaces)
+    return made
+
+
+def underlay_stubs() -> dict[str, str]:
+    """Return the stubs of all packages of the underlay, by path relative to `coursekit/ros`."""
+    made = {}
+    for folder in sorted((UNDERLAY / "share").iterdir()):
+        files = [path for kind in KINDS for path in (folder / kind).glob(f"*.{kind}")]
+        made.update(package_stubs(folder.name, files))
+    return made
+
+
+if __name__ == "__main__":
+    for name, text in underlay_stubs().items():
+        (UNDERLAY / "ros" / name).write_text(text, encoding="utf-8")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -35,7 +36,8 @@ def start_process(
     if shell:
         cmd = [env.get("SHELL") or "/bin/sh", "-c", " ".join(cmd)]
     elif cmd[0] == "ros2":
-        return current.start(_ros2(), name="ros2", argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
+        ros2 = _ros2(list(cmd[1:]))
+        return current.start(ros2, name="ros2", argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
     elif is_package_executable(cmd[0]):
         return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
     program = which(cmd[0], env.get("PATH"))
@@ -54,7 +56,11 @@ def is_package_executable(path: str) -> bool:
     return folder.parent.name == "lib" and (prefix / "share" / folder.name).is_dir()
 
 
-def _ros2() -> Callable[[], Any]:
-    from coursekit.cli.ros2 import main
+def _ros2(argv: list[str]) -> Callable[[], int]:
+    """Return what the `ros2` command does in this session; the command line is looked up only when it is used."""
+
+    def main() -> int:
+        code: int = importlib.import_module("coursekit.cli.parser").run(argv)
+        return code
 
     return main

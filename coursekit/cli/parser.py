@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from coursekit.core.arguments import RosArgumentsError
 from coursekit.core.executables import ExecutableNotFound, PackageNotFound
 
+from .ask import Unhappy
+
 COMMANDS = (
     "action",
     "component",
@@ -68,6 +70,9 @@ def run(argv: Sequence[str]) -> int:
         return int(main(args) or 0)
     except KeyboardInterrupt:
         return 2
+    except Unhappy as error:
+        print(error, file=sys.stderr)
+        return error.code
     except (PackageNotFound, ExecutableNotFound, RosArgumentsError) as error:
         print(error.args[0], file=sys.stderr)
         return 1

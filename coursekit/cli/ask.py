@@ -1,0 +1,111 @@
+"""What the commands share: a hidden node of their own, and names of the graph for completion."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+from coursekit.core.graph import Graph
+from coursekit.core.names import is_hidden
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+
+
+class Unhappy(Exception):
+    """Ends a command with a text on stderr and an exit code."""
+
+    def __init__(self, text: str, code: int = 1) -> None:
+        super().__init__(text)
+        self.code = code
+
+
+@contextlib.contextmanager
+def command_node(name: str = "_ros2cli", **options: Any) -> Iterator[Any]:
+    """A hidden node for the time of a command."""
+    import rclpy
+
+    process = current_process()
+    rclpy.init(args=[])
+    options.setdefault("start_parameter_services", False)
+    options.setdefault("enable_rosout", False)
+    node = rclpy.create_node(f"{name}_{process.pid if process else 0}", use_global_arguments=False, **options)
+    try:
+        yield node
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def graph() -> Graph:
+    """The graph of this terminal's domain."""
+    from .attach import domain_id
+
+    return current().graph(domain_id())
+
+
+def full_name(name: str) -> str:
+    """A name with the leading slash that may be left out."""
+    return name if name.startswith("/") else f"/{name}"
+
+
+def node_names(hidden: bool = False) -> list[str]:
+    """The full names of the nodes in the graph, sorted."""
+    return sorted(node.full_name for node in list(graph().nodes) if hidden or not is_hidden(node.full_name))
+
+
+def find_node(name: str) -> Any:
+    """The node of that full name; raises Unhappy with ROS's text."""
+    for node in list(graph().nodes):
+        if node.full_name == full_name(name):
+            return node
+    raise Unhappy("Node not found")
+
+
+def topics(hidden: bool = False) -> list[tuple[str, list[str]]]:
+    """(name, types) of the topics."""
+    return [(name, types) for name, types in graph().topics() if hidden or not is_hidden(name)]
+
+
+def services(hidden: bool = False) -> list[tuple[str, list[str]]]:
+    """(name, types) of the services."""
+    return [(name, types) for name, types in graph().services() if hidden or not is_hidden(name)]
+
+
+def complete_nodes(**_: Any) -> list[str]:
+    """For tab completion."""
+    return node_names()
+
+
+def complete_topics(**_: Any) -> list[str]:
+    """For tab completion."""
+    return [name for name, _ in topics()]
+
+
+def complete_services(**_: Any) -> list[str]:
+    """For tab completion."""
+    return [name for name, _ in services()]
+
+
+def complete_interfaces(kind: str) -> Any:
+    """For tab completion: names of 'msg', 'srv' or 'action' interfaces."""
+
+    def complete(**_: Any) -> list[str]:
+        from rosidl_runtime_py import get_interfaces
+
+        return [f"{package}/{name}" for package, names in get_interfaces().items() for name in names if f"{kind}/" in name]
+
+    return complete
+
+
+def say_error(text: str) -> None:
+    """A line on stderr."""
+    print(text, file=sys.stderr)
+
+
+def add_hidden_flag(parser: Any, what: str) -> None:
+    """`--include-hidden-...`."""
+    parser.add_argument(
+        f"--include-hidden-{what}", action="store_true", dest="hidden", help=f"Consider hidden {what} as well"
+    )

@@ -1,0 +1,99 @@
+"""`ros2 topic pub`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import rclpy
+import yaml
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from rosidl_runtime_py import set_message_fields
+from rosidl_runtime_py.utilities import get_message
+
+from coursekit.core.session import current
+
+from . import ask, topic_qos
+
+
+def register(verbs: Any) -> None:
+    """Add the verb."""
+    parser = verbs.add_parser("pub", help="Publish a message to a topic")
+    parser.add_argument("topic_name", help="Name of the ROS topic to publish to (e.g. '/chatter')").completer = (
+        ask.complete_topics
+    )
+    parser.add_argument("message_type", help="Type of the ROS message (e.g. 'std_msgs/String')").completer = (
+        ask.complete_interfaces("msg")
+    )
+    parser.add_argument("values", nargs="?", default="{}", help="Values to fill the message with in YAML format")
+    parser.add_argument("-r", "--rate", type=_positive, default=1.0, help="Publishing rate in Hz (default: 1)")
+    parser.add_argument("-p", "--print", type=int, default=1, help="Only print every N-th published message")
+    many = parser.add_mutually_exclusive_group()
+    many.add_argument("-1", "--once", action="store_true", help="Publish one message and exit")
+    many.add_argument("-t", "--times", type=int, default=0, help="Publish this number of times and then exit")
+    parser.add_argument("-w", "--wait-matching-subscriptions", type=int, default=None, help="Wait for so many")
+    parser.add_argument("--keep-alive", type=float, default=0.1, help="Keep the node alive for N seconds after the last")
+    parser.add_argument("-n", "--node-name", help="Name of the created publishing node")
+    topic_qos.add_arguments(parser, "reliable, transient local, depth 1")
+    parser.set_defaults(main=main)
+
+
+def _positive(text: str) -> float:
+    number = float(text)
+    if number <= 0:
+        raise ValueError(text)
+    return number
+
+
+def main(args: Any) -> int:
+    """Publish."""
+    try:
+        kind = get_message(args.message_type)
+    except (AttributeError, ModuleNotFoundError, ValueError):
+        raise ask.Unhappy("The passed message type is invalid") from None
+    values = yaml.safe_load(args.values)
+    if not isinstance(values, dict):
+        raise ask.Unhappy("The passed value needs to be a dictionary in YAML format")
+    options = {"name": args.node_name} if args.node_name else {}
+    with ask.command_node(**options) as node:
+        return _publish(node, kind, values, args)
+
+
+def _publish(node: Any, kind: Any, values: dict[str, Any], args: Any) -> int:
+    profile = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    publisher = node.create_publisher(kind, args.topic_name, topic_qos.chosen(args, profile))
+    times = 1 if args.once else args.times
+    _wait_for_listeners(publisher, args, times)
+    msg = kind()
+    stamps = _fill(msg, values)
+    print("publisher: beginning loop")
+    count = 0
+    while rclpy.ok() and (not times or count < times):
+        count += 1
+        for set_stamp in stamps:
+            set_stamp(node.get_clock().now().to_msg())
+        if args.print and count % args.print == 0:
+            print(f"publishing #{count}: {msg!r}\n")
+        publisher.publish(msg)
+        if not times or count < times:
+            current().clock.sleep(1.0 / args.rate)
+    current().clock.sleep(args.keep_alive)
+    return 0
+
+
+def _wait_for_listeners(publisher: Any, args: Any, times: int) -> None:
+    wanted = args.wait_matching_subscriptions
+    wanted = (1 if times else 0) if wanted is None else wanted
+    while publisher.get_subscription_count() < wanted:
+        print(f"Waiting for at least {wanted} matching subscription(s)...")
+        for _ in range(10):
+            current().clock.sleep(0.1)
+            if publisher.get_subscription_count() >= wanted:
+                break
+
+
+def _fill(msg: Any, values: dict[str, Any]) -> list[Any]:
+    """Set the fields; functions that set those stamps that should be the time of publishing."""
+    try:
+        return set_message_fields(msg, values, expand_header_auto=True, expand_time_now=True)
+    except Exception as error:
+        raise ask.Unhappy(f"Failed to populate field: {error}") from None

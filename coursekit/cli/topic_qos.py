@@ -1,0 +1,79 @@
+"""QoS options of `ros2 topic echo` and `pub`, and the profile that fits the publishers there are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.duration import Duration
+from rclpy.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoSPresetProfiles,
+    QoSProfile,
+    ReliabilityPolicy,
+)
+
+_POLICIES = (
+    ("history", HistoryPolicy),
+    ("reliability", ReliabilityPolicy),
+    ("durability", DurabilityPolicy),
+    ("liveliness", LivelinessPolicy),
+)
+
+
+def add_arguments(parser: Any, default_profile: str) -> None:
+    """`--qos-profile`, `--qos-depth` and one option for each policy."""
+    parser.add_argument(
+        "--qos-profile",
+        choices=QoSPresetProfiles.short_keys(),
+        help=f"Quality of service preset profile (default: {default_profile})",
+    )
+    parser.add_argument("--qos-depth", metavar="N", type=int, help="Queue size setting")
+    for name, policy in _POLICIES:
+        parser.add_argument(f"--qos-{name}", choices=policy.short_keys(), help=f"Quality of service {name} setting")
+    parser.add_argument("--qos-liveliness-lease-duration-seconds", type=float, help="Lease duration")
+
+
+def chosen(args: Any, base: QoSProfile) -> QoSProfile:
+    """`base`, or the preset that was named, with the single settings that were named."""
+    if args.qos_profile:
+        base = QoSPresetProfiles.get_from_short_key(args.qos_profile)
+    values = {name: getattr(base, name) for name in ("history", "depth", "reliability", "durability", "liveliness")}
+    for name, policy in _POLICIES:
+        word = getattr(args, f"qos_{name}")
+        if word:
+            values[name] = policy.get_from_short_key(word)
+    if args.qos_depth is not None:
+        values["depth"] = args.qos_depth
+    elif values["durability"] == DurabilityPolicy.TRANSIENT_LOCAL and not values["depth"]:
+        values["depth"] = 1
+    lease = args.qos_liveliness_lease_duration_seconds
+    if lease is not None:
+        values["liveliness_lease_duration"] = Duration(seconds=lease)
+    return QoSProfile(**values)
+
+
+def is_chosen(args: Any) -> bool:
+    """Whether any QoS option was given."""
+    names = ["profile", "depth", *(name for name, _ in _POLICIES)]
+    return any(getattr(args, f"qos_{name}") is not None for name in names)
+
+
+def fitting(publishers: list[Any]) -> tuple[QoSProfile, list[str]]:
+    """The profile that hears all of these publishers, and what is to be said about it."""
+    profile = QoSProfile(depth=10)
+    remarks = []
+    for policy, strict, loose in (
+        ("reliability", ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT),
+        ("durability", DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE),
+    ):
+        strict_ones = sum(getattr(one.qos_profile, policy) == strict for one in publishers)
+        setattr(profile, policy, strict if publishers and strict_ones == len(publishers) else loose)
+        if 0 < strict_ones < len(publishers):
+            kind = f"QoS{type(strict).__name__}"
+            remarks.append(
+                f"Some, but not all, publishers are offering {kind}.{strict.name}. Falling back to "
+                f"{kind}.{loose.name} as it will connect to all publishers"
+            )
+    return profile, remarks

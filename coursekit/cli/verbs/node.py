@@ -1,0 +1,83 @@
+"""`ros2 node list|info`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.cli import ask
+from coursekit.core.graph import names_and_types
+from coursekit.core.names import is_hidden
+
+DUPLICATES = (
+    "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects."
+)
+
+
+def register(subparsers: Any) -> None:
+    """Add the command."""
+    parser = subparsers.add_parser("node", help="Various node related sub-commands")
+    verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
+    lister = verbs.add_parser("list", help="Output a list of available nodes")
+    lister.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
+    lister.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes")
+    lister.set_defaults(main=list_nodes)
+    info = verbs.add_parser("info", help="Output information about a node")
+    info.add_argument("node_name", help="Fully qualified node name").completer = ask.complete_nodes
+    info.add_argument("--include-hidden", action="store_true", help="Display hidden topics, services, and actions")
+    info.set_defaults(main=show_info)
+
+
+def list_nodes(args: Any) -> int:
+    """Print the nodes' full names."""
+    names = ask.node_names(args.all)
+    if args.count_nodes:
+        print(len(names))
+        return 0
+    if len(set(names)) < len(names):
+        ask.say_error(DUPLICATES)
+    for name in names:
+        print(name)
+    return 0
+
+
+def show_info(args: Any) -> int:
+    """Print what a node publishes, subscribes to, serves and calls."""
+    name = ask.full_name(args.node_name)
+    count = ask.node_names(hidden=True).count(name)
+    if not count:
+        print(f"Unable to find node '{args.node_name}'")
+        return 1
+    if count > 1:
+        ask.say_error(
+            f"There are {count} nodes in the graph with the exact name '{name}'. "
+            "You are seeing information about only one of them."
+        )
+    node = ask.find_node(name)
+    print(name)
+    for title, endpoints in (
+        ("Subscribers", node.subscriptions),
+        ("Publishers", node.publishers),
+        ("Service Servers", node.servers),
+        ("Service Clients", node.clients),
+    ):
+        found = names_and_types(endpoints)
+        _section(title, [one for one in found if args.include_hidden or not is_hidden(one[0])])
+    _actions(node, args.include_hidden)
+    return 0
+
+
+def _section(title: str, found: list[tuple[str, list[str]]]) -> None:
+    print(f"  {title}:")
+    print("\n".join(f"    {name}: {', '.join(types)}" for name, types in found))
+
+
+def _actions(node: Any, hidden: bool) -> None:
+    from rclpy.action import graph as action_graph
+
+    with ask.command_node() as asking:
+        for title, find in (
+            ("Action Servers", action_graph.get_action_server_names_and_types_by_node),
+            ("Action Clients", action_graph.get_action_client_names_and_types_by_node),
+        ):
+            found = find(asking, node.name, node.namespace)
+            _section(title, [one for one in found if hidden or not is_hidden(one[0])])

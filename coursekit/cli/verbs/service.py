@@ -1,0 +1,119 @@
+"""`ros2 service list|type|find|call`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import yaml
+
+from coursekit.cli import ask
+from coursekit.core.session import current
+
+
+def register(subparsers: Any) -> None:
+    """Add the command."""
+    parser = subparsers.add_parser("service", help="Various service related sub-commands")
+    ask.add_hidden_flag(parser, "services")
+    verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
+    lister = verbs.add_parser("list", help="Output a list of available services")
+    lister.add_argument("-t", "--show-types", action="store_true", help="Additionally show the service type")
+    lister.add_argument("-c", "--count-services", action="store_true", help="Only display the number of services")
+    lister.add_argument("--include-hidden-services", action="store_true", dest="hidden_too", help="Hidden ones too")
+    lister.set_defaults(main=list_services)
+    kind = verbs.add_parser("type", help="Output a service's type")
+    kind.add_argument("service_name", help="Name of the ROS service").completer = ask.complete_services
+    kind.set_defaults(main=show_type)
+    find = verbs.add_parser("find", help="Output a list of available services of a given type")
+    find.add_argument("service_type", help="Type to filter for").completer = ask.complete_interfaces("srv")
+    find.add_argument("-c", "--count-services", action="store_true", help="Only display the number of services")
+    find.add_argument("--include-hidden-services", action="store_true", dest="hidden_too", help="Hidden ones too")
+    find.set_defaults(main=find_services)
+    call = verbs.add_parser("call", help="Call a service")
+    call.add_argument("service_name", help="Name of the ROS service").completer = ask.complete_services
+    call.add_argument("service_type", help="Type of the ROS service").completer = ask.complete_interfaces("srv")
+    call.add_argument("values", nargs="?", default="{}", help="Values to fill the request with in YAML format")
+    call.add_argument("-r", "--rate", metavar="N", type=float, help="Repeat the call at a specific rate in Hz")
+    call.set_defaults(main=call_service)
+
+
+def list_services(args: Any) -> int:
+    """Print the services that somebody serves."""
+    found = _served(args.hidden or args.hidden_too)
+    if args.count_services:
+        print(len(found))
+        return 0
+    for name, types in found:
+        print(f"{name} [{', '.join(types)}]" if args.show_types else name)
+    return 0
+
+
+def _served(hidden: bool) -> list[tuple[str, list[str]]]:
+    return ask.services(hidden)
+
+
+def show_type(args: Any) -> int:
+    """Print a service's types."""
+    types = dict(ask.services(hidden=True)).get(ask.full_name(args.service_name))
+    for one in types or ():
+        print(one)
+    return 0 if types else 1
+
+
+def find_services(args: Any) -> int:
+    """Print the services of a type."""
+    found = [name for name, types in _served(args.hidden or args.hidden_too) if args.service_type in types]
+    if args.count_services:
+        print(len(found))
+    else:
+        for name in found:
+            print(name)
+    return 0
+
+
+def call_service(args: Any) -> int:
+    """Send a request and print the response."""
+    values = yaml.safe_load(args.values)
+    if not isinstance(values, dict):
+        raise ask.Unhappy("The passed value needs to be a dictionary in YAML format")
+    kind = _service_type(args.service_type)
+    with ask.command_node() as node:
+        client = node.create_client(kind, args.service_name)
+        request = _filled(kind.Request(), values)
+        if not client.service_is_ready():
+            print("waiting for service to become available...")
+            client.wait_for_service()
+        while True:
+            _call_once(node, client, request)
+            if not args.rate:
+                return 0
+            current().clock.sleep(1.0 / args.rate)
+
+
+def _service_type(name: str) -> Any:
+    from rosidl_runtime_py.utilities import get_service
+
+    try:
+        return get_service(name)
+    except (AttributeError, ModuleNotFoundError, ValueError):
+        raise ask.Unhappy("The passed service type is invalid") from None
+
+
+def _filled(request: Any, values: dict[str, Any]) -> Any:
+    from rosidl_runtime_py import set_message_fields
+
+    try:
+        set_message_fields(request, values)
+    except Exception as error:
+        raise ask.Unhappy(f"Failed to populate field: {error}") from None
+    return request
+
+
+def _call_once(node: Any, client: Any, request: Any) -> None:
+    import rclpy
+
+    print(f"requester: making request: {request!r}\n")
+    future = client.call_async(request)
+    rclpy.spin_until_future_complete(node, future)
+    if future.result() is None:
+        raise ask.Unhappy(f"Exception while calling service: {future.exception()!r}")
+    print(f"response:\n{future.result()!r}\n")

@@ -98,8 +98,8 @@ class Executor:
         with self._lock:
             if node in self._nodes:
                 return False
-            node.executor = self
             self._nodes.append(node)
+            node.executor = self
         node._attach(self)
         self.wake()
         return True

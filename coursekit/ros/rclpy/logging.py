@@ -10,8 +10,6 @@ from rclpy.impl.rcutils_logger import RcutilsLogger
 
 from coursekit.core.arguments import RosArguments
 
-_root_logger = RcutilsLogger()
-
 
 def get_logger(name: str) -> RcutilsLogger:
     """Return a logger of that name; ValueError for an empty one.
@@ -21,7 +19,7 @@ def get_logger(name: str) -> RcutilsLogger:
     """
     if not name:
         raise ValueError("Logger name must not be empty.")
-    return _root_logger.get_child(name)
+    return RcutilsLogger(name)
 
 
 def initialize() -> None:

@@ -32,8 +32,8 @@ class InvalidQosOverridesError(Exception):
 class QoSOverridingOptions:
     """Which policies of an entity become read-only parameters of its node.
 
-    `callback` says by a SetParametersResult whether the resulting profile is acceptable; `entity_id` tells two publishers (or
-    subscriptions) of the same topic apart.
+    `callback` says by a SetParametersResult whether the resulting profile is acceptable; `entity_id` tells
+    two publishers (or subscriptions) of the same topic apart.
     """
 
     def __init__(

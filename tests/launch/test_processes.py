@@ -22,7 +22,7 @@ from launch.actions import (
 from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from launch.events import matches_action
 from launch.events.process import ShutdownProcess, SignalProcess
-from launch.substitutions import LaunchConfiguration
+from launch.substitutions import FindExecutable, LaunchConfiguration
 from launch_ros.actions import Node
 
 USER = "[INFO] [launch.user]: "
@@ -429,3 +429,26 @@ def test_the_output_of_all_processes_can_be_shown(launch, monkeypatch: pytest.Mo
 def test_a_function_may_start_processes(launch) -> None:
     result = launch([OpaqueFunction(function=lambda context: [ExecuteProcess(cmd=["true"])])])
     assert result.lines[-1] == "[INFO] [true-1]: process has finished cleanly [pid 1001]"
+
+
+@pytest.mark.parametrize(
+    ("cmd", "shell"),
+    [
+        (["ros2", "pkg", "prefix", "demo"], False),
+        ([["ros2", " pkg prefix ", "demo"]], True),
+        ([[FindExecutable(name="ros2"), " pkg prefix ", '"demo"']], True),
+    ],
+)
+def test_ros2_commands_are_carried_out_in_the_session(launch, workspace, cmd, shell: bool) -> None:
+    workspace.package("demo")
+    result = launch([ExecuteProcess(cmd=cmd, shell=shell, name="ros2", output="screen")])
+    assert result.lines[1:] == [
+        f"[ros2-1] {workspace.prefix}",
+        "[INFO] [ros2-1]: process has finished cleanly [pid 1001]",
+    ]
+
+
+def test_what_needs_a_shell_is_left_to_it(launch, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SHELL", "/bin/sh")
+    result = launch([ExecuteProcess(cmd=["echo", "b", "&&", "echo", "a"], shell=True, output="screen")])
+    assert [line for line in result.lines if line.startswith("[echo-1] ")] == ["[echo-1] b", "[echo-1] a"]

@@ -133,3 +133,12 @@ def test_locals_know_what_they_hold(context: LaunchContext) -> None:
         context.locals.here = 3
     context._pop_locals()
     assert context.get_locals_as_dict() == {"everywhere": 1}
+
+
+def test_markup_sources_are_also_found_under_their_own_packages() -> None:
+    from launch import launch_description_sources as ours
+    from launch_xml.launch_description_sources import XMLLaunchDescriptionSource
+    from launch_yaml.launch_description_sources import YAMLLaunchDescriptionSource
+
+    assert XMLLaunchDescriptionSource is ours.XMLLaunchDescriptionSource
+    assert YAMLLaunchDescriptionSource is ours.YAMLLaunchDescriptionSource

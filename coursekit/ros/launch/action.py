@@ -45,7 +45,7 @@ class Action(LaunchDescriptionEntity):
 
     def describe(self) -> str:
         """Return a short description of this action."""
-        return f"{type(self).__name__}({hex(id(self))})"
+        return f"{type(self).__name__}()"
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities this action gives when it is carried out."""

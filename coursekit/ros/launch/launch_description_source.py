@@ -34,7 +34,7 @@ class LaunchDescriptionSource:
         from .launch_context import LaunchContext
 
         try:
-            return self.get_launch_description(LaunchContext())
+            return self._get_launch_description(perform_substitutions(LaunchContext(), self.__location))
         except Exception:
             return None
 

@@ -18,7 +18,7 @@ class LaunchIntrospector:
 
     >>> from launch.actions import LogInfo
     >>> print(LaunchIntrospector().format_launch_description(LaunchDescription([LogInfo(msg='hi')])))
-    <BLANKLINE>
+    LaunchDescription()
     └── LogInfo('hi')
     """
 
@@ -31,7 +31,7 @@ def _title(entity: LaunchDescriptionEntity) -> str:
     from .actions import ExecuteLocal
 
     if is_a(entity, LaunchDescription):
-        return ""
+        return "LaunchDescription()"
     if isinstance(entity, ExecuteLocal):
         command = [format_substitutions(part) for part in entity.process_description.cmd]
         return f"{type(entity).__name__}(cmd=[{', '.join(command)}])"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -33,11 +34,12 @@ def start_process(
         FileNotFoundError: when there is no such program.
     """
     current = session.current()
+    words = ros2_words(" ".join(cmd)) if shell else list(cmd)
+    if words and os.path.basename(words[0]) == "ros2":
+        ros2 = _ros2(words[1:])
+        return current.start(ros2, name="ros2", argv=words[1:], env=env, cwd=cwd, on_output=on_output)
     if shell:
         cmd = [env.get("SHELL") or "/bin/sh", "-c", " ".join(cmd)]
-    elif cmd[0] == "ros2":
-        ros2 = _ros2(list(cmd[1:]))
-        return current.start(ros2, name="ros2", argv=cmd[1:], env=env, cwd=cwd, on_output=on_output)
     elif is_package_executable(cmd[0]):
         return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
     program = which(cmd[0], env.get("PATH"))
@@ -45,6 +47,25 @@ def start_process(
         raise FileNotFoundError(2, "there is no such program", cmd[0])
     child = ChildProcess(current, [program, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output)
+
+
+def ros2_words(text: str) -> list[str]:
+    """Return the words of a plain command line; none when it needs a shell, or is not plain.
+
+    >>> ros2_words('ros2 service call /spawn turtlesim/srv/Spawn "{x: 2}"')[-1]
+    '{x: 2}'
+    >>> ros2_words('ros2 topic list | sort')
+    []
+    """
+    if any(character in text for character in "$`\n\\"):
+        return []
+    reader = shlex.shlex(text, posix=True, punctuation_chars=True)
+    reader.whitespace_split = True
+    try:
+        words = list(reader)
+    except ValueError:
+        return []
+    return [] if any(word and set(word) <= set("();<>|&") for word in words) else words
 
 
 def is_package_executable(path: str) -> bool:
@@ -57,7 +78,7 @@ def is_package_executable(path: str) -> bool:
 
 
 def _ros2(argv: list[str]) -> Callable[[], int]:
-    """Return what the `ros2` command does in this session; the command line is looked up only when it is used."""
+    """Return what the `ros2` command does in this session; its parser is loaded only when it is used."""
 
     def main() -> int:
         code: int = importlib.import_module("coursekit.cli.parser").run(argv)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import os
-import traceback
 from collections.abc import Callable
 from typing import Any, cast
 
@@ -16,11 +15,7 @@ from ..event_handler import EventHandler
 from ..event_handlers import OnProcessExit, OnProcessIO, OnShutdown
 from ..events import Shutdown, matches_action
 from ..events.process import (
-    ProcessExited,
     ProcessIO,
-    ProcessStarted,
-    ProcessStderr,
-    ProcessStdout,
     ShutdownProcess,
     SignalProcess,
 )
@@ -28,12 +23,11 @@ from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..logging import get_logger
 from ..process_output import ProcessOutput
-from ..process_starter import start_process
+from ..process_run import ProcessRun, command_line
 from ..some_entities_type import SomeEntitiesType
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..substitutions import LaunchConfiguration
-from ..temporary_files import temporary_files
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 from .emit_event import EmitEvent
@@ -90,8 +84,6 @@ class ExecuteLocal(Action):
         self.__shutdown: asyncio.Future[None] | None = None
         self.__escalation: Escalation | None = None
         self.__lines: ProcessOutput | None = None
-
-    # -- what others see
 
     @property
     def process_description(self) -> Executable:
@@ -152,8 +144,6 @@ class ExecuteLocal(Action):
                 f"proc '{self.__description.final_name}'"
             )
         return "" if self.__lines is None else self.__lines.cached(stream)
-
-    # -- starting
 
     def prepare(self, context: LaunchContext) -> None:
         """Perform the substitutions of the description."""
@@ -221,41 +211,12 @@ class ExecuteLocal(Action):
         if self.__shutdown.done():
             return False
         self.__log_details(context)
-        try:
-            ended = self.__start(context)
-        except Exception:
-            self.__logger.error(f"exception occurred while executing process:\n{traceback.format_exc()}")
+        run = ProcessRun(context, self.__details, self.__shell, self.__logger)
+        if not run.start():
             return False
-        self.__logger.info(f"process started with pid [{self.__process.pid}]")
-        self.__details["pid"] = self.__process.pid
-        context.emit_event_sync(ProcessStarted(**self.__details))
-        code = await ended
-        await _events_handled(context)
-        self.__log_end(code)
-        context.emit_event_sync(ProcessExited(returncode=code, **self.__details))
+        self.__process = run.process
+        await run.to_end()
         return True
-
-    def __start(self, context: LaunchContext) -> asyncio.Future[int]:
-        """Start the process; return a future of its exit code."""
-        loop, details = cast(Any, context.asyncio_loop), cast(Any, self.__details)
-        ended: asyncio.Future[int] = loop.create_future()
-
-        def on_output(stream: str, text: str) -> None:
-            kind = ProcessStdout if stream == "stdout" else ProcessStderr
-            loop.call_soon_threadsafe(
-                lambda: context.emit_event_sync(kind(text=text.encode("utf-8", "replace"), **details))
-            )
-
-        def on_end(process: Any) -> None:
-            loop.call_soon_threadsafe(ended.set_result, process.exit_code)
-
-        details["pid"] = 0
-        self.__process = start_process(
-            details["cmd"], cwd=details["cwd"], env=details["env"], shell=self.__shell, on_output=on_output
-        )
-        context._launched_processes.append(self.__process)
-        self.__process.on_exit(on_end)
-        return ended
 
     def __log_details(self, context: LaunchContext) -> None:
         if "emulate_tty" in context.launch_configurations:
@@ -265,22 +226,8 @@ class ExecuteLocal(Action):
         if self.__log_cmd:
             custom = self.__description.env is not None or self.__description.additional_env is not None
             self.__logger.info(
-                f"process details: cmd='{self.__command_line()}', cwd='{self.__description.final_cwd}', "
-                f"custom_env?={custom}"
-            )
-
-    def __command_line(self) -> str:
-        return temporary_files.shown(
-            " ".join(part for part in cast(Any, self.__details)["cmd"] if part.strip())
-        )
-
-    def __log_end(self, code: int) -> None:
-        pid = self.__process.pid
-        if code == 0:
-            self.__logger.info(f"process has finished cleanly [pid {pid}]")
-        else:
-            self.__logger.error(
-                f"process has died [pid {pid}, exit code {code}, cmd '{self.__command_line()}']."
+                f"process details: cmd='{command_line(self.__description.final_cmd or [])}', "
+                f"cwd='{self.__description.final_cwd}', custom_env?={custom}"
             )
 
     async def __to_respawn(self, context: LaunchContext) -> bool:
@@ -293,8 +240,6 @@ class ExecuteLocal(Action):
         if self.__respawn_delay:
             await asyncio.wait((self.__shutdown,), timeout=self.__respawn_delay)
         return not self.__shutdown.done()
-
-    # -- events
 
     def __is_shutdown_for_me(self, event: Event) -> bool:
         return isinstance(event, ShutdownProcess) and event.process_matcher(self)
@@ -351,11 +296,3 @@ class ExecuteLocal(Action):
     def get_asyncio_future(self) -> asyncio.Future[None] | None:
         """Return a future that is done when the process has ended for good."""
         return self.__completed
-
-
-async def _events_handled(context: LaunchContext) -> None:
-    """Wait until the output that came before the end has been logged; a flood of events is not waited for."""
-    for _ in range(10):
-        if context._event_queue.empty():
-            return
-        await asyncio.sleep(0)

@@ -1,0 +1,93 @@
+"""One run of a program: from its start to its end, told as log lines and events."""
+
+from __future__ import annotations
+
+import asyncio
+import traceback
+from typing import TYPE_CHECKING, Any
+
+from .events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
+from .logging import LaunchLogger
+from .process_starter import start_process
+from .temporary_files import temporary_files
+
+if TYPE_CHECKING:
+    from .launch_context import LaunchContext
+
+
+class ProcessRun:
+    """Starts a command and follows it; `details` are the arguments of its events, pid included once known."""
+
+    def __init__(
+        self, context: LaunchContext, details: dict[str, Any], shell: bool, logger: LaunchLogger
+    ) -> None:
+        assert context.asyncio_loop is not None
+        self.__context = context
+        self.__details = details
+        self.__shell = shell
+        self.__logger = logger
+        self.__loop = context.asyncio_loop
+        self.__ended: asyncio.Future[int] = self.__loop.create_future()
+        self.process: Any = None
+
+    def start(self) -> bool:
+        """Start it; log and return False when that fails."""
+        self.__details["pid"] = 0
+        try:
+            self.process = start_process(
+                self.__details["cmd"],
+                cwd=self.__details["cwd"],
+                env=self.__details["env"],
+                shell=self.__shell,
+                on_output=self.__on_output,
+            )
+        except Exception:
+            self.__logger.error(f"exception occurred while executing process:\n{traceback.format_exc()}")
+            return False
+        self.__details["pid"] = self.process.pid
+        self.__logger.info(f"process started with pid [{self.process.pid}]")
+        self.__context._launched_processes.append(self.process)
+        self.__context.emit_event_sync(ProcessStarted(**self.__details))
+        self.process.on_exit(self.__on_end)
+        return True
+
+    def __on_output(self, stream: str, text: str) -> None:
+        """Pass output on to the loop; called in the process's own lane."""
+        self.__loop.call_soon_threadsafe(self.__emit_output, stream, text.encode("utf-8", "replace"))
+
+    def __emit_output(self, stream: str, text: bytes) -> None:
+        kind = ProcessStdout if stream == "stdout" else ProcessStderr
+        self.__context.emit_event_sync(kind(text=text, **self.__details))
+
+    def __on_end(self, process: Any) -> None:
+        self.__loop.call_soon_threadsafe(self.__ended.set_result, process.exit_code)
+
+    async def to_end(self) -> None:
+        """Wait for its end, then tell of it, after all that it wrote."""
+        code = await self.__ended
+        await self.__events_handled()
+        self.__context._launched_processes.remove(self.process)
+        if code == 0:
+            self.__logger.info(f"process has finished cleanly [pid {self.process.pid}]")
+        else:
+            command = command_line(self.__details["cmd"])
+            self.__logger.error(
+                f"process has died [pid {self.process.pid}, exit code {code}, cmd '{command}']."
+            )
+        self.__context.emit_event_sync(ProcessExited(returncode=code, **self.__details))
+
+    async def __events_handled(self) -> None:
+        """Wait until the output before the end has been logged; a flood of events is not waited for."""
+        for _ in range(10):
+            if self.__context._event_queue.empty():
+                return
+            await asyncio.sleep(0)
+
+
+def command_line(cmd: list[str]) -> str:
+    """Return a command as it is shown in messages.
+
+    >>> command_line(['ros2', ' ', 'run'])
+    'ros2 run'
+    """
+    return temporary_files.shown(" ".join(part for part in cmd if part.strip()))

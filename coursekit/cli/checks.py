@@ -1,0 +1,165 @@
+"""What `coursekit doctor` and `ros2 doctor` look at: each check says what is wrong and what to type next."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.util
+import os
+import platform
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from coursekit.core.executables import UNDERLAY
+
+
+@dataclass(frozen=True)
+class Check:
+    """The outcome of one check; no fault means that all is well."""
+
+    name: str
+    finding: str
+    fault: str = ""
+    cure: str = ""
+    only_warning: bool = False
+
+
+def python_version() -> Check:
+    """Humble's own Python is 3.10."""
+    found = platform.python_version()
+    if sys.version_info >= (3, 10):
+        return Check("python", found)
+    return Check("python", found, "Python 3.10 or newer is needed", "Install a newer Python and run: make lab")
+
+
+def which_rclpy() -> Check:
+    """Ours, or a real ROS 2."""
+    spec = importlib.util.find_spec("rclpy")
+    if spec is None or spec.origin is None:
+        return Check("rclpy", "missing", "rclpy cannot be imported", "Run: pip install --force-reinstall coursekit")
+    ours = Path(spec.origin).is_relative_to(UNDERLAY)
+    if ours:
+        return Check("rclpy", "coursekit's")
+    return Check(
+        "rclpy",
+        f"a real ROS 2 ({spec.origin})",
+        "a real ROS 2 is sourced or installed, so that one is used here",
+        "That is fine on a robot. For the course, open a terminal in which no setup.bash was sourced.",
+        only_warning=True,
+    )
+
+
+def kernel_version() -> Check:
+    """ipykernel 7.4 stalls widgets while a cell runs."""
+    return _version("ipykernel", (7, 0), (7, 4), "pip install 'ipykernel>=7.0,<7.4'")
+
+
+def setuptools_version() -> Check:
+    """setuptools 80 breaks `colcon build --symlink-install`."""
+    return _version("setuptools", (30,), (80,), "pip install 'setuptools<80'")
+
+
+def widgets() -> Check:
+    """The packages that terminals, pads and views are made of."""
+    missing = [name for name in ("ipywidgets", "anywidget", "jupyterlab") if importlib.util.find_spec(name) is None]
+    if not missing:
+        return Check("widgets", "installed")
+    return Check("widgets", "incomplete", f"not installed: {', '.join(missing)}", f"Run: pip install {' '.join(missing)}")
+
+
+def colcon() -> Check:
+    """The build tool."""
+    if importlib.util.find_spec("colcon_core") is not None:
+        return Check("colcon", _installed("colcon-core") or "installed")
+    return Check("colcon", "missing", "colcon is not installed", "Run: pip install colcon-core colcon-ros")
+
+
+def socket_folder() -> Check:
+    """Where terminals find the session."""
+    from .endpoint import folder
+
+    try:
+        return Check("terminals", f"sessions are found in {folder()}")
+    except OSError as error:
+        return Check("terminals", "unsafe", str(error), "Do what the line above says, then start again.")
+
+
+def session_of_domain() -> Check:
+    """Whether a session answers."""
+    from .attach import domain_id
+    from .endpoint import NoSession, connect
+
+    try:
+        connect(domain_id()).close()
+    except (NoSession, OSError):
+        return Check("session", f"none runs for ROS_DOMAIN_ID={domain_id()}; `ros2` starts one when it needs it")
+    return Check("session", f"one runs for ROS_DOMAIN_ID={domain_id()}")
+
+
+def disk_space() -> Check:
+    """Room for builds and maps."""
+    free = shutil.disk_usage(os.getcwd()).free / 1e9
+    if free > 0.2:
+        return Check("disk", f"{free:.1f} GB free")
+    return Check("disk", f"{free:.2f} GB free", "the disk is nearly full", "Delete build/ and log/ of old workspaces.")
+
+
+CHECKS: tuple[Callable[[], Check], ...] = (
+    python_version,
+    which_rclpy,
+    kernel_version,
+    widgets,
+    colcon,
+    setuptools_version,
+    socket_folder,
+    session_of_domain,
+    disk_space,
+)
+
+
+def run_all() -> list[Check]:
+    """All checks, in order."""
+    return [check() for check in CHECKS]
+
+
+def report() -> Iterator[tuple[str, list[tuple[str, str]]]]:
+    """Sections of (name, value) lines for `ros2 doctor --report`."""
+    yield (
+        "PLATFORM INFORMATION",
+        [
+            ("system", platform.system()),
+            ("platform info", platform.platform()),
+            ("release", platform.release()),
+            ("processor", platform.processor() or platform.machine()),
+        ],
+    )
+    yield "RMW MIDDLEWARE", [("middleware name", "rmw_coursekit")]
+    yield (
+        "ROS 2 INFORMATION",
+        [
+            ("distribution name", os.environ.get("ROS_DISTRO", "humble")),
+            ("distribution type", "ros2"),
+            ("domain id", os.environ.get("ROS_DOMAIN_ID", "0")),
+        ],
+    )
+    yield "COURSEKIT", [(check.name, check.finding) for check in run_all()]
+
+
+def _installed(distribution: str) -> str | None:
+    try:
+        return importlib.metadata.version(distribution)
+    except importlib.metadata.PackageNotFoundError:
+        return None
+
+
+def _version(name: str, least: tuple[int, ...], below: tuple[int, ...], cure: str) -> Check:
+    found = _installed(name)
+    if found is None:
+        return Check(name, "missing", f"{name} is not installed", f"Run: {cure}")
+    numbers = tuple(int(part) for part in found.split(".")[:2] if part.isdecimal())
+    if least <= numbers < below:
+        return Check(name, found)
+    wanted = f"{'.'.join(map(str, least))} or newer, and older than {'.'.join(map(str, below))}"
+    return Check(name, found, f"version {found} is installed, {wanted} is needed", f"Run: {cure}")

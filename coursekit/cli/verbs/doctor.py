@@ -1,0 +1,34 @@
+"""`ros2 doctor` (and `wtf`): checks of the set-up and of the graph, and a report."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.cli import checks
+
+
+def register(subparsers: Any) -> None:
+    """Add the command under both names."""
+    for name in ("doctor", "wtf"):
+        parser = subparsers.add_parser(name, help="Check ROS setup and other potential issues")
+        parser.add_argument("-r", "--report", action="store_true", help="Print all reports")
+        parser.add_argument("-iw", "--include-warnings", action="store_true", help="Count warnings as failures")
+        parser.set_defaults(main=main)
+
+
+def main(args: Any) -> int:
+    """Run the checks, or print the report."""
+    if args.report:
+        for title, lines in checks.report():
+            print(f"\n   {title}")
+            for key, value in lines:
+                print(f"{key:<24}: {value}")
+        return 0
+    results = checks.run_all()
+    bad = [result for result in results if result.fault and (args.include_warnings or not result.only_warning)]
+    for result in results:
+        if result.fault:
+            print(f"{'WARNING' if result.only_warning else 'FAULT'}: {result.name}: {result.fault}\n  {result.cure}")
+    passed = len(results) - len(bad)
+    print(f"\nAll {passed} checks passed\n" if not bad else f"\n{len(bad)}/{len(results)} check(s) failed\n")
+    return 1 if bad else 0

@@ -1,0 +1,196 @@
+"""`ros2 param list|get|set|describe|dump|load|delete`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from coursekit.cli import ask, param_text
+
+_SERVICES = "rcl_interfaces/srv/ListParameters"
+
+
+def register(subparsers: Any) -> None:
+    """Add the command."""
+    parser = subparsers.add_parser("param", help="Various param related sub-commands")
+    verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
+    lister = _verb(verbs, "list", "Output a list of available parameters", list_parameters, node="?")
+    lister.add_argument("--param-prefixes", nargs="+", default=[], help="Only names with these prefixes")
+    lister.add_argument("--param-type", action="store_true", help="Print the types too")
+    lister.add_argument("--filter", default="", help="Only names that match this regular expression")
+    get = _verb(verbs, "get", "Get parameter", get_parameter)
+    _parameter_name(get)
+    get.add_argument("--hide-type", action="store_true", help="Hide the type information")
+    setter = _verb(verbs, "set", "Set parameter", set_parameter)
+    _parameter_name(setter)
+    setter.add_argument("value", help="Value of the parameter")
+    describe = _verb(verbs, "describe", "Show descriptive information about declared parameters", describe_parameters)
+    describe.add_argument("parameter_names", nargs="+", help="Names of the parameters").completer = _complete_names
+    dump = _verb(verbs, "dump", "Show all of the parameters of a node in a YAML file format", dump_parameters)
+    dump.add_argument("--output-dir", default=None, help="Save to a file in this folder instead")
+    dump.add_argument("--print", action="store_true", help="DEPRECATED: Does nothing")
+    load = _verb(verbs, "load", "Load parameter file for a node", load_parameters)
+    load.add_argument("parameter_file", help="Parameter file")
+    load.add_argument("--no-use-wildcard", action="store_true", help="Do not load parameters in the '/**' namespace")
+    _parameter_name(_verb(verbs, "delete", "Delete parameter", delete_parameter))
+
+
+def _verb(verbs: Any, name: str, text: str, main: Any, node: str | None = None) -> Any:
+    parser = verbs.add_parser(name, help=text)
+    parser.add_argument("node_name", nargs=node, help="Name of the ROS node").completer = ask.complete_nodes
+    ask.add_hidden_flag(parser, "nodes")
+    parser.set_defaults(main=main)
+    return parser
+
+
+def _parameter_name(parser: Any) -> None:
+    parser.add_argument("parameter_name", help="Name of the parameter").completer = _complete_names
+
+
+def _complete_names(parsed_args: Any, **_: Any) -> list[str]:
+    with ask.command_node() as node:
+        return _Asking(node, parsed_args.node_name).names()
+
+
+class _Asking:
+    """A node's parameter services, asked and waited for."""
+
+    def __init__(self, node: Any, name: str) -> None:
+        from rclpy.parameter_client import AsyncParameterClient
+
+        ask.find_node(name)
+        self.name = ask.full_name(name)
+        self._node = node
+        self._client = AsyncParameterClient(node, self.name)
+        if not self._client.wait_for_services(timeout_sec=5.0):
+            raise ask.Unhappy("Wait for service timed out waiting for parameter services for node " + self.name)
+
+    def __call__(self, method: str, *arguments: Any, **options: Any) -> Any:
+        """The response of one of the client's methods."""
+        import rclpy
+
+        future = getattr(self._client, method)(*arguments, **options)
+        rclpy.spin_until_future_complete(self._node, future)
+        if future.result() is None:
+            raise ask.Unhappy(f"Exception while calling service of node '{self.name}': {future.exception()}")
+        return future.result()
+
+    def names(self, prefixes: list[str] | None = None) -> list[str]:
+        """The names of its parameters, sorted."""
+        return sorted(self("list_parameters", prefixes or [], 0).result.names)
+
+    def values(self, names: list[str]) -> list[Any]:
+        """The ParameterValues of these parameters."""
+        return list(self("get_parameters", names).values)
+
+
+def _nodes(args: Any) -> list[str]:
+    if args.node_name:
+        return [ask.full_name(args.node_name)]
+    serving = {name.rpartition("/")[0] for name, types in ask.services(hidden=True) if _SERVICES in types}
+    return [name for name in ask.node_names(args.hidden) if name in serving]
+
+
+def list_parameters(args: Any) -> int:
+    """Print the names of a node's parameters, or of all nodes'."""
+    import re
+
+    with ask.command_node() as node:
+        for name in _nodes(args):
+            asking = _Asking(node, name)
+            names = [one for one in asking.names(args.param_prefixes) if re.search(args.filter, one)]
+            if not args.node_name:
+                print(f"{name}:")
+            values = asking.values(names) if args.param_type else [None] * len(names)
+            for one, value in zip(names, values, strict=True):
+                print(f"  {one} (type: {param_text.type_name(value.type)})" if value is not None else f"  {one}")
+    return 0
+
+
+def get_parameter(args: Any) -> int:
+    """Print a parameter's value."""
+    with ask.command_node() as node:
+        values = _Asking(node, args.node_name).values([args.parameter_name])
+    label, value = param_text.labelled(values[0]) if values else (None, None)
+    if label is None:
+        print("Parameter not set.")
+    else:
+        print(value if args.hide_type else f"{label} {value}")
+    return 0
+
+
+def set_parameter(args: Any) -> int:
+    """Set a parameter; the value's type is told from its text, as in YAML."""
+    from rcl_interfaces.msg import Parameter
+    from rclpy.parameter import get_parameter_value
+
+    parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
+    with ask.command_node() as node:
+        result = _Asking(node, args.node_name)("set_parameters", [parameter]).results[0]
+    reason = f": {result.reason}" if result.reason else ""
+    if result.successful:
+        print(f"Set parameter successful{reason}")
+    else:
+        print(f"Setting parameter failed{reason}", file=sys.stderr)
+    return 0
+
+
+def describe_parameters(args: Any) -> int:
+    """Print types, descriptions and constraints."""
+    with ask.command_node() as node:
+        descriptors = _Asking(node, args.node_name)("describe_parameters", args.parameter_names).descriptors
+    for descriptor in descriptors:
+        print(param_text.described(descriptor))
+    return 0
+
+
+def dump_parameters(args: Any) -> int:
+    """Print, or save, a file from which the node could be started as it is now."""
+    with ask.command_node() as node:
+        asking = _Asking(node, args.node_name)
+        names = asking.names()
+        text = param_text.dumped(asking.name, names, asking.values(names))
+    if args.output_dir is None:
+        print(text)
+        return 0
+    file = Path(args.output_dir) / (asking.name.strip("/").replace("/", "__") + ".yaml")
+    print(f"Saving to: {file}")
+    file.write_text(text, encoding="utf-8")
+    return 0
+
+
+def load_parameters(args: Any) -> int:
+    """Set what a file says for the node."""
+    from rclpy.parameter import parameter_dict_from_yaml_file
+
+    with ask.command_node() as node:
+        asking = _Asking(node, args.node_name)
+        try:
+            found = parameter_dict_from_yaml_file(
+                args.parameter_file, not args.no_use_wildcard, target_nodes=[asking.name]
+            )
+        except (OSError, RuntimeError, ValueError, yaml.YAMLError) as error:
+            raise ask.Unhappy(str(error)) from None
+        results = asking("set_parameters", list(found.values())).results
+    for name, result in zip(found, results, strict=True):
+        reason = f": {result.reason}" if result.reason else ""
+        if result.successful:
+            print(f"Set parameter {name} successful{reason}")
+        else:
+            print(f"Set parameter {name} failed{reason}", file=sys.stderr)
+    return 0
+
+
+def delete_parameter(args: Any) -> int:
+    """Take a parameter's value away."""
+    with ask.command_node() as node:
+        result = _Asking(node, args.node_name)("delete_parameters", [args.parameter_name]).results[0]
+    reason = f": {result.reason}" if result.reason else ""
+    if result.successful:
+        print(f"Deleted parameter successfully{reason}")
+        return 0
+    print(f"Deleting parameter failed{reason}", file=sys.stderr)
+    return 1

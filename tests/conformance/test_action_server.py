@@ -1,0 +1,331 @@
+import pytest
+from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
+from action_msgs.srv import CancelGoal
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.action import (
+    get_action_client_names_and_types_by_node,
+    get_action_names_and_types,
+    get_action_server_names_and_types_by_node,
+)
+from rclpy.qos import qos_profile_action_status_default
+from test_msgs.action import Fibonacci
+from unique_identifier_msgs.msg import UUID
+
+
+class Setup:
+    """An action server and a client of one node."""
+
+    def __init__(self, world, execute, **options):
+        self.world = world
+        self.node = world.node("n")
+        self.server = ActionServer(self.node, Fibonacci, "f", execute, **options)
+        self.client = ActionClient(self.node, Fibonacci, "f")
+        assert self.client.wait_for_server(timeout_sec=8.0)
+
+    def send(self, order=1):
+        return self.world.result(self.client.send_goal_async(Fibonacci.Goal(order=order)))
+
+    def outcome(self, handle):
+        response = self.world.result(handle.get_result_async())
+        return response.status, list(response.result.sequence)
+
+    def cancel(self, **info):
+        if not hasattr(self, "canceller"):
+            self.canceller = self.node.create_client(CancelGoal, "f/_action/cancel_goal")
+            assert self.canceller.wait_for_service(timeout_sec=8.0)
+        request = CancelGoal.Request(goal_info=GoalInfo(**info))
+        return self.world.result(self.canceller.call_async(request))
+
+    def close(self):
+        self.client.destroy()
+        self.server.destroy()
+
+
+@pytest.fixture
+def setup(world):
+    made = []
+
+    def make(execute, **options):
+        made.append(Setup(world, execute, **options))
+        return made[-1]
+
+    yield make
+    for each in made:
+        each.close()
+
+
+def succeed(handle):
+    handle.succeed()
+    return Fibonacci.Result(sequence=[handle.request.order])
+
+
+def defer(handles):
+    """A callback that keeps accepted goals for later."""
+    return {"handle_accepted_callback": handles.append, "cancel_callback": lambda handle: CancelResponse.ACCEPT}
+
+
+def test_the_services_and_topics_have_their_names(setup):
+    node = setup(succeed).node
+    services = {name for name, _ in node.get_service_names_and_types()}
+    assert {"/f/_action/send_goal", "/f/_action/cancel_goal", "/f/_action/get_result"} <= services
+    topics = dict(node.get_topic_names_and_types())
+    assert topics["/f/_action/feedback"] == ["test_msgs/action/Fibonacci_FeedbackMessage"]
+    assert topics["/f/_action/status"] == ["action_msgs/msg/GoalStatusArray"]
+
+
+def test_actions_are_found_in_the_graph(setup):
+    node = setup(succeed).node
+    expected = [("/f", ["test_msgs/action/Fibonacci"])]
+    assert get_action_names_and_types(node) == expected
+    assert get_action_server_names_and_types_by_node(node, "n", "/") == expected
+    assert get_action_client_names_and_types_by_node(node, "n", "/") == expected
+
+
+def test_a_goal_succeeds(setup):
+    made = setup(succeed)
+    assert made.outcome(made.send(7)) == (GoalStatus.STATUS_SUCCEEDED, [7])
+
+
+def test_a_goal_may_be_aborted(setup):
+    def abort(handle):
+        handle.abort()
+        return Fibonacci.Result(sequence=[1])
+
+    made = setup(abort)
+    assert made.outcome(made.send()) == (GoalStatus.STATUS_ABORTED, [1])
+
+
+def test_an_exception_aborts(setup, capfd):
+    def fail(handle):
+        raise ValueError("broken arm")
+
+    made = setup(fail)
+    assert made.outcome(made.send()) == (GoalStatus.STATUS_ABORTED, [])
+    shown = capfd.readouterr().err
+    assert "Error raised in execute callback: broken arm" in shown
+
+
+def test_no_terminal_state_aborts(setup, capfd):
+    made = setup(lambda handle: Fibonacci.Result())
+    assert made.outcome(made.send()) == (GoalStatus.STATUS_ABORTED, [])
+    assert "Goal state not set, assuming aborted. Goal ID:" in capfd.readouterr().err
+
+
+def test_a_coroutine_may_execute(setup):
+    async def later(handle):
+        handle.succeed()
+        return Fibonacci.Result(sequence=[3])
+
+    made = setup(later)
+    assert made.outcome(made.send()) == (GoalStatus.STATUS_SUCCEEDED, [3])
+
+
+@pytest.mark.parametrize("answer", [GoalResponse.REJECT, None, 1, True])
+def test_what_is_no_acceptance_rejects(setup, answer):
+    assert not setup(succeed, goal_callback=lambda goal: answer).send().accepted
+
+
+def test_the_goal_callback_sees_the_goal(setup):
+    seen = []
+
+    def look(goal):
+        seen.append(goal)
+        return GoalResponse.ACCEPT
+
+    made = setup(succeed, goal_callback=look)
+    assert made.send(4).accepted
+    assert seen == [Fibonacci.Goal(order=4)]
+
+
+def test_callbacks_may_be_coroutines(setup):
+    async def accept(goal):
+        return GoalResponse.ACCEPT
+
+    made = setup(succeed, goal_callback=accept)
+    assert made.outcome(made.send(2))[0] == GoalStatus.STATUS_SUCCEEDED
+
+
+def test_execution_can_be_deferred(setup):
+    handles = []
+    made = setup(succeed, **defer(handles))
+    client_handle = made.send(6)
+    made.world.spin_until(lambda: handles)
+    assert handles[0].status == GoalStatus.STATUS_ACCEPTED
+    assert handles[0].is_active
+    handles[0].execute()
+    assert made.outcome(client_handle) == (GoalStatus.STATUS_SUCCEEDED, [6])
+    assert not handles[0].is_active
+
+
+def test_a_deferred_goal_may_have_its_own_callback(setup):
+    handles = []
+    made = setup(succeed, **defer(handles))
+    client_handle = made.send()
+
+    def other(handle):
+        handle.abort()
+        return Fibonacci.Result(sequence=[8])
+
+    made.world.spin_until(lambda: handles)
+    handles[0].execute(other)
+    assert made.outcome(client_handle) == (GoalStatus.STATUS_ABORTED, [8])
+
+
+@pytest.mark.parametrize("event", ["succeed", "abort", "canceled"])
+def test_a_goal_that_is_not_executed_does_not_end(setup, event):
+    handles = []
+    made = setup(succeed, **defer(handles))
+    made.send()
+    made.world.spin_until(lambda: handles)
+    with pytest.raises(RuntimeError, match="attempted invalid transition from state ACCEPTED"):
+        getattr(handles[0], event)()
+
+
+def test_a_goal_ends_once(setup):
+    errors = []
+
+    def twice(handle):
+        handle.succeed()
+        try:
+            handle.abort()
+        except RuntimeError as error:
+            errors.append(str(error))
+        return Fibonacci.Result()
+
+    made = setup(twice)
+    assert made.outcome(made.send())[0] == GoalStatus.STATUS_SUCCEEDED
+    assert "from state SUCCEEDED with event ABORT" in errors[0]
+
+
+def test_only_a_goal_that_was_asked_to_is_canceled(setup):
+    errors = []
+
+    def cancel(handle):
+        try:
+            handle.canceled()
+        except RuntimeError as error:
+            errors.append(str(error))
+        handle.succeed()
+        return Fibonacci.Result()
+
+    made = setup(cancel)
+    made.outcome(made.send())
+    assert "from state EXECUTING with event CANCELED" in errors[0]
+
+
+def cancelled(handle):
+    handle.canceled()
+    return Fibonacci.Result(sequence=[0])
+
+
+def test_an_accepted_goal_can_be_cancelled(setup):
+    handles = []
+    made = setup(cancelled, **defer(handles))
+    client_handle = made.send()
+    made.world.spin_until(lambda: handles)
+    response = made.world.result(client_handle.cancel_goal_async())
+    assert (response.return_code, len(response.goals_canceling)) == (0, 1)
+    assert handles[0].is_cancel_requested
+    handles[0].execute()
+    assert made.outcome(client_handle) == (GoalStatus.STATUS_CANCELED, [0])
+
+
+@pytest.mark.parametrize("answer", [CancelResponse.REJECT, None, 1])
+def test_a_refused_cancel_leaves_the_goal(setup, answer):
+    handles = []
+    options = defer(handles) | {"cancel_callback": lambda handle: answer}
+    made = setup(succeed, **options)
+    client_handle = made.send()
+    made.world.spin_until(lambda: handles)
+    assert made.world.result(client_handle.cancel_goal_async()).goals_canceling == []
+    assert not handles[0].is_cancel_requested
+
+
+def test_an_unknown_goal_is_not_cancelled(setup):
+    made = setup(succeed)
+    response = made.cancel(goal_id=UUID(uuid=[1] * 16))
+    assert response.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
+
+
+def test_no_id_cancels_all(setup):
+    handles = []
+    made = setup(cancelled, **defer(handles))
+    made.send()
+    made.send()
+    made.world.spin_until(lambda: len(handles) == 2)
+    assert len(made.cancel().goals_canceling) == 2
+
+
+def test_a_stamp_cancels_what_came_before(setup):
+    handles = []
+    made = setup(cancelled, **defer(handles))
+    first = made.send()
+    between = made.node.get_clock().now().to_msg()
+    made.send()
+    made.world.spin_until(lambda: len(handles) == 2)
+    response = made.cancel(stamp=between)
+    assert [bytes(info.goal_id.uuid) for info in response.goals_canceling] == [bytes(first.goal_id.uuid)]
+
+
+def test_an_unknown_goal_has_no_result(setup):
+    made = setup(succeed)
+    service = Fibonacci.Impl.GetResultService
+    client = made.node.create_client(service, "f/_action/get_result")
+    assert client.wait_for_service(timeout_sec=8.0)
+    future = client.call_async(service.Request(goal_id=UUID(uuid=[1] * 16)))
+    assert made.world.result(future).status == GoalStatus.STATUS_UNKNOWN
+
+
+def test_results_expire(setup):
+    made = setup(succeed, result_timeout=1)
+    handle = made.send()
+    assert made.outcome(handle)[0] == GoalStatus.STATUS_SUCCEEDED
+    made.world.spin_for(1.6)
+    assert made.outcome(handle)[0] == GoalStatus.STATUS_UNKNOWN
+
+
+def test_the_status_is_kept_for_late_joiners(setup):
+    made, heard = setup(succeed), []
+    made.outcome(made.send())
+    made.node.create_subscription(
+        GoalStatusArray, "f/_action/status", heard.append, qos_profile_action_status_default
+    )
+    made.world.spin_until(lambda: heard)
+    assert [each.status for each in heard[-1].status_list] == [GoalStatus.STATUS_SUCCEEDED]
+
+
+@pytest.mark.parametrize("other", [1, None, Fibonacci.Result()])
+def test_another_type_is_no_feedback(setup, other):
+    errors = []
+
+    def execute(handle):
+        try:
+            handle.publish_feedback(other)
+        except TypeError as error:
+            errors.append(error)
+        handle.succeed()
+        return Fibonacci.Result()
+
+    made = setup(execute)
+    made.outcome(made.send())
+    assert errors
+
+
+def test_callbacks_can_be_changed(setup):
+    made = setup(succeed)
+    made.server.register_goal_callback(lambda goal: GoalResponse.REJECT)
+    assert not made.send().accepted
+    made.server.register_goal_callback(None)
+    assert made.send().accepted
+    with pytest.raises(TypeError, match="Failed to register goal execution callback: not callable"):
+        made.server.register_execute_callback("no")
+
+
+def test_the_server_knows_its_type(setup):
+    assert setup(succeed).server.action_type is Fibonacci
+
+
+@pytest.mark.parametrize("name", ["a b", "a/", ""])
+def test_a_bad_name_is_refused(world, name):
+    with pytest.raises(ValueError, match="Failed to create action server due to invalid topic name"):
+        ActionServer(world.node(), Fibonacci, name, succeed)

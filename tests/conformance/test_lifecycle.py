@@ -1,0 +1,295 @@
+import pytest
+from lifecycle_msgs.msg import State, Transition, TransitionEvent
+from lifecycle_msgs.srv import ChangeState, GetAvailableStates, GetAvailableTransitions, GetState
+from rclpy.lifecycle import (
+    LifecycleNode,
+    LifecycleState,
+    ManagedEntity,
+    SimpleManagedEntity,
+    TransitionCallbackReturn,
+)
+from std_msgs.msg import String
+
+SUCCESS, FAILURE, ERROR = (
+    TransitionCallbackReturn.SUCCESS,
+    TransitionCallbackReturn.FAILURE,
+    TransitionCallbackReturn.ERROR,
+)
+
+
+class Scripted(LifecycleNode):
+    """A node whose callbacks answer as told, and are written down."""
+
+    def __init__(self, name, answers=None, **kwargs):
+        super().__init__(name, **kwargs)
+        self.answers, self.calls = answers or {}, []
+
+    def _answer(self, callback, state):
+        self.calls.append((callback, state.label))
+        answer = self.answers.get(callback, SUCCESS)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    def on_configure(self, state):
+        return self._answer("configure", state)
+
+    def on_cleanup(self, state):
+        return self._answer("cleanup", state)
+
+    def on_activate(self, state):
+        return self._answer("activate", state)
+
+    def on_deactivate(self, state):
+        return self._answer("deactivate", state)
+
+    def on_shutdown(self, state):
+        return self._answer("shutdown", state)
+
+    def on_error(self, state):
+        return self._answer("error", state)
+
+
+class Managed:
+    """A managed node, and a node that asks it."""
+
+    def __init__(self, world, answers=None):
+        self.world = world
+        self.node = world.node("lc", node_class=Scripted, answers=answers)
+        self.asker = world.node("asker")
+
+    def ask(self, kind, name, **fields):
+        client = self.asker.create_client(kind, f"/lc/{name}")
+        assert client.wait_for_service(timeout_sec=8.0)
+        return self.world.result(client.call_async(kind.Request(**fields)))
+
+    def change(self, number=0, label=""):
+        return self.ask(ChangeState, "change_state", transition=Transition(id=number, label=label)).success
+
+    @property
+    def state(self):
+        state = self.ask(GetState, "get_state").current_state
+        return state.id, state.label
+
+
+@pytest.fixture
+def managed(world):
+    return lambda answers=None: Managed(world, answers)
+
+
+def scripted(world, answers=None):
+    return world.node("lc", node_class=Scripted, answers=answers, spin=False)
+
+
+def state_of(node):
+    return node._state_machine.current_state[1]
+
+
+def test_a_node_starts_unconfigured(managed):
+    assert managed().state == (State.PRIMARY_STATE_UNCONFIGURED, "unconfigured")
+
+
+def test_the_whole_life(managed):
+    made, states = managed(), []
+    for number in (1, 3, 4, 2, 5):
+        assert made.change(number)
+        states.append(made.state[1])
+    assert states == ["inactive", "active", "inactive", "unconfigured", "finalized"]
+    assert [call for call, _ in made.node.calls] == ["configure", "activate", "deactivate", "cleanup", "shutdown"]
+    assert [state for _, state in made.node.calls] == [
+        "unconfigured", "inactive", "active", "inactive", "unconfigured"
+    ]  # fmt: skip
+
+
+def test_labels_work_as_well(managed):
+    made = managed()
+    assert made.change(label="configure")
+    assert made.change(label="activate")
+    assert made.state == (3, "active")
+
+
+@pytest.mark.parametrize(("number", "label"), [(3, ""), (99, ""), (0, "nonsense"), (4, ""), (2, "")])
+def test_what_is_not_possible_changes_nothing(managed, number, label):
+    made = managed()
+    assert not made.change(number, label)
+    assert made.state[1] == "unconfigured"
+
+
+def transitions(response):
+    return {each.transition.label for each in response.available_transitions}
+
+
+@pytest.mark.parametrize(
+    ("path", "available"),
+    [
+        ([], {"configure", "shutdown"}),
+        ([1], {"activate", "cleanup", "shutdown"}),
+        ([1, 3], {"deactivate", "shutdown"}),
+        ([5], set()),
+    ],
+)
+def test_available_transitions(managed, path, available):
+    made = managed()
+    for number in path:
+        assert made.change(number)
+    assert transitions(made.ask(GetAvailableTransitions, "get_available_transitions")) == available
+
+
+def test_all_states_are_listed(managed):
+    states = managed().ask(GetAvailableStates, "get_available_states").available_states
+    assert [(each.id, each.label) for each in states] == [
+        (0, "unknown"), (1, "unconfigured"), (2, "inactive"), (3, "active"), (4, "finalized"), (10, "configuring"),
+        (11, "cleaningup"), (12, "shuttingdown"), (13, "activating"), (14, "deactivating"), (15, "errorprocessing"),
+    ]  # fmt: skip
+
+
+def test_the_graph_is_told(managed):
+    graph = managed().ask(GetAvailableTransitions, "get_transition_graph")
+    assert len(graph.available_transitions) == 25
+    assert transitions(graph) == {
+        "configure", "cleanup", "activate", "deactivate", "shutdown",
+        "transition_success", "transition_failure", "transition_error",
+    }  # fmt: skip
+
+
+def test_changes_are_published(managed):
+    made, events = managed(), []
+    made.asker.create_subscription(
+        TransitionEvent,
+        "/lc/transition_event",
+        lambda event: events.append((event.start_state.label, event.goal_state.label)),
+        10,
+    )
+    made.world.spin_until(lambda: made.asker.count_publishers("/lc/transition_event") >= 1)
+    made.world.spin_for(0.3)
+    assert made.change(1)
+    made.world.spin_until(lambda: len(events) == 2)
+    assert events == [("unconfigured", "configuring"), ("configuring", "inactive")]
+
+
+@pytest.mark.parametrize(
+    ("answers", "answer", "state"),
+    [
+        ({}, SUCCESS, "inactive"),
+        ({"configure": FAILURE}, FAILURE, "unconfigured"),
+        ({"configure": ERROR, "error": SUCCESS}, ERROR, "unconfigured"),
+        ({"configure": ERROR, "error": FAILURE}, ERROR, "finalized"),
+        ({"configure": ERROR, "error": ERROR}, ERROR, "finalized"),
+        ({"configure": ValueError("broken"), "error": SUCCESS}, ERROR, "unconfigured"),
+        ({"configure": ERROR, "error": ValueError("worse")}, ERROR, "finalized"),
+    ],
+)
+def test_the_callback_says_where_it_ends(world, answers, answer, state):
+    node = scripted(world, answers)
+    assert node.trigger_configure() == answer
+    assert state_of(node) == state
+
+
+@pytest.mark.parametrize(
+    ("answers", "path", "state"),
+    [
+        ({"activate": FAILURE}, ["configure", "activate"], "inactive"),
+        ({"deactivate": FAILURE}, ["configure", "activate", "deactivate"], "active"),
+        ({"cleanup": FAILURE}, ["configure", "cleanup"], "inactive"),
+        ({"shutdown": FAILURE}, ["shutdown"], "finalized"),
+        ({"shutdown": ERROR, "error": SUCCESS}, ["configure", "shutdown"], "unconfigured"),
+    ],
+)
+def test_failures_lead_back(world, answers, path, state):
+    node = scripted(world, answers)
+    for step in path:
+        getattr(node, f"trigger_{step}")()
+    assert state_of(node) == state
+
+
+def test_an_impossible_trigger_is_an_error(world):
+    node = scripted(world)
+    assert node.trigger_activate() == ERROR
+    assert state_of(node) == "unconfigured"
+
+
+def test_a_finalized_node_does_not_shut_down(world):
+    node = scripted(world)
+    node.trigger_shutdown()
+    with pytest.raises(RuntimeError):
+        node.trigger_shutdown()
+
+
+def test_managed_entities_follow(world):
+    calls = []
+
+    class Entity(ManagedEntity):
+        def on_configure(self, state):
+            calls.append(("configure", state))
+            return SUCCESS
+
+        def on_activate(self, state):
+            calls.append(("activate", state))
+            return SUCCESS
+
+    node = world.node("lc", node_class=LifecycleNode, spin=False)
+    node.add_managed_entity(Entity())
+    assert node.trigger_configure() == SUCCESS
+    assert node.trigger_activate() == SUCCESS
+    assert calls == [
+        ("configure", LifecycleState("unconfigured", 1)),
+        ("activate", LifecycleState("inactive", 2)),
+    ]
+
+
+def test_a_managed_entity_may_fail(world):
+    class Entity(ManagedEntity):
+        def on_configure(self, state):
+            return FAILURE
+
+    node = world.node("lc", node_class=LifecycleNode, spin=False)
+    node.add_managed_entity(Entity())
+    assert node.trigger_configure() == FAILURE
+
+
+def test_only_managed_entities_are_managed(world):
+    with pytest.raises(TypeError):
+        world.node("lc", node_class=LifecycleNode, spin=False).add_managed_entity(object())
+
+
+def test_a_simple_entity_works_while_active():
+    class Worker(SimpleManagedEntity):
+        @SimpleManagedEntity.when_enabled
+        def work(self):
+            done.append(True)
+
+    done, worker, state = [], Worker(), LifecycleState("inactive", 2)
+    worker.work()
+    assert done == []
+    worker.on_activate(state)
+    assert worker.is_activated
+    worker.work()
+    assert done == [True]
+    worker.on_deactivate(state)
+    worker.work()
+    assert done == [True]
+
+
+def test_a_lifecycle_publisher_is_silent_while_inactive(world):
+    node, heard = world.node("lc", node_class=LifecycleNode), []
+    publisher = node.create_lifecycle_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda m: heard.append(m.data), 10)
+    world.matched(publisher)
+    publisher.publish(String(data="too early"))
+    node.trigger_configure()
+    node.trigger_activate()
+    assert publisher.is_activated
+    publisher.publish(String(data="now"))
+    world.spin_until(lambda: heard)
+    node.trigger_deactivate()
+    publisher.publish(String(data="too late"))
+    world.spin_for(0.1)
+    assert heard == ["now"]
+    assert node.destroy_lifecycle_publisher(publisher)
+
+
+def test_the_services_can_be_declined(world):
+    node = world.node("quiet", node_class=LifecycleNode, enable_communication_interface=False)
+    services = [name for name, _ in node.get_service_names_and_types_by_node("quiet", "/")]
+    assert "/quiet/change_state" not in services
+    assert node.trigger_configure() == SUCCESS

@@ -452,3 +452,37 @@ def test_what_needs_a_shell_is_left_to_it(launch, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setenv("SHELL", "/bin/sh")
     result = launch([ExecuteProcess(cmd=["echo", "b", "&&", "echo", "a"], shell=True, output="screen")])
     assert [line for line in result.lines if line.startswith("[echo-1] ")] == ["[echo-1] b", "[echo-1] a"]
+
+
+def test_a_terminal_window_before_a_node_is_left_out(launch, talker) -> None:
+    node = Node(package="demo", executable="talker", prefix="xterm -hold -e", output="screen")
+    result = launch([node], interrupt_after=1.5)
+    assert (
+        '[talker-1] [INFO] [1700000001.000000000] [talker]: Publishing: "hello 0" on /chatter' in result.lines
+    )
+
+
+def test_the_wall_clock_launches_as_well(workspace, tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from launch import LaunchDescription, LaunchService
+
+    from coursekit.core.session import Session
+
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
+    workspace.executable("demo", "brief", "print('brief')")
+
+    def main() -> int:
+        service = LaunchService()
+        service.include_launch_description(
+            LaunchDescription(
+                [
+                    Node(package="demo", executable="brief", output="screen"),
+                    ExecuteProcess(cmd=["echo", "real"], output="screen"),
+                ]
+            )
+        )
+        return service.run()
+
+    with Session(virtual=False).use() as session:
+        process = session.start(main, name="launch")
+        assert process.wait(60.0) == 0
+    assert {"[brief-1] brief", "[echo-2] real"} <= set(process.output.splitlines())

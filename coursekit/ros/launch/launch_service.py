@@ -26,14 +26,7 @@ INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
 class LaunchService:
     """Launches a system, on the session's clock.
 
-    >>> from launch.actions import LogInfo
-    >>> service = LaunchService(noninteractive=True)  # doctest: +ELLIPSIS
-    [INFO] [launch]: All log files can be found below ...
-    [INFO] [launch]: Default logging verbosity is set to INFO
-    >>> service.include_launch_description(LaunchDescription([LogInfo(msg='hello')]))
-    >>> service.run()
-    [INFO] [launch.user]: hello
-    0
+    Include launch descriptions, then `run()`; or await `run_async()` on a loop of your own.
     """
 
     def __init__(

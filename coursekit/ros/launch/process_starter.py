@@ -14,6 +14,7 @@ from coursekit.core.executables import ChildProcess
 
 from .substitutions.find_executable import which
 
+TERMINALS = ("xterm", "gnome-terminal", "konsole", "lxterminal", "terminator", "xfce4-terminal")
 OutputCallback = Callable[[str, str], None]
 
 
@@ -28,12 +29,14 @@ def start_process(
     """Start a command and return its process.
 
     Executables of packages and `ros2` run inside the session, where they share its graph and clock;
-    everything else becomes a child process of the system. With `shell` the user's shell runs the text.
+    everything else becomes a child process of the system. With `shell` the user's shell runs the text. A
+    terminal window before the command is left out.
 
     Raises:
         FileNotFoundError: when there is no such program.
     """
     current = session.current()
+    cmd = without_terminal(cmd)
     words = ros2_words(" ".join(cmd)) if shell else list(cmd)
     if words and os.path.basename(words[0]) == "ros2":
         ros2 = _ros2(words[1:])
@@ -47,6 +50,20 @@ def start_process(
         raise FileNotFoundError(2, "there is no such program", cmd[0])
     child = ChildProcess(current, [program, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output)
+
+
+def without_terminal(cmd: Sequence[str]) -> Sequence[str]:
+    """Return a command without the terminal window before it: the launch's own output takes its place.
+
+    >>> without_terminal(['xterm', '-e', 'teleop', '--ros-args'])
+    ['teleop', '--ros-args']
+    """
+    if os.path.basename(cmd[0]) not in TERMINALS:
+        return cmd
+    for index, word in enumerate(cmd[:-1]):
+        if word in ("-e", "-x", "--"):
+            return cmd[index + 1 :]
+    return cmd
 
 
 def ros2_words(text: str) -> list[str]:

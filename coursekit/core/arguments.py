@@ -11,14 +11,10 @@ from dataclasses import dataclass, field, replace
 
 from coursekit.core import names, parameter_file
 from coursekit.core.parameter_file import Overrides, ParameterFileError, Value
+from coursekit.core.remap_rule import Remap, RuleError, remap_rule, scope, sides
 
 LOG_LEVELS = {"UNSET": 0, "DEBUG": 10, "INFO": 20, "WARN": 30, "ERROR": 40, "FATAL": 50}
 
-_WORD = r"(?:[A-Za-z]|_(?!_))(?:[A-Za-z0-9]|_(?!_))*"
-_PATH = rf"/?{_WORD}(?:/{_WORD})*"
-_SCOPE = re.compile(rf"(?:({_WORD}):(?!=))?(.*)", re.DOTALL)
-_MATCH = re.compile(rf"(?:(rostopic|rosservice)://)?((?:~/)?{_PATH})")
-_REPLACEMENT = re.compile(rf"(?:~/)?{_PATH}")
 _PARAMETER = re.compile(r"/?(?!__)[A-Za-z_]\w*(?:(?:\.?/|\.)[A-Za-z_]\w*)*/?", re.ASCII)
 _NODE_PATTERN = "/**"
 
@@ -36,21 +32,8 @@ class UnknownRosArguments(RosArgumentsError):
 
 
 @dataclass(frozen=True)
-class Remap:
-    """One rule `[node:][rostopic://]match:=replacement`.
-
-    `kind` is 'node', 'namespace', 'topic', 'service' or 'any' (topics and services).
-    """
-
-    kind: str
-    node: str | None
-    match: str
-    replacement: str
-
-
-@dataclass(frozen=True)
 class RosArguments:
-    """What a command line says to nodes. `unparsed` are the words that are not ROS's."""
+    """What a command line says to nodes: `unparsed` words are not ROS's, `warnings` are for people."""
 
     remaps: tuple[Remap, ...] = ()
     layers: tuple[Overrides, ...] = ()
@@ -61,6 +44,7 @@ class RosArguments:
     external_lib_enabled: bool = True
     log_config_file: str | None = None
     unparsed: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
     @property
     def overrides(self) -> tuple[tuple[str, str, Value], ...]:
@@ -130,7 +114,7 @@ def parse_ros_arguments(args: Sequence[str] | None) -> RosArguments:
         reader.read(section)
     if reader.unknown:
         raise UnknownRosArguments(reader.unknown)
-    return reader.result(tuple(other))
+    return reader.result(tuple(word for word in other if not reader.read_old_rule(word)))
 
 
 def remove_ros_arguments(args: Sequence[str]) -> list[str]:
@@ -167,6 +151,7 @@ class _Reader:
         self.log_levels: dict[str | None, int] = {}
         self.values: dict[str, str | bool] = {}
         self.unknown: list[str] = []
+        self.warnings: list[str] = []
 
     def read(self, words: list[str]) -> None:
         rest = iter(words)
@@ -179,6 +164,16 @@ class _Reader:
             else:
                 self.unknown.append(word)
 
+    def read_old_rule(self, word: str) -> bool:
+        """Say whether a word outside of --ros-args is a remap rule; it counts, as it did of old."""
+        try:
+            self.remaps.append(remap_rule(word))
+        except RuleError:
+            return False
+        use = f"Use '--ros-args --remap {word}' instead."
+        self.warnings.append(f"Found remap rule '{word}'. This syntax is deprecated. {use}")
+        return True
+
     def _take(self, flag: str, text: str | None) -> None:
         what, missing, act = _FLAGS[flag]
         if text is None:
@@ -186,18 +181,18 @@ class _Reader:
             raise RosArgumentsError(f"Couldn't parse trailing {shown}. No {missing}.")
         try:
             act(self, text)
-        except (ParameterFileError, _RuleError) as error:
+        except (ParameterFileError, RuleError) as error:
             raise RosArgumentsError(f"Couldn't parse {what}: '{flag} {text}'. Error: {error}") from error
 
     def remap(self, text: str) -> None:
-        self.remaps.append(_remap_rule(text))
+        self.remaps.append(remap_rule(text))
 
     def parameter(self, text: str) -> None:
-        scope, rule = _scope(text)
-        name, value = _sides(rule)
+        node, rule = scope(text)
+        name, value = sides(rule)
         if not _PARAMETER.fullmatch(name):
-            raise _RuleError(f"'{name}' is no parameter name (letters, digits, '_', parts joined by '.')")
-        pattern = _NODE_PATTERN if scope is None else f"/{scope}"
+            raise RuleError(f"'{name}' is no parameter name (letters, digits, '_', parts joined by '.')")
+        pattern = _NODE_PATTERN if node is None else f"/{node}"
         parameter_file.add(self.overrides, {pattern: {name: parameter_file.parse_value(value)}})
 
     def parameter_file(self, text: str) -> None:
@@ -207,7 +202,7 @@ class _Reader:
         logger, _, level = text.rpartition(":=")
         if level.upper() not in LOG_LEVELS:
             known = ", ".join(LOG_LEVELS).lower()
-            raise _RuleError(f"Argument does not use a valid severity level (known: {known})")
+            raise RuleError(f"Argument does not use a valid severity level (known: {known})")
         self.log_levels[logger or None] = LOG_LEVELS[level.upper()]
 
     def enclave(self, text: str) -> None:
@@ -229,54 +224,9 @@ class _Reader:
             layers,
             self.log_levels,
             unparsed=unparsed,
+            warnings=tuple(self.warnings),
             **self.values,  # type: ignore[arg-type]
         )
-
-
-class _RuleError(ValueError):
-    """A rule after -r, -p or --log-level that cannot be read."""
-
-
-def _scope(text: str) -> tuple[str | None, str]:
-    found = _SCOPE.fullmatch(text)
-    assert found is not None  # the pattern takes any text
-    if found[1] in ("rostopic", "rosservice") and found[2].startswith("//"):
-        return None, text
-    return found[1], found[2]
-
-
-def _sides(rule: str) -> tuple[str, str]:
-    left, mark, right = rule.partition(":=")
-    if not mark:
-        raise _RuleError("Expected ':=' between the two sides, as in name:=value")
-    if not right:
-        raise _RuleError("nothing follows ':='")
-    if "*" in left:
-        raise _RuleError("Wildcard '*' is not implemented")
-    return left, right
-
-
-def _remap_rule(text: str) -> Remap:
-    scope, rule = _scope(text)
-    left, right = _sides(rule)
-    if left in ("__node", "__name"):
-        _expect(names.validate_node_name(right))
-        return Remap("node", scope, left, right)
-    if left == "__ns":
-        _expect(names.validate_namespace(right))
-        return Remap("namespace", scope, left, right)
-    found = _MATCH.fullmatch(left)
-    if not found:
-        raise _RuleError(f"Expecting token or wildcard, got '{left}'")
-    if not _REPLACEMENT.fullmatch(right):
-        raise _RuleError(f"'{right}' is no name to remap to")
-    kind = {"rostopic": "topic", "rosservice": "service"}.get(found[1], "any")
-    return Remap(kind, scope, found[2], right)
-
-
-def _expect(reason: names.Reason | None) -> None:
-    if reason:
-        raise _RuleError(reason[0])
 
 
 _SWITCHES = {

@@ -113,7 +113,14 @@ def test_sections_chain_and_leave_the_other_words():
     words = ["x", ROS, "-r", "a:=b", "--", "y", ROS, "-p", "c:=1", "--", "z"]
     assert remove_ros_arguments(words) == ["x", "y", "z"]
     assert parse_ros_arguments(words).parameters_for("/n") == {"c": 1}
-    assert remove_ros_arguments(["p", "--", "a:=b"]) == ["p", "--", "a:=b"]
+    assert remove_ros_arguments(["p", "--", "b"]) == ["p", "--", "b"]
+
+
+def test_a_bare_remap_rule_still_counts():
+    parsed = parse_ros_arguments(["p", "a:=b"])
+    assert parsed.remap("topic", "/a", "n", "/") == "/b"
+    assert parsed.unparsed == ("p",)
+    assert "This syntax is deprecated" in parsed.warnings[0]
 
 
 def test_log_levels_and_switches_are_kept():

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from coursekit.core.arguments import RosArguments
 from rclpy.impl.logging_state import LoggingSeverity as LoggingSeverity
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
-
-from coursekit.core.arguments import RosArguments
 
 
 def get_logger(name: str) -> RcutilsLogger:
@@ -38,11 +37,13 @@ def clear_config() -> None:
 
 
 def configure(arguments: RosArguments) -> None:
-    """Do what `--log-level` and `--disable-stdout-logs` of a command line say, in the running process."""
+    """Do what `--log-level` and `--disable-stdout-logs` of a command line say, and show its warnings."""
     state = logging_state()
     state.to_console = arguments.stdout_enabled
     for name, level in arguments.log_levels.items():
         state.set_level(name or "", level)
+    for warning in arguments.warnings:
+        RcutilsLogger("rcl").warning(warning)
 
 
 def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:

@@ -14,11 +14,11 @@ from rcl_interfaces.srv import (
     SetParameters,
     SetParametersAtomically,
 )
+
+from coursekit.core import session
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_services_default
 from rclpy.task import Future
-
-from coursekit.core import session
 
 Done = Callable[[Future], None]
 

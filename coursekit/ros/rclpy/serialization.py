@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from rclpy._rclpy_pybind11 import RMWError
-
 from coursekit.interfaces import cdr
 from coursekit.interfaces.errors import CdrError
+from rclpy._rclpy_pybind11 import RMWError
 
 
 def serialize_message(message: Any) -> bytes:

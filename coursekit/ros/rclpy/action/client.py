@@ -89,7 +89,7 @@ class ActionClient(Waitable):
                 self._forget_feedback(key)
 
     def _forget_feedback(self, key: bytes) -> None:
-        """Let go of a finished goal's callback, but not at once: its last feedback may still be on the way."""
+        """Let go of a finished goal's callback, but not at once: feedback may be on the way."""
         if key in self._feedback_callbacks and key not in self._finished:
             self._finished.append(key)
         while len(self._finished) > _LATE_FEEDBACK:

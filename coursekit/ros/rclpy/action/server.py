@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 import traceback
 from collections.abc import Callable
-from enum import Enum
 from typing import Any
 
 from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
@@ -13,6 +12,13 @@ from action_msgs.srv import CancelGoal
 
 from coursekit.core import session
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy.action.defaults import (
+    CancelResponse,
+    GoalResponse,
+    default_cancel_callback,
+    default_goal_callback,
+    default_handle_accepted_callback,
+)
 from rclpy.action.goal_handle import ServerGoalHandle
 from rclpy.action.goal_state import TERMINAL, GoalEvent
 from rclpy.action.names import action_names
@@ -22,35 +28,6 @@ from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile
 from rclpy.task import Future
 from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
-
-
-class GoalResponse(Enum):
-    """What a goal callback answers."""
-
-    REJECT = 1
-    ACCEPT = 2
-
-
-class CancelResponse(Enum):
-    """What a cancel callback answers."""
-
-    REJECT = 1
-    ACCEPT = 2
-
-
-def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
-    """Execute the goal at once."""
-    goal_handle.execute()
-
-
-def default_goal_callback(goal_request: Any) -> GoalResponse:
-    """Accept every goal."""
-    return GoalResponse.ACCEPT
-
-
-def default_cancel_callback(cancel_request: Any) -> CancelResponse:
-    """Refuse to cancel."""
-    return CancelResponse.REJECT
 
 
 class ActionServer(Waitable):

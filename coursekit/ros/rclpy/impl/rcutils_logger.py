@@ -6,10 +6,9 @@ import sys
 from types import FrameType
 from typing import Any
 
+from coursekit.core import session
 from rclpy.impl.log_filters import FILTERS, get_filters_from_kwargs
 from rclpy.impl.logging_state import Listener, LoggingSeverity, logging_state
-
-from coursekit.core import session
 
 
 def add_rosout(name: str, callback: Listener) -> None:

@@ -77,7 +77,9 @@ def test_feedback_arrives(waiting):
 def test_feedback_of_other_goals_is_not_passed_on(waiting):
     world, client, goals = waiting
     one, two = [], []
-    kept = [world.result(client.send_goal_async(goal(), feedback_callback=heard.append)) for heard in (one, two)]
+    kept = [
+        world.result(client.send_goal_async(goal(), feedback_callback=heard.append)) for heard in (one, two)
+    ]
     world.spin_until(lambda: len(goals) == 2)
     for each in goals:
         each.publish_feedback(Fibonacci.Feedback(sequence=[1]))
@@ -184,9 +186,13 @@ def test_cancelling_works_while_executing(make_world):
 
     group = ReentrantCallbackGroup()
     server = ActionServer(
-        node, Fibonacci, "f", until_cancelled, callback_group=group,
+        node,
+        Fibonacci,
+        "f",
+        until_cancelled,
+        callback_group=group,
         cancel_callback=lambda handle: CancelResponse.ACCEPT,
-    )  # fmt: skip
+    )
     client = ActionClient(node, Fibonacci, "f", callback_group=group)
     assert client.wait_for_server(timeout_sec=8.0)
     handle = world.result(client.send_goal_async(goal()))

@@ -1,8 +1,11 @@
 import pytest
 from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
-from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.action import (
+    ActionClient,
+    ActionServer,
+    CancelResponse,
+    GoalResponse,
     get_action_client_names_and_types_by_node,
     get_action_names_and_types,
     get_action_server_names_and_types_by_node,
@@ -61,7 +64,10 @@ def succeed(handle):
 
 def defer(handles):
     """A callback that keeps accepted goals for later."""
-    return {"handle_accepted_callback": handles.append, "cancel_callback": lambda handle: CancelResponse.ACCEPT}
+    return {
+        "handle_accepted_callback": handles.append,
+        "cancel_callback": lambda handle: CancelResponse.ACCEPT,
+    }
 
 
 def test_the_services_and_topics_have_their_names(setup):

@@ -133,5 +133,3 @@ def test_spin_until_future_complete_is_the_usual_way(world):
     future = client.call_async(Trigger.Request())
     rclpy.spin_until_future_complete(node, future, executor=world.executor, timeout_sec=5.0)
     assert future.result().success
-
-

@@ -77,7 +77,9 @@ def test_use_sim_time_can_be_switched(world):
 
 def jumps_of(clock, threshold):
     pre, post = [], []
-    handler = clock.create_jump_callback(threshold, pre_callback=lambda: pre.append(1), post_callback=post.append)
+    handler = clock.create_jump_callback(
+        threshold, pre_callback=lambda: pre.append(1), post_callback=post.append
+    )
     return pre, post, handler
 
 

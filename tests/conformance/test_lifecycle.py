@@ -95,10 +95,20 @@ def test_the_whole_life(managed):
         assert made.change(number)
         states.append(made.state[1])
     assert states == ["inactive", "active", "inactive", "unconfigured", "finalized"]
-    assert [call for call, _ in made.node.calls] == ["configure", "activate", "deactivate", "cleanup", "shutdown"]
+    assert [call for call, _ in made.node.calls] == [
+        "configure",
+        "activate",
+        "deactivate",
+        "cleanup",
+        "shutdown",
+    ]
     assert [state for _, state in made.node.calls] == [
-        "unconfigured", "inactive", "active", "inactive", "unconfigured"
-    ]  # fmt: skip
+        "unconfigured",
+        "inactive",
+        "active",
+        "inactive",
+        "unconfigured",
+    ]
 
 
 def test_labels_work_as_well(managed):
@@ -138,18 +148,33 @@ def test_available_transitions(managed, path, available):
 def test_all_states_are_listed(managed):
     states = managed().ask(GetAvailableStates, "get_available_states").available_states
     assert [(each.id, each.label) for each in states] == [
-        (0, "unknown"), (1, "unconfigured"), (2, "inactive"), (3, "active"), (4, "finalized"), (10, "configuring"),
-        (11, "cleaningup"), (12, "shuttingdown"), (13, "activating"), (14, "deactivating"), (15, "errorprocessing"),
-    ]  # fmt: skip
+        (0, "unknown"),
+        (1, "unconfigured"),
+        (2, "inactive"),
+        (3, "active"),
+        (4, "finalized"),
+        (10, "configuring"),
+        (11, "cleaningup"),
+        (12, "shuttingdown"),
+        (13, "activating"),
+        (14, "deactivating"),
+        (15, "errorprocessing"),
+    ]
 
 
 def test_the_graph_is_told(managed):
     graph = managed().ask(GetAvailableTransitions, "get_transition_graph")
     assert len(graph.available_transitions) == 25
     assert transitions(graph) == {
-        "configure", "cleanup", "activate", "deactivate", "shutdown",
-        "transition_success", "transition_failure", "transition_error",
-    }  # fmt: skip
+        "configure",
+        "cleanup",
+        "activate",
+        "deactivate",
+        "shutdown",
+        "transition_success",
+        "transition_failure",
+        "transition_error",
+    }
 
 
 def test_changes_are_published(managed):

@@ -12,7 +12,9 @@ from rclpy.validate_node_name import validate_node_name
 from rclpy.validate_topic_name import validate_topic_name
 
 
-@pytest.mark.parametrize("name", ["chatter", "/chatter", "a/b", "~/a", "~", "{node}/a", "a{ns}", "_a", "a_1", "a//b"])
+@pytest.mark.parametrize(
+    "name", ["chatter", "/chatter", "a/b", "~/a", "~", "{node}/a", "a{ns}", "_a", "a_1", "a//b"]
+)
 def test_topic_names(name):
     assert validate_topic_name(name)
 
@@ -105,7 +107,9 @@ def test_expansion(name, full):
     assert expand_topic_name(name, "n", "/ns") == full
 
 
-@pytest.mark.parametrize("arguments", [("a b", "n", "/"), ("a", "1", "/"), ("a", "n", "x"), ("{bad}", "n", "/")])
+@pytest.mark.parametrize(
+    "arguments", [("a b", "n", "/"), ("a", "1", "/"), ("a", "n", "x"), ("{bad}", "n", "/")]
+)
 def test_what_cannot_be_expanded(arguments):
     with pytest.raises(ValueError, match="is invalid"):
         expand_topic_name(*arguments)

@@ -17,7 +17,7 @@ def served(world):
 
 
 def test_six_services_are_there(served):
-    world, node, _ = served
+    _world, node, _ = served
     names = {name for name, _ in node.get_service_names_and_types_by_node("server", "/")}
     kinds = ("describe_parameters", "get_parameters", "get_parameter_types")
     kinds += ("list_parameters", "set_parameters", "set_parameters_atomically")

@@ -188,7 +188,9 @@ def test_undeclaring_forgets(node):
     assert not node.has_parameter("speed")
 
 
-@pytest.mark.parametrize(("value", "fits"), [(0, True), (2, True), (10, True), (1, False), (11, False), (-1, False)])
+@pytest.mark.parametrize(
+    ("value", "fits"), [(0, True), (2, True), (10, True), (1, False), (11, False), (-1, False)]
+)
 def test_an_integer_range_with_steps(node, value, fits):
     limits = IntegerRange(from_value=0, to_value=10, step=2)
     node.declare_parameter("n", 4, ParameterDescriptor(integer_range=[limits]))
@@ -306,11 +308,24 @@ def test_undeclared_parameters_may_be_allowed(world):
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        ("1", 1), ("1.0e3", 1000.0), ("yes", True), ("off", False), ("'1'", "1"), ("abc", "abc"), ("0x1F", 31),
-        ("[1, 2]", [1, 2]), ("[1.5, .inf]", [1.5, float("inf")]), ("[a, b]", ["a", "b"]), ("1.0.0", "1.0.0"),
-        ("null", "null"), ("017", 15), ("1_000", "1_000"), ("tRue", "tRue"), ("[yes, no]", [True, False]),
+        ("1", 1),
+        ("1.0e3", 1000.0),
+        ("yes", True),
+        ("off", False),
+        ("'1'", "1"),
+        ("abc", "abc"),
+        ("0x1F", 31),
+        ("[1, 2]", [1, 2]),
+        ("[1.5, .inf]", [1.5, float("inf")]),
+        ("[a, b]", ["a", "b"]),
+        ("1.0.0", "1.0.0"),
+        ("null", "null"),
+        ("017", 15),
+        ("1_000", "1_000"),
+        ("tRue", "tRue"),
+        ("[yes, no]", [True, False]),
     ],
-)  # fmt: skip
+)
 def test_the_command_line_types_values(world, text, value):
     node = world.node(
         spin=False,
@@ -324,10 +339,21 @@ def test_the_command_line_types_values(world, text, value):
 @pytest.mark.parametrize(
     ("key", "applies"),
     [
-        ("/ns/n", True), ("ns/n", True), ("n", False), ("/**", True), ("/*", False), ("/*/n", True), ("/*/*", True),
-        ("/**/n", True), ("/ns/*", True), ("/ns/**", True), ("'**'", True), ("/other/n", False), ("/n", False),
+        ("/ns/n", True),
+        ("ns/n", True),
+        ("n", False),
+        ("/**", True),
+        ("/*", False),
+        ("/*/n", True),
+        ("/*/*", True),
+        ("/**/n", True),
+        ("/ns/*", True),
+        ("/ns/**", True),
+        ("'**'", True),
+        ("/other/n", False),
+        ("/n", False),
     ],
-)  # fmt: skip
+)
 def test_a_file_names_nodes(world, tmp_path, key, applies):
     file = tmp_path / "p.yaml"
     file.write_text(f"{key}:\n  ros__parameters:\n    p: 1\n")
@@ -365,9 +391,14 @@ def test_file_and_command_line_apply_in_order(world, tmp_path):
 
 def test_a_file_can_be_read_without_a_node(tmp_path):
     file = tmp_path / "p.yaml"
-    file.write_text("/n:\n  ros__parameters:\n    a: 1\n    b: {c: [1.5, 2.5]}\n/m:\n  ros__parameters: {z: 1}\n")
+    file.write_text(
+        "/n:\n  ros__parameters:\n    a: 1\n    b: {c: [1.5, 2.5]}\n/m:\n  ros__parameters: {z: 1}\n"
+    )
     read = parameter_dict_from_yaml_file(str(file), False, ["/n"])
-    assert {name: parameter_value_to_python(each.value) for name, each in read.items()} == {"a": 1, "b.c": [1.5, 2.5]}
+    assert {name: parameter_value_to_python(each.value) for name, each in read.items()} == {
+        "a": 1,
+        "b.c": [1.5, 2.5],
+    }
     with pytest.raises(RuntimeError):
         parameter_dict_from_yaml_file(str(file), False, ["/absent"])
 

@@ -67,7 +67,9 @@ def test_a_zero_depth_warns():
         QoSProfile(depth=1)
 
 
-@pytest.mark.parametrize("given", [{"depth": "a"}, {"depth": 1, "deadline": 1}, {"depth": 1, "reliability": "x"}])
+@pytest.mark.parametrize(
+    "given", [{"depth": "a"}, {"depth": 1, "deadline": 1}, {"depth": 1, "reliability": "x"}]
+)
 def test_values_have_their_types(given):
     with pytest.raises(AssertionError):
         QoSProfile(**given)

@@ -64,7 +64,11 @@ def test_a_missed_deadline_is_told_to_both(world):
         String, "pulse", qos, event_callbacks=PublisherEventCallbacks(deadline=offered.append)
     )
     node.create_subscription(
-        String, "pulse", lambda m: None, qos, event_callbacks=SubscriptionEventCallbacks(deadline=requested.append)
+        String,
+        "pulse",
+        lambda m: None,
+        qos,
+        event_callbacks=SubscriptionEventCallbacks(deadline=requested.append),
     )
     world.matched(publisher)
     publisher.publish(String())
@@ -110,9 +114,7 @@ def test_fitting_profiles_are_no_event(world):
 
 def test_expired_messages_are_not_given_to_late_joiners(world):
     node, heard = world.node(), []
-    qos = QoSProfile(
-        depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=0.2)
-    )
+    qos = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=0.2))
     publisher = node.create_publisher(String, "fresh", qos)
     publisher.publish(String(data="old"))
     world.spin_for(0.6)

@@ -83,7 +83,10 @@ def test_rules_of_the_node_come_first(make_world):
 @pytest.mark.parametrize(
     ("words", "rest"),
     [
-        (["x", "--ros-args", "-r", "a:=b", "--", "y", "--ros-args", "-p", "c:=1", "--", "z"], ["x", "y", "z"]),
+        (
+            ["x", "--ros-args", "-r", "a:=b", "--", "y", "--ros-args", "-p", "c:=1", "--", "z"],
+            ["x", "y", "z"],
+        ),
         (["x", "--", "y"], ["x", "--", "y"]),
         (["x", "a:=b"], ["x"]),
         (["x", "--ros-args", "--", "--"], ["x", "--"]),

@@ -1,7 +1,7 @@
 import pytest
 from rclpy.exceptions import InvalidHandle, InvalidServiceNameException
-from std_srvs.srv import SetBool, Trigger
 from std_msgs.msg import String
+from std_srvs.srv import SetBool, Trigger
 
 
 def echo(request, response):

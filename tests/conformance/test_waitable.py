@@ -68,5 +68,3 @@ def test_entities_are_counted():
     total = NumberOfEntities(1, 2, 3, 4, 5, 6) + NumberOfEntities(1, 1, 1, 1, 1, 1)
     assert (total.num_subscriptions, total.num_guard_conditions, total.num_timers) == (2, 3, 4)
     assert (total.num_clients, total.num_services, total.num_events) == (5, 6, 7)
-
-

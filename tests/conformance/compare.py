@@ -1,0 +1,110 @@
+"""Run the conformance tests on coursekit and on the real rclpy, and print a table of both."""
+
+from __future__ import annotations
+
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+HERE = Path(__file__).parent
+ROOT = HERE.parent.parent
+REAL_ENVIRONMENT = ROOT / ".venv-ros"
+REQUIREMENTS = HERE / "requirements-ros.txt"
+
+Results = dict[str, str]
+"""'passed', 'failed' or 'skipped' by test id."""
+
+
+def real_is_possible() -> bool:
+    """Say whether wheels of the real rclpy exist for this machine."""
+    version_fits = (3, 10) <= sys.version_info[:2] <= (3, 14)
+    return sys.platform == "linux" and platform.machine() == "x86_64" and version_fits
+
+
+def real_python() -> Path:
+    """Return the interpreter that has the real rclpy; make its environment when it is not there."""
+    python = REAL_ENVIRONMENT / "bin" / "python"
+    done = REAL_ENVIRONMENT / ".installed"
+    wanted = REQUIREMENTS.read_text()
+    if not done.exists() or done.read_text() != wanted:
+        print(f"installing the real rclpy into {REAL_ENVIRONMENT.name} ...", flush=True)
+        subprocess.run([sys.executable, "-m", "venv", str(REAL_ENVIRONMENT)], check=True)
+        install = [
+            str(python),
+            "-m",
+            "pip",
+            "install",
+            "-q",
+            "--disable-pip-version-check",
+            "-r",
+            str(REQUIREMENTS),
+        ]
+        subprocess.run(install, check=True)
+        done.write_text(wanted)
+    return python
+
+
+def run(python: Path | str) -> Results:
+    """Run the suite with an interpreter and return the outcome of every test."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = Path(folder) / "report.xml"
+        options = ["-q", "-o", "addopts=", "-p", "no:cacheprovider", "-W", "ignore", f"--junitxml={report}"]
+        command = [str(python), "-m", "pytest", str(HERE), *options]
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False)
+        if not report.exists():
+            raise SystemExit(f"{python} could not run pytest; try: {' '.join(command)}")
+        return outcomes(report.read_text())
+
+
+def outcomes(report: str) -> Results:
+    """Read pytest's report.
+
+    >>> outcomes('<t><testcase classname="m.test_a" name="b"/></t>')
+    {'test_a::b': 'passed'}
+    """
+    found: Results = {}
+    for case in ElementTree.fromstring(report).iter("testcase"):
+        kinds = {child.tag for child in case}
+        bad = kinds & {"failure", "error"}
+        module = case.get("classname", "").rpartition(".")[2]
+        found[f"{module}::{case.get('name')}"] = (
+            "failed" if bad else "skipped" if "skipped" in kinds else "passed"
+        )
+    return found
+
+
+def table(ours: Results, real: Results | None) -> list[str]:
+    """Return the lines of the comparison, totals last."""
+    names = sorted(ours.keys() | (real or {}).keys())
+    width = max((len(name) for name in names), default=4)
+    lines = [f"{'test':{width}}  {'coursekit':9}  real rclpy"]
+    for name in names:
+        beside = "-" if real is None else real.get(name, "-")
+        lines.append(f"{name:{width}}  {ours.get(name, '-'):9}  {beside}")
+    lines += ["", total("coursekit", ours)]
+    return lines if real is None else [*lines, total("real rclpy", real)]
+
+
+def total(who: str, results: Results) -> str:
+    """Return one line that counts.
+
+    >>> total("coursekit", {"a": "passed", "b": "skipped"})
+    'coursekit: 2 tests, 1 passed, 0 failed, 1 skipped'
+    """
+    counts = [f"{list(results.values()).count(kind)} {kind}" for kind in ("passed", "failed", "skipped")]
+    return f"{who}: {len(results)} tests, {', '.join(counts)}"
+
+
+def main() -> int:
+    """Print the table; 1 when a test fails on either side."""
+    ours = run(sys.executable)
+    real = run(real_python()) if real_is_possible() else None
+    print("\n".join(table(ours, real)))
+    if real is None:
+        print("THE REAL RCLPY WAS NOT ASKED: its wheels exist for Linux x86-64 with Python 3.10 to 3.14 only")
+    return int("failed" in ours.values() or "failed" in (real or {}).values())

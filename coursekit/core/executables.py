@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import os
 import shlex
@@ -257,7 +258,11 @@ class ChildProcess:
     def send_signal(self, signum: int) -> None:
         """Deliver a signal to it."""
         if self._child is not None and self.exit_code is None:
-            self._child.send_signal(signum)
+            if hasattr(os, "killpg"):  # to what it started too, as a terminal's Ctrl-C goes
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(self._child.pid, signum)
+            else:
+                self._child.send_signal(signum)
 
     def command_line(self) -> str:
         """What one would type."""

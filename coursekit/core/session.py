@@ -21,7 +21,7 @@ from typing import Any
 from . import streams, threads
 from .clock import Clock, WallClock
 from .graph import Graph
-from .lane import Lane, thread_lane
+from .lane import Lane, ProcessKilled, thread_lane
 from .process import Process, current_process
 from .virtual import VirtualClock, is_lane_thread
 
@@ -119,7 +119,8 @@ class Session:
         def body() -> None:
             if process is not None:
                 process.lanes.append(self.lane())
-            function(*args)
+            with contextlib.suppress(ProcessKilled):  # its process has ended
+                function(*args)
 
         self.clock.spawn(body, getattr(function, "__name__", "lane"))
 

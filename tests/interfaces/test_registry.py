@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from coursekit.interfaces import find
+from coursekit.interfaces import find
 from coursekit.interfaces import (
     InterfaceError,
     UnknownInterface,
@@ -108,6 +110,7 @@ def test_a_package_on_the_python_path_is_found_without_sourcing(tmp_path, monkey
     (site / "lonely_pkg" / "__init__.py").write_text("")
     (site / "lonely_pkg" / "msg" / "__init__.py").write_text(face)
     monkeypatch.syspath_prepend(str(site))
+    monkeypatch.setattr(find, "_remembered", [])
     from lonely_pkg.msg import One
 
     assert One().a == 1

@@ -1,10 +1,8 @@
 import pytest
-from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
-from action_msgs.srv import CancelGoal
+from action_msgs.msg import GoalStatus, GoalStatusArray
+from action_setup import Setup, defer, succeed
 from rclpy.action import (
-    ActionClient,
     ActionServer,
-    CancelResponse,
     GoalResponse,
     get_action_client_names_and_types_by_node,
     get_action_names_and_types,
@@ -13,35 +11,6 @@ from rclpy.action import (
 from rclpy.qos import qos_profile_action_status_default
 from test_msgs.action import Fibonacci
 from unique_identifier_msgs.msg import UUID
-
-
-class Setup:
-    """An action server and a client of one node."""
-
-    def __init__(self, world, execute, **options):
-        self.world = world
-        self.node = world.node("n")
-        self.server = ActionServer(self.node, Fibonacci, "f", execute, **options)
-        self.client = ActionClient(self.node, Fibonacci, "f")
-        assert self.client.wait_for_server(timeout_sec=8.0)
-
-    def send(self, order=1):
-        return self.world.result(self.client.send_goal_async(Fibonacci.Goal(order=order)))
-
-    def outcome(self, handle):
-        response = self.world.result(handle.get_result_async())
-        return response.status, list(response.result.sequence)
-
-    def cancel(self, **info):
-        if not hasattr(self, "canceller"):
-            self.canceller = self.node.create_client(CancelGoal, "f/_action/cancel_goal")
-            assert self.canceller.wait_for_service(timeout_sec=8.0)
-        request = CancelGoal.Request(goal_info=GoalInfo(**info))
-        return self.world.result(self.canceller.call_async(request))
-
-    def close(self):
-        self.client.destroy()
-        self.server.destroy()
 
 
 @pytest.fixture
@@ -55,19 +24,6 @@ def setup(world):
     yield make
     for each in made:
         each.close()
-
-
-def succeed(handle):
-    handle.succeed()
-    return Fibonacci.Result(sequence=[handle.request.order])
-
-
-def defer(handles):
-    """A callback that keeps accepted goals for later."""
-    return {
-        "handle_accepted_callback": handles.append,
-        "cancel_callback": lambda handle: CancelResponse.ACCEPT,
-    }
 
 
 def test_the_services_and_topics_have_their_names(setup):
@@ -217,60 +173,6 @@ def test_only_a_goal_that_was_asked_to_is_canceled(setup):
     made = setup(cancel)
     made.outcome(made.send())
     assert "from state EXECUTING with event CANCELED" in errors[0]
-
-
-def cancelled(handle):
-    handle.canceled()
-    return Fibonacci.Result(sequence=[0])
-
-
-def test_an_accepted_goal_can_be_cancelled(setup):
-    handles = []
-    made = setup(cancelled, **defer(handles))
-    client_handle = made.send()
-    made.world.spin_until(lambda: handles)
-    response = made.world.result(client_handle.cancel_goal_async())
-    assert (response.return_code, len(response.goals_canceling)) == (0, 1)
-    assert handles[0].is_cancel_requested
-    handles[0].execute()
-    assert made.outcome(client_handle) == (GoalStatus.STATUS_CANCELED, [0])
-
-
-@pytest.mark.parametrize("answer", [CancelResponse.REJECT, None, 1])
-def test_a_refused_cancel_leaves_the_goal(setup, answer):
-    handles = []
-    options = defer(handles) | {"cancel_callback": lambda handle: answer}
-    made = setup(succeed, **options)
-    client_handle = made.send()
-    made.world.spin_until(lambda: handles)
-    assert made.world.result(client_handle.cancel_goal_async()).goals_canceling == []
-    assert not handles[0].is_cancel_requested
-
-
-def test_an_unknown_goal_is_not_cancelled(setup):
-    made = setup(succeed)
-    response = made.cancel(goal_id=UUID(uuid=[1] * 16))
-    assert response.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
-
-
-def test_no_id_cancels_all(setup):
-    handles = []
-    made = setup(cancelled, **defer(handles))
-    made.send()
-    made.send()
-    made.world.spin_until(lambda: len(handles) == 2)
-    assert len(made.cancel().goals_canceling) == 2
-
-
-def test_a_stamp_cancels_what_came_before(setup):
-    handles = []
-    made = setup(cancelled, **defer(handles))
-    first = made.send()
-    between = made.node.get_clock().now().to_msg()
-    made.send()
-    made.world.spin_until(lambda: len(handles) == 2)
-    response = made.cancel(stamp=between)
-    assert [bytes(info.goal_id.uuid) for info in response.goals_canceling] == [bytes(first.goal_id.uuid)]
 
 
 def test_an_unknown_goal_has_no_result(setup):

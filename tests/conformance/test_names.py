@@ -6,6 +6,7 @@ from rclpy.exceptions import (
     InvalidTopicNameException,
 )
 from rclpy.expand_topic_name import expand_topic_name
+from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 from rclpy.validate_full_topic_name import validate_full_topic_name
 from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
@@ -113,3 +114,10 @@ def test_expansion(name, full):
 def test_what_cannot_be_expanded(arguments):
     with pytest.raises(ValueError, match="is invalid"):
         expand_topic_name(*arguments)
+
+
+@pytest.mark.parametrize(
+    ("name", "hidden"), [("/a", False), ("/_a", True), ("/a/_b", True), ("_a", True), ("/a/b_", False)]
+)
+def test_hidden_names(name, hidden):
+    assert topic_or_service_is_hidden(name) is hidden

@@ -4,12 +4,10 @@ from rcl_interfaces.msg import (
     IntegerRange,
     ParameterDescriptor,
     ParameterType,
-    ParameterValue,
     SetParametersResult,
 )
 from rclpy.exceptions import (
     InvalidParameterException,
-    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterImmutableException,
@@ -18,9 +16,6 @@ from rclpy.exceptions import (
 )
 from rclpy.parameter import (
     Parameter,
-    get_parameter_value,
-    parameter_dict_from_yaml_file,
-    parameter_value_to_python,
 )
 
 Type = Parameter.Type
@@ -29,73 +24,6 @@ Type = Parameter.Type
 @pytest.fixture
 def node(world):
     return world.node("n", namespace="/ns", spin=False)
-
-
-@pytest.mark.parametrize(
-    ("value", "kind"),
-    [
-        (None, Type.NOT_SET),
-        (True, Type.BOOL),
-        (1, Type.INTEGER),
-        (1.5, Type.DOUBLE),
-        ("a", Type.STRING),
-        ([], Type.BYTE_ARRAY),
-        ([b"a"], Type.BYTE_ARRAY),
-        ([True], Type.BOOL_ARRAY),
-        ([1, 2], Type.INTEGER_ARRAY),
-        ((1, 2), Type.INTEGER_ARRAY),
-        ([1.5], Type.DOUBLE_ARRAY),
-        (["a", ""], Type.STRING_ARRAY),
-    ],
-)
-def test_a_type_is_found_from_the_value(value, kind):
-    assert Type.from_parameter_value(value) == kind
-    assert Parameter("p", value=value).type_ == kind
-
-
-@pytest.mark.parametrize("value", [{}, b"a", [1, "a"], [1, 2.0], object()])
-def test_a_value_of_no_parameter_type_is_refused(value):
-    with pytest.raises(TypeError):
-        Parameter("p", value=value)
-
-
-def test_type_and_value_must_agree():
-    with pytest.raises(ValueError, match="do not agree"):
-        Parameter("p", Type.INTEGER, "text")
-    with pytest.raises(TypeError, match="type must be an instance of"):
-        Parameter("p", "INTEGER", 1)
-
-
-@pytest.mark.parametrize("value", [True, 1, 1.5, "a", [True], [1, 2], [1.5], ["a"], [b"a"]])
-def test_a_parameter_survives_its_message(value):
-    message = Parameter("p", value=value).to_parameter_msg()
-    assert message.name == "p"
-    assert parameter_value_to_python(message.value) == value
-    again = Parameter.from_parameter_msg(message)
-    assert again.type_ == Parameter("p", value=value).type_
-    assert list(again.value) == value if isinstance(value, list) else again.value == value
-
-
-@pytest.mark.parametrize(
-    ("text", "kind"),
-    [
-        ("1", ParameterType.PARAMETER_INTEGER),
-        ("1.5", ParameterType.PARAMETER_DOUBLE),
-        ("yes", ParameterType.PARAMETER_BOOL),
-        ("abc", ParameterType.PARAMETER_STRING),
-        ("'1'", ParameterType.PARAMETER_STRING),
-        ("[1, 2]", ParameterType.PARAMETER_INTEGER_ARRAY),
-        ("[1, a]", ParameterType.PARAMETER_STRING),
-        ("[a, b]", ParameterType.PARAMETER_STRING_ARRAY),
-    ],
-)
-def test_a_word_of_the_command_line_is_typed(text, kind):
-    assert get_parameter_value(text).type == kind
-
-
-def test_an_unknown_type_number_is_refused():
-    with pytest.raises(RuntimeError, match="unexpected parameter type"):
-        parameter_value_to_python(ParameterValue(type=12))
 
 
 def test_a_declared_parameter_has_its_value(node):
@@ -270,137 +198,6 @@ def test_descriptors_are_kept(node):
     described = node.describe_parameter("speed")
     assert (described.name, described.description) == ("speed", "metres per second")
     assert described.type == ParameterType.PARAMETER_INTEGER
-
-
-def test_overrides_win_over_defaults(world):
-    node = world.node(spin=False, parameter_overrides=[Parameter("speed", value=9)])
-    assert node.declare_parameter("speed", 1).value == 9
-    assert node.declare_parameter("other", 1).value == 1
-
-
-def test_an_override_may_be_ignored(world):
-    node = world.node(spin=False, parameter_overrides=[Parameter("speed", value=9)])
-    assert node.declare_parameter("speed", 1, ignore_override=True).value == 1
-
-
-def test_an_override_of_another_type_is_refused(world):
-    node = world.node(spin=False, parameter_overrides=[Parameter("speed", value="fast")])
-    with pytest.raises(InvalidParameterTypeException):
-        node.declare_parameter("speed", 1)
-
-
-def test_overrides_may_declare(world):
-    node = world.node(
-        spin=False,
-        parameter_overrides=[Parameter("speed", value=9)],
-        automatically_declare_parameters_from_overrides=True,
-    )
-    assert node.get_parameter("speed").value == 9
-
-
-def test_undeclared_parameters_may_be_allowed(world):
-    node = world.node(spin=False, allow_undeclared_parameters=True)
-    assert node.get_parameter("speed").type_ == Type.NOT_SET
-    assert node.set_parameters([Parameter("speed", value=1)])[0].successful
-    assert node.get_parameter("speed").value == 1
-
-
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
-        ("1", 1),
-        ("1.0e3", 1000.0),
-        ("yes", True),
-        ("off", False),
-        ("'1'", "1"),
-        ("abc", "abc"),
-        ("0x1F", 31),
-        ("[1, 2]", [1, 2]),
-        ("[1.5, .inf]", [1.5, float("inf")]),
-        ("[a, b]", ["a", "b"]),
-        ("1.0.0", "1.0.0"),
-        ("null", "null"),
-        ("017", 15),
-        ("1_000", "1_000"),
-        ("tRue", "tRue"),
-        ("[yes, no]", [True, False]),
-    ],
-)
-def test_the_command_line_types_values(world, text, value):
-    node = world.node(
-        spin=False,
-        cli_args=["--ros-args", "-p", f"p:={text}"],
-        automatically_declare_parameters_from_overrides=True,
-    )
-    found = node.get_parameter("p").value
-    assert (list(found) if isinstance(value, list) else found) == value
-
-
-@pytest.mark.parametrize(
-    ("key", "applies"),
-    [
-        ("/ns/n", True),
-        ("ns/n", True),
-        ("n", False),
-        ("/**", True),
-        ("/*", False),
-        ("/*/n", True),
-        ("/*/*", True),
-        ("/**/n", True),
-        ("/ns/*", True),
-        ("/ns/**", True),
-        ("'**'", True),
-        ("/other/n", False),
-        ("/n", False),
-    ],
-)
-def test_a_file_names_nodes(world, tmp_path, key, applies):
-    file = tmp_path / "p.yaml"
-    file.write_text(f"{key}:\n  ros__parameters:\n    p: 1\n")
-    node = world.node(
-        "n",
-        namespace="/ns",
-        spin=False,
-        cli_args=["--ros-args", "--params-file", str(file)],
-        automatically_declare_parameters_from_overrides=True,
-    )
-    assert node.has_parameter("p") is applies
-
-
-def test_repeated_keys_of_a_file_accumulate(world, tmp_path):
-    file = tmp_path / "p.yaml"
-    parts = [("/**", "a: 1"), ("/n", "{a: 2, b: 2}"), ("/**", "{a: 5, c: {d: x}}")]
-    file.write_text("".join(f"{key}:\n  ros__parameters:\n    {values}\n" for key, values in parts))
-    node = world.node(
-        "n",
-        spin=False,
-        cli_args=["--ros-args", "--params-file", str(file)],
-        automatically_declare_parameters_from_overrides=True,
-    )
-    assert [node.get_parameter(name).value for name in ("a", "b", "c.d")] == [2, 2, "x"]
-
-
-def test_file_and_command_line_apply_in_order(world, tmp_path):
-    file = tmp_path / "p.yaml"
-    file.write_text("/**:\n  ros__parameters:\n    a: 1\n")
-    words = ["--params-file", str(file)]
-    for args, value in ([*words, "-p", "a:=2"], 2), (["-p", "a:=2", *words], 1):
-        node = world.node(spin=False, cli_args=["--ros-args", *args])
-        assert node.declare_parameter("a", 0).value == value
-
-
-def test_a_file_can_be_read_without_a_node(tmp_path):
-    file = tmp_path / "p.yaml"
-    file.write_text(
-        "/n:\n  ros__parameters:\n    a: 1\n    b: {c: [1.5, 2.5]}\n/m:\n  ros__parameters: {z: 1}\n"
-    )
-    read = parameter_dict_from_yaml_file(str(file), False, ["/n"])
-    assert {name: parameter_value_to_python(each.value) for name, each in read.items()} == {
-        "a": 1,
-        "b.c": [1.5, 2.5],
-    }
-    with pytest.raises(RuntimeError):
-        parameter_dict_from_yaml_file(str(file), False, ["/absent"])
 
 
 def test_changes_are_told_on_parameter_events(world):

@@ -47,3 +47,18 @@ def test_spin_once_of_the_module_leaves_the_node_free():
         node.destroy_node()
     finally:
         rclpy.shutdown()
+
+
+def test_enums_show_their_names():
+    from rclpy.clock import ClockType
+    from rclpy.lifecycle import TransitionCallbackReturn
+
+    assert str(ClockType.ROS_TIME) == "ClockType.ROS_TIME"
+    assert str(TransitionCallbackReturn.SUCCESS).endswith(".SUCCESS")
+
+
+def test_errors_are_runtime_errors():
+    from rclpy import _rclpy_pybind11 as native
+
+    for name in ("RCLError", "RMWError", "InvalidHandle", "UnknownROSArgsError", "NodeNameNonExistentError"):
+        assert issubclass(getattr(native, name), RuntimeError)

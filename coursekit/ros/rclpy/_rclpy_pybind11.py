@@ -21,7 +21,7 @@ class RMWError(RuntimeError):
     """An error of the middleware."""
 
 
-class InvalidHandle(Exception):
+class InvalidHandle(RuntimeError):
     """Something was used after it had been destroyed."""
 
 
@@ -45,7 +45,14 @@ class TimerCancelledError(RCLError):
     """A cancelled timer was called."""
 
 
-class ClockType(IntEnum):
+class _Named(IntEnum):
+    """Numbers that show themselves by name in every Python, as pybind11's enums do."""
+
+    def __str__(self) -> str:
+        return f"{type(self).__name__}.{self.name}"
+
+
+class ClockType(_Named):
     """Which clock a time belongs to."""
 
     UNINITIALIZED = 0
@@ -54,7 +61,7 @@ class ClockType(IntEnum):
     STEADY_TIME = 3
 
 
-class ClockChange(IntEnum):
+class ClockChange(_Named):
     """What happened to a clock when it jumped."""
 
     ROS_TIME_NO_CHANGE = 1
@@ -63,7 +70,7 @@ class ClockChange(IntEnum):
     SYSTEM_TIME_NO_CHANGE = 4
 
 
-class SignalHandlerOptions(IntEnum):
+class SignalHandlerOptions(_Named):
     """Which signals rclpy reacts to."""
 
     NO = 0

@@ -226,9 +226,8 @@ def _typed(node: yaml.ScalarNode) -> Scalar:
 
 
 def _said_str(node: yaml.ScalarNode) -> bool:
-    written = node.start_mark.buffer
-    start = node.start_mark.pointer
-    return bool(written) and written[start : start + 5] == "!!str"
+    written, start = node.start_mark.buffer, node.start_mark.pointer
+    return isinstance(written, str) and written[start : start + 5] == "!!str"
 
 
 def _list(node: yaml.SequenceNode) -> Value:

@@ -222,10 +222,11 @@ def _then(source: Future, change: Callable[[Any], Any]) -> Future:
     target = Future()
 
     def done(finished: Future) -> None:
+        error = finished.exception()
         if finished.cancelled():
             target.cancel()
-        elif finished.exception() is not None:
-            target.set_exception(finished.exception())
+        elif error is not None:
+            target.set_exception(error)
         else:
             target.set_result(change(finished.result()))
 

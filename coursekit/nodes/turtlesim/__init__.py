@@ -1,0 +1,1 @@
+"""turtlesim: the window with turtles, and the programs that drive them."""

@@ -1,0 +1,40 @@
+"""The node `turtle_mimic`: one turtle gets the velocities of another (remap input/pose and output/cmd_vel)."""
+
+from __future__ import annotations
+
+import sys
+
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from turtlesim.msg import Pose
+
+
+class Mimic(Node):
+    """Hears poses, publishes their velocities."""
+
+    def __init__(self) -> None:
+        super().__init__("turtle_mimic")
+        self._publisher = self.create_publisher(Twist, "output/cmd_vel", 1)
+        self.create_subscription(Pose, "input/pose", self._copy, 1)
+
+    def _copy(self, pose: Pose) -> None:
+        twist = Twist()
+        twist.linear.x, twist.angular.z = pose.linear_velocity, pose.angular_velocity
+        self._publisher.publish(twist)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Copy until Ctrl-C."""
+    rclpy.init(args=args)
+    node = Mimic()
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+    except ExternalShutdownException:
+        sys.exit(0)
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()

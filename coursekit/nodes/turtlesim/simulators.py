@@ -1,0 +1,62 @@
+"""Which turtlesims run in a session, for whoever draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from coursekit.sim.turtle import World
+
+Listener = Callable[["Simulator"], None]
+
+
+class Simulator(Protocol):
+    """A running turtlesim."""
+
+    world: World
+    session: Any
+    full_name: str
+    namespace: str
+    running: bool
+    frames: int
+
+    def background(self) -> tuple[int, int, int]: ...
+
+
+_running: list[Simulator] = []
+_listeners: list[Listener] = []
+
+
+def running(session: Any) -> list[Simulator]:
+    """The turtlesims of a session, in the order of their start."""
+    return [one for one in list(_running) if one.session is session]
+
+
+def add(simulator: Simulator) -> None:
+    """Enter one that has started."""
+    _running.append(simulator)
+    tell(simulator)
+
+
+def remove(simulator: Simulator) -> None:
+    """Take one out that has ended; harmless when it is out."""
+    if simulator in _running:
+        _running.remove(simulator)
+        tell(simulator)
+
+
+def tell(simulator: Simulator) -> None:
+    """Something in it changed: a frame, its start, its end."""
+    for listener in list(_listeners):
+        listener(simulator)
+
+
+def watch(listener: Listener) -> None:
+    """Call `listener(simulator)` after every frame, start and end; it must not block."""
+    _listeners.append(listener)
+
+
+def unwatch(listener: Listener) -> None:
+    """Take a listener back."""
+    if listener in _listeners:
+        _listeners.remove(listener)

@@ -1,0 +1,215 @@
+"""The turtles' world as numbers: a square sheet of paper, turtles that move on it, pens that draw.
+
+Metres and radians, the origin bottom left, y up. In ROS 2: turtlesim (500 pixels, 45 to the metre).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from coursekit.sim.paper import Paper
+
+SIDE = 11.088889122009277
+"""Width and height of the world [m]: 499 / 45 as a 32-bit number, which is how turtlesim keeps it."""
+STEP = 0.016
+"""Length of one frame [s]."""
+COMMAND_SECONDS = 1.0
+"""A velocity command is forgotten after this long."""
+NEAR = 0.02
+"""A rotation ends when it is this near to its goal [rad]."""
+
+
+def normalize_angle(angle: float) -> float:
+    """The same direction in [-pi, pi).
+
+    >>> round(normalize_angle(3 * math.pi / 2), 4)
+    -1.5708
+    """
+    return angle - 2 * math.pi * math.floor((angle + math.pi) / (2 * math.pi))
+
+
+@dataclass
+class Pen:
+    """What a turtle draws with: colour 0 to 255, width in pixels."""
+
+    r: int = 179
+    g: int = 184
+    b: int = 255
+    width: int = 3
+    on: bool = True
+
+    def change(self, r: int, g: int, b: int, width: int, off: bool) -> None:
+        """Set it as the service set_pen does: lifting keeps the colour, width 0 means 1."""
+        self.on = not off
+        if self.on:
+            self.r, self.g, self.b, self.width = r, g, b, width or 1
+
+
+@dataclass
+class Rotation:
+    """A turn to an absolute heading, one radian a second."""
+
+    goal: float
+    start: float
+    remaining: float = 0.0
+    delta: float = 0.0
+    """Angle from the present heading back to the starting one."""
+    reached: bool = False
+
+
+@dataclass
+class Teleport:
+    """A jump that waits for the next frame."""
+
+    x: float = 0.0
+    y: float = 0.0
+    theta: float = 0.0
+    linear: float = 0.0
+    relative: bool = False
+
+
+@dataclass
+class Turtle:
+    """One turtle: where it is [m, rad], how fast [m/s, rad/s], and its pen."""
+
+    name: str
+    x: float
+    y: float
+    theta: float
+    kind: int = 0
+    """Which of the pictures it wears."""
+    pen: Pen = field(default_factory=Pen)
+    forward: float = 0.0
+    sideways: float = 0.0
+    turning: float = 0.0
+    commanded_at: float = 0.0
+    rotation: Rotation | None = None
+    teleports: list[Teleport] = field(default_factory=list)
+    travelled: float = 0.0
+    """Length of its way [m]; teleports do not count."""
+    colour: tuple[int, int, int] = (255, 255, 255)
+    """Red, green and blue under it at the last step; white where nothing was drawn."""
+
+    @property
+    def speed(self) -> float:
+        """How fast it moves [m/s], never negative."""
+        return math.hypot(self.forward, self.sideways)
+
+    def command(self, forward: float, sideways: float, turning: float, now: float) -> None:
+        """Set the velocities at time `now` [s]; they hold for COMMAND_SECONDS."""
+        self.forward, self.sideways, self.turning, self.commanded_at = forward, sideways, turning, now
+
+    def stop(self) -> None:
+        """Stand still."""
+        self.forward = self.sideways = self.turning = 0.0
+
+    def rotate_to(self, theta: float) -> Rotation:
+        """Begin to turn to heading `theta`; it goes on in each step until `reached`."""
+        self.rotation = Rotation(goal=normalize_angle(theta), start=self.theta)
+        return self.rotation
+
+    def step(self, now: float, paper: Paper) -> tuple[float, float] | None:
+        """Move on by one frame and draw; the point outside from which a wall put it back, if it hit one."""
+        self._jump(paper)
+        self._turn(now)
+        if now - self.commanded_at > COMMAND_SECONDS:
+            self.stop()
+        before = (self.x, self.y)
+        hit = self._move()
+        self.travelled += math.dist(before, (self.x, self.y))
+        self.colour = paper.colour_at(self.x, self.y)
+        if self.pen.on and (self.x, self.y) != before:
+            self._line(before, paper)
+        return hit
+
+    def _line(self, before: tuple[float, float], paper: Paper) -> None:
+        pen = self.pen
+        paper.line(self.name, before, (self.x, self.y), (pen.r, pen.g, pen.b), pen.width)
+
+    def _jump(self, paper: Paper) -> None:
+        teleports, self.teleports = self.teleports, []
+        for jump in teleports:
+            before = (self.x, self.y)
+            if jump.relative:
+                self.theta += jump.theta
+                self.x += math.cos(self.theta) * jump.linear
+                self.y += math.sin(self.theta) * jump.linear
+            else:
+                self.x, self.y, self.theta = jump.x, min(jump.y, SIDE), jump.theta
+            if self.pen.on:
+                self._line(before, paper)
+
+    def _turn(self, now: float) -> None:
+        rotation = self.rotation
+        if rotation is None:
+            return
+        rotation.remaining = normalize_angle(rotation.goal - self.theta)
+        rotation.delta = normalize_angle(rotation.start - self.theta)
+        if abs(rotation.remaining) < NEAR:
+            rotation.reached, self.rotation = True, None
+            self.stop()
+        else:
+            self.command(0.0, 0.0, math.copysign(1.0, rotation.remaining), now)
+
+    def _move(self) -> tuple[float, float] | None:
+        self.theta = normalize_angle(self.theta + self.turning * STEP)
+        cos, sin = math.cos(self.theta), math.sin(self.theta)
+        x = self.x + (cos * self.forward - sin * self.sideways) * STEP
+        y = self.y + (sin * self.forward + cos * self.sideways) * STEP
+        self.x, self.y = min(max(x, 0.0), SIDE), min(max(y, 0.0), SIDE)
+        return None if (self.x, self.y) == (x, y) else (x, y)
+
+
+class World:
+    """The paper and its turtles.
+
+    >>> world = World()
+    >>> turtle = world.spawn()
+    >>> turtle.command(2.0, 0.0, 0.0, now=0.0)
+    >>> for frame in range(50): _ = world.step(now=frame * STEP)
+    >>> f"{turtle.name} x={turtle.x:.3f} y={turtle.y:.3f}"
+    'turtle1 x=7.144 y=5.544'
+    """
+
+    def __init__(self) -> None:
+        self.turtles: dict[str, Turtle] = {}
+        self.paper = Paper(SIDE)
+        self._count = 0
+        self._kinds = 0
+
+    def spawn(
+        self, name: str = "", x: float = SIDE / 2, y: float = SIDE / 2, theta: float = 0.0, now: float = 0.0
+    ) -> Turtle:
+        """Put a turtle there; unnamed ones become the next free turtleN. KeyError if it is taken."""
+        if name in self.turtles:
+            raise KeyError(name)
+        name = name or next(free for free in self._names() if free not in self.turtles)
+        self.turtles[name] = Turtle(name, x, y, theta, kind=self._kinds, commanded_at=now)
+        self._kinds += 1
+        return self.turtles[name]
+
+    def _names(self) -> Iterator[str]:
+        while True:
+            self._count += 1
+            yield f"turtle{self._count}"
+
+    def kill(self, name: str) -> None:
+        """Take a turtle away; KeyError if there is none of that name."""
+        del self.turtles[name]
+
+    def reset(self) -> None:
+        """No turtles, clean paper, counting from turtle1 again."""
+        self.turtles.clear()
+        self._count = self._kinds = 0
+        self.paper.clear()
+
+    def step(self, now: float) -> list[tuple[Turtle, tuple[float, float]]]:
+        """One frame of all turtles at time `now` [s]; who hit a wall, and where it would have been."""
+        hits = []
+        for turtle in sorted(self.turtles.values(), key=lambda one: one.name):
+            hit = turtle.step(now, self.paper)
+            if hit is not None:
+                hits.append((turtle, hit))
+        return hits

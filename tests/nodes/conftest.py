@@ -1,0 +1,45 @@
+"""Nodes run as processes of a session on the virtual clock."""
+
+import pytest
+
+from coursekit.core import streams
+from coursekit.core.executables import find
+from coursekit.core.session import Session
+
+
+@pytest.hookimpl(wrapper=True, trylast=True)
+def pytest_runtest_call(item):
+    """pytest changes sys.stdout between a fixture and its test; processes keep theirs."""
+    streams.install()
+    return (yield)
+
+
+@pytest.fixture
+def session():
+    with Session(virtual=True).use() as made:
+        yield made
+
+
+@pytest.fixture
+def run(session):
+    """run("turtlesim", "mimic", "--ros-args", ...) starts an executable of the underlay."""
+
+    def start(package, executable, *argv):
+        return session.start_executable(find(package, executable), argv, name=executable)
+
+    return start
+
+
+@pytest.fixture
+def ros2(session):
+    """ros2("topic", "list") runs a command to its end; its output without the log's stamps."""
+    from coursekit.cli.parser import run as run_cli
+
+    def command(*argv, seconds=5.0):
+        process = session.start(lambda: run_cli(list(argv)), name="ros2", argv=argv)
+        if process.wait(seconds) is None:
+            process.interrupt()
+            process.wait(2.0)
+        return process.output
+
+    return command

@@ -20,6 +20,10 @@ lab: $(VENV)/.lab
 
 test: $(VENV)/.test
 	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile
+	COURSEKIT_TIME=virtual $(BIN)/python -m pytest -n $(JOBS) --dist loadfile --nbval --nbval-cell-timeout 120 notebooks
+
+notebooks: $(VENV)/.test
+	$(BIN)/python -m tests.notebooks.store
 
 check: $(VENV)/.test
 	$(BIN)/ruff check .

@@ -1,0 +1,1 @@
+"""Exercises: what is asked, the checks that judge it, the student's copy, progress."""

@@ -1,8 +1,11 @@
 """The lab: what notebooks use. `from coursekit.lab import *` starts the session of the kernel."""
 
-from .kernel import reset, start
-from .magics import terminal, terminals, wait
+from coursekit.grade.checking import check, hint
+from coursekit.grade.progress import progress
 
-__all__ = ["reset", "terminal", "terminals", "wait"]
+from .kernel import reset, start
+from .magics import terminal, terminals, wait, workspace
+
+__all__ = ["check", "hint", "progress", "reset", "terminal", "terminals", "wait", "workspace"]
 
 start()

@@ -5,12 +5,11 @@ from __future__ import annotations
 import atexit
 import os
 import sys
-from pathlib import Path
 from typing import Any
 
 from coursekit.core import streams
-from coursekit.core.executables import UNDERLAY
 from coursekit.core.session import Session, current
+from coursekit.packages.environment import source_underlay
 
 _state: dict[str, Any] = {}
 
@@ -21,26 +20,13 @@ def running_shell() -> Any:
     return ipython.get_ipython() if ipython is not None else None
 
 
-def source_underlay(environ: Any = os.environ) -> None:
-    """What `source /opt/ros/humble/setup.bash` does to the environment, for the course's own underlay."""
-    environ.setdefault("ROS_DISTRO", "humble")
-    environ.setdefault("ROS_VERSION", "2")
-    environ.setdefault("ROS_PYTHON_VERSION", "3")
-    prefixes = [one for one in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
-    if str(UNDERLAY) not in prefixes:
-        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*prefixes, str(UNDERLAY)])
-    folder = str(Path(sys.executable).parent)
-    if folder not in environ.get("PATH", "").split(os.pathsep):
-        environ["PATH"] = os.pathsep.join([folder, environ.get("PATH", "")])
-
-
 def start() -> Session:
     """Make this kernel's session: once; further calls give the same one."""
     session = current()
     if _state.get("session") is session:
         return session
     _state["session"] = session
-    source_underlay()
+    source_underlay(os.environ)
     streams.install()
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
@@ -161,4 +147,4 @@ def _end_one(one: Any) -> bool:
     return True
 
 
-__all__ = ["reset", "source_underlay", "start"]
+__all__ = ["reset", "start"]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 import shlex
 import sys
 from pathlib import Path
 from typing import Any
 
-from IPython.core.magic import Magics, line_magic, magics_class
+from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
@@ -16,6 +17,7 @@ from coursekit.core.session import current
 from .terminal import Terminal, Terminals
 
 _terminals: dict[str, Terminal] = {}
+_DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s\]")
 
 
 def terminal(name: str) -> Terminal:
@@ -60,13 +62,36 @@ class CourseMagics(Magics):
     def colcon(self, line: str) -> Terminal | None:
         """Run colcon, in the folder of `--workspace` or the current one."""
         options, argv, background = _read(self._expanded(line))
-        folder = Path(options.pop("workspace", None) or os.environ.get("COURSEKIT_WORKSPACE", "."))
+        folder = Path(options.pop("workspace", None) or workspace())
+        folder.mkdir(parents=True, exist_ok=True)
         command = [sys.executable, "-m", "colcon", *argv]
-        process = ChildProcess(
-            current(), command, name="colcon", cwd=folder, env=dict(os.environ) | {"PYTHONUNBUFFERED": "1"}
-        )
-        current().launch(process, _to_cell(background))
+        virtual = current().clock.virtual
+        if virtual and argv[:1] == ["build"]:
+            command += ["--executor", "sequential"]
+        env = dict(os.environ) | {"PYTHONUNBUFFERED": "1", "COLCON_LOG_LEVEL": "error"}
+        process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env)
+        current().launch(process, _to_cell(background, _without_durations if virtual else str))
         return _attend(process, options.get("name") or "colcon", options.get("stop-after"), background)
+
+    @cell_magic
+    def write(self, line: str, cell: str) -> None:
+        """Write the cell to a file of the workspace: `%%write src/my_package/my_package/my_node.py`."""
+        path = workspace() / line.strip()
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(cell, encoding="utf-8")
+        print(f"Wrote {workspace().name}/{line.strip()} ({len(cell.splitlines())} lines)")
+
+    @line_magic
+    def show(self, line: str) -> None:
+        """Print a file of the workspace, or list a folder of it: `%show src/my_package/setup.py`."""
+        path = workspace() / line.strip()
+        if path.is_dir():
+            files = (one for one in sorted(path.rglob("*")) if one.is_file() and "__pycache__" not in one.parts)
+            print("\n".join(one.relative_to(path).as_posix() for one in files))
+        elif path.is_file():
+            print(path.read_text(encoding="utf-8"), end="")
+        else:
+            print(f"There is no {line.strip()} in {workspace().name}/. Is the name right, was the cell above run?")
 
     def _expanded(self, line: str) -> str:
         return str(self.shell.var_expand(line)) if "{" not in line else line
@@ -91,11 +116,21 @@ def _title(argv: list[str]) -> str:
     return " ".join(argv[:3])
 
 
-def _to_cell(background: bool) -> Any:
+def _to_cell(background: bool, change: Any = str) -> Any:
     """Where output goes: into the cell that waits for it, or only into the terminal."""
     if background:
         return None
-    return lambda stream, text: print(text, end="", flush=True)
+    return lambda stream, text: print(change(text), end="")
+
+
+def _without_durations(text: str) -> str:
+    """What a build took is left out where every run has to print the same."""
+    return _DURATION.sub("[0.00s]", text)
+
+
+def workspace() -> Path:
+    """The student's workspace."""
+    return Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
 
 
 def _attend(process: Any, title: str, stop_after: str | None, background: bool) -> Terminal | None:
@@ -120,11 +155,10 @@ def _end(process: Any) -> None:
         process.wait(2.0)
 
 
-def workspace_environment(workspace: str | None = None) -> dict[str, str]:
+def workspace_environment(folder: str | None = None) -> dict[str, str]:
     """The environment after `source install/setup.bash` of the workspace, if it has been built."""
     env = dict(os.environ)
-    root = Path(workspace or env.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
-    install = root / "install"
+    install = (Path(folder).resolve() if folder else workspace()) / "install"
     if install.is_dir():
         from coursekit.packages.overlay import overlay_environment
 

@@ -1,0 +1,135 @@
+"""The command `coursekit`: lab, doctor, progress and course."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Entry point of the shell command."""
+    parser = argparse.ArgumentParser(prog="coursekit", description="A ROS 2 course that needs no ROS install.")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    lab = commands.add_parser("lab", help="open the course in JupyterLab")
+    lab.add_argument("--folder", default="course", help="your copy of the course (default: course)")
+    lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
+    lab.add_argument("jupyter", nargs=argparse.REMAINDER, help="further options for jupyter lab, after --")
+    lab.set_defaults(main=open_lab)
+    copy = commands.add_parser("course", help="make or update your copy of the course, without opening it")
+    copy.add_argument("--folder", default="course")
+    copy.set_defaults(main=update_course)
+    doctor = commands.add_parser("doctor", help="check the set-up and say what cures each fault")
+    doctor.set_defaults(main=run_doctor)
+    progress = commands.add_parser("progress", help="show your points")
+    progress.add_argument("--folder", default="course")
+    progress.set_defaults(main=show_progress)
+    args = parser.parse_args(argv)
+    return int(args.main(args) or 0)
+
+
+def notebooks_folder() -> Path:
+    """Where the chapters are: beside the package in a checkout, inside it in an installed wheel."""
+    package = Path(__file__).resolve().parents[1]
+    for candidate in (package.parent / "notebooks", package / "notebooks"):
+        if candidate.is_dir():
+            return candidate
+    raise SystemExit("The chapters are not here. Reinstall with: pip install --force-reinstall coursekit")
+
+
+def update_course(args: argparse.Namespace) -> int:
+    """Make or update the student's copy."""
+    from coursekit.grade.copy import Course
+
+    folder = Path(args.folder).resolve()
+    for sentence in Course(folder).update(notebooks_folder()):
+        print(f"  {sentence}")
+    print(f"Your copy of the course: {folder}")
+    return 0
+
+
+def lab_environment(folder: Path) -> dict[str, str]:
+    """The environment of kernels and terminals: the underlay sourced, the course's folders named."""
+    from coursekit.packages.environment import source_underlay
+
+    env = dict(os.environ)
+    source_underlay(env)
+    env["COURSEKIT_COURSE"] = str(folder)
+    env["COURSEKIT_WORKSPACE"] = str(folder / "ros2_ws")
+    return env
+
+
+def open_lab(args: argparse.Namespace) -> int:
+    """Open JupyterLab on the student's copy."""
+    update_course(args)
+    folder = Path(args.folder).resolve()
+    command = [
+        sys.executable, "-m", "jupyter", "lab",
+        f"--ServerApp.root_dir={folder}",
+        "--ServerApp.ip=127.0.0.1",
+        "--LabApp.default_url=/lab/tree/00_start_here.ipynb",
+        f"--LabServerApp.app_settings_dir={_settings_folder(folder)}",
+    ]  # fmt: skip
+    if hasattr(os, "getuid") and os.getuid() == 0:
+        command.append("--allow-root")
+    if args.no_browser or not _has_browser():
+        command.append("--no-browser")
+        print("Open the address that begins with http://127.0.0.1 below in a browser.")
+    command += [word for word in args.jupyter if word != "--"]
+    try:
+        return subprocess.call(command, env=lab_environment(folder))
+    except KeyboardInterrupt:
+        return 0
+
+
+def _settings_folder(folder: Path) -> Path:
+    """Settings of JupyterLab for the course: no news pop-up."""
+    settings = folder / ".coursekit" / "lab"
+    settings.mkdir(parents=True, exist_ok=True)
+    (settings / "overrides.json").write_text(
+        '{"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": false}}'
+    )
+    return settings
+
+
+def _has_browser() -> bool:
+    import webbrowser
+
+    if sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return False
+    try:
+        webbrowser.get()
+    except webbrowser.Error:
+        return False
+    return True
+
+
+def run_doctor(args: argparse.Namespace) -> int:
+    """Print every check, and the cure for each fault."""
+    from .checks import run_all
+
+    faults = 0
+    for check in run_all():
+        mark = "✔" if not check.fault else "!" if check.only_warning else "✘"
+        print(f"{mark} {check.name:<11} {check.fault or check.finding}")
+        if check.fault:
+            print(f"  → {check.cure}")
+            faults += not check.only_warning
+    print("All is well." if not faults else f"{faults} fault(s): do what stands after the arrows, then run this again.")
+    return 1 if faults else 0
+
+
+def show_progress(args: argparse.Namespace) -> int:
+    """Print the points."""
+    os.environ["COURSEKIT_COURSE"] = str(Path(args.folder).resolve())
+    from coursekit.grade.progress import progress
+
+    print(progress())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,112 @@
+"""The student's copy of the course: without solutions, and never written over once the student has worked on it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
+_SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
+_HIDDEN = re.compile(r"^[ \t]*### BEGIN HIDDEN TESTS.*?### END HIDDEN TESTS[ \t]*\n?", re.S | re.M)
+
+
+def without_solution(source: str) -> str:
+    """A cell's text with a stub where the solution was.
+
+    >>> print(without_solution("a = 1\\n### BEGIN SOLUTION\\nb = 2\\n### END SOLUTION"))
+    a = 1
+    # YOUR CODE HERE
+    raise NotImplementedError()
+    """
+
+    def stub(found: re.Match[str]) -> str:
+        return "\n".join(found[1] + line for line in STUB.splitlines())
+
+    return _HIDDEN.sub("", _SOLUTION.sub(stub, source))
+
+
+def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
+    """A notebook for students: stubs for solutions, no outputs, locked check cells."""
+    made: dict[str, Any] = json.loads(json.dumps(notebook))
+    for cell in made["cells"]:
+        text = "".join(cell["source"])
+        if cell["cell_type"] == "code":
+            cell["outputs"] = []
+            cell["execution_count"] = None
+        cleared = without_solution(text)
+        if cell["cell_type"] == "markdown" and cleared != text:
+            cleared = cleared.replace(STUB, "*Your answer here.*")
+        cell["source"] = cleared.splitlines(keepends=True)
+        grading = cell.get("metadata", {}).get("nbgrader", {})
+        if grading.get("locked"):
+            cell["metadata"] |= {"editable": False, "deletable": False}
+    return made
+
+
+def edition_of(text: str) -> str:
+    """What tells editions of a notebook apart: its cells' texts. Running it, which stores outputs, changes nothing."""
+    cells = json.loads(text)["cells"]
+    return hashlib.sha256(json.dumps(["".join(cell["source"]) for cell in cells]).encode()).hexdigest()
+
+
+class Course:
+    """A student's course folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._manifest = folder / ".coursekit" / "manifest.json"
+
+    def update(self, notebooks: Path) -> list[str]:
+        """Bring in new and changed chapters; a sentence for each thing that was done.
+
+        A chapter that the student has changed stays as it is; a new edition of it is put beside it as `NAME.new.ipynb`.
+        """
+        self.folder.mkdir(parents=True, exist_ok=True)
+        (self.folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
+        given = self._read_manifest()
+        said = []
+        for source in sorted(notebooks.glob("*.ipynb")):
+            text = json.dumps(student_notebook(json.loads(source.read_text(encoding="utf-8"))), indent=1) + "\n"
+            sentence = self._bring(source.name, text, given)
+            if sentence:
+                said.append(sentence)
+        for extra in sorted(path for path in notebooks.glob("*") if path.is_dir() and path.name == "images"):
+            self._copy_pictures(extra)
+        self._manifest.parent.mkdir(parents=True, exist_ok=True)
+        self._manifest.write_text(json.dumps(given, indent=1, sort_keys=True), encoding="utf-8")
+        return said
+
+    def _bring(self, name: str, text: str, given: dict[str, str]) -> str:
+        target = self.folder / name
+        edition = edition_of(text)
+        if not target.exists():
+            target.write_text(text, encoding="utf-8")
+            given[name] = edition
+            return f"{name}: new"
+        if given.get(name) == edition:
+            return ""
+        if edition_of(target.read_text(encoding="utf-8")) == given.get(name):
+            target.write_text(text, encoding="utf-8")
+            given[name] = edition
+            return f"{name}: updated (you had not changed it)"
+        beside = target.with_suffix(".new.ipynb")
+        beside.write_text(text, encoding="utf-8")
+        given[name] = edition
+        return f"{name}: you have worked on it, so it stays; the new edition is {beside.name}"
+
+    def _copy_pictures(self, source: Path) -> None:
+        target = self.folder / source.name
+        target.mkdir(exist_ok=True)
+        for picture in source.iterdir():
+            if not (target / picture.name).exists():
+                (target / picture.name).write_bytes(picture.read_bytes())
+
+    def _read_manifest(self) -> dict[str, str]:
+        try:
+            found = json.loads(self._manifest.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+        return found if isinstance(found, dict) else {}

@@ -1,0 +1,54 @@
+"""Exercises by name; each chapter's are in `coursekit.grade.chapters`."""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+import pkgutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from . import chapters
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """What is asked under one name; `judge(work)` raises `Wrong` when the work does not do it."""
+
+    name: str
+    title: str
+    points: float
+    hints: tuple[str, ...]
+    judge: Callable[[Any], None]
+
+
+_known: dict[str, Exercise] = {}
+
+
+def exercise(
+    name: str, title: str, points: float = 1, hints: tuple[str, ...] = ()
+) -> Callable[[Callable[[Any], None]], Callable[[Any], None]]:
+    """Register the decorated function as the judge of an exercise."""
+
+    def register(judge: Callable[[Any], None]) -> Callable[[Any], None]:
+        _known[name] = Exercise(name, title, points, hints, judge)
+        return judge
+
+    return register
+
+
+def all_exercises() -> dict[str, Exercise]:
+    """Every exercise, by name, in the order of the course."""
+    for module in pkgutil.iter_modules(chapters.__path__):
+        importlib.import_module(f"{chapters.__name__}.{module.name}")
+    return dict(sorted(_known.items()))
+
+
+def find(name: str) -> Exercise:
+    """The exercise of that name; LookupError lists close names."""
+    known = all_exercises()
+    if name in known:
+        return known[name]
+    close = difflib.get_close_matches(name, known, 3) or list(known)[:10]
+    raise LookupError(f"There is no exercise '{name}'. Did you mean: {', '.join(close)}?")

@@ -1,0 +1,99 @@
+"""A student's points over the course, in one small file of their course folder."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from .exercise import all_exercises
+from .verdict import Verdict
+
+
+class Progress:
+    """Best points, tries and hints by exercise."""
+
+    def __init__(self, file: Path) -> None:
+        self.file = file
+        self._kept: dict[str, dict[str, float]] = self._read()
+
+    @classmethod
+    def of_course(cls) -> Progress:
+        """The progress kept in the current course folder."""
+        return cls(Path(os.environ.get("COURSEKIT_COURSE", ".")) / ".coursekit" / "progress.json")
+
+    def _read(self) -> dict[str, dict[str, float]]:
+        try:
+            found = json.loads(self.file.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+        return found if isinstance(found, dict) else {}
+
+    def _change(self, name: str, key: str, value: float) -> None:
+        self._kept.setdefault(name, {})[key] = value
+        self.file.parent.mkdir(parents=True, exist_ok=True)
+        fresh = self.file.with_suffix(".new")
+        fresh.write_text(json.dumps(self._kept, indent=1, sort_keys=True), encoding="utf-8")
+        fresh.replace(self.file)
+
+    def _count(self, name: str, key: str) -> int:
+        number = int(self._kept.get(name, {}).get(key, 0)) + 1
+        self._change(name, key, number)
+        return number
+
+    def count_try(self, name: str) -> int:
+        """Count a try; which one it is."""
+        return self._count(name, "tries")
+
+    def count_hint(self, name: str) -> int:
+        """Count a hint; which one it is."""
+        return self._count(name, "hints")
+
+    def note(self, verdict: Verdict) -> None:
+        """Remember the points if they are the best so far."""
+        if verdict.points >= self.points(verdict.name):
+            self._change(verdict.name, "points", verdict.points)
+        if verdict.passed:
+            self._change(verdict.name, "tries", 0)
+
+    def points(self, name: str) -> float:
+        """The best points for an exercise so far."""
+        return float(self._kept.get(name, {}).get("points", 0))
+
+    def chapters(self) -> dict[str, tuple[float, float, list[tuple[str, str, float, float]]]]:
+        """For each chapter: points, of how many, and (name, title, points, of) of its exercises."""
+        found: dict[str, Any] = {}
+        for name, exercise in all_exercises().items():
+            points, of, rows = found.get(name.partition(".")[0], (0.0, 0.0, []))
+            got = self.points(name)
+            rows.append((name, exercise.title, got, exercise.points))
+            found[name.partition(".")[0]] = (points + got, of + exercise.points, rows)
+        return found
+
+    def __repr__(self) -> str:
+        lines = ["chapter  points"]
+        for chapter, (points, of, _) in self.chapters().items():
+            full = round(20 * points / of) if of else 0
+            lines.append(f"{chapter:<8} {points:>4g} of {of:<4g} {'█' * full}{'·' * (20 - full)}")
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for chapter, (points, of, exercises) in self.chapters().items():
+            marks = "".join(
+                f"<span title='{name} {title}: {got:g} of {most:g}' style='display:inline-block;width:12px;height:12px;"
+                f"margin-right:3px;border-radius:3px;background:{'#1a7f4b' if got >= most else '#c9a13b' if got else '#c8ced3'}'>"
+                "</span>"
+                for name, title, got, most in exercises
+            )
+            rows.append(
+                f"<tr><td style='text-align:left'>{chapter}</td><td>{points:g} of {of:g}</td>"
+                f"<td style='text-align:left'>{marks}</td></tr>"
+            )
+        return f"<table><tr><th>chapter</th><th>points</th><th>exercises</th></tr>{''.join(rows)}</table>"
+
+
+def progress() -> Progress:
+    """The student's progress over the whole course, in one view."""
+    return Progress.of_course()

@@ -1,0 +1,200 @@
+"""A trial: a student's programs run alone, on the virtual clock, in a process of the system of their own.
+
+The plan goes in and what was seen comes out as JSON. `python -m coursekit.grade.trial` reads a plan from stdin.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+TIME_LIMIT = 30.0
+"""Real seconds that a trial may take."""
+MESSAGES = 5000
+"""Messages that are kept of each topic."""
+
+
+@dataclass
+class Plan:
+    """What happens in a trial.
+
+    `run` are command lines without the word `ros2`, started in order; `record` are topics whose messages are kept;
+    `publish` are (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `seconds` is when
+    Ctrl-C is pressed in everything.
+    """
+
+    run: list[list[str]]
+    seconds: float = 3.0
+    record: list[str] = field(default_factory=list)
+    publish: list[tuple[float, str, str, dict[str, Any]]] = field(default_factory=list)
+    call: list[tuple[float, str, str, dict[str, Any]]] = field(default_factory=list)
+
+
+@dataclass
+class Seen:
+    """What was seen: at the end of the trial, just before Ctrl-C, and while it ran."""
+
+    outputs: list[str] = field(default_factory=list)
+    exit_codes: list[int | None] = field(default_factory=list)
+    nodes: list[str] = field(default_factory=list)
+    topics: dict[str, list[str]] = field(default_factory=dict)
+    services: dict[str, list[str]] = field(default_factory=dict)
+    publishers: dict[str, list[dict[str, Any]]] = field(default_factory=dict)
+    subscriptions: dict[str, list[dict[str, Any]]] = field(default_factory=dict)
+    messages: dict[str, list[tuple[float, dict[str, Any]]]] = field(default_factory=dict)
+    responses: list[dict[str, Any] | None] = field(default_factory=list)
+
+
+class TrialFailed(Exception):
+    """The trial itself did not end: an endless loop without waiting, or a crash of the interpreter."""
+
+
+def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = None) -> Seen:
+    """Carry out `plan` and tell what was seen; TrialFailed when it does not end in time."""
+    variables = {key: value for key, value in (env or os.environ).items() if key != "COURSEKIT_STOP_AFTER"}
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "coursekit.grade.trial"],
+            input=json.dumps(asdict(plan)),
+            env=variables | {"COURSEKIT_TIME": "virtual", "PYTHONDONTWRITEBYTECODE": "1"},
+            cwd=cwd,
+            capture_output=True,
+            text=True,
+            timeout=TIME_LIMIT,
+        )
+    except subprocess.TimeoutExpired:
+        raise TrialFailed(
+            f"your program did not give way for {TIME_LIMIT:.0f} s: is there a loop that never waits?"
+        ) from None
+    if done.returncode:
+        raise TrialFailed(done.stderr.strip().splitlines()[-1] if done.stderr.strip() else "it ended abruptly")
+    return Seen(**json.loads(done.stdout))
+
+
+class Watcher:
+    """Inside the trial: a node that records, publishes and calls as planned."""
+
+    def __init__(self, plan: Plan, session: Any) -> None:
+        self.plan = plan
+        self.session = session
+        self.seen = Seen(responses=[None] * len(plan.call))
+        self.graph = session.graph(0)
+
+    def run(self) -> Seen:
+        """Carry it out."""
+        from coursekit.cli.parser import run
+
+        started = [
+            self.session.start(lambda argv=argv: run(argv), name="ros2", argv=argv) for argv in self.plan.run
+        ]
+        watching = self.session.start(self._watch, name="watcher")
+        self.session.clock.sleep(self.plan.seconds)
+        self._look()
+        for process in started:
+            process.interrupt()
+        self.seen.exit_codes = [process.wait(5.0) for process in started]
+        self.seen.outputs = [process.output for process in started]
+        watching.kill()
+        return self.seen
+
+    def _watch(self) -> None:
+        import rclpy
+        from rosidl_runtime_py.utilities import get_message, get_service
+
+        rclpy.init(args=[])
+        node = rclpy.create_node("_trial", start_parameter_services=False, enable_rosout=False)
+        for topic in self.plan.record:
+            self._record_when_published(node, topic)
+        for when, topic, kind, fields in self.plan.publish:
+            publisher = node.create_publisher(get_message(kind), topic, 10)
+            self._later(node, when, lambda p=publisher, k=kind, f=fields: p.publish(_filled(get_message(k)(), f)))
+        for index, (when, service, kind, fields) in enumerate(self.plan.call):
+            client = node.create_client(get_service(kind), service)
+            request = _filled(get_service(kind).Request(), fields)
+            self._later(node, when, lambda c=client, r=request, i=index: self._call(c, r, i))
+        rclpy.spin(node)
+
+    def _later(self, node: Any, seconds: float, action: Any) -> None:
+        def once() -> None:
+            timer.cancel()
+            action()
+
+        timer = node.create_timer(max(seconds, 1e-6), once)
+
+    def _call(self, client: Any, request: Any, index: int) -> None:
+        from rosidl_runtime_py import message_to_ordereddict
+
+        def answered(future: Any) -> None:
+            self.seen.responses[index] = message_to_ordereddict(future.result())
+
+        client.call_async(request).add_done_callback(answered)
+
+    def _record_when_published(self, node: Any, topic: str) -> None:
+        """Subscribe as soon as somebody publishes, with a QoS that hears them."""
+        from rosidl_runtime_py.utilities import get_message
+
+        from coursekit.cli.topic_qos import fitting
+
+        def look() -> None:
+            infos = node.get_publishers_info_by_topic(topic)
+            if infos:
+                timer.cancel()
+                kept = self.seen.messages.setdefault(topic, [])
+                profile, _ = fitting(infos)
+                profile.depth = 1000
+                kind = get_message(infos[0].topic_type)
+                node.create_subscription(kind, topic, lambda msg: self._keep(kept, msg), profile)
+
+        timer = node.create_timer(0.001, look)
+
+    def _keep(self, kept: list[Any], msg: Any) -> None:
+        from rosidl_runtime_py import message_to_ordereddict
+
+        if len(kept) < MESSAGES:
+            kept.append((self.session.clock.steady() * 1e-9, message_to_ordereddict(msg)))
+
+    def _look(self) -> None:
+        seen = self.seen
+        ours = ("_trial", "_ros2cli")
+        seen.nodes = sorted(node.full_name for node in self.graph.nodes if not node.name.startswith(ours))
+        seen.topics = dict(self.graph.topics())
+        seen.services = dict(self.graph.services())
+        for ends, kept in ((self.graph.publishers, seen.publishers), (self.graph.subscriptions, seen.subscriptions)):
+            for name, endpoints in sorted(ends.items()):
+                kept[name] = [_described(one) for one in endpoints if not one.node.name.startswith(ours)]
+
+
+def _described(endpoint: Any) -> dict[str, Any]:
+    return {"node": endpoint.node.full_name, "type": endpoint.type_name} | asdict(endpoint.qos)
+
+
+def _filled(msg: Any, fields: dict[str, Any]) -> Any:
+    from rosidl_runtime_py import set_message_fields
+
+    set_message_fields(msg, fields)
+    return msg
+
+
+def main() -> int:
+    """Read a plan, carry it out, print what was seen."""
+    from coursekit.core.session import current
+
+    plan = Plan(**json.load(sys.stdin))
+    out = sys.stdout
+    seen = Watcher(plan, current()).run()
+    json.dump(asdict(seen), out, default=_plain)
+    out.flush()
+    os._exit(0)  # whatever the programs left running ends with this process
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if hasattr(value, "tolist") else list(value) if isinstance(value, Sequence) else str(value)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

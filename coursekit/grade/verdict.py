@@ -1,0 +1,74 @@
+"""What a check says: points, what was expected and seen, the likely cause; as HTML and as text."""
+
+from __future__ import annotations
+
+import html
+from dataclasses import dataclass
+
+
+class CheckFailed(Exception):
+    """Ends a check cell that is not solved yet; the verdict above it says why."""
+
+    def _render_traceback_(self) -> list[str]:
+        """IPython shows this instead of a traceback."""
+        return [str(self)]
+
+
+class Wrong(Exception):
+    """Raised by a check: what was expected, what was seen, and the likely cause."""
+
+    def __init__(self, expected: str, got: str = "", cause: str = "", *, share: float = 0.0) -> None:
+        super().__init__(expected)
+        self.expected = expected
+        self.got = got
+        self.cause = cause
+        self.share = share
+        """The part of the points that is earned all the same, 0 to 1."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The outcome of one check."""
+
+    name: str
+    title: str
+    points: float
+    of: float
+    expected: str = ""
+    got: str = ""
+    cause: str = ""
+    hint: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether all points were earned."""
+        return self.points >= self.of
+
+    def text(self) -> str:
+        """For a terminal, and for notebooks without a browser.
+
+        >>> print(Verdict("ch02.q1", "Publish", 2, 2).text())
+        ✔ ch02.q1 Publish: 2 of 2 points
+        """
+        lines = [f"{'✔' if self.passed else '✘'} {self.name} {self.title}: {self.points:g} of {self.of:g} points"]
+        lines += [f"  {label}: {value}" for label, value in self._rows()]
+        return "\n".join(lines)
+
+    def _rows(self) -> list[tuple[str, str]]:
+        rows = [("expected", self.expected), ("seen", self.got), ("likely cause", self.cause), ("hint", self.hint)]
+        return [(label, value) for label, value in rows if value and not self.passed]
+
+    def html(self) -> str:
+        """For the notebook."""
+        colour, mark = ("#1a7f4b", "✔") if self.passed else ("#b3392f", "✘")
+        rows = "".join(
+            f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top'>{label}</td>"
+            f"<td style='text-align:left;white-space:pre-wrap'>{html.escape(value)}</td></tr>"
+            for label, value in self._rows()
+        )
+        table = f"<table style='margin:4px 0 0 0'>{rows}</table>" if rows else ""
+        return (
+            f"<div style='border-left:4px solid {colour};padding:6px 12px;margin:4px 0'>"
+            f"<b style='color:{colour}'>{mark} {html.escape(self.name)}</b> {html.escape(self.title)}: "
+            f"<b>{self.points:g}</b> of {self.of:g} points{table}</div>"
+        )

@@ -1,0 +1,23 @@
+"""What `source /opt/ros/humble/setup.bash` does to an environment, for the course's own underlay."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import MutableMapping
+from pathlib import Path
+
+from coursekit.core.executables import UNDERLAY
+
+
+def source_underlay(environ: MutableMapping[str, str]) -> None:
+    """Set ROS_DISTRO and its like, and put the underlay and our commands on their paths."""
+    environ.setdefault("ROS_DISTRO", "humble")
+    environ.setdefault("ROS_VERSION", "2")
+    environ.setdefault("ROS_PYTHON_VERSION", "3")
+    prefixes = [one for one in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    if str(UNDERLAY) not in prefixes:
+        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*prefixes, str(UNDERLAY)])
+    folder = str(Path(sys.executable).parent)
+    if folder not in environ.get("PATH", "").split(os.pathsep):
+        environ["PATH"] = os.pathsep.join([folder, environ.get("PATH", "")])

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
+from pathlib import Path
 
 import pytest
 import rclpy
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
+
+sys.path.append(str(Path(__file__).parent))  # for action_setup, whatever pytest's import mode
 
 IS_REAL = "coursekit" not in rclpy.__file__
 

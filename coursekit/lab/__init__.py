@@ -4,8 +4,8 @@ from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress
 
 from .kernel import reset, start
-from .magics import terminal, terminals, wait, workspace
+from .magics import edit, terminal, terminals, wait, workspace
 
-__all__ = ["check", "hint", "progress", "reset", "terminal", "terminals", "wait", "workspace"]
+__all__ = ["check", "edit", "hint", "progress", "reset", "terminal", "terminals", "wait", "workspace"]
 
 start()

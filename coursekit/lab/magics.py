@@ -39,6 +39,17 @@ def wait(seconds: float) -> None:
     current().clock.sleep(seconds)
 
 
+def edit(path: str, old: str, new: str) -> None:
+    """Replace `old` by `new` in a file of the workspace and show the new lines; harmless the second time."""
+    file = workspace() / path
+    text = file.read_text(encoding="utf-8")
+    if old not in text and new not in text:
+        raise LookupError(f"{path} does not contain {old!r}. Print it with: %show {path}")
+    if new not in text:
+        file.write_text(text.replace(old, new, 1), encoding="utf-8")
+    print(f"{path}:", *(f"    {line}" for line in new.splitlines()), sep="\n")
+
+
 @magics_class
 class CourseMagics(Magics):
     """The magics of the course."""
@@ -166,4 +177,4 @@ def workspace_environment(folder: str | None = None) -> dict[str, str]:
     return env
 
 
-__all__ = ["CourseMagics", "terminal", "terminals", "wait"]
+__all__ = ["CourseMagics", "edit", "terminal", "terminals", "wait"]

@@ -80,17 +80,26 @@ class CourseMagics(Magics):
         if virtual and argv[:1] == ["build"]:
             command += ["--executor", "sequential"]
         env = dict(os.environ) | {"PYTHONUNBUFFERED": "1", "COLCON_LOG_LEVEL": "error"}
+        env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn of it in every build
         process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env)
         current().launch(process, _to_cell(background, _without_durations if virtual else str))
         return _attend(process, options.get("name") or "colcon", options.get("stop-after"), background)
 
     @cell_magic
     def write(self, line: str, cell: str) -> None:
-        """Write the cell to a file of the workspace: `%%write src/my_package/my_package/my_node.py`."""
-        path = workspace() / line.strip()
+        """Write the cell to a file of the workspace: `%%write src/my_package/my_package/my_node.py`.
+
+        `%%write -a FILE` puts it below what the file holds, once however often the cell is run.
+        """
+        name = line.strip()
+        append = name.startswith("-a ")
+        name = name.removeprefix("-a ").strip()
+        path = workspace() / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(cell, encoding="utf-8")
-        print(f"Wrote {workspace().name}/{line.strip()} ({len(cell.splitlines())} lines)")
+        above = path.read_text(encoding="utf-8").removesuffix(cell) if append and path.exists() else ""
+        path.write_text(above + cell, encoding="utf-8")
+        total = len((above + cell).splitlines())
+        print(f"Wrote {workspace().name}/{name} ({total} lines)")
 
     @line_magic
     def show(self, line: str) -> None:
@@ -131,7 +140,12 @@ def _to_cell(background: bool, change: Any = str) -> Any:
     """Where output goes: into the cell that waits for it, or only into the terminal."""
     if background:
         return None
-    return lambda stream, text: print(change(text), end="")
+    return lambda stream, text: print(_without_folders(change(text)), end="")
+
+
+def _without_folders(text: str) -> str:
+    """Where every run has to print the same, the folder of the course is called `~`."""
+    return text.replace(str(workspace().parent), "~") if current().clock.virtual else text
 
 
 def _without_durations(text: str) -> str:

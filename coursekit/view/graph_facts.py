@@ -1,0 +1,134 @@
+"""What a graph holds at one moment: nodes, and who publishes, subscribes, serves and calls; sorted, unchanging."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from coursekit.core.names import is_hidden
+from coursekit.core.qos import Qos
+
+DEBUG_TOPICS = ("/parameter_events", "/rosout")
+PARAMETER_SERVICES = (
+    "describe_parameters",
+    "get_parameter_types",
+    "get_parameters",
+    "list_parameters",
+    "set_parameters",
+    "set_parameters_atomically",
+)
+_GOAL_SERVICE = "/_action/send_goal"
+_GOAL_TYPE = "_SendGoal"
+
+
+@dataclass(frozen=True, order=True)
+class End:
+    """One end of a topic, service or action: `node` is the full name of the node that has it."""
+
+    name: str
+    node: str
+    type: str
+    qos: Qos = field(default=Qos(), compare=False)
+
+
+@dataclass(frozen=True)
+class Facts:
+    """The snapshot. `nodes` are full names, each once; `duplicates` those that several nodes share."""
+
+    nodes: tuple[str, ...] = ()
+    duplicates: tuple[tuple[str, int], ...] = ()
+    namespaces: tuple[str, ...] = ()
+    publishers: tuple[End, ...] = ()
+    subscriptions: tuple[End, ...] = ()
+    servers: tuple[End, ...] = ()
+    clients: tuple[End, ...] = ()
+    action_servers: tuple[End, ...] = ()
+    action_clients: tuple[End, ...] = ()
+
+    @property
+    def topics(self) -> list[str]:
+        """The names of the topics, sorted."""
+        return names_of(self.publishers, self.subscriptions)
+
+    @property
+    def services(self) -> list[str]:
+        """The names of the services, sorted."""
+        return names_of(self.servers, self.clients)
+
+    @property
+    def actions(self) -> list[str]:
+        """The names of the actions, sorted."""
+        return names_of(self.action_servers, self.action_clients)
+
+
+def names_of(*ends: Iterable[End]) -> list[str]:
+    """The names at which these ends are, each once, sorted."""
+    return sorted({end.name for group in ends for end in group})
+
+
+def types_of(name: str, *ends: Iterable[End]) -> list[str]:
+    """The types that the ends of that name have, sorted."""
+    return sorted({end.type for group in ends for end in group if end.name == name})
+
+
+def nodes_at(name: str, ends: Iterable[End]) -> list[str]:
+    """The nodes that have an end of that name, each once, sorted."""
+    return sorted({end.node for end in ends if end.name == name})
+
+
+def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
+    """Read a `coursekit.core.graph.Graph`.
+
+    `hidden` takes in names with a part that begins with '_' (nodes of commands and panels, topics of actions);
+    `debug` /rosout, /parameter_events and the services that every node has for its parameters.
+    """
+    nodes = [node for node in list(graph.nodes) if hidden or not is_hidden(node.full_name)]
+    counts = Counter(node.full_name for node in nodes)
+
+    def ends(kind: str, of_services: bool = False) -> tuple[End, ...]:
+        found = (one for node in nodes for one in list(getattr(node, kind)))
+        skip = _is_parameter_service if of_services else _is_debug_topic
+        return tuple(
+            sorted(
+                End(one.name, one.node.full_name, one.type_name, one.qos)
+                for one in found
+                if (hidden or not is_hidden(one.name)) and (debug or not skip(one))
+            )
+        )
+
+    return Facts(
+        nodes=tuple(sorted(counts)),
+        duplicates=tuple(sorted((name, count) for name, count in counts.items() if count > 1)),
+        namespaces=tuple(sorted({node.namespace for node in nodes if node.namespace != "/"})),
+        publishers=ends("publishers"),
+        subscriptions=ends("subscriptions"),
+        servers=ends("servers", True),
+        clients=ends("clients", True),
+        action_servers=_actions(nodes, "servers"),
+        action_clients=_actions(nodes, "clients"),
+    )
+
+
+def _is_debug_topic(endpoint: Any) -> bool:
+    return endpoint.name in DEBUG_TOPICS
+
+
+def _is_parameter_service(endpoint: Any) -> bool:
+    return (
+        endpoint.type_name.startswith("rcl_interfaces/")
+        and endpoint.name.rpartition("/")[2] in PARAMETER_SERVICES
+    )
+
+
+def _actions(nodes: list[Any], kind: str) -> tuple[End, ...]:
+    """Actions are told by the service that takes their goals."""
+    return tuple(
+        sorted(
+            End(one.name.removesuffix(_GOAL_SERVICE), node.full_name, one.type_name.removesuffix(_GOAL_TYPE))
+            for node in nodes
+            for one in list(getattr(node, kind))
+            if one.name.endswith(_GOAL_SERVICE)
+        )
+    )

@@ -1,0 +1,198 @@
+"""What is wrong in a graph, in one sentence each, with the cure in another."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from coursekit.core.qos import (
+    BEST_EFFORT,
+    INFINITE,
+    MANUAL_BY_TOPIC,
+    RELIABLE,
+    TRANSIENT_LOCAL,
+    VOLATILE,
+    Qos,
+)
+
+from .graph_facts import End, Facts, names_of, nodes_at, types_of
+
+ALIKE = 0.75
+"""Names at least this much alike (difflib's ratio) are taken for a slip of the finger."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """`places` are the names in the picture that it belongs to; a serious one is drawn in red, others are remarks."""
+
+    text: str
+    cure: str
+    places: tuple[str, ...]
+    serious: bool = True
+    ends: tuple[tuple[str, str], ...] = ()
+    """(node, topic) pairs whose connection does not work."""
+
+
+def find(facts: Facts) -> list[Fault]:
+    """All faults of the graph: serious ones first, else in a fixed order."""
+    found = [
+        *_duplicates(facts),
+        *_types(facts),
+        *_qos(facts),
+        *_topics(facts),
+        *_calls("service", facts.servers, facts.clients),
+        *_calls("action", facts.action_servers, facts.action_clients),
+    ]
+    return sorted(found, key=lambda fault: not fault.serious)
+
+
+def _duplicates(facts: Facts) -> Iterator[Fault]:
+    for name, count in facts.duplicates:
+        yield Fault(
+            f"{count} nodes are called {name}",
+            f"Give each its own name: --ros-args -r __node:={name.rpartition('/')[2]}_2, or put them into namespaces.",
+            (name,),
+        )
+
+
+def _types(facts: Facts) -> Iterator[Fault]:
+    for name in facts.topics:
+        ends = [end for end in (*facts.publishers, *facts.subscriptions) if end.name == name]
+        types = types_of(name, ends)
+        if len(types) > 1:
+            said = "; ".join(f"{kind} at {_listed(e.node for e in ends if e.type == kind)}" for kind in types)
+            yield Fault(
+                f"{name} is used with {len(types)} types: {said}",
+                "Messages pass only between equal types: use one type, or another topic name.",
+                (name,),
+                ends=tuple((end.node, name) for end in ends),
+            )
+
+
+def _listed(names: object) -> str:
+    return ", ".join(sorted(set(names)))  # type: ignore[call-overload]
+
+
+# -- quality of service
+
+
+def _qos(facts: Facts) -> Iterator[Fault]:
+    for pub in facts.publishers:
+        for sub in facts.subscriptions:
+            if (pub.name, pub.type) == (sub.name, sub.type):
+                for policy, offer, wish, cure in mismatches(pub, sub):
+                    yield Fault(
+                        f"{pub.name}: {policy} does not match: {pub.node} offers {offer}, {sub.node} requests {wish}",
+                        cure,
+                        (pub.name,),
+                        ends=((pub.node, pub.name), (sub.node, sub.name)),
+                    )
+
+
+def mismatches(pub: End, sub: End) -> list[tuple[str, str, str, str]]:
+    """(policy, what is offered, what is requested, the cure) for each policy in which the two do not match."""
+    offer, wish = pub.qos.resolved(), sub.qos.resolved()
+    found = []
+    if offer.reliability == BEST_EFFORT and wish.reliability == RELIABLE:
+        cure = (
+            f"Let {sub.node} ask for BEST_EFFORT (qos_profile_sensor_data), or let {pub.node} offer RELIABLE."
+        )
+        found.append(("reliability", "BEST_EFFORT", "RELIABLE", cure))
+    if offer.durability == VOLATILE and wish.durability == TRANSIENT_LOCAL:
+        cure = f"Let {pub.node} offer TRANSIENT_LOCAL, or let {sub.node} ask for VOLATILE and miss earlier messages."
+        found.append(("durability", "VOLATILE", "TRANSIENT_LOCAL", cure))
+    return [*found, *_timing(pub.node, sub.node, offer, wish)]
+
+
+def _timing(pub: str, sub: str, offer: Qos, wish: Qos) -> Iterator[tuple[str, str, str, str]]:
+    if offer.deadline > wish.deadline:
+        cure = f"Let {pub} promise a deadline of {_seconds(wish.deadline)} or less, or let {sub} ask for a longer one."
+        yield "deadline", _seconds(offer.deadline), _seconds(wish.deadline), cure
+    if offer.liveliness < wish.liveliness:
+        cure = f"Let {pub} offer MANUAL_BY_TOPIC, or let {sub} ask for AUTOMATIC."
+        yield "liveliness", _liveliness(offer), _liveliness(wish), cure
+    if offer.lease > wish.lease:
+        cure = (
+            f"Let {pub} offer a lease of {_seconds(wish.lease)} or less, or let {sub} ask for a longer one."
+        )
+        yield "lease duration", _seconds(offer.lease), _seconds(wish.lease), cure
+
+
+def _liveliness(qos: Qos) -> str:
+    return "MANUAL_BY_TOPIC" if qos.liveliness == MANUAL_BY_TOPIC else "AUTOMATIC"
+
+
+def _seconds(nanoseconds: int) -> str:
+    return "none" if nanoseconds == INFINITE else f"{nanoseconds * 1e-9:g} s"
+
+
+# -- ends that meet nobody
+
+
+def _topics(facts: Facts) -> Iterator[Fault]:
+    heard = names_of(facts.subscriptions)
+    published = names_of(facts.publishers)
+    for name in facts.topics:
+        if name not in published:
+            yield _lonely(
+                name, nodes_at(name, facts.subscriptions), "publishes", "listens to", published, facts
+            )
+        elif name not in heard:
+            other = _alike(name, facts.publishers, facts.subscriptions)
+            if other is None or other in published:  # else it is said at the other name
+                yield _lonely(
+                    name, nodes_at(name, facts.publishers), "subscribes to", "publishes", heard, facts
+                )
+
+
+def _lonely(
+    name: str, nodes: list[str], missing: str, present: str, others: Sequence[str], facts: Facts
+) -> Fault:
+    mine, theirs = facts.subscriptions, facts.publishers
+    if missing != "publishes":
+        mine, theirs = theirs, mine
+    other = _alike(name, mine, theirs)
+    said = f"nobody {missing} {name}"
+    if other is None or other not in others:
+        return Fault(said, f"{_listed(nodes)} {present} it.", (name,), serious=False)
+    there = _listed(nodes_at(other, theirs))
+    cure = f"Remap it ({nodes[0]} with --ros-args -r {name}:={other}) or change the name; {other} is used by {there}."
+    return Fault(f"{said}; did you mean {other}?", cure, (name,), ends=tuple((node, name) for node in nodes))
+
+
+def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
+    """The topic of the same type that was probably meant."""
+    types = types_of(name, mine)
+    candidates = [
+        one for one in names_of(end for end in theirs if end.type in types) if _letters(one) != _letters(name)
+    ]
+    last = name.rpartition("/")[2]
+    close = difflib.get_close_matches(name, candidates, 1, ALIKE)
+    return (close or [one for one in candidates if one.rpartition("/")[2] == last] or [None])[0]
+
+
+def _letters(name: str) -> str:
+    """/turtle1 and /turtle2 are no slip of the finger."""
+    return "".join(letter for letter in name if not letter.isdigit())
+
+
+def _calls(kind: str, servers: Sequence[End], clients: Sequence[End]) -> Iterator[Fault]:
+    served = names_of(servers)
+    for name in names_of(clients):
+        nodes = nodes_at(name, clients)
+        if name not in served:
+            close = difflib.get_close_matches(name, served, 1, ALIKE)
+            hint = f"; did you mean {close[0]}?" if close else ""
+            cure = f"Start the node that serves it; {_listed(nodes)} waits. Served: {', '.join(served) or f'no {kind}'}."
+        elif types_of(name, servers) != types_of(name, clients):
+            hint = ""
+            cure = f"Use one type: served is {', '.join(types_of(name, servers))}, called {', '.join(types_of(name, clients))}."
+        else:
+            continue
+        said = (
+            f"nobody serves the {kind} {name}"
+            if name not in served
+            else f"{kind} {name} is used with two types"
+        )
+        yield Fault(said + hint, cure, (name,), ends=tuple((node, name) for node in nodes))

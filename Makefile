@@ -20,7 +20,7 @@ lab: $(VENV)/.lab
 
 test: $(VENV)/.test
 	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile
-	COURSEKIT_TIME=virtual $(BIN)/python -m pytest -n $(JOBS) --dist loadfile --nbval --nbval-cell-timeout 120 notebooks
+	COURSEKIT_TIME=virtual $(BIN)/python -m pytest -n $(JOBS) --dist loadfile -p tests.notebooks.own_course --nbval --nbval-cell-timeout 120 notebooks
 
 notebooks: $(VENV)/.test
 	$(BIN)/python -m tests.notebooks.store

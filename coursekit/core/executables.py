@@ -163,7 +163,10 @@ def _program(path: Path) -> Callable[[], Any]:
 
 
 class ChildProcess:
-    """A real child process behind the interface of `Process`."""
+    """A real child process behind the interface of `Process`.
+
+    On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all.
+    """
 
     def __init__(
         self,
@@ -173,9 +176,11 @@ class ChildProcess:
         name: str,
         env: Mapping[str, str] | None = None,
         cwd: str | os.PathLike[str] | None = None,
+        takes_time: bool = True,
     ) -> None:
         self.session = session
         self.name = name
+        self.takes_time = takes_time
         self.argv = list(command)
         self.pid = session.new_pid()
         self.parent = current_process()
@@ -221,8 +226,12 @@ class ChildProcess:
         _start_outside(threading.Thread(target=self._watch, args=(readers,), daemon=True))
 
     def _count_child(self, change: int) -> None:
-        if self.session.clock.virtual:
-            self.session.clock.children += change
+        clock = self.session.clock
+        if clock.virtual and self.takes_time:
+            clock.children += change
+        elif clock.virtual:
+            clock.frozen += change
+            clock.wake()
 
     def _read(self, stream: str, pipe: Any) -> None:
         for line in pipe:

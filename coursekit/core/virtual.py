@@ -106,6 +106,8 @@ class VirtualClock:
         self.main = self.running
         self.children = 0
         """Real child processes that live: while there are any, time passes no faster than on the wall."""
+        self.frozen = 0
+        """Real child processes that take no virtual time (a build): while there are any, time stands still."""
         self._elapsed = 0
         self._ready: deque[Lane] = deque()
         self._heap: list[tuple[int, int, Any, int]] = []
@@ -233,6 +235,9 @@ class VirtualClock:
             self._wait_outside(None)
             return None
         deadline = heap[0][0]
+        if self.frozen and deadline > self._elapsed:
+            self._wait_outside(None)
+            return None
         if self.children and deadline > self._elapsed:
             began = time.monotonic_ns()
             woken = self._wait_outside((deadline - self._elapsed) * 1e-9)

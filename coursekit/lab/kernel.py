@@ -27,6 +27,8 @@ def start() -> Session:
         return session
     _state["session"] = session
     source_underlay(os.environ)
+    os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
+    os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
     streams.install()
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:

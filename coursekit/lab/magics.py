@@ -81,7 +81,7 @@ class CourseMagics(Magics):
             command += ["--executor", "sequential"]
         env = dict(os.environ) | {"PYTHONUNBUFFERED": "1", "COLCON_LOG_LEVEL": "error"}
         env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn of it in every build
-        process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env)
+        process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False)
         current().launch(process, _to_cell(background, _without_durations if virtual else str))
         return _attend(process, options.get("name") or "colcon", options.get("stop-after"), background)
 

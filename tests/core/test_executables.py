@@ -106,3 +106,23 @@ def test_the_working_folder_of_a_program_is_its_own(prefix, tmp_path):
         process = session.start_executable(path, cwd=tmp_path)
         process.wait(10)
     assert process.output == f"{tmp_path}\n" and os.getcwd() == before
+
+
+def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(prefix):
+    from coursekit.core.executables import ChildProcess
+
+    path = prefix("slow", "#!/bin/sh\nsleep 0.3\n")
+    with Session(virtual=True).use() as session:
+        ticks = []
+
+        def tick():
+            while True:
+                session.clock.sleep(0.001)
+                ticks.append(1)
+
+        session.start(tick, name="ticker")
+        child = session.launch(ChildProcess(session, [str(path)], name="slow", takes_time=False))
+        child.wait()
+        assert len(ticks) == 0
+        session.clock.sleep(0.0105)
+        assert len(ticks) == 10

@@ -1,0 +1,13 @@
+"""A pytest plugin for `--nbval`: the chapters run in a course folder of their own, not in the checkout."""
+
+import os
+import tempfile
+from pathlib import Path
+
+_folder = tempfile.TemporaryDirectory(prefix="course-")
+
+
+def pytest_configure(config):
+    course = Path(_folder.name).resolve()
+    (course / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
+    os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws"), "COLUMNS": "120"}

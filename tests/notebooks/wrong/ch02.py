@@ -1,0 +1,72 @@
+"""Chapter 2."""
+
+_HEAD = """%%write src/s2_py_pubsub/s2_py_pubsub/{file}.py
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float64, String
+
+
+class {name}(Node):
+    def __init__(self):
+"""
+
+
+def _node(file: str, name: str, body: str) -> str:
+    return _HEAD.format(file=file, name=name) + "".join(f"        {line}\n" if line else "\n" for line in body.splitlines())
+
+
+WRONG = {
+    "ch02.q1": [
+        "def full_name(name, node, namespace):\n    return f'{namespace}/{name}'",
+        "def full_name(name, node, namespace):\n    return name if name.startswith('/') else f'{namespace.rstrip(\"/\")}/{name}'",
+    ],
+    "ch02.q2": [
+        _node(
+            "py_subscriber_node",
+            "PySubscriber",
+            'super().__init__("py_subscriber_node")\nself.create_subscription(String, "py_string_topic", print, 10)',
+        ),
+        _node(
+            "py_subscriber_node",
+            "PySubscriber",
+            'super().__init__("py_subscriber_node")\n'
+            'self.create_subscription(String, "py_str_topic", lambda msg: self.get_logger().info("I heard something"), 10)',
+        ),
+        _node("py_subscriber_node", "PySubscriber", 'super().__init__("listener")'),
+    ],
+    "ch02.q3": [
+        _node(
+            "py_relay_node",
+            "PyRelay",
+            'super().__init__("py_relay_node")\n'
+            'out = self.create_publisher(String, "py_upper_topic", 10)\n'
+            'self.create_subscription(String, "py_str_topic", out.publish, 10)',
+        ),
+        _node(
+            "py_relay_node",
+            "PyRelay",
+            'super().__init__("py_relay_node")\n'
+            'out = self.create_publisher(String, "py_upper_topic", 10)\n'
+            "self.last = String()\n"
+            'self.create_subscription(String, "py_str_topic", lambda msg: setattr(self, "last", msg), 10)\n'
+            "self.create_timer(1.0, lambda: out.publish(String(data=self.last.data.upper())))",
+        ),
+    ],
+    "ch02.q4": [
+        _node(
+            "py_health_node",
+            "Health",
+            'super().__init__("health")\n'
+            'out = self.create_publisher(String, "mood", 10)\n'
+            'self.create_timer(0.5, lambda: out.publish(String(data="fine")))',
+        ),
+        _node(
+            "py_health_node",
+            "Health",
+            'super().__init__("health")\n'
+            'one = self.create_publisher(String, "mood", 10)\n'
+            'two = self.create_publisher(Float64, "battery", 10)\n'
+            "self.create_timer(0.5, lambda: (one.publish(String()), two.publish(Float64())))",
+        ),
+    ],
+}

@@ -5,7 +5,21 @@ from coursekit.grade.progress import progress
 
 from .kernel import reset, start
 from .magics import edit, terminal, terminals, wait, workspace
+from .pad import pad
+from .turtle import turtlesim_window
 
-__all__ = ["check", "edit", "hint", "progress", "reset", "terminal", "terminals", "wait", "workspace"]
+__all__ = [
+    "check",
+    "edit",
+    "hint",
+    "pad",
+    "progress",
+    "reset",
+    "terminal",
+    "terminals",
+    "turtlesim_window",
+    "wait",
+    "workspace",
+]
 
 start()

@@ -1,4 +1,4 @@
-"""The node `turtle_mimic`: one turtle gets the velocities of another (remap input/pose and output/cmd_vel)."""
+"""The node `turtle_mimic`: gives one turtle the velocities of another. Remap input/pose, output/cmd_vel."""
 
 from __future__ import annotations
 

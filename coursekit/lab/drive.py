@@ -1,0 +1,115 @@
+"""Driving by hand: what keys and sticks say becomes geometry_msgs/Twist, and silence becomes a stop."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from geometry_msgs.msg import Twist
+
+from coursekit.cli.attach import domain_id
+from coursekit.core.graph import GraphNode
+from coursekit.core.qos import Qos
+from coursekit.core.session import current
+
+SILENCE_SECONDS = 0.5
+"""A browser that says nothing for this long (closed, asleep) has let go of its keys."""
+BEAT_SECONDS = 0.1
+"""A held key is published this often."""
+KEYS = {
+    "up": (1.0, 0.0, 0.0),
+    "down": (-1.0, 0.0, 0.0),
+    "left": (0.0, 0.0, 1.0),
+    "right": (0.0, 0.0, -1.0),
+    "strafe left": (0.0, 1.0, 0.0),
+    "strafe right": (0.0, -1.0, 0.0),
+}
+"""What a key means: forward, to the left, turn to the left; each from -1 to 1."""
+
+
+def meaning(keys: str) -> tuple[float, float, float]:
+    """What keys held together mean, for example 'up+left'; ValueError for a key that is unknown.
+
+    >>> meaning("up+left")
+    (1.0, 0.0, 1.0)
+    """
+    total = [0.0, 0.0, 0.0]
+    for key in keys.split("+"):
+        if key.strip() not in KEYS:
+            raise ValueError(
+                f"There is no key '{key.strip()}'. Keys are: {', '.join(KEYS)}; join them with '+'."
+            )
+        total = [sum(pair) for pair in zip(total, KEYS[key.strip()], strict=True)]
+    return total[0], total[1], total[2]
+
+
+class Driver:
+    """Publishes velocities on `topic`; full deflection is `linear` m/s and `angular` rad/s.
+
+    It is a node of the graph by itself, so it needs no rclpy.init, and comes back after `reset()`.
+    """
+
+    def __init__(self, topic: str, linear: float, angular: float, node_name: str = "") -> None:
+        self.topic = topic if topic.startswith("/") else f"/{topic}"
+        self.node_name = node_name or "pad" + self.topic.replace("/", "_")
+        self.linear = linear
+        self.angular = angular
+        self.moving = False
+        self._node: GraphNode | None = None
+        self._publisher: Any = None
+        self._silence: Any = None
+
+    def join(self) -> Any:
+        """Be in the graph; the publisher."""
+        graph = current().graph(domain_id())
+        if self._node is None or self._node not in graph.nodes:
+            self._node = graph.add_node(self.node_name, "/")
+            self._publisher = self._node.publisher(self.topic, Twist, Qos(depth=1))
+        return self._publisher
+
+    def leave(self) -> None:
+        """Stop, and leave the graph."""
+        self.stop()
+        if self._node is not None:
+            self._node.close()
+            self._node = None
+
+    def drive(self, forward: float, left: float = 0.0, turn: float = 0.0) -> None:
+        """Publish one velocity, each part from -1 to 1; not repeated it ends after SILENCE_SECONDS."""
+        forward, left, turn = (max(-1.0, min(1.0, float(part))) for part in (forward, left, turn))
+        twist = Twist()
+        twist.linear.x, twist.linear.y = forward * self.linear, left * self.linear
+        twist.angular.z = turn * self.angular
+        if self._silence is not None:
+            self._silence.cancel()
+            self._silence = None
+        self.moving = any((forward, left, turn))
+        if self.moving:
+            clock = current().clock
+            self._silence = clock.call_at(clock.steady() + round(SILENCE_SECONDS * 1e9), self.stop)
+        self.join().publish(twist)
+
+    def stop(self) -> None:
+        """Publish zero, if it moves."""
+        if self.moving:
+            self.drive(0.0)
+
+    def press(self, keys: str = "up", seconds: float = 1.0) -> None:
+        """Hold keys ('up', 'up+left', ...) for some seconds of session time, then let go."""
+        forward, left, turn = meaning(keys)
+        clock = current().clock
+        end = clock.steady() + round(seconds * 1e9)
+        try:
+            while (remaining := (end - clock.steady()) * 1e-9) > 1e-6:
+                self.drive(forward, left, turn)
+                clock.sleep(min(BEAT_SECONDS, remaining))
+        finally:
+            self.stop()
+
+    def hear(self, message: dict[str, Any]) -> bool:
+        """Do what the browser says, if it is about driving."""
+        if message.get("type") != "drive":
+            return False
+        parts = [float(message.get(name) or 0.0) for name in ("x", "y", "turn")]
+        if any(parts) or self.moving:
+            self.drive(*parts)
+        return True

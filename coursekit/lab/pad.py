@@ -1,0 +1,62 @@
+"""A teleop pad for anything that listens to geometry_msgs/Twist."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from .drive import Driver
+
+_STATIC = Path(__file__).parent / "static"
+
+
+class Pad(anywidget.AnyWidget):
+    """A pad for keyboard, finger, mouse and gamepad; made by `pad`. Letting go stops at once."""
+
+    _esm = (_STATIC / "steer.js").read_text() + (_STATIC / "pad.js").read_text()
+    _css = (_STATIC / "steer.css").read_text() + (_STATIC / "pad.css").read_text()
+    topic = traitlets.Unicode("/cmd_vel").tag(sync=True)
+    linear = traitlets.Float(0.5).tag(sync=True)
+    angular = traitlets.Float(1.0).tag(sync=True)
+    holonomic = traitlets.Bool(False).tag(sync=True)
+
+    def __init__(self, topic: str, linear: float, angular: float, holonomic: bool) -> None:
+        self._driver = Driver(topic, linear, angular)
+        super().__init__(topic=self._driver.topic, linear=linear, angular=angular, holonomic=holonomic)
+        self.on_msg(lambda _widget, message, _buffers: self._driver.hear(message))
+        self._driver.join()
+
+    def press(self, keys: str = "up", seconds: float = 1.0) -> None:
+        """Hold keys ('up', 'down', 'left', 'right', 'up+left', ...) for some seconds, as a hand would."""
+        self._driver.press(keys, seconds)
+
+    def drive(self, forward: float, left: float = 0.0, turn: float = 0.0) -> None:
+        """Publish one velocity, parts from -1 to 1 of full speed; not repeated it ends after 0.5 s."""
+        self._driver.drive(forward, left, turn)
+
+    def stop(self) -> None:
+        """Let go."""
+        self._driver.stop()
+
+    def __repr__(self) -> str:
+        sideways = ", sideways too" if self.holonomic else ""
+        return f"[pad {self.topic}: {self.linear:.2f} m/s, {self.angular:.2f} rad/s{sideways}]"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**kwargs)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = repr(self)
+        return bundle
+
+
+def pad(topic: str = "/cmd_vel", linear: float = 0.5, angular: float = 1.0, holonomic: bool = False) -> Pad:
+    """A teleop pad: geometry_msgs/Twist on `topic`, full speed `linear` m/s and `angular` rad/s.
+
+    Arrow keys or WASD, a stick for finger or mouse, a gamepad; with `holonomic` Q and E move sideways.
+    From code, for example in a test: `pad().press("up", seconds=1)`.
+    """
+    return Pad(topic, linear, angular, holonomic)

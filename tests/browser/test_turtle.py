@@ -1,0 +1,106 @@
+"""The turtle is driven in a real browser."""
+
+import json
+
+import pytest
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(180)]
+
+SETUP = (
+    "from coursekit.lab import *",
+    "%ros2 run turtlesim turtlesim_node &",
+    "window = turtlesim_window()\nwindow",
+)
+STATE = """
+import json
+_t = window.simulator.world.turtles[window.turtle]
+print(json.dumps({"x": _t.x, "y": _t.y, "theta": _t.theta, "speed": _t.speed, "turning": _t.turning}))
+"""
+
+
+def state(notebook):
+    return json.loads(notebook.ask(STATE))
+
+
+def test_arrow_keys_drive_the_turtle_and_letting_go_stops_it(notebook, picture):
+    opened = notebook(*SETUP)
+    opened.run()
+    page = opened.page
+    sheet = page.locator(".ck-turtle .ck-sheet")
+    sheet.wait_for(timeout=30_000)
+    page.locator('.ck-turtle[data-state="running"]').wait_for(timeout=30_000)
+    sheet.scroll_into_view_if_needed()
+    sheet.locator("canvas").click(position={"x": 60, "y": 60})
+    before = state(opened)
+
+    page.keyboard.down("ArrowUp")
+    page.keyboard.down("ArrowLeft")
+    page.wait_for_timeout(1800)
+    driving = state(opened)
+    assert driving["speed"] == 2.0 and driving["turning"] == 2.0, "a held key drives on after a second"
+    page.keyboard.up("ArrowLeft")
+    page.wait_for_timeout(700)
+    page.keyboard.up("ArrowUp")
+    page.wait_for_timeout(150)
+    stopped = state(opened)
+    assert stopped["speed"] == 0.0 and stopped["turning"] == 0.0, "letting go stops at once"
+    assert (stopped["x"], stopped["y"]) != (before["x"], before["y"])
+    page.wait_for_timeout(300)
+    picture(page.locator(".ck-turtle"), "turtle")
+    assert f"x {stopped['x']:.2f}" in page.locator(".ck-turtle .ck-pose").inner_text()
+
+    page.keyboard.down("ArrowUp")
+    page.wait_for_timeout(300)
+    page.evaluate("document.activeElement.blur()")
+    page.wait_for_timeout(200)
+    assert state(opened)["speed"] == 0.0, "losing the focus stops"
+    page.keyboard.up("ArrowUp")
+
+
+def test_the_stick_drives_and_another_turtle_can_be_picked(notebook, picture):
+    opened = notebook(*SETUP)
+    opened.run()
+    page = opened.page
+    page.locator('.ck-turtle[data-state="running"]').wait_for(timeout=30_000)
+    spawn = "%ros2 service call /spawn turtlesim/srv/Spawn '{x: 2.0, y: 9.0, theta: 0.0, name: leo}'"
+    opened.ask(spawn)
+    page.wait_for_timeout(400)
+    canvas = page.locator(".ck-turtle canvas")
+    canvas.scroll_into_view_if_needed()
+    side = canvas.bounding_box()["width"]
+    canvas.click(position={"x": 2.0 / 11.09 * side, "y": (1 - 9.0 / 11.09) * side})
+    page.wait_for_timeout(300)
+    assert opened.ask("print(window.turtle)").strip() == "leo"
+    box = page.locator(".ck-turtle .ck-stick").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y - box["height"] / 2, steps=4)
+    page.wait_for_timeout(800)
+    assert state(opened)["speed"] > 1.5
+    picture(page.locator(".ck-turtle"), "turtle_stick")
+    page.mouse.up()
+    page.wait_for_timeout(200)
+    assert state(opened)["speed"] == 0.0
+
+
+def test_the_pad_drives_any_twist_topic(notebook, picture):
+    opened = notebook(
+        "from coursekit.lab import *\n%ros2 run turtlesim turtlesim_node &",
+        "window = turtlesim_window()",
+        "pad('/turtle1/cmd_vel', linear=1.0, angular=1.5)",
+    )
+    opened.run()
+    page = opened.page
+    field = page.locator(".ck-pad .ck-field")
+    field.click(position={"x": 300, "y": 20})
+    page.keyboard.down("w")
+    page.keyboard.down("a")
+    page.wait_for_timeout(500)
+    driving = state(opened)
+    picture(page.locator(".ck-pad"), "pad")
+    assert (driving["speed"], driving["turning"]) == (1.0, 1.5)
+    page.keyboard.up("w")
+    page.keyboard.up("a")
+    page.wait_for_timeout(200)
+    assert state(opened)["speed"] == 0.0

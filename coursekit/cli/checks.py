@@ -29,7 +29,7 @@ class Check:
 def python_version() -> Check:
     """Humble's own Python is 3.10."""
     found = platform.python_version()
-    if sys.version_info >= (3, 10):
+    if sys.version_info[:2] >= (3, 10):
         return Check("python", found)
     return Check("python", found, "Python 3.10 or newer is needed", "Install a newer Python and run: make lab")
 

@@ -9,7 +9,9 @@ import sys
 from collections.abc import Sequence
 
 from coursekit.core.arguments import RosArgumentsError
-from coursekit.core.executables import ExecutableNotFound, PackageNotFound
+from coursekit.core.executables import ExecutableNotFound, PackageNotFound, python_folders
+from coursekit.core.modules import use_private_modules
+from coursekit.core.process import current_process
 
 from .ask import Unhappy
 
@@ -57,6 +59,7 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
 
 def run(argv: Sequence[str]) -> int:
     """Carry out one command line (without the word `ros2`); its exit code."""
+    _see_workspace()
     parser = make_parser(argv[0] if argv else None)
     args, rest = parser.parse_known_args(list(argv))
     args.unknown = rest
@@ -76,3 +79,10 @@ def run(argv: Sequence[str]) -> int:
     except (PackageNotFound, ExecutableNotFound, RosArgumentsError) as error:
         print(error.args[0], file=sys.stderr)
         return 1
+
+
+def _see_workspace() -> None:
+    """Let the command's process import the packages of the workspace that it was started in, as they are now."""
+    process = current_process()
+    if process is not None:
+        use_private_modules(process, python_folders(process.env))

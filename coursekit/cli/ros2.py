@@ -44,9 +44,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     if real is not None:
         os.execv(real, [str(real), *argv])
     if "_ARGCOMPLETE" in os.environ:
-        from .parser import make_parser
-
         import argcomplete
+
+        from .parser import make_parser
 
         argcomplete.autocomplete(make_parser())
     if not argv or argv[0] in ("-h", "--help"):

@@ -294,7 +294,8 @@ class Process:
 
     def _receive(self, signum: int) -> None:
         handler = self.handlers.get(signum, signal.SIG_DFL)
-        if handler == signal.SIG_DFL and any([react(signum) for react in list(self.on_signal)]):
+        reactions = [react(signum) for react in list(self.on_signal)] if handler == signal.SIG_DFL else []
+        if any(reactions):
             return
         if callable(handler) and handler is not signal.default_int_handler:
             handler(int(signum), None)

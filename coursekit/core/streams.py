@@ -232,7 +232,7 @@ def install() -> None:
         sys.__dict__["_real_argv"] = sys.__dict__.pop("argv")
         sys.__class__ = _Sys
     if not isinstance(os.environ, Environ):
-        os.environ = Environ(os.environ)  # type: ignore[assignment]
+        os.environ = Environ(os.environ)  # type: ignore[assignment] # noqa: B003
     time.sleep = _sleep
     signal.signal = _signal  # type: ignore[assignment]
     signal.getsignal = _getsignal

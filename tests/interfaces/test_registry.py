@@ -5,12 +5,11 @@ import sys
 
 import pytest
 
-from coursekit.interfaces import find
-from coursekit.interfaces import find
 from coursekit.interfaces import (
     InterfaceError,
     UnknownInterface,
     definition_text,
+    find,
     find_definition,
     interface_of,
     load,

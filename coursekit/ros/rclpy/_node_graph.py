@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursekit.core.graph import names_and_types
+from coursekit.core.qos import INFINITE, Qos
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.duration import Duration, Infinite
 from rclpy.expand_topic_name import expand_topic_name
@@ -16,9 +18,6 @@ from rclpy.qos import (
 )
 from rclpy.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from rclpy.validate_full_topic_name import validate_full_topic_name
-
-from coursekit.core.graph import names_and_types
-from coursekit.core.qos import INFINITE, Qos
 
 NamesAndTypes = list[tuple[str, list[str]]]
 

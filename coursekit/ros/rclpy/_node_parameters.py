@@ -15,6 +15,7 @@ from rcl_interfaces.msg import (
     ParameterValue,
     SetParametersResult,
 )
+
 from rclpy.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -188,7 +189,7 @@ class NodeParameters:
         if self._allow_undeclared_parameters:
             return
         if not all(isinstance(parameter, Parameter) for parameter in parameters):
-            raise TypeError("parameter must be instance of type '{}'".format(repr(Parameter)))
+            raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
         unknown = [parameter.name for parameter in parameters if parameter.name not in self._descriptors]
         if unknown:
             raise ParameterNotDeclaredException(unknown)

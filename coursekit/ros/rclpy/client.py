@@ -5,10 +5,9 @@ from __future__ import annotations
 import threading
 from typing import Any
 
+from coursekit.core.session import current
 from rclpy._rclpy_pybind11 import Client as _Handle
 from rclpy.task import Future
-
-from coursekit.core.session import current
 
 
 class Client:

@@ -9,11 +9,10 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
-from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
-
 from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, parse_ros_arguments
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 
 
 class ContextHandle:

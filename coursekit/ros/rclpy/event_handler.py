@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
+from coursekit.core import status as core_status
 from rclpy._rclpy_pybind11 import Handle, UnsupportedEventTypeError
 from rclpy.logging import get_logger
 from rclpy.qos import QoSPolicyKind, qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
-
-from coursekit.core import status as core_status
 
 
 @dataclass

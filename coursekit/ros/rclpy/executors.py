@@ -12,11 +12,10 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from rclpy.task import Future, Task
-from rclpy.utilities import get_default_context, timeout_sec_to_nsec
-
 from coursekit.core.ready import ReadyQueue
 from coursekit.core.session import current
+from rclpy.task import Future, Task
+from rclpy.utilities import get_default_context, timeout_sec_to_nsec
 
 _POLL_WEIGHT = 100
 """A spin that may not wait and finds nothing counts as that many questions to the virtual clock."""

@@ -7,6 +7,9 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from rcl_interfaces.msg import Log, ParameterEvent
+
+from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
+from coursekit.core.process import current_process
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._node_graph import NodeGraph, core_qos
 from rclpy._node_parameters import NodeParameters
@@ -48,9 +51,6 @@ from rclpy.validate_full_topic_name import validate_full_topic_name
 from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
 from rclpy.validate_topic_name import validate_topic_name
-
-from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
-from coursekit.core.process import current_process
 
 HIDDEN_NODE_PREFIX = "_"
 _ROSOUT_QOS = QoSProfile(

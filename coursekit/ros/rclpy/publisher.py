@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursekit.interfaces import cdr
 from rclpy._rclpy_pybind11 import Publisher as _Handle
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.duration import Duration
-
-from coursekit.interfaces import cdr
 
 
 class Publisher:

@@ -6,11 +6,10 @@ import signal
 import threading
 from typing import Any
 
-from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
-from rclpy.context import shutdown_all
-
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
+from rclpy.context import shutdown_all
 
 __all__ = [
     "SignalHandlerGuardCondition",

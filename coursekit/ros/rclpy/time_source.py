@@ -7,6 +7,7 @@ from typing import Any
 
 import rosgraph_msgs.msg
 from rcl_interfaces.msg import SetParametersResult
+
 from rclpy.clock import ClockType, ROSClock
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile, ReliabilityPolicy

@@ -6,12 +6,11 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.core.session import current
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._rclpy_pybind11 import Timer as _Handle
 from rclpy.exceptions import ROSInterruptException
 from rclpy.utilities import get_default_context
-
-from coursekit.core.session import current
 
 
 class TimerInfo:

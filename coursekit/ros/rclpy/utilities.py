@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from rclpy.context import Context
-
 from coursekit.core.arguments import remove_ros_arguments as _remove
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from rclpy.context import Context
 
 _interpreter_locals: dict[str, Any] = {}
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
-
 from coursekit.core import names
+from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:

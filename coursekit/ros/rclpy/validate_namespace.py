@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from rclpy.exceptions import InvalidNamespaceException
-
 from coursekit.core import names
+from rclpy.exceptions import InvalidNamespaceException
 
 
 def validate_namespace(namespace: str) -> bool:

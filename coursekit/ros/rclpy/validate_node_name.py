@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from rclpy.exceptions import InvalidNodeNameException
-
 from coursekit.core import names
+from rclpy.exceptions import InvalidNodeNameException
 
 
 def validate_node_name(node_name: str) -> bool:

@@ -52,8 +52,9 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     subparsers = parser.add_subparsers(title="Commands", metavar="Call `ros2 <command> -h`", dest="_command")
-    for name in [command] if command in available() else available():
-        importlib.import_module(_module(str(name))).register(subparsers)
+    wanted = [command] if command in available() else available()
+    for module in dict.fromkeys(_module(str(name)) for name in wanted):
+        importlib.import_module(module).register(subparsers)
     return parser
 
 

@@ -1,0 +1,5 @@
+"""Between OpenCV's arrays and ROS's images. In ROS 2: vision_opencv's cv_bridge."""
+
+from cv_bridge.core import CvBridge, CvBridgeError
+
+__all__ = ["CvBridge", "CvBridgeError"]

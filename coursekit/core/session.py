@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from . import streams, threads
+from . import on_import, streams, threads
 from .clock import Clock, WallClock
 from .graph import Graph
 from .lane import Lane, ProcessKilled, thread_lane
@@ -187,6 +187,7 @@ class Session:
         global _session
         previous, _session = _session, self
         streams.install()
+        on_import.watch()
         try:
             yield self
         finally:
@@ -212,6 +213,7 @@ def _make() -> Session:
     if kind not in ("wall", "virtual"):
         raise ValueError(f"COURSEKIT_TIME is '{kind}', which is no clock. Set it to 'wall' or 'virtual'.")
     session = Session(virtual=kind == "virtual")
+    on_import.watch()
     if sys.getswitchinterval() > SWITCH_INTERVAL:
         sys.setswitchinterval(SWITCH_INTERVAL)
     if session.clock.virtual:

@@ -1,0 +1,65 @@
+"""After an import: some libraries need a hand in a session (OpenCV has no windows there)."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.abc
+import importlib.machinery
+import sys
+from collections.abc import Sequence
+from types import ModuleType
+from typing import Any
+
+HELPERS = {"cv2": "coursekit.view.highgui"}
+"""Module: who lends it a hand, with a function `install()`."""
+
+
+class _Loader(importlib.abc.Loader):
+    """Loads as the real loader does, then calls the helper."""
+
+    def __init__(self, real: Any, helper: str) -> None:
+        self._real = real
+        self._helper = helper
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._real, name)
+
+    def create_module(self, spec: importlib.machinery.ModuleSpec) -> ModuleType | None:
+        return self._real.create_module(spec)
+
+    def exec_module(self, module: ModuleType) -> None:
+        self._real.exec_module(module)
+        _help(self._helper)
+
+
+class _Finder(importlib.abc.MetaPathFinder):
+    """Looks out for the modules of HELPERS; finding them is left to the others."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        helper = HELPERS.get(fullname)
+        if helper is None:
+            return None
+        for finder in sys.meta_path:
+            spec = None if finder is self else finder.find_spec(fullname, path, target)
+            if spec is not None and spec.loader is not None:
+                spec.loader = _Loader(spec.loader, helper)
+                return spec
+        return None
+
+
+_finder = _Finder()
+
+
+def _help(helper: str) -> None:
+    importlib.import_module(helper).install()
+
+
+def watch() -> None:
+    """Lend a hand to what is imported already, and to the rest when it comes; harmless when done before."""
+    if _finder not in sys.meta_path:
+        sys.meta_path.insert(0, _finder)
+        for name, helper in HELPERS.items():
+            if hasattr(sys.modules.get(name), "__version__"):
+                _help(helper)

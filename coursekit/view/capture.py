@@ -1,0 +1,93 @@
+"""`cv2.VideoCapture(0)` where there is no webcam: the virtual camera, 30 pictures a second of session time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+
+from coursekit.core.session import current
+from coursekit.sim.camera import Scene
+
+WIDTH, HEIGHT, RATE = 640, 480, 30.0
+LARGEST = 1920
+_scene = Scene()
+
+
+class VirtualCapture:
+    """A camera with OpenCV's face; index 0 only.
+
+    `read` waits for the next picture, as a webcam does. Any size from 16 to 1920 pixels and any rate from 1 to 120
+    can be set.
+    """
+
+    def __init__(self, index: Any = 0, *_backend: Any) -> None:
+        self._open = False
+        self.open(index)
+
+    def open(self, index: Any = 0, *_backend: Any) -> bool:
+        """Begin; False for any index but 0."""
+        self._size = {cv2.CAP_PROP_FRAME_WIDTH: WIDTH, cv2.CAP_PROP_FRAME_HEIGHT: HEIGHT}
+        self._rate = RATE
+        self._due = current().clock.steady()
+        self._seen = self._due
+        self._open = index == 0
+        return self._open
+
+    def isOpened(self) -> bool:
+        """Whether it can be read."""
+        return self._open
+
+    def read(self, image: Any = None) -> tuple[bool, Any]:
+        """(True, the next picture), (False, None) when it is not open."""
+        return self.retrieve(image) if self.grab() else (False, None)
+
+    def grab(self) -> bool:
+        """Wait for the next picture and take it."""
+        if not self._open:
+            return False
+        clock = current().clock
+        now = clock.steady()
+        if now < self._due:
+            clock.sleep((self._due - now) * 1e-9)
+        self._seen = max(self._due, now)
+        period = round(1e9 / self._rate)
+        self._due += period if now - self._due < 2 * period else now - self._due + period
+        return True
+
+    def retrieve(self, image: Any = None, _flag: int = 0) -> tuple[bool, Any]:
+        """The picture that was taken, blue first."""
+        if not self._open:
+            return False, None
+        width, height = (int(self._size[one]) for one in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT))
+        picture = _scene.render(self._seen * 1e-9, width, height)
+        if image is not None and image.shape == picture.shape:
+            image[:] = picture
+            picture = image
+        return True, picture
+
+    def get(self, prop: int) -> float:
+        """A property: width, height, rate, position in ms; 0.0 for others."""
+        if prop in self._size:
+            return float(self._size[prop])
+        return {cv2.CAP_PROP_FPS: self._rate, cv2.CAP_PROP_POS_MSEC: self._seen * 1e-6}.get(prop, 0.0)
+
+    def set(self, prop: int, value: float) -> bool:
+        """Change width, height or rate; False for what cannot be changed."""
+        if not self._open:
+            return False
+        if prop in self._size and 16 <= value <= LARGEST:
+            self._size[prop] = int(value)
+            return True
+        if prop == cv2.CAP_PROP_FPS and 1.0 <= value <= 120.0:
+            self._rate = float(value)
+            return True
+        return False
+
+    def getBackendName(self) -> str:
+        """Who makes the pictures."""
+        return "COURSEKIT"
+
+    def release(self) -> None:
+        """End."""
+        self._open = False

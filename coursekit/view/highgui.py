@@ -1,0 +1,244 @@
+"""OpenCV's windows and camera in a session: `cv2.imshow`, `waitKey`, `VideoCapture(0)` and their company.
+
+The wheel of OpenCV that the course installs opens no windows, and most machines of a lab have no webcam. When cv2 is
+imported in a session, `install` gives it
+
+- imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty, setWindowTitle,
+  resizeWindow, moveWindow: windows are kept here, and a notebook shows them (`coursekit.lab.windows()`);
+- VideoCapture: camera 0 is the virtual one; files and addresses are opened by OpenCV itself.
+
+It steps aside: windows stay OpenCV's own where it can open them (a display, and a build with a GUI); the camera stays
+the real one where there is a device (`/dev/video0`). COURSEKIT_CAMERA=virtual or real overrules the latter.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+import cv2
+import numpy as np
+
+from coursekit.core.session import current
+
+from .capture import VirtualCapture
+
+Listener = Callable[["Window"], None]
+
+_RealCapture = cv2.VideoCapture
+_listeners: list[Listener] = []
+
+
+class Window:
+    """A named window: the newest image, nothing else."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.title = name
+        self.image: Any = None
+        self.shown = 0
+        """How many images it has had."""
+        self.open = True
+
+    def __repr__(self) -> str:
+        if self.image is None:
+            return f"[window {self.name}: no image yet]"
+        height, width = self.image.shape[:2]
+        return f"[window {self.name}: {width}x{height}]"
+
+
+class Desk:
+    """The windows of one session, and the keys pressed in them."""
+
+    def __init__(self, session: Any) -> None:
+        self.session = session
+        self.windows: dict[str, Window] = {}
+        self.keys: deque[int] = deque(maxlen=100)
+        self._pressed = session.clock.new_event()
+
+    def window(self, name: str) -> Window:
+        """The window of that name, opened on first use."""
+        window = self.windows.get(name)
+        if window is None:
+            window = self.windows[name] = Window(name)
+            _tell(window)
+        return window
+
+    def close(self, name: str) -> None:
+        """Close a window; harmless when there is none."""
+        window = self.windows.pop(name, None)
+        if window is not None:
+            window.open = False
+            _tell(window)
+
+    def press(self, key: str | int) -> None:
+        """Press a key: a character, or a number as waitKey returns it."""
+        self.keys.append(ord(key) if isinstance(key, str) else int(key))
+        self._pressed.set()
+
+    def wait_key(self, milliseconds: int) -> int:
+        """Wait for a key, at most that long (0: without end); its number, -1 for none."""
+        clock = self.session.clock
+        end = None if milliseconds <= 0 else clock.steady() + milliseconds * 1_000_000
+        while not self.keys:
+            self._pressed.clear()
+            if self.keys:
+                break
+            remaining = None if end is None else (end - clock.steady()) * 1e-9
+            if remaining is not None and remaining <= 0:
+                return -1
+            self._pressed.wait(remaining)
+        return self.keys.popleft()
+
+
+def desk() -> Desk:
+    """The current session's desk."""
+    session = current()
+    found = getattr(session, "_desk", None)
+    if found is None:
+        found = session._desk = Desk(session)  # type: ignore[attr-defined]
+    return found  # type: ignore[no-any-return]
+
+
+def watch(listener: Listener) -> None:
+    """Call `listener(window)` when one opens, closes or gets an image, in the lane that does it."""
+    _listeners.append(listener)
+
+
+def unwatch(listener: Listener) -> None:
+    """Take a listener back."""
+    if listener in _listeners:
+        _listeners.remove(listener)
+
+
+def _tell(window: Window) -> None:
+    for listener in list(_listeners):
+        listener(window)
+
+
+def as_bgr(image: Any) -> Any:
+    """What a window shows of an array, as OpenCV does it: 16 bits are divided, floats are from 0 to 1."""
+    if image.dtype == np.uint16:
+        image = (image >> 8).astype(np.uint8)
+    elif image.dtype.kind == "f":
+        image = np.clip(image * 255.0, 0, 255).astype(np.uint8)
+    elif image.dtype != np.uint8:
+        image = image.astype(np.uint8)
+    if image.ndim == 2 or image.shape[2] == 1:
+        return cv2.cvtColor(image, cv2.COLOR_GRAY2BGR)
+    return image if image.shape[2] == 3 else cv2.cvtColor(image, cv2.COLOR_BGRA2BGR)
+
+
+# -- OpenCV's functions
+
+
+def imshow(winname: str, mat: Any) -> None:
+    """Show an image in a window, which is opened if need be."""
+    if not isinstance(mat, np.ndarray) or not mat.size or mat.ndim not in (2, 3):
+        raise cv2.error(
+            f"imshow('{winname}') got no image but {type(mat).__name__}. If it comes from a camera or a file, look at "
+            "what read() or imread() returned first: they give None when there is nothing to read."
+        )
+    window = desk().window(winname)
+    window.image = mat.copy()
+    window.shown += 1
+    _tell(window)
+
+
+def namedWindow(winname: str, flags: int = 1) -> None:
+    """Open a window."""
+    desk().window(winname)
+
+
+def destroyWindow(winname: str) -> None:
+    """Close a window; cv2.error if there is none of that name."""
+    if winname not in desk().windows:
+        raise cv2.error(f"There is no window '{winname}'. There are: {', '.join(desk().windows) or 'none'}.")
+    desk().close(winname)
+
+
+def destroyAllWindows() -> None:
+    """Close all windows."""
+    for name in list(desk().windows):
+        desk().close(name)
+
+
+def waitKey(delay: int = 0) -> int:
+    """Wait `delay` ms of session time for a key (0: without end); its number, -1 for none."""
+    return desk().wait_key(int(delay))
+
+
+def pollKey() -> int:
+    """The key that was pressed, -1 for none; does not wait."""
+    return desk().keys.popleft() if desk().keys else -1
+
+
+def setWindowTitle(winname: str, title: str) -> None:
+    """Change what stands above a window."""
+    window = desk().window(winname)
+    window.title = title
+    _tell(window)
+
+
+def getWindowProperty(winname: str, prop_id: int) -> float:
+    """1.0 for a window that is open, -1.0 for one that is not."""
+    return 1.0 if winname in desk().windows else -1.0
+
+
+def resizeWindow(winname: str, *_size: Any) -> None:
+    """Nothing: a window in a notebook is as wide as its image, or as the page."""
+
+
+def moveWindow(winname: str, x: int, y: int) -> None:
+    """Nothing: windows stand where the notebook has them."""
+
+
+class VideoCapture:
+    """`cv2.VideoCapture`: the virtual camera for a number, OpenCV's own reader for a file or an address."""
+
+    def __new__(cls, *args: Any, **kwargs: Any) -> Any:
+        index = args[0] if args else kwargs.get("index", kwargs.get("filename"))
+        if index is None or isinstance(index, (int, np.integer)):
+            return VirtualCapture(-1 if index is None else int(index))
+        return _RealCapture(*args, **kwargs)
+
+
+_WINDOWS = (
+    imshow,
+    namedWindow,
+    destroyWindow,
+    destroyAllWindows,
+    waitKey,
+    pollKey,
+    setWindowTitle,
+    getWindowProperty,
+    resizeWindow,
+    moveWindow,
+)
+
+
+def has_display() -> bool:
+    """Whether OpenCV itself can open windows here."""
+    gui = next((line for line in cv2.getBuildInformation().splitlines() if line.strip().startswith("GUI:")), "")
+    if "NONE" in gui or not gui:
+        return False
+    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def has_camera() -> bool:
+    """Whether a real camera is to be used."""
+    wish = os.environ.get("COURSEKIT_CAMERA", "")
+    return os.path.exists("/dev/video0") if wish not in ("virtual", "real") else wish == "real"
+
+
+def install() -> None:
+    """Give cv2 what it lacks here; harmless when it has it."""
+    if not has_display():
+        for function in _WINDOWS:
+            setattr(cv2, function.__name__, function)
+        cv2.waitKeyEx = waitKey
+    if not has_camera():
+        cv2.VideoCapture = VideoCapture

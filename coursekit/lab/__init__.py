@@ -3,23 +3,40 @@
 from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress
 
+from .graph_panel import graph
+from .image_view import image_view
 from .kernel import reset, start
+from .log_console import log_console
 from .magics import edit, terminal, terminals, wait, workspace
+from .messages import echo
 from .pad import pad
+from .parameter_panel import parameter_panel
+from .service_panel import service_caller
+from .topic_panel import topic_panel
 from .turtle import turtlesim_window
+from .windows import show_new_windows, windows
 
 __all__ = [
     "check",
+    "echo",
     "edit",
+    "graph",
     "hint",
+    "image_view",
+    "log_console",
     "pad",
+    "parameter_panel",
     "progress",
     "reset",
+    "service_caller",
     "terminal",
     "terminals",
+    "topic_panel",
     "turtlesim_window",
     "wait",
+    "windows",
     "workspace",
 ]
 
 start()
+show_new_windows()

@@ -11,6 +11,8 @@ from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
 
+from .panel import Panel, close_panels, open_panels
+
 _state: dict[str, Any] = {}
 
 
@@ -79,6 +81,7 @@ def reset() -> None:
         if process.wait(1.0) is None:
             process.kill()
             process.wait(2.0)
+    close_panels()
     nodes = sum(len(graph.nodes) for graph in session.graphs.values())
     for graph in session.graphs.values():
         graph.clear()
@@ -112,10 +115,11 @@ class Cells:
             self.made.setdefault(self.cell, []).append(process)
 
     def _note_nodes(self) -> None:
-        for graph in self.session.graphs.values():
-            for node in graph.nodes:
-                if node.process is None and not any(node in made for made in self.made.values()):
-                    self.made.setdefault(self.cell, []).append(node)
+        nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
+        seen = [node for node in nodes if not node.name.startswith("_")]  # hidden ones belong to panels
+        for one in [*seen, *open_panels()]:
+            if not any(one is known for made in self.made.values() for known in made):
+                self.made.setdefault(self.cell, []).append(one)
 
     def _begin(self, info: Any) -> None:
         self.cell = getattr(info, "cell_id", None) or ""
@@ -135,7 +139,10 @@ def _describe(one: Any) -> str:
 
 
 def _end_one(one: Any) -> bool:
-    """End a process or node of an earlier run; whether it was still there."""
+    """End a process, node or panel of an earlier run; whether it is worth a word that it was still there."""
+    if isinstance(one, Panel):
+        one.close()
+        return False
     if hasattr(one, "full_name"):
         there = one in one.graph.nodes
         one.close()

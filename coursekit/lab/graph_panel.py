@@ -1,0 +1,92 @@
+"""The graph in a notebook: a still picture, or a live one that follows what happens."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.cli.attach import domain_id
+from coursekit.core.session import current
+from coursekit.view.graph import VIEWS, GraphPicture
+from coursekit.view.graph_text import details
+
+from .panel import Panel, static
+
+_OPTIONS = ("services", "actions", "hidden", "debug")
+
+
+def graph(view: str = "all", *, live: bool = False, **options: bool) -> GraphPicture | GraphPanel:
+    """The graph of nodes and topics, as rqt_graph draws it.
+
+    `view` is 'nodes', 'active' (topics that connect) or 'all'; `services`, `actions`, `hidden` (names that begin with
+    '_') and `debug` (/rosout, /parameter_events, parameter services) add more. `live=True` follows every change, and
+    shows the details of what is clicked.
+    """
+    unknown = sorted(set(options) - set(_OPTIONS))
+    if unknown:
+        raise TypeError(f"graph() has no option '{unknown[0]}'. It has: live, {', '.join(_OPTIONS)}")
+    if live:
+        return GraphPanel(view, **options)
+    return GraphPicture(current().graph(domain_id()), view, **options)
+
+
+class GraphPanel(Panel):
+    """A picture that follows the graph; `picture()` is the present one."""
+
+    _esm = static("graph.js")
+    _css = static("graph.css")
+
+    def __init__(self, view: str = "all", **options: bool) -> None:
+        self._graph = current().graph(domain_id())
+        self._view = view
+        self._options = {name: options.get(name, False) for name in _OPTIONS}
+        self._chosen = ""
+        self.picture()  # an unknown view is told now
+        super().__init__()
+        self._graph.watch(self.changed)
+
+    def picture(self) -> GraphPicture:
+        """The graph as it is now."""
+        return GraphPicture(self._graph, self._view, **self._options)
+
+    def details(self, name: str) -> str:
+        """What `ros2 node info` or `ros2 topic info -v` says of it."""
+        return details(self._graph, name)
+
+    def text(self) -> str:
+        """The graph in lines."""
+        return self.picture().text()
+
+    def shown(self) -> dict[str, Any]:
+        """The picture, and what was chosen."""
+        said = self.details(self._chosen) if self._chosen else ""
+        return {
+            "svg": self.picture().svg(),
+            "view": self._view,
+            "options": self._options,
+            "chosen": self._chosen,
+            "details": said,
+        }
+
+    def on_view(self, message: dict[str, Any]) -> None:
+        """Another view was chosen."""
+        if message.get("view") in VIEWS:
+            self._view = str(message["view"])
+        self._push()
+
+    def on_option(self, message: dict[str, Any]) -> None:
+        """A box was ticked."""
+        if message.get("name") in _OPTIONS:
+            self._options[str(message["name"])] = bool(message.get("on"))
+        self._push()
+
+    def on_choose(self, message: dict[str, Any]) -> None:
+        """A node or topic was clicked; '' closes the details."""
+        self._chosen = str(message.get("name", ""))
+        self._push()
+
+    def leave(self) -> None:
+        """Watch no more."""
+        self._graph.unwatch(self.changed)
+
+
+__all__ = ["GraphPanel", "graph"]

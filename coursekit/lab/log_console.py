@@ -1,0 +1,134 @@
+"""What nodes log: /rosout with filters."""
+
+from __future__ import annotations
+
+import itertools
+from collections import Counter, deque
+from typing import Any
+
+from .panel import Panel, static
+
+KEPT = 2000
+"""Lines that the console remembers."""
+SENT = 300
+"""Lines that the browser shows at most: the newest that pass the filters."""
+LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
+_NUMBERS = {name: number for number, name in LEVELS.items()}
+
+
+class LogConsole(Panel):
+    """See `log_console`."""
+
+    _esm = static("log.js")
+    _css = static("log.css")
+
+    def __init__(self, level: str = "DEBUG", node: str = "", text: str = "") -> None:
+        from rcl_interfaces.msg import Log
+        from rclpy.qos import DurabilityPolicy, QoSProfile
+
+        if level not in _NUMBERS:
+            raise ValueError(f"There is no level '{level}'. Levels are: {', '.join(_NUMBERS)}")
+        super().__init__("log_console")
+        self._filters = {"level": level, "node": node.strip("/").replace("/", "."), "text": text}
+        self._entries: deque[Any] = deque(maxlen=KEPT)
+        self._counts: Counter[str] = Counter()
+        self._paused: list[Any] | None = None
+        qos = QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.hidden.node.create_subscription(Log, "/rosout", self._hear, qos)
+
+    def _hear(self, entry: Any) -> None:
+        self._entries.append(entry)
+        self._counts[LEVELS.get(entry.level, "INFO")] += 1
+        self.changed()
+
+    # -- from code
+
+    def filter(self, level: str | None = None, node: str | None = None, text: str | None = None) -> None:
+        """Show only this level and above, this node, lines that hold this text; None leaves a filter as it is."""
+        for name, value in (("level", level), ("node", node), ("text", text)):
+            if value is not None:
+                self._filters[name] = value
+        self.changed()
+
+    def pause(self, on: bool = True) -> None:
+        """Hold what is shown; it goes on being collected."""
+        self._paused = list(self._entries) if on else None
+        self.changed()
+
+    def clear(self) -> None:
+        """Forget all lines."""
+        self._entries.clear()
+        self._counts.clear()
+        self._paused = None if self._paused is None else []
+        self.changed()
+
+    def lines(self) -> list[str]:
+        """The lines that pass the filters, oldest first."""
+        return [f"[{LEVELS.get(one.level, 'INFO')}] [{one.name}]: {one.msg}" for one in self._passing()]
+
+    def _passing(self) -> list[Any]:
+        least, node, text = _NUMBERS[self._filters["level"]], self._filters["node"], self._filters["text"].lower()
+        kept = list(self._entries) if self._paused is None else self._paused
+        kept = sorted(kept, key=lambda one: (one.stamp.sec, one.stamp.nanosec))  # a late listener hears node by node
+        return [one for one in kept if one.level >= least and node in ("", one.name) and text in one.msg.lower()]
+
+    # -- what is shown
+
+    def text(self) -> str:
+        """The counts and the last ten lines."""
+        counts = ", ".join(f"{self._counts[name]} {name}" for name in _NUMBERS if self._counts[name])
+        return "\n".join([f"log: {counts or 'nothing yet'}", *self.lines()[-10:]])
+
+    def shown(self) -> dict[str, Any]:
+        """The newest lines, the counts and the filters."""
+        passing = self._passing()
+        return {
+            "lines": [
+                {
+                    "level": LEVELS.get(one.level, "INFO"),
+                    "node": one.name,
+                    "text": one.msg,
+                    "time": _clock_time(one.stamp),
+                    "place": f"{one.file}:{one.line} {one.function}".strip(": "),
+                }
+                for one in itertools.islice(passing, max(0, len(passing) - SENT), None)
+            ],
+            "passing": len(passing),
+            "counts": {name: self._counts[name] for name in _NUMBERS},
+            "nodes": sorted({one.name for one in list(self._entries)}),
+            "filters": self._filters,
+            "paused": self._paused is not None,
+        }
+
+    def on_filter(self, message: dict[str, Any]) -> None:
+        """A filter was changed."""
+        level = message.get("level")
+        self.filter(level if level in _NUMBERS else None, message.get("node"), message.get("text"))
+        self._push()
+
+    def on_pause(self, message: dict[str, Any]) -> None:
+        """The button was pressed."""
+        self.pause(bool(message.get("on")))
+        self._push()
+
+    def on_clear(self, _message: dict[str, Any]) -> None:
+        """The button was pressed."""
+        self.clear()
+        self._push()
+
+
+def _clock_time(stamp: Any) -> str:
+    """Hours to milliseconds of a time, UTC."""
+    seconds = stamp.sec % 86400
+    return f"{seconds // 3600:02}:{seconds // 60 % 60:02}:{seconds % 60:02}.{stamp.nanosec // 1_000_000:03}"
+
+
+def log_console(level: str = "DEBUG", node: str = "", text: str = "") -> LogConsole:
+    """What nodes log, with filters by level, node and text.
+
+    In ROS 2: `ros2 topic echo /rosout`, or rqt's console.
+    """
+    return LogConsole(level, node, text)
+
+
+__all__ = ["LogConsole", "log_console"]

@@ -1,0 +1,74 @@
+"""Hearing a topic from a notebook: its type, a fitting quality of service, its messages as text."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.cli.ask import full_name
+
+from .hidden import HiddenNode
+
+TRUNCATE = 128
+
+
+def known_type(graph: Any, topic: str) -> str:
+    """The type of a topic in the graph; LookupError with near names when it is not there or has several."""
+    types = dict(graph.topics()).get(topic)
+    if not types:
+        names = [name for name, _ in graph.topics()]
+        close = difflib.get_close_matches(topic, names, 1, 0.6)
+        hint = f"Did you mean {close[0]}?" if close else f"Topics are: {', '.join(names) or 'none'}."
+        raise LookupError(f"There is no topic {topic} in the graph: no node publishes or hears it. {hint}")
+    if len(types) > 1:
+        raise LookupError(f"Topic {topic} is used with several types ({', '.join(types)}); let all nodes use one.")
+    return types[0]
+
+
+def listen(hidden: HiddenNode, topic: str, callback: Callable[[Any], None]) -> Any:
+    """Subscribe with a quality that fits the publishers there are; the subscription."""
+    from rclpy.qos import qos_profile_sensor_data
+    from rosidl_runtime_py.utilities import get_message
+
+    from coursekit.cli.topic_qos import fitting
+
+    kind = get_message(known_type(hidden.graph, topic))
+    publishers = hidden.node.get_publishers_info_by_topic(topic)
+    profile = fitting(publishers)[0] if publishers else qos_profile_sensor_data
+    return hidden.node.create_subscription(kind, topic, callback, profile)
+
+
+def as_yaml(msg: Any) -> str:
+    """A message as `ros2 topic echo` prints it; long arrays and texts are cut."""
+    from rosidl_runtime_py import message_to_yaml
+
+    return str(message_to_yaml(msg, truncate_length=TRUNCATE)).rstrip("\n")
+
+
+def echo(topic: str, n: int = 1, timeout_sec: float = 10.0) -> None:
+    """Print the next `n` messages of a topic, as `ros2 topic echo` does; TimeoutError when they do not come."""
+    hidden = HiddenNode("echo")
+    heard: list[Any] = []
+    enough = hidden.session.clock.new_event()
+
+    def collect(msg: Any) -> None:
+        heard.append(msg)
+        if len(heard) >= n:
+            enough.set()
+
+    try:
+        listen(hidden, full_name(topic), collect)
+        enough.wait(timeout_sec)
+    finally:
+        hidden.close()
+    for msg in heard[:n]:
+        print(f"{as_yaml(msg)}\n---")
+    if len(heard) < n:
+        raise TimeoutError(
+            f"{len(heard)} of {n} messages came on {topic} within {timeout_sec:g} s. "
+            f"`graph()` shows who publishes it, `%ros2 topic info -v {topic}` with which quality of service."
+        )
+
+
+__all__ = ["as_yaml", "echo", "known_type", "listen"]

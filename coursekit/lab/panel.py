@@ -1,0 +1,143 @@
+"""What all panels share: a text form, few messages to the browser, and an end that leaves nothing behind."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+from typing import Any
+
+import anywidget
+
+from coursekit.core.session import current
+
+from .hidden import HiddenNode
+
+UPDATE_SECONDS = 0.2
+"""A panel tells the browser at most five times a second what has changed."""
+
+_STATIC = Path(__file__).parent / "static"
+_open: list[Panel] = []
+
+
+def static(name: str) -> str:
+    """A file of the browser's side, after what all panels share (`panel.js`, `panel.css`)."""
+    shared = _STATIC / f"panel.{name.rpartition('.')[2]}"
+    return shared.read_text(encoding="utf-8") + "\n" + (_STATIC / name).read_text(encoding="utf-8")
+
+
+def close_panels() -> int:
+    """Close every open panel; how many there were."""
+    count = len(_open)
+    for panel in list(_open):
+        panel.close()
+    return count
+
+
+def open_panels() -> list[Panel]:
+    """The panels that are open, oldest first."""
+    return list(_open)
+
+
+class Panel(anywidget.AnyWidget):
+    """The base of the panels. A subclass gives `shown` (for the browser) and `text` (for everybody else).
+
+    What the browser says arrives as messages with a 'type'; 'x' calls the method `on_x`. It may arrive in any thread,
+    also while a cell runs: such a method starts something and returns.
+    """
+
+    closed = True
+    """Until it is open, and after `close`."""
+
+    def __init__(self, node_name: str = "") -> None:
+        super().__init__()
+        self.session = current()
+        self.closed = False
+        self._hidden: HiddenNode | None = HiddenNode(node_name) if node_name else None
+        self._seen = False
+        self._lock = threading.Lock()
+        self._alarm: Any = None
+        self.on_msg(self._hear)
+        _open.append(self)
+
+    # -- for a subclass
+
+    @property
+    def hidden(self) -> HiddenNode:
+        """The panel's node."""
+        assert self._hidden is not None
+        return self._hidden
+
+    def shown(self) -> dict[str, Any]:
+        """What the browser shows now."""
+        return {}
+
+    def text(self) -> str:
+        """What is shown, in lines; the same every time on the virtual clock."""
+        return type(self).__name__
+
+    def changed(self, *_anything: Any) -> None:
+        """Tell the browser, soon; nothing happens while no browser shows the panel."""
+        if not self._seen or self.closed:
+            return
+        with self._lock:
+            if self._alarm is None:
+                due = self.session.clock.steady() + round(UPDATE_SECONDS * 1e9)
+                self._alarm = self.session.clock.call_at(due, self._push)
+
+    def tell(self, **message: Any) -> None:
+        """Send a message of its own."""
+        if not self.closed:
+            self.send(message)
+
+    # -- with the browser
+
+    def _push(self) -> None:
+        with self._lock:
+            self._alarm = None
+        self.tell(type="shown", **self.shown())
+
+    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+        kind = str(message.get("type", ""))
+        if self.closed:
+            return
+        if kind == "ready":
+            self._seen = True
+            self._push()
+            return
+        react = getattr(self, f"on_{kind}", None)
+        if react is not None and kind.isidentifier():
+            react(message)
+
+    # -- the end
+
+    def close(self) -> None:
+        """Leave the graph and the page."""
+        if self.closed:
+            return
+        self.closed = True
+        if self in _open:
+            _open.remove(self)
+        if self._alarm is not None:
+            self._alarm.cancel()
+        self.leave()
+        if self._hidden is not None:
+            self._hidden.close()
+        super().close()
+
+    def leave(self) -> None:
+        """What a subclass has to end."""
+
+    # -- without the browser
+
+    def __repr__(self) -> str:
+        return self.text()
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**options)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = self.text()
+        return bundle
+
+
+__all__ = ["Panel", "close_panels", "open_panels", "static"]

@@ -1,0 +1,145 @@
+"""Calling services: a form made from the type, or from code."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any
+
+from coursekit.cli.ask import full_name
+from coursekit.view.graph_facts import nodes_at, take, types_of
+
+from .form import filled, schema
+from .hidden import WAIT_SECONDS
+from .messages import as_yaml
+from .panel import Panel, static
+
+
+class ServiceCaller(Panel):
+    """See `service_caller`."""
+
+    _esm = static("services.js")
+    _css = static("services.css")
+
+    def __init__(self, service: str = "") -> None:
+        super().__init__("service_caller")
+        self._chosen = full_name(service) if service else ""
+        self._last = ""
+        self._clients: dict[str, Any] = {}
+        self.hidden.graph.watch(self.changed)
+
+    # -- from code
+
+    def call(self, service: str = "", /, *, timeout_sec: float = WAIT_SECONDS, **fields: Any) -> Any:
+        """Call a service (the chosen one by default) and return its response.
+
+        Fields not given keep their defaults; a nested one is given as a dict. LookupError: nobody serves it;
+        ValueError: a field does not fit; TimeoutError: no answer.
+        """
+        name = full_name(service) if service else self._chosen
+        self._chosen = name
+        client, request = self._prepared(name, fields)
+        response = self.hidden.result(client.call_async(request), timeout_sec)
+        self._note(name, request, response)
+        return response
+
+    def _prepared(self, name: str, fields: dict[str, Any]) -> tuple[Any, Any]:
+        kind = self._type(name)
+        request = filled(kind.Request(), fields)
+        if name not in self._clients:
+            self._clients[name] = self.hidden.node.create_client(kind, name)
+        return self._clients[name], request
+
+    def _type(self, name: str) -> Any:
+        from rosidl_runtime_py.utilities import get_service
+
+        served = {one: list(servers) for one, servers in list(self.hidden.graph.servers.items())}
+        if name not in served:
+            names = self._names()
+            close = difflib.get_close_matches(name, names, 1, 0.6)
+            hint = f"Did you mean {close[0]}?" if close else f"Served are: {', '.join(names) or 'none'}."
+            raise LookupError(f"Nobody serves {name or 'a service without a name'}. {hint}")
+        return get_service(served[name][0].type_name)
+
+    def _names(self) -> list[str]:
+        facts = take(self.hidden.graph)
+        return sorted({end.name for end in facts.servers})
+
+    def _note(self, name: str, request: Any, response: Any) -> None:
+        given = ", ".join(f"{key}={getattr(request, key)!r}" for key in _fields(request))
+        answer = "\n".join(f"    {line}" for line in _answer(response).splitlines())
+        self._last = f"called: {name}({given})\n{answer}"
+        self.changed()
+
+    # -- what is shown
+
+    def text(self) -> str:
+        """The services with their types, and the last call."""
+        facts = take(self.hidden.graph)
+        names = self._names()
+        lines = [f"services: {len(names)}"]
+        for name in names:
+            types = ", ".join(types_of(name, facts.servers))
+            lines.append(f"{name} [{types}] served by {', '.join(nodes_at(name, facts.servers))}")
+        return "\n".join([*lines, *([self._last] if self._last else [])])
+
+    def shown(self) -> dict[str, Any]:
+        """The services and the form of the chosen one."""
+        names = self._names()
+        if self._chosen not in names and names:
+            self._chosen = names[0]
+        if self._chosen not in names:
+            return {"services": names, "chosen": "", "kind": "", "fields": []}
+        kind = self._type(self._chosen)
+        return {
+            "services": names,
+            "chosen": self._chosen,
+            "kind": kind._TYPE_NAME,
+            "fields": schema(kind.Request),
+        }
+
+    def on_choose(self, message: dict[str, Any]) -> None:
+        """Another service was chosen."""
+        self._chosen = str(message.get("name", ""))
+        self._push()
+
+    def on_call(self, message: dict[str, Any]) -> None:
+        """The button was pressed."""
+        name = str(message.get("name", ""))
+        try:
+            client, request = self._prepared(name, dict(message.get("fields") or {}))
+        except Exception as error:  # whatever was typed, the panel says what is wrong with it
+            self.tell(type="answer", ok=False, text=str(error))
+            return
+        began = self.session.clock.steady()
+        self.tell(type="waiting", name=name)
+        future = client.call_async(request)
+        future.add_done_callback(lambda done: self._answered(name, request, done, began))
+
+    def _answered(self, name: str, request: Any, future: Any, began: int) -> None:
+        response = future.result()
+        milliseconds = (self.session.clock.steady() - began) * 1e-6
+        self._note(name, request, response)
+        self.tell(type="answer", ok=True, text=_answer(response), milliseconds=round(milliseconds, 1))
+
+    def leave(self) -> None:
+        """Call no more."""
+        self.hidden.graph.unwatch(self.changed)
+
+
+def _fields(message: Any) -> list[str]:
+    return [name for name in message.get_fields_and_field_types() if name != "structure_needs_at_least_one_member"]
+
+
+def _answer(response: Any) -> str:
+    return as_yaml(response) if _fields(response) else "(done; the response has no fields)"
+
+
+def service_caller(service: str = "") -> ServiceCaller:
+    """Choose a service, fill in its request, call it, see the response; `.call(service, **fields)` from code.
+
+    In ROS 2: `ros2 service call`, or rqt's service caller.
+    """
+    return ServiceCaller(service)
+
+
+__all__ = ["ServiceCaller", "service_caller"]

@@ -1,0 +1,30 @@
+// What all panels share: making elements, and the talk with Python (custom messages only, never synced traits).
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name in element && name !== "list") element[name] = value;
+    else element.setAttribute(name, value);
+  }
+  element.append(...children.filter((child) => child !== null));
+  return element;
+}
+
+// A panel's frame with a title; keys typed in it do not reach the notebook's shortcuts.
+function frame(el, kind, title) {
+  const head = make("div", { className: "ck-head" }, make("span", { className: "ck-title", textContent: title }));
+  const body = make("div", { className: "ck-body" });
+  const panel = make("div", { className: `ck-panel ck-${kind}` }, head, body);
+  panel.setAttribute("data-lm-suppress-shortcuts", "true");
+  panel.addEventListener("keydown", (event) => event.stopPropagation());
+  el.appendChild(panel);
+  return { panel, head, body };
+}
+
+// Calls react[message.type](message) for what Python says; asks for the present state at once.
+function listen(model, react) {
+  const hear = (message) => react[message.type]?.(message);
+  model.on("msg:custom", hear);
+  model.send({ type: "ready" });
+  return () => model.off("msg:custom", hear);
+}

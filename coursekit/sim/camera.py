@@ -136,7 +136,7 @@ class Scene:
         )
 
     def _draw_wall_marker(self, image: Any) -> None:
-        half, low = 0.5 * WALL_MARKER_SIDE * 1.3, 0.16
+        half, low = 0.5 * WALL_MARKER_SIDE * 1.3, 0.25
         corners = [(-half, WALL, low + 2 * half), (half, WALL, low + 2 * half), (half, WALL, low), (-half, WALL, low)]
         self._paste(image, self._markers[WALL_MARKER], corners)
 

@@ -34,9 +34,7 @@ def test_a_circle_keeps_its_shape_with_few_points():
     (stroke,) = paper.strokes
     assert len(stroke.points) < 200
     assert all(math.dist(point, (2, 2)) == pytest.approx(1.0) for point in stroke.points)
-    middles = [
-        ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in zip(stroke.points, stroke.points[1:], strict=False)
-    ]
+    middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in zip(stroke.points, stroke.points[1:], strict=False)]
     assert all(math.dist(middle, (2, 2)) > 0.998 for middle in middles)
 
 

@@ -1,0 +1,93 @@
+"""An image topic in the notebook, live."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sensor_msgs.msg import CompressedImage, Image
+
+from coursekit.cli.attach import domain_id
+from coursekit.core.graph import GraphNode
+from coursekit.core.qos import BEST_EFFORT, Qos
+from coursekit.core.session import current
+from coursekit.nodes.images.transport import to_bgr
+
+from .picture import Picture
+
+
+class _Taker:
+    """Takes each message as it comes and keeps the newest."""
+
+    def __init__(self, view: ImageView) -> None:
+        self._view = view
+
+    def put(self, subscription: Any) -> None:
+        """A message waits."""
+        subscription.queued = False
+        while (entry := subscription.take()) is not None:
+            self._view.take(entry[0])
+
+
+class ImageView(Picture):
+    """Shows a topic of sensor_msgs/Image or CompressedImage; made by `image_view`.
+
+    `message` is the newest one, `count` says how many have come, `drawn` which of them the browser got last.
+    """
+
+    def __init__(self, topic: str) -> None:
+        super().__init__(self._newest)
+        self.topic = topic if topic.startswith("/") else f"/{topic}"
+        self.message: Any = None
+        self.count = 0
+        self.drawn = 0
+        self._node: GraphNode | None = None
+        self._listen()
+
+    def _listen(self) -> None:
+        node = current().graph(domain_id()).add_node("image_view" + self.topic.replace("/", "_"), "/")
+        kind = CompressedImage if self.topic.endswith("/compressed") else Image
+        subscription = node.subscription(self.topic, kind, Qos(depth=1, reliability=BEST_EFFORT))
+        subscription.attach(_Taker(self), subscription)  # type: ignore[arg-type]
+        self._node = node
+
+    def take(self, message: Any) -> None:
+        """A newer message is here."""
+        self.message = message
+        self.count += 1
+        self.news()
+
+    @property
+    def image(self) -> Any:
+        """The newest image, blue first; None before the first."""
+        return self._newest()
+
+    def _newest(self) -> Any:
+        self.drawn = self.count
+        return None if self.message is None else to_bgr(self.message)
+
+    def heading(self) -> str:
+        """The topic."""
+        return self.topic
+
+    def note(self) -> str:
+        """Size and encoding of the newest image."""
+        message = self.message
+        if message is None:
+            return ""
+        if isinstance(message, Image):
+            return f"{message.width}x{message.height} {message.encoding}"
+        return f"{message.format}, {len(message.data)} bytes"
+
+    def is_open(self) -> bool:
+        """Whether somebody publishes the topic."""
+        return bool(current().graph(domain_id()).publishers.get(self.topic))
+
+    def __repr__(self) -> str:
+        if self.message is None:
+            return f"[image {self.topic}: nothing has come yet; `ros2 topic info {self.topic}` says who publishes]"
+        return f"[image {self.topic}: {self.note()}]"
+
+
+def image_view(topic: str = "/camera/image_raw") -> ImageView:
+    """The newest image of a topic, live; `.image` is that image as an array, blue first."""
+    return ImageView(topic)

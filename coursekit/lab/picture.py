@@ -1,0 +1,127 @@
+"""A picture in the notebook that may change thirty times a second and never falls behind."""
+
+from __future__ import annotations
+
+import base64
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import cv2
+
+from coursekit.core.session import current
+
+PERIOD_SECONDS = 1 / 30
+"""The browser gets a new picture at most this often."""
+PATIENCE_SECONDS = 1.0
+"""A browser that has not acknowledged for this long is tried again."""
+QUALITY = 85
+
+_STATIC = Path(__file__).parent / "static"
+
+
+class Picture(anywidget.AnyWidget):
+    """Shows the newest of the images it is given: the browser says when it has drawn one, then it gets the next.
+
+    `read()` is asked for the newest image (blue first, or None) only when there is time to send it.
+    """
+
+    _esm = _STATIC / "picture.js"
+    _css = _STATIC / "picture.css"
+
+    def __init__(self, read: Callable[[], Any], live: bool = True) -> None:
+        super().__init__()
+        self._read = read
+        self._live = live
+        self._lock = threading.Lock()
+        self._waiting = False
+        self._fresh = False
+        self._sent_at = 0
+        self._alarm: Any = None
+        self._viewed = False
+        self.on_key: Callable[[int], None] = lambda _code: None
+        self.on_msg(self._hear)
+
+    # -- what a subclass says
+
+    def heading(self) -> str:
+        """What stands above the picture."""
+        return "image"
+
+    def note(self) -> str:
+        """What stands at its right, for example its size."""
+        return ""
+
+    def is_open(self) -> bool:
+        """Whether more is to come."""
+        return True
+
+    # -- news
+
+    def news(self) -> None:
+        """There is a newer image, or something else changed; safe from any thread, cheap when nobody looks."""
+        if not self._viewed or current().clock.virtual:
+            return
+        with self._lock:
+            self._fresh = True
+            self._plan()
+
+    def _plan(self) -> None:
+        """Send now, or as soon as it may be; the lock is held."""
+        if not self._fresh or self._alarm is not None:
+            return
+        clock = current().clock
+        least = PATIENCE_SECONDS if self._waiting else PERIOD_SECONDS
+        due = self._sent_at + round(least * 1e9)
+        self._alarm = clock.call_at(max(due, clock.steady()), self._push)
+
+    def _push(self) -> None:
+        with self._lock:
+            self._alarm = None
+            self._fresh = False
+            self._waiting = True
+            self._sent_at = current().clock.steady()
+        self._tell()
+
+    def _tell(self) -> None:
+        image = self._read()
+        message = {"title": self.heading(), "note": self.note(), "open": self.is_open(), "live": self._live}
+        if image is None:
+            self.send({**message, "empty": "no image yet"})
+            with self._lock:
+                self._waiting = False
+            return
+        data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])[1].tobytes()
+        self.send({**message, "width": image.shape[1]}, [data])
+
+    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+        kind = message.get("type")
+        if kind == "ready":
+            self._viewed = True
+            self._tell()
+        elif kind == "key":
+            self.on_key(int(message.get("code", -1)))
+        elif kind == "shown":
+            with self._lock:
+                self._waiting = False
+                if self._alarm is not None:
+                    self._alarm.cancel()
+                    self._alarm = None
+                self._plan()
+
+    # -- without a browser
+
+    def __repr__(self) -> str:
+        return f"[{self.heading()}: {self.note() or 'no image yet'}]"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**kwargs)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = repr(self)
+            image = self._read()
+            if image is not None:
+                data["image/jpeg"] = base64.b64encode(cv2.imencode(".jpg", image)[1].tobytes()).decode()
+        return bundle

@@ -1,0 +1,129 @@
+"""OpenCV's windows in the notebook: what `cv2.imshow` shows, live, and the keys for `cv2.waitKey`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import ipywidgets
+
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+from coursekit.view import highgui
+from coursekit.view.highgui import Desk, Window
+
+from .picture import Picture
+
+NO_WINDOWS = "No windows are open. cv2.imshow('name', image) opens one."
+
+
+class WindowPicture(Picture):
+    """One window; click it and press a key, and `cv2.waitKey` returns it."""
+
+    def __init__(self, desk: Desk, window: Window) -> None:
+        super().__init__(lambda: None if window.image is None else highgui.as_bgr(window.image))
+        self.window = window
+        self.on_key = desk.press
+
+    def heading(self) -> str:
+        """The window's title."""
+        return f"{self.window.title}"
+
+    def note(self) -> str:
+        """Its size."""
+        image = self.window.image
+        return "" if image is None else f"{image.shape[1]}x{image.shape[0]}"
+
+    def is_open(self) -> bool:
+        """Whether it was not closed."""
+        return self.window.open
+
+    def __repr__(self) -> str:
+        return repr(self.window)
+
+
+class Windows:
+    """All windows of the session, or those named, side by side; new ones appear by themselves."""
+
+    def __init__(self, names: tuple[str, ...]) -> None:
+        self.names = names
+        self.desk = highgui.desk()
+        self._pictures: dict[Window, WindowPicture] = {}
+        self._box: Any = None
+        for window in self.desk.windows.values():
+            self._take(window)
+        highgui.watch(self._hear)
+
+    def press(self, key: str | int) -> None:
+        """Press a key, as if one of the windows had the focus: `cv2.waitKey` returns it."""
+        self.desk.press(key)
+
+    def __getitem__(self, name: str) -> Window:
+        """The window of that name: `.image` is what it shows; LookupError if it is not open."""
+        try:
+            return self.desk.windows[name]
+        except KeyError:
+            known = ", ".join(self.desk.windows) or "none"
+            raise LookupError(f"There is no window '{name}'. Open are: {known}") from None
+
+    def _take(self, window: Window) -> WindowPicture | None:
+        if self.names and window.name not in self.names:
+            return None
+        if window not in self._pictures:
+            self._pictures[window] = WindowPicture(self.desk, window)
+        return self._pictures[window]
+
+    def _hear(self, window: Window) -> None:
+        if window is not self.desk.windows.get(window.name) and window not in self._pictures:
+            return
+        known = window in self._pictures
+        picture = self._take(window)
+        if picture is None:
+            return
+        if not window.open:
+            del self._pictures[window]
+        if self._box is not None and (not known or not window.open) and not self.desk.session.clock.virtual:
+            self._box.children = tuple(self._pictures.values())
+        picture.news()
+
+    def __repr__(self) -> str:
+        shown = [repr(window) for window in self._pictures if window.open]
+        return "\n".join(shown) or NO_WINDOWS
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        layout = ipywidgets.Layout(display="flex", flex_flow="row wrap", grid_gap="10px")
+        self._box = ipywidgets.Box(tuple(self._pictures.values()), layout=layout)
+        bundle = self._box._repr_mimebundle_(**kwargs)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = repr(self)
+        return bundle
+
+
+_shown: dict[tuple[str, ...], Windows] = {}
+
+
+def windows(*names: str) -> Windows:
+    """The windows that `cv2.imshow` opened and will open, as live pictures; only those named, if any are.
+
+    Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`.
+    """
+    older = _shown.pop(names, None)
+    if older is not None:
+        highgui.unwatch(older._hear)
+    _shown[names] = Windows(names)
+    return _shown[names]
+
+
+def show_new_windows() -> None:
+    """Have a window that a cell itself opens with `cv2.imshow` appear below that cell."""
+    highgui.watch(_appear)
+
+
+def _appear(window: Window) -> None:
+    if window.shown > 1 or not window.open or current_process() is not None or not current().in_cell:
+        return
+    from IPython.display import display
+
+    everything = _shown.get(())
+    if window.image is not None and (everything is None or everything._box is None):
+        display(windows(window.name))

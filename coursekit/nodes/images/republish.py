@@ -1,0 +1,75 @@
+"""`ros2 run image_transport republish IN [OUT]`: passes images from topic `in` to `out` in other transports."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
+from sensor_msgs.msg import Image
+
+from coursekit.nodes.images.transport import JPEG_QUALITY, PNG_LEVEL, TRANSPORTS, compress, decompress, topic_of
+
+USAGE = "Usage: republish IN_TRANSPORT [OUT_TRANSPORT] --ros-args -r in:=TOPIC -r out:=TOPIC (raw, compressed)"
+
+
+class Republisher(Node):
+    """Subscribes one transport of `in` and publishes one of `out`, or all of them."""
+
+    def __init__(self, source: str, target: str | None) -> None:
+        super().__init__("image_republisher")
+        self._outputs = {
+            one: self.create_publisher(TRANSPORTS[one], topic_of("out", one), 1)
+            for one in TRANSPORTS
+            if target in (None, one)
+        }
+        base = self.resolve_topic_name("out").strip("/").replace("/", ".")
+        self._format = self.declare_parameter(f"{base}.format", "jpeg")
+        self._quality = self.declare_parameter(f"{base}.jpeg_quality", JPEG_QUALITY)
+        self._level = self.declare_parameter(f"{base}.png_level", PNG_LEVEL)
+        self.create_subscription(TRANSPORTS[source], topic_of("in", source), self._pass, 1)
+
+    def _pass(self, msg: Any) -> None:
+        raw = msg if isinstance(msg, Image) else None
+        for transport, publisher in self._outputs.items():
+            if isinstance(msg, TRANSPORTS[transport]):
+                publisher.publish(msg)
+            elif transport == "raw":
+                publisher.publish(decompress(msg))
+            elif raw is not None:
+                publisher.publish(compress(raw, *self._options()))
+
+    def _options(self) -> tuple[str, int, int]:
+        return tuple(self.get_parameter(one.name).value for one in (self._format, self._quality, self._level))
+
+
+def main(args: list[str] | None = None) -> int:
+    """Republish until Ctrl-C."""
+    wanted = remove_ros_args(sys.argv if args is None else args)[1:]
+    if not 1 <= len(wanted) <= 2 or any(one not in TRANSPORTS for one in wanted):
+        print(USAGE, file=sys.stderr)
+        return 1
+    rclpy.init(args=args)
+    node = Republisher(wanted[0], wanted[1] if len(wanted) > 1 else None)
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+def list_transports() -> None:
+    """Print the transports that there are."""
+    print("Declared transports:")
+    for name in sorted(TRANSPORTS):
+        print(f"image_transport/{name}")
+    print("\nDetails:\n----------")
+    for name, type_ in sorted(TRANSPORTS.items()):
+        print(f'"image_transport/{name}"\n - Provided by package: image_transport')
+        print(f" - Publishes {type_._TYPE_NAME} on {topic_of('<image topic>', name)}")

@@ -1,0 +1,70 @@
+"""The two transports: raw (sensor_msgs/Image) and compressed (sensor_msgs/CompressedImage on `<topic>/compressed`)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+from cv_bridge import CvBridge, CvBridgeError
+from cv_bridge.encodings import parse
+from sensor_msgs.msg import CompressedImage, Image
+
+TRANSPORTS = {"raw": Image, "compressed": CompressedImage}
+JPEG_QUALITY, PNG_LEVEL = 95, 3
+_bridge = CvBridge()
+
+
+def topic_of(base: str, transport: str) -> str:
+    """Where a transport publishes an image topic; ValueError for a transport that is unknown.
+
+    >>> topic_of("/camera/image_raw", "compressed")
+    '/camera/image_raw/compressed'
+    """
+    if transport not in TRANSPORTS:
+        raise ValueError(f"There is no transport '{transport}'. There are: {', '.join(TRANSPORTS)}.")
+    return base if transport == "raw" else f"{base}/{transport}"
+
+
+def compress(
+    msg: Image, format_: str = "jpeg", jpeg_quality: int = JPEG_QUALITY, png_level: int = PNG_LEVEL
+) -> CompressedImage:
+    """A raw image as JPEG or PNG; raises CvBridgeError for encodings that cannot be compressed."""
+    encoding = parse(msg.encoding)
+    colour = encoding.channels > 1 or encoding.kind.startswith("bayer")
+    if not encoding.kind or format_ not in ("jpeg", "png"):
+        raise CvBridgeError(f"[{msg.encoding}] cannot be compressed as {format_}; use a colour or mono encoding.")
+    deep = format_ == "png" and encoding.bits == 16
+    target = f"{'bgr' if colour else 'mono'}{16 if deep else 8}"
+    image = _bridge.imgmsg_to_cv2(msg, target)
+    option = (cv2.IMWRITE_JPEG_QUALITY, jpeg_quality) if format_ == "jpeg" else (cv2.IMWRITE_PNG_COMPRESSION, png_level)
+    data = cv2.imencode(f".{format_}", image, option)[1].tobytes()
+    text = f"{msg.encoding}; {format_} compressed {target if colour else ''}"
+    return CompressedImage(header=msg.header, format=text, data=data)
+
+
+def decompress(msg: CompressedImage) -> Image:
+    """A compressed image as a raw one, in the encoding that it had before; raises CvBridgeError."""
+    image = _bridge.compressed_imgmsg_to_cv2(msg)
+    bits = image.dtype.itemsize * 8
+    stored = f"mono{bits}" if image.ndim == 2 else f"{'bgra' if image.shape[2] == 4 else 'bgr'}{bits}"
+    raw = _bridge.cv2_to_imgmsg(image, stored, header=msg.header)
+    wanted, semicolon, _ = msg.format.partition(";")
+    if not semicolon or wanted == stored or wanted.startswith(("bayer", "yuv", "uyvy")):
+        return raw
+    return _bridge.cv2_to_imgmsg(_bridge.imgmsg_to_cv2(raw, wanted), wanted, header=msg.header)
+
+
+def to_bgr(msg: Any) -> Any:
+    """The image of a raw or compressed message as OpenCV shows it; numbers without colours are stretched to grey."""
+    if isinstance(msg, CompressedImage):
+        image = _bridge.compressed_imgmsg_to_cv2(msg)
+        return image if image.ndim == 3 else cv2.cvtColor(image, cv2.COLOR_GRAY2BGR)
+    encoding = parse(msg.encoding)
+    if encoding.kind:
+        return _bridge.imgmsg_to_cv2(msg, "bgr8")
+    image = _bridge.imgmsg_to_cv2(msg)
+    if encoding.cv_type == "8UC3":
+        return image
+    first = image if image.ndim == 2 else image[:, :, 0]
+    grey = cv2.normalize(first.astype("float32"), None, 0, 255, cv2.NORM_MINMAX).astype("uint8")
+    return cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)

@@ -1,0 +1,64 @@
+"""The virtual camera at 640x480 and 30 Hz in a real browser."""
+
+import pytest
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(180)]
+
+CAMERA = """
+import rclpy, threading
+from rclpy.executors import SingleThreadedExecutor
+from sensor_msgs.msg import Image
+from cv_bridge import CvBridge
+import cv2
+
+rclpy.init()
+node = rclpy.create_node("camera")
+publisher = node.create_publisher(Image, "camera/image_raw", 1)
+camera, bridge = cv2.VideoCapture(0), CvBridge()
+sent = []
+
+def send():
+    image = camera.read()[1]
+    sent.append(1)
+    cv2.putText(image, str(len(sent)), (10, 30), cv2.FONT_HERSHEY_SIMPLEX, 1, (0, 0, 0), 2)
+    publisher.publish(bridge.cv2_to_imgmsg(image, "bgr8"))
+
+node.create_timer(1 / 30, send)
+executor = SingleThreadedExecutor()
+executor.add_node(node)
+threading.Thread(target=executor.spin, daemon=True).start()
+"""
+RATE = "() => document.querySelector('.ck-picture .ck-note').textContent"
+
+
+def test_thirty_images_a_second_are_shown_without_falling_behind(notebook, picture):
+    opened = notebook("from coursekit.lab import *", CAMERA, "view = image_view('camera/image_raw')\nview")
+    opened.run()
+    page = opened.page
+    page.wait_for_function(
+        "() => /fps/.test(document.querySelector('.ck-picture .ck-note')?.textContent)", timeout=30_000
+    )
+    page.wait_for_timeout(3000)
+    picture(page.locator(".ck-picture"), "camera")
+    note = page.evaluate(RATE)
+    assert note.startswith("640x480 bgr8 · ") and int(note.split("·")[1].split()[0]) >= 12, note
+    behind = int(opened.ask("print(view.count - view.drawn)"))
+    assert behind <= 3, "the newest image is drawn, none waits"
+
+
+def test_a_window_of_imshow_takes_keys(notebook, picture):
+    opened = notebook(
+        "from coursekit.lab import *\nimport cv2",
+        "_, image = cv2.VideoCapture(0).read()\ncv2.imshow('frame', image)",
+        "import threading\nkeys = []\n"
+        "threading.Thread(target=lambda: [keys.append(cv2.waitKey(0)) for _ in range(2)], daemon=True).start()",
+    )
+    opened.run()
+    page = opened.page
+    page.locator(".ck-picture img[src]").wait_for(timeout=30_000)
+    page.locator(".ck-picture .ck-screen").click()
+    page.keyboard.press("q")
+    page.keyboard.press("Escape")
+    page.wait_for_timeout(300)
+    picture(page.locator(".ck-picture"), "imshow")
+    assert opened.ask("print(keys)").strip() == f"[{ord('q')}, 27]"

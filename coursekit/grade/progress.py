@@ -16,6 +16,7 @@ class Progress:
 
     def __init__(self, file: Path) -> None:
         self.file = file
+        self.only = ""
         self._kept: dict[str, dict[str, float]] = self._read()
 
     @classmethod
@@ -65,6 +66,8 @@ class Progress:
         """For each chapter: points, of how many, and (name, title, points, of) of its exercises."""
         found: dict[str, Any] = {}
         for name, exercise in all_exercises().items():
+            if not name.startswith(self.only):
+                continue
             points, of, rows = found.get(name.partition(".")[0], (0.0, 0.0, []))
             got = self.points(name)
             rows.append((name, exercise.title, got, exercise.points))
@@ -94,6 +97,8 @@ class Progress:
         return f"<table><tr><th>chapter</th><th>points</th><th>exercises</th></tr>{''.join(rows)}</table>"
 
 
-def progress() -> Progress:
-    """The student's progress over the whole course, in one view."""
-    return Progress.of_course()
+def progress(chapter: str = "") -> Progress:
+    """The student's progress over the whole course, in one view; of one chapter if its name is given ("ch02")."""
+    found = Progress.of_course()
+    found.only = chapter
+    return found

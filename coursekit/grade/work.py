@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, TypeVar
@@ -68,7 +69,7 @@ class Work:
 
     def try_out(self, *commands: str, seconds: float = 3.0, **plan: Any) -> Seen:
         """Run `ros2` command lines (without that word) alone on the virtual clock; see `Plan` for the rest."""
-        planned = Plan(run=[command.split() for command in commands], seconds=seconds, **plan)
+        planned = Plan(run=[shlex.split(command) for command in commands], seconds=seconds, **plan)
         try:
             return try_out(planned, self.environment(), str(self.workspace))
         except TrialFailed as failure:

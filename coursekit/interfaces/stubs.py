@@ -27,7 +27,7 @@ _HEAD = """\
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -42,9 +42,7 @@ def stub(package: str, interfaces: Iterable[Interface]) -> str:
     True
     """
     known = list(interfaces)
-    imports = sorted(
-        {used.split("/")[0] for one in known for m in _messages(one) for used in m.dependencies()}
-    )
+    imports = sorted({used.split("/")[0] for one in known for m in _messages(one) for used in m.dependencies()})
     lines = [_HEAD, *(f"import {name}.msg" for name in imports), ""]
     for interface in known:
         lines += _declare(interface)
@@ -59,10 +57,10 @@ def _declare(interface: Interface) -> list[str]:
     lines = [line for message in _messages(interface) for line in _message(message)]
     if isinstance(interface, Service):
         names = {"Request": interface.request.name, "Response": interface.response.name}
-        return [*lines, f"class {interface.name}:", *(f"    {k} = {v}" for k, v in names.items()), ""]
+        return [*lines, f"class {interface.name}:", *(f"    {k}: TypeAlias = {v}" for k, v in names.items()), ""]
     if isinstance(interface, Action):
         parts = {"Goal": interface.goal, "Result": interface.result, "Feedback": interface.feedback}
-        lines += [f"class {interface.name}:", *(f"    {k} = {v.name}" for k, v in parts.items())]
+        lines += [f"class {interface.name}:", *(f"    {k}: TypeAlias = {v.name}" for k, v in parts.items())]
         return [*lines, "    Impl: ClassVar[Any]", ""]
     return lines
 

@@ -22,3 +22,8 @@ def test_fields_are_typed_as_they_are_given_and_as_they_are_taken():
     assert "def b(self) -> numpy.typing.NDArray[numpy.uint8]: ..." in text
     assert "def c(self) -> list[std_msgs.msg.Header]: ..." in text and "import std_msgs.msg" in text
     assert "X: ClassVar[bytes]" in text
+
+
+def test_the_parts_of_a_service_are_types():
+    assert "    Request: TypeAlias = Kill_Request" in STUBS["turtlesim/srv/__init__.pyi"]
+    assert "    Goal: TypeAlias = RotateAbsolute_Goal" in STUBS["turtlesim/action/__init__.pyi"]

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -39,5 +39,5 @@ class CancelGoal_Response:
     def goals_canceling(self, value: Collection[action_msgs.msg.GoalInfo]) -> None: ...
 
 class CancelGoal:
-    Request = CancelGoal_Request
-    Response = CancelGoal_Response
+    Request: TypeAlias = CancelGoal_Request
+    Response: TypeAlias = CancelGoal_Response

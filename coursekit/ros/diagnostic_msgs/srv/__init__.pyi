@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -35,8 +35,8 @@ class AddDiagnostics_Response:
     def message(self, value: str) -> None: ...
 
 class AddDiagnostics:
-    Request = AddDiagnostics_Request
-    Response = AddDiagnostics_Response
+    Request: TypeAlias = AddDiagnostics_Request
+    Response: TypeAlias = AddDiagnostics_Response
 
 class SelfTest_Request:
     def __init__(self) -> None: ...
@@ -63,5 +63,5 @@ class SelfTest_Response:
     def status(self, value: Collection[diagnostic_msgs.msg.DiagnosticStatus]) -> None: ...
 
 class SelfTest:
-    Request = SelfTest_Request
-    Response = SelfTest_Response
+    Request: TypeAlias = SelfTest_Request
+    Response: TypeAlias = SelfTest_Response

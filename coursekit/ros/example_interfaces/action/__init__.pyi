@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -40,7 +40,7 @@ class Fibonacci_Feedback:
     def sequence(self, value: Collection[int]) -> None: ...
 
 class Fibonacci:
-    Goal = Fibonacci_Goal
-    Result = Fibonacci_Result
-    Feedback = Fibonacci_Feedback
+    Goal: TypeAlias = Fibonacci_Goal
+    Result: TypeAlias = Fibonacci_Result
+    Feedback: TypeAlias = Fibonacci_Feedback
     Impl: ClassVar[Any]

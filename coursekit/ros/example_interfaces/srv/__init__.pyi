@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -34,8 +34,8 @@ class AddTwoInts_Response:
     def sum(self, value: int) -> None: ...
 
 class AddTwoInts:
-    Request = AddTwoInts_Request
-    Response = AddTwoInts_Response
+    Request: TypeAlias = AddTwoInts_Request
+    Response: TypeAlias = AddTwoInts_Response
 
 class SetBool_Request:
     def __init__(self, *, data: bool = ...) -> None: ...
@@ -62,8 +62,8 @@ class SetBool_Response:
     def message(self, value: str) -> None: ...
 
 class SetBool:
-    Request = SetBool_Request
-    Response = SetBool_Response
+    Request: TypeAlias = SetBool_Request
+    Response: TypeAlias = SetBool_Response
 
 class Trigger_Request:
     def __init__(self) -> None: ...
@@ -86,5 +86,5 @@ class Trigger_Response:
     def message(self, value: str) -> None: ...
 
 class Trigger:
-    Request = Trigger_Request
-    Response = Trigger_Response
+    Request: TypeAlias = Trigger_Request
+    Response: TypeAlias = Trigger_Response

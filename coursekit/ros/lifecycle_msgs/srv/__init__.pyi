@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -31,8 +31,8 @@ class ChangeState_Response:
     def success(self, value: bool) -> None: ...
 
 class ChangeState:
-    Request = ChangeState_Request
-    Response = ChangeState_Response
+    Request: TypeAlias = ChangeState_Request
+    Response: TypeAlias = ChangeState_Response
 
 class GetAvailableStates_Request:
     def __init__(self) -> None: ...
@@ -51,8 +51,8 @@ class GetAvailableStates_Response:
     def available_states(self, value: Collection[lifecycle_msgs.msg.State]) -> None: ...
 
 class GetAvailableStates:
-    Request = GetAvailableStates_Request
-    Response = GetAvailableStates_Response
+    Request: TypeAlias = GetAvailableStates_Request
+    Response: TypeAlias = GetAvailableStates_Response
 
 class GetAvailableTransitions_Request:
     def __init__(self) -> None: ...
@@ -71,8 +71,8 @@ class GetAvailableTransitions_Response:
     def available_transitions(self, value: Collection[lifecycle_msgs.msg.TransitionDescription]) -> None: ...
 
 class GetAvailableTransitions:
-    Request = GetAvailableTransitions_Request
-    Response = GetAvailableTransitions_Response
+    Request: TypeAlias = GetAvailableTransitions_Request
+    Response: TypeAlias = GetAvailableTransitions_Response
 
 class GetState_Request:
     def __init__(self) -> None: ...
@@ -91,5 +91,5 @@ class GetState_Response:
     def current_state(self, value: lifecycle_msgs.msg.State) -> None: ...
 
 class GetState:
-    Request = GetState_Request
-    Response = GetState_Response
+    Request: TypeAlias = GetState_Request
+    Response: TypeAlias = GetState_Response

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -46,8 +46,8 @@ class GetMapROI_Response:
     def sub_map(self, value: nav_msgs.msg.OccupancyGrid) -> None: ...
 
 class GetMapROI:
-    Request = GetMapROI_Request
-    Response = GetMapROI_Response
+    Request: TypeAlias = GetMapROI_Request
+    Response: TypeAlias = GetMapROI_Response
 
 class GetPointMap_Request:
     def __init__(self) -> None: ...
@@ -66,8 +66,8 @@ class GetPointMap_Response:
     def map(self, value: sensor_msgs.msg.PointCloud2) -> None: ...
 
 class GetPointMap:
-    Request = GetPointMap_Request
-    Response = GetPointMap_Response
+    Request: TypeAlias = GetPointMap_Request
+    Response: TypeAlias = GetPointMap_Response
 
 class GetPointMapROI_Request:
     def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., r: float = ..., l_x: float = ..., l_y: float = ..., l_z: float = ...) -> None: ...
@@ -114,8 +114,8 @@ class GetPointMapROI_Response:
     def sub_map(self, value: sensor_msgs.msg.PointCloud2) -> None: ...
 
 class GetPointMapROI:
-    Request = GetPointMapROI_Request
-    Response = GetPointMapROI_Response
+    Request: TypeAlias = GetPointMapROI_Request
+    Response: TypeAlias = GetPointMapROI_Response
 
 class ProjectedMapsInfo_Request:
     def __init__(self, *, projected_maps_info: Collection[map_msgs.msg.ProjectedMapInfo] = ...) -> None: ...
@@ -134,8 +134,8 @@ class ProjectedMapsInfo_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class ProjectedMapsInfo:
-    Request = ProjectedMapsInfo_Request
-    Response = ProjectedMapsInfo_Response
+    Request: TypeAlias = ProjectedMapsInfo_Request
+    Response: TypeAlias = ProjectedMapsInfo_Response
 
 class SaveMap_Request:
     def __init__(self, *, filename: std_msgs.msg.String = ...) -> None: ...
@@ -154,8 +154,8 @@ class SaveMap_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class SaveMap:
-    Request = SaveMap_Request
-    Response = SaveMap_Response
+    Request: TypeAlias = SaveMap_Request
+    Response: TypeAlias = SaveMap_Response
 
 class SetMapProjections_Request:
     def __init__(self) -> None: ...
@@ -174,5 +174,5 @@ class SetMapProjections_Response:
     def projected_maps_info(self, value: Collection[map_msgs.msg.ProjectedMapInfo]) -> None: ...
 
 class SetMapProjections:
-    Request = SetMapProjections_Request
-    Response = SetMapProjections_Response
+    Request: TypeAlias = SetMapProjections_Request
+    Response: TypeAlias = SetMapProjections_Response

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -44,9 +44,9 @@ class AssistedTeleop_Feedback:
     def current_teleop_duration(self, value: builtin_interfaces.msg.Duration) -> None: ...
 
 class AssistedTeleop:
-    Goal = AssistedTeleop_Goal
-    Result = AssistedTeleop_Result
-    Feedback = AssistedTeleop_Feedback
+    Goal: TypeAlias = AssistedTeleop_Goal
+    Result: TypeAlias = AssistedTeleop_Result
+    Feedback: TypeAlias = AssistedTeleop_Feedback
     Impl: ClassVar[Any]
 
 class BackUp_Goal:
@@ -88,9 +88,9 @@ class BackUp_Feedback:
     def distance_traveled(self, value: float) -> None: ...
 
 class BackUp:
-    Goal = BackUp_Goal
-    Result = BackUp_Result
-    Feedback = BackUp_Feedback
+    Goal: TypeAlias = BackUp_Goal
+    Result: TypeAlias = BackUp_Result
+    Feedback: TypeAlias = BackUp_Feedback
     Impl: ClassVar[Any]
 
 class ComputePathThroughPoses_Goal:
@@ -136,9 +136,9 @@ class ComputePathThroughPoses_Feedback:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class ComputePathThroughPoses:
-    Goal = ComputePathThroughPoses_Goal
-    Result = ComputePathThroughPoses_Result
-    Feedback = ComputePathThroughPoses_Feedback
+    Goal: TypeAlias = ComputePathThroughPoses_Goal
+    Result: TypeAlias = ComputePathThroughPoses_Result
+    Feedback: TypeAlias = ComputePathThroughPoses_Feedback
     Impl: ClassVar[Any]
 
 class ComputePathToPose_Goal:
@@ -184,9 +184,9 @@ class ComputePathToPose_Feedback:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class ComputePathToPose:
-    Goal = ComputePathToPose_Goal
-    Result = ComputePathToPose_Result
-    Feedback = ComputePathToPose_Feedback
+    Goal: TypeAlias = ComputePathToPose_Goal
+    Result: TypeAlias = ComputePathToPose_Result
+    Feedback: TypeAlias = ComputePathToPose_Feedback
     Impl: ClassVar[Any]
 
 class DriveOnHeading_Goal:
@@ -228,9 +228,9 @@ class DriveOnHeading_Feedback:
     def distance_traveled(self, value: float) -> None: ...
 
 class DriveOnHeading:
-    Goal = DriveOnHeading_Goal
-    Result = DriveOnHeading_Result
-    Feedback = DriveOnHeading_Feedback
+    Goal: TypeAlias = DriveOnHeading_Goal
+    Result: TypeAlias = DriveOnHeading_Result
+    Feedback: TypeAlias = DriveOnHeading_Feedback
     Impl: ClassVar[Any]
 
 class DummyBehavior_Goal:
@@ -260,9 +260,9 @@ class DummyBehavior_Feedback:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class DummyBehavior:
-    Goal = DummyBehavior_Goal
-    Result = DummyBehavior_Result
-    Feedback = DummyBehavior_Feedback
+    Goal: TypeAlias = DummyBehavior_Goal
+    Result: TypeAlias = DummyBehavior_Result
+    Feedback: TypeAlias = DummyBehavior_Feedback
     Impl: ClassVar[Any]
 
 class FollowPath_Goal:
@@ -308,9 +308,9 @@ class FollowPath_Feedback:
     def speed(self, value: float) -> None: ...
 
 class FollowPath:
-    Goal = FollowPath_Goal
-    Result = FollowPath_Result
-    Feedback = FollowPath_Feedback
+    Goal: TypeAlias = FollowPath_Goal
+    Result: TypeAlias = FollowPath_Result
+    Feedback: TypeAlias = FollowPath_Feedback
     Impl: ClassVar[Any]
 
 class FollowWaypoints_Goal:
@@ -344,9 +344,9 @@ class FollowWaypoints_Feedback:
     def current_waypoint(self, value: int) -> None: ...
 
 class FollowWaypoints:
-    Goal = FollowWaypoints_Goal
-    Result = FollowWaypoints_Result
-    Feedback = FollowWaypoints_Feedback
+    Goal: TypeAlias = FollowWaypoints_Goal
+    Result: TypeAlias = FollowWaypoints_Result
+    Feedback: TypeAlias = FollowWaypoints_Feedback
     Impl: ClassVar[Any]
 
 class NavigateThroughPoses_Goal:
@@ -404,9 +404,9 @@ class NavigateThroughPoses_Feedback:
     def number_of_poses_remaining(self, value: int) -> None: ...
 
 class NavigateThroughPoses:
-    Goal = NavigateThroughPoses_Goal
-    Result = NavigateThroughPoses_Result
-    Feedback = NavigateThroughPoses_Feedback
+    Goal: TypeAlias = NavigateThroughPoses_Goal
+    Result: TypeAlias = NavigateThroughPoses_Result
+    Feedback: TypeAlias = NavigateThroughPoses_Feedback
     Impl: ClassVar[Any]
 
 class NavigateToPose_Goal:
@@ -460,9 +460,9 @@ class NavigateToPose_Feedback:
     def distance_remaining(self, value: float) -> None: ...
 
 class NavigateToPose:
-    Goal = NavigateToPose_Goal
-    Result = NavigateToPose_Result
-    Feedback = NavigateToPose_Feedback
+    Goal: TypeAlias = NavigateToPose_Goal
+    Result: TypeAlias = NavigateToPose_Result
+    Feedback: TypeAlias = NavigateToPose_Feedback
     Impl: ClassVar[Any]
 
 class SmoothPath_Goal:
@@ -512,9 +512,9 @@ class SmoothPath_Feedback:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class SmoothPath:
-    Goal = SmoothPath_Goal
-    Result = SmoothPath_Result
-    Feedback = SmoothPath_Feedback
+    Goal: TypeAlias = SmoothPath_Goal
+    Result: TypeAlias = SmoothPath_Result
+    Feedback: TypeAlias = SmoothPath_Feedback
     Impl: ClassVar[Any]
 
 class Spin_Goal:
@@ -552,9 +552,9 @@ class Spin_Feedback:
     def angular_distance_traveled(self, value: float) -> None: ...
 
 class Spin:
-    Goal = Spin_Goal
-    Result = Spin_Result
-    Feedback = Spin_Feedback
+    Goal: TypeAlias = Spin_Goal
+    Result: TypeAlias = Spin_Result
+    Feedback: TypeAlias = Spin_Feedback
     Impl: ClassVar[Any]
 
 class Wait_Goal:
@@ -588,7 +588,7 @@ class Wait_Feedback:
     def time_left(self, value: builtin_interfaces.msg.Duration) -> None: ...
 
 class Wait:
-    Goal = Wait_Goal
-    Result = Wait_Result
-    Feedback = Wait_Feedback
+    Goal: TypeAlias = Wait_Goal
+    Result: TypeAlias = Wait_Result
+    Feedback: TypeAlias = Wait_Feedback
     Impl: ClassVar[Any]

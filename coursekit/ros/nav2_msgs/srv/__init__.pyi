@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -34,8 +34,8 @@ class ClearCostmapAroundRobot_Response:
     def response(self, value: std_msgs.msg.Empty) -> None: ...
 
 class ClearCostmapAroundRobot:
-    Request = ClearCostmapAroundRobot_Request
-    Response = ClearCostmapAroundRobot_Response
+    Request: TypeAlias = ClearCostmapAroundRobot_Request
+    Response: TypeAlias = ClearCostmapAroundRobot_Response
 
 class ClearCostmapExceptRegion_Request:
     def __init__(self, *, reset_distance: float = ...) -> None: ...
@@ -58,8 +58,8 @@ class ClearCostmapExceptRegion_Response:
     def response(self, value: std_msgs.msg.Empty) -> None: ...
 
 class ClearCostmapExceptRegion:
-    Request = ClearCostmapExceptRegion_Request
-    Response = ClearCostmapExceptRegion_Response
+    Request: TypeAlias = ClearCostmapExceptRegion_Request
+    Response: TypeAlias = ClearCostmapExceptRegion_Response
 
 class ClearEntireCostmap_Request:
     def __init__(self, *, request: std_msgs.msg.Empty = ...) -> None: ...
@@ -82,8 +82,8 @@ class ClearEntireCostmap_Response:
     def response(self, value: std_msgs.msg.Empty) -> None: ...
 
 class ClearEntireCostmap:
-    Request = ClearEntireCostmap_Request
-    Response = ClearEntireCostmap_Response
+    Request: TypeAlias = ClearEntireCostmap_Request
+    Response: TypeAlias = ClearEntireCostmap_Response
 
 class GetCostmap_Request:
     def __init__(self, *, specs: nav2_msgs.msg.CostmapMetaData = ...) -> None: ...
@@ -106,8 +106,8 @@ class GetCostmap_Response:
     def map(self, value: nav2_msgs.msg.Costmap) -> None: ...
 
 class GetCostmap:
-    Request = GetCostmap_Request
-    Response = GetCostmap_Response
+    Request: TypeAlias = GetCostmap_Request
+    Response: TypeAlias = GetCostmap_Response
 
 class IsPathValid_Request:
     def __init__(self, *, path: nav_msgs.msg.Path = ...) -> None: ...
@@ -134,8 +134,8 @@ class IsPathValid_Response:
     def invalid_pose_indices(self, value: Collection[int]) -> None: ...
 
 class IsPathValid:
-    Request = IsPathValid_Request
-    Response = IsPathValid_Response
+    Request: TypeAlias = IsPathValid_Request
+    Response: TypeAlias = IsPathValid_Response
 
 class LoadMap_Request:
     def __init__(self, *, map_url: str = ...) -> None: ...
@@ -167,8 +167,8 @@ class LoadMap_Response:
     def result(self, value: int) -> None: ...
 
 class LoadMap:
-    Request = LoadMap_Request
-    Response = LoadMap_Response
+    Request: TypeAlias = LoadMap_Request
+    Response: TypeAlias = LoadMap_Response
 
 class ManageLifecycleNodes_Request:
     STARTUP: ClassVar[int]
@@ -196,8 +196,8 @@ class ManageLifecycleNodes_Response:
     def success(self, value: bool) -> None: ...
 
 class ManageLifecycleNodes:
-    Request = ManageLifecycleNodes_Request
-    Response = ManageLifecycleNodes_Response
+    Request: TypeAlias = ManageLifecycleNodes_Request
+    Response: TypeAlias = ManageLifecycleNodes_Response
 
 class SaveMap_Request:
     def __init__(self, *, map_topic: str = ..., map_url: str = ..., image_format: str = ..., map_mode: str = ..., free_thresh: float = ..., occupied_thresh: float = ...) -> None: ...
@@ -240,8 +240,8 @@ class SaveMap_Response:
     def result(self, value: bool) -> None: ...
 
 class SaveMap:
-    Request = SaveMap_Request
-    Response = SaveMap_Response
+    Request: TypeAlias = SaveMap_Request
+    Response: TypeAlias = SaveMap_Response
 
 class SetInitialPose_Request:
     def __init__(self, *, pose: geometry_msgs.msg.PoseWithCovarianceStamped = ...) -> None: ...
@@ -260,5 +260,5 @@ class SetInitialPose_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class SetInitialPose:
-    Request = SetInitialPose_Request
-    Response = SetInitialPose_Response
+    Request: TypeAlias = SetInitialPose_Request
+    Response: TypeAlias = SetInitialPose_Response

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -28,8 +28,8 @@ class GetMap_Response:
     def map(self, value: nav_msgs.msg.OccupancyGrid) -> None: ...
 
 class GetMap:
-    Request = GetMap_Request
-    Response = GetMap_Response
+    Request: TypeAlias = GetMap_Request
+    Response: TypeAlias = GetMap_Response
 
 class GetPlan_Request:
     def __init__(self, *, start: geometry_msgs.msg.PoseStamped = ..., goal: geometry_msgs.msg.PoseStamped = ..., tolerance: float = ...) -> None: ...
@@ -60,8 +60,8 @@ class GetPlan_Response:
     def plan(self, value: nav_msgs.msg.Path) -> None: ...
 
 class GetPlan:
-    Request = GetPlan_Request
-    Response = GetPlan_Response
+    Request: TypeAlias = GetPlan_Request
+    Response: TypeAlias = GetPlan_Response
 
 class LoadMap_Request:
     def __init__(self, *, map_url: str = ...) -> None: ...
@@ -93,8 +93,8 @@ class LoadMap_Response:
     def result(self, value: int) -> None: ...
 
 class LoadMap:
-    Request = LoadMap_Request
-    Response = LoadMap_Response
+    Request: TypeAlias = LoadMap_Request
+    Response: TypeAlias = LoadMap_Response
 
 class SetMap_Request:
     def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., initial_pose: geometry_msgs.msg.PoseWithCovarianceStamped = ...) -> None: ...
@@ -121,5 +121,5 @@ class SetMap_Response:
     def success(self, value: bool) -> None: ...
 
 class SetMap:
-    Request = SetMap_Request
-    Response = SetMap_Response
+    Request: TypeAlias = SetMap_Request
+    Response: TypeAlias = SetMap_Response

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -31,8 +31,8 @@ class DescribeParameters_Response:
     def descriptors(self, value: Collection[rcl_interfaces.msg.ParameterDescriptor]) -> None: ...
 
 class DescribeParameters:
-    Request = DescribeParameters_Request
-    Response = DescribeParameters_Response
+    Request: TypeAlias = DescribeParameters_Request
+    Response: TypeAlias = DescribeParameters_Response
 
 class GetParameterTypes_Request:
     def __init__(self, *, names: Collection[str] = ...) -> None: ...
@@ -55,8 +55,8 @@ class GetParameterTypes_Response:
     def types(self, value: Collection[int]) -> None: ...
 
 class GetParameterTypes:
-    Request = GetParameterTypes_Request
-    Response = GetParameterTypes_Response
+    Request: TypeAlias = GetParameterTypes_Request
+    Response: TypeAlias = GetParameterTypes_Response
 
 class GetParameters_Request:
     def __init__(self, *, names: Collection[str] = ...) -> None: ...
@@ -79,8 +79,8 @@ class GetParameters_Response:
     def values(self, value: Collection[rcl_interfaces.msg.ParameterValue]) -> None: ...
 
 class GetParameters:
-    Request = GetParameters_Request
-    Response = GetParameters_Response
+    Request: TypeAlias = GetParameters_Request
+    Response: TypeAlias = GetParameters_Response
 
 class ListParameters_Request:
     DEPTH_RECURSIVE: ClassVar[int]
@@ -108,8 +108,8 @@ class ListParameters_Response:
     def result(self, value: rcl_interfaces.msg.ListParametersResult) -> None: ...
 
 class ListParameters:
-    Request = ListParameters_Request
-    Response = ListParameters_Response
+    Request: TypeAlias = ListParameters_Request
+    Response: TypeAlias = ListParameters_Response
 
 class SetParameters_Request:
     def __init__(self, *, parameters: Collection[rcl_interfaces.msg.Parameter] = ...) -> None: ...
@@ -132,8 +132,8 @@ class SetParameters_Response:
     def results(self, value: Collection[rcl_interfaces.msg.SetParametersResult]) -> None: ...
 
 class SetParameters:
-    Request = SetParameters_Request
-    Response = SetParameters_Response
+    Request: TypeAlias = SetParameters_Request
+    Response: TypeAlias = SetParameters_Response
 
 class SetParametersAtomically_Request:
     def __init__(self, *, parameters: Collection[rcl_interfaces.msg.Parameter] = ...) -> None: ...
@@ -156,5 +156,5 @@ class SetParametersAtomically_Response:
     def result(self, value: rcl_interfaces.msg.SetParametersResult) -> None: ...
 
 class SetParametersAtomically:
-    Request = SetParametersAtomically_Request
-    Response = SetParametersAtomically_Response
+    Request: TypeAlias = SetParametersAtomically_Request
+    Response: TypeAlias = SetParametersAtomically_Response

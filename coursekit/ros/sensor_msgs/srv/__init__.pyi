@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -35,5 +35,5 @@ class SetCameraInfo_Response:
     def status_message(self, value: str) -> None: ...
 
 class SetCameraInfo:
-    Request = SetCameraInfo_Request
-    Response = SetCameraInfo_Response
+    Request: TypeAlias = SetCameraInfo_Request
+    Response: TypeAlias = SetCameraInfo_Response

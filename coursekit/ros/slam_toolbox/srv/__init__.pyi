@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -28,8 +28,8 @@ class AddSubmap_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class AddSubmap:
-    Request = AddSubmap_Request
-    Response = AddSubmap_Response
+    Request: TypeAlias = AddSubmap_Request
+    Response: TypeAlias = AddSubmap_Response
 
 class Clear_Request:
     def __init__(self) -> None: ...
@@ -44,8 +44,8 @@ class Clear_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class Clear:
-    Request = Clear_Request
-    Response = Clear_Response
+    Request: TypeAlias = Clear_Request
+    Response: TypeAlias = Clear_Response
 
 class ClearQueue_Request:
     def __init__(self) -> None: ...
@@ -64,8 +64,8 @@ class ClearQueue_Response:
     def status(self, value: bool) -> None: ...
 
 class ClearQueue:
-    Request = ClearQueue_Request
-    Response = ClearQueue_Response
+    Request: TypeAlias = ClearQueue_Request
+    Response: TypeAlias = ClearQueue_Response
 
 class DeserializePoseGraph_Request:
     UNSET: ClassVar[int]
@@ -96,8 +96,8 @@ class DeserializePoseGraph_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class DeserializePoseGraph:
-    Request = DeserializePoseGraph_Request
-    Response = DeserializePoseGraph_Response
+    Request: TypeAlias = DeserializePoseGraph_Request
+    Response: TypeAlias = DeserializePoseGraph_Response
 
 class LoopClosure_Request:
     def __init__(self) -> None: ...
@@ -112,8 +112,8 @@ class LoopClosure_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class LoopClosure:
-    Request = LoopClosure_Request
-    Response = LoopClosure_Response
+    Request: TypeAlias = LoopClosure_Request
+    Response: TypeAlias = LoopClosure_Response
 
 class MergeMaps_Request:
     def __init__(self) -> None: ...
@@ -128,8 +128,8 @@ class MergeMaps_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class MergeMaps:
-    Request = MergeMaps_Request
-    Response = MergeMaps_Response
+    Request: TypeAlias = MergeMaps_Request
+    Response: TypeAlias = MergeMaps_Response
 
 class Pause_Request:
     def __init__(self) -> None: ...
@@ -148,8 +148,8 @@ class Pause_Response:
     def status(self, value: bool) -> None: ...
 
 class Pause:
-    Request = Pause_Request
-    Response = Pause_Response
+    Request: TypeAlias = Pause_Request
+    Response: TypeAlias = Pause_Response
 
 class Reset_Request:
     def __init__(self, *, pause_new_measurements: bool = ...) -> None: ...
@@ -173,8 +173,8 @@ class Reset_Response:
     def result(self, value: int) -> None: ...
 
 class Reset:
-    Request = Reset_Request
-    Response = Reset_Response
+    Request: TypeAlias = Reset_Request
+    Response: TypeAlias = Reset_Response
 
 class SaveMap_Request:
     def __init__(self, *, name: std_msgs.msg.String = ...) -> None: ...
@@ -200,8 +200,8 @@ class SaveMap_Response:
     def result(self, value: int) -> None: ...
 
 class SaveMap:
-    Request = SaveMap_Request
-    Response = SaveMap_Response
+    Request: TypeAlias = SaveMap_Request
+    Response: TypeAlias = SaveMap_Response
 
 class SerializePoseGraph_Request:
     def __init__(self, *, filename: str = ...) -> None: ...
@@ -226,8 +226,8 @@ class SerializePoseGraph_Response:
     def result(self, value: int) -> None: ...
 
 class SerializePoseGraph:
-    Request = SerializePoseGraph_Request
-    Response = SerializePoseGraph_Response
+    Request: TypeAlias = SerializePoseGraph_Request
+    Response: TypeAlias = SerializePoseGraph_Response
 
 class ToggleInteractive_Request:
     def __init__(self) -> None: ...
@@ -242,5 +242,5 @@ class ToggleInteractive_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class ToggleInteractive:
-    Request = ToggleInteractive_Request
-    Response = ToggleInteractive_Response
+    Request: TypeAlias = ToggleInteractive_Request
+    Response: TypeAlias = ToggleInteractive_Response

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -22,8 +22,8 @@ class Empty_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class Empty:
-    Request = Empty_Request
-    Response = Empty_Response
+    Request: TypeAlias = Empty_Request
+    Response: TypeAlias = Empty_Response
 
 class SetBool_Request:
     def __init__(self, *, data: bool = ...) -> None: ...
@@ -50,8 +50,8 @@ class SetBool_Response:
     def message(self, value: str) -> None: ...
 
 class SetBool:
-    Request = SetBool_Request
-    Response = SetBool_Response
+    Request: TypeAlias = SetBool_Request
+    Response: TypeAlias = SetBool_Response
 
 class Trigger_Request:
     def __init__(self) -> None: ...
@@ -74,5 +74,5 @@ class Trigger_Response:
     def message(self, value: str) -> None: ...
 
 class Trigger:
-    Request = Trigger_Request
-    Response = Trigger_Response
+    Request: TypeAlias = Trigger_Request
+    Response: TypeAlias = Trigger_Response

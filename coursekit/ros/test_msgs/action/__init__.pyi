@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -42,9 +42,9 @@ class Fibonacci_Feedback:
     def sequence(self, value: Collection[int]) -> None: ...
 
 class Fibonacci:
-    Goal = Fibonacci_Goal
-    Result = Fibonacci_Result
-    Feedback = Fibonacci_Feedback
+    Goal: TypeAlias = Fibonacci_Goal
+    Result: TypeAlias = Fibonacci_Result
+    Feedback: TypeAlias = Fibonacci_Feedback
     Impl: ClassVar[Any]
 
 class NestedMessage_Goal:
@@ -102,7 +102,7 @@ class NestedMessage_Feedback:
     def nested_different_pkg(self, value: builtin_interfaces.msg.Time) -> None: ...
 
 class NestedMessage:
-    Goal = NestedMessage_Goal
-    Result = NestedMessage_Result
-    Feedback = NestedMessage_Feedback
+    Goal: TypeAlias = NestedMessage_Goal
+    Result: TypeAlias = NestedMessage_Result
+    Feedback: TypeAlias = NestedMessage_Feedback
     Impl: ClassVar[Any]

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -271,8 +271,8 @@ class Arrays_Response:
     def string_values_default(self, value: Collection[str]) -> None: ...
 
 class Arrays:
-    Request = Arrays_Request
-    Response = Arrays_Response
+    Request: TypeAlias = Arrays_Request
+    Response: TypeAlias = Arrays_Response
 
 class BasicTypes_Request:
     def __init__(self, *, bool_value: bool = ..., byte_value: bytes = ..., char_value: int = ..., float32_value: float = ..., float64_value: float = ..., int8_value: int = ..., uint8_value: int = ..., int16_value: int = ..., uint16_value: int = ..., int32_value: int = ..., uint32_value: int = ..., int64_value: int = ..., uint64_value: int = ..., string_value: str = ...) -> None: ...
@@ -399,8 +399,8 @@ class BasicTypes_Response:
     def string_value(self, value: str) -> None: ...
 
 class BasicTypes:
-    Request = BasicTypes_Request
-    Response = BasicTypes_Response
+    Request: TypeAlias = BasicTypes_Request
+    Response: TypeAlias = BasicTypes_Response
 
 class Empty_Request:
     def __init__(self) -> None: ...
@@ -415,5 +415,5 @@ class Empty_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class Empty:
-    Request = Empty_Request
-    Response = Empty_Response
+    Request: TypeAlias = Empty_Request
+    Response: TypeAlias = Empty_Response

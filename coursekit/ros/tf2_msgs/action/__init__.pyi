@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -67,7 +67,7 @@ class LookupTransform_Feedback:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class LookupTransform:
-    Goal = LookupTransform_Goal
-    Result = LookupTransform_Result
-    Feedback = LookupTransform_Feedback
+    Goal: TypeAlias = LookupTransform_Goal
+    Result: TypeAlias = LookupTransform_Result
+    Feedback: TypeAlias = LookupTransform_Feedback
     Impl: ClassVar[Any]

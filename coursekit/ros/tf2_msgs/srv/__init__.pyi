@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -26,5 +26,5 @@ class FrameGraph_Response:
     def frame_yaml(self, value: str) -> None: ...
 
 class FrameGraph:
-    Request = FrameGraph_Request
-    Response = FrameGraph_Response
+    Request: TypeAlias = FrameGraph_Request
+    Response: TypeAlias = FrameGraph_Response

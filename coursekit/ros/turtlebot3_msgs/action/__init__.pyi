@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -41,7 +41,7 @@ class Patrol_Feedback:
     def state(self, value: str) -> None: ...
 
 class Patrol:
-    Goal = Patrol_Goal
-    Result = Patrol_Result
-    Feedback = Patrol_Feedback
+    Goal: TypeAlias = Patrol_Goal
+    Result: TypeAlias = Patrol_Result
+    Feedback: TypeAlias = Patrol_Feedback
     Impl: ClassVar[Any]

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -42,8 +42,8 @@ class Dqn_Response:
     def done(self, value: bool) -> None: ...
 
 class Dqn:
-    Request = Dqn_Request
-    Response = Dqn_Response
+    Request: TypeAlias = Dqn_Request
+    Response: TypeAlias = Dqn_Response
 
 class Goal_Request:
     def __init__(self) -> None: ...
@@ -70,8 +70,8 @@ class Goal_Response:
     def success(self, value: bool) -> None: ...
 
 class Goal:
-    Request = Goal_Request
-    Response = Goal_Response
+    Request: TypeAlias = Goal_Request
+    Response: TypeAlias = Goal_Response
 
 class Sound_Request:
     def __init__(self, *, value: int = ...) -> None: ...
@@ -98,5 +98,5 @@ class Sound_Response:
     def message(self, value: str) -> None: ...
 
 class Sound:
-    Request = Sound_Request
-    Response = Sound_Response
+    Request: TypeAlias = Sound_Request
+    Response: TypeAlias = Sound_Response

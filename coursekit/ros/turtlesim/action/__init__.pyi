@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -40,7 +40,7 @@ class RotateAbsolute_Feedback:
     def remaining(self, value: float) -> None: ...
 
 class RotateAbsolute:
-    Goal = RotateAbsolute_Goal
-    Result = RotateAbsolute_Result
-    Feedback = RotateAbsolute_Feedback
+    Goal: TypeAlias = RotateAbsolute_Goal
+    Result: TypeAlias = RotateAbsolute_Result
+    Feedback: TypeAlias = RotateAbsolute_Feedback
     Impl: ClassVar[Any]

@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -26,8 +26,8 @@ class Kill_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class Kill:
-    Request = Kill_Request
-    Response = Kill_Response
+    Request: TypeAlias = Kill_Request
+    Response: TypeAlias = Kill_Response
 
 class SetPen_Request:
     def __init__(self, *, r: int = ..., g: int = ..., b: int = ..., width: int = ..., off: int = ...) -> None: ...
@@ -62,8 +62,8 @@ class SetPen_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class SetPen:
-    Request = SetPen_Request
-    Response = SetPen_Response
+    Request: TypeAlias = SetPen_Request
+    Response: TypeAlias = SetPen_Response
 
 class Spawn_Request:
     def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., name: str = ...) -> None: ...
@@ -98,8 +98,8 @@ class Spawn_Response:
     def name(self, value: str) -> None: ...
 
 class Spawn:
-    Request = Spawn_Request
-    Response = Spawn_Response
+    Request: TypeAlias = Spawn_Request
+    Response: TypeAlias = Spawn_Response
 
 class TeleportAbsolute_Request:
     def __init__(self, *, x: float = ..., y: float = ..., theta: float = ...) -> None: ...
@@ -126,8 +126,8 @@ class TeleportAbsolute_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class TeleportAbsolute:
-    Request = TeleportAbsolute_Request
-    Response = TeleportAbsolute_Response
+    Request: TypeAlias = TeleportAbsolute_Request
+    Response: TypeAlias = TeleportAbsolute_Response
 
 class TeleportRelative_Request:
     def __init__(self, *, linear: float = ..., angular: float = ...) -> None: ...
@@ -150,5 +150,5 @@ class TeleportRelative_Response:
     def get_fields_and_field_types(cls) -> dict[str, str]: ...
 
 class TeleportRelative:
-    Request = TeleportRelative_Request
-    Response = TeleportRelative_Response
+    Request: TypeAlias = TeleportRelative_Request
+    Response: TypeAlias = TeleportRelative_Response

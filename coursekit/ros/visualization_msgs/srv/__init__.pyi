@@ -3,7 +3,7 @@
 # made by coursekit.interfaces.stubs from the definition files
 from array import array
 from collections.abc import Collection
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy
 import numpy.typing
@@ -31,5 +31,5 @@ class GetInteractiveMarkers_Response:
     def markers(self, value: Collection[visualization_msgs.msg.InteractiveMarker]) -> None: ...
 
 class GetInteractiveMarkers:
-    Request = GetInteractiveMarkers_Request
-    Response = GetInteractiveMarkers_Response
+    Request: TypeAlias = GetInteractiveMarkers_Request
+    Response: TypeAlias = GetInteractiveMarkers_Response

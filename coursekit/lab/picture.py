@@ -17,13 +17,16 @@ PERIOD_SECONDS = 1 / 30
 """The browser gets a new picture at most this often."""
 PATIENCE_SECONDS = 1.0
 """A browser that has not acknowledged for this long is tried again."""
+UNDER_WAY = 3
+"""So many pictures may be on their way to the browser; more only when it has drawn one."""
 QUALITY = 85
 
 _STATIC = Path(__file__).parent / "static"
 
 
 class Picture(anywidget.AnyWidget):
-    """Shows the newest of the images it is given: the browser says when it has drawn one, then it gets the next.
+    """Shows the newest of the images it is given: the browser says when it has drawn one, so that
+    none waits in a queue.
 
     `read()` is asked for the newest image (blue first, or None) only when there is time to send it.
     """
@@ -36,7 +39,7 @@ class Picture(anywidget.AnyWidget):
         self._read = read
         self._live = live
         self._lock = threading.Lock()
-        self._waiting = False
+        self._under_way = 0
         self._fresh = False
         self._sent_at = 0
         self._alarm: Any = None
@@ -73,7 +76,7 @@ class Picture(anywidget.AnyWidget):
         if not self._fresh or self._alarm is not None:
             return
         clock = current().clock
-        least = PATIENCE_SECONDS if self._waiting else PERIOD_SECONDS
+        least = PERIOD_SECONDS if self._under_way < UNDER_WAY else PATIENCE_SECONDS
         due = self._sent_at + round(least * 1e9)
         self._alarm = clock.call_at(max(due, clock.steady()), self._push)
 
@@ -81,7 +84,7 @@ class Picture(anywidget.AnyWidget):
         with self._lock:
             self._alarm = None
             self._fresh = False
-            self._waiting = True
+            self._under_way = min(UNDER_WAY, self._under_way + 1)
             self._sent_at = current().clock.steady()
         self._tell()
 
@@ -91,7 +94,7 @@ class Picture(anywidget.AnyWidget):
         if image is None:
             self.send({**message, "empty": "no image yet"})
             with self._lock:
-                self._waiting = False
+                self._under_way = 0
             return
         data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])[1].tobytes()
         self.send({**message, "width": image.shape[1]}, [data])
@@ -105,7 +108,7 @@ class Picture(anywidget.AnyWidget):
             self.on_key(int(message.get("code", -1)))
         elif kind == "shown":
             with self._lock:
-                self._waiting = False
+                self._under_way = max(0, self._under_way - 1)
                 if self._alarm is not None:
                     self._alarm.cancel()
                     self._alarm = None

@@ -98,15 +98,15 @@ class Scene:
     def render(self, t: float, width: int = 640, height: int = 480) -> Any:
         """The picture at time `t` [s]: height x width x 3, uint8, blue first."""
         image = self._background(width, height).copy()
-        things = [(self.in_camera(ball.centre)[2], ball) for ball in self.balls(t)]
+        things: list[tuple[float, Ball | None]] = [(self.in_camera(ball.centre)[2], ball) for ball in self.balls(t)]
         things.append((self.in_camera((*self.robot(t)[:2], 0.1))[2], None))
         for ball in self.balls(t):
             self._shadow(image, ball)
-        for _, ball in sorted(things, key=lambda one: -one[0]):
-            if ball is None:
+        for _, thing in sorted(things, key=lambda one: -one[0]):
+            if thing is None:
                 self._draw_robot(image, t)
             else:
-                self._draw_ball(image, ball)
+                self._draw_ball(image, thing)
         return image
 
     def _background(self, width: int, height: int) -> Any:

@@ -241,4 +241,4 @@ def install() -> None:
             setattr(cv2, function.__name__, function)
         cv2.waitKeyEx = waitKey
     if not has_camera():
-        cv2.VideoCapture = VideoCapture
+        setattr(cv2, "VideoCapture", VideoCapture)  # noqa: B010 - a class in place of another

@@ -28,7 +28,7 @@ executor = SingleThreadedExecutor()
 executor.add_node(node)
 threading.Thread(target=executor.spin, daemon=True).start()
 """
-RATE = "() => document.querySelector('.ck-picture .ck-note').textContent"
+RATE = "() => document.querySelector('.ck-picture .ck-note')?.textContent ?? ''"
 
 
 def test_thirty_images_a_second_are_shown_without_falling_behind(notebook, picture):
@@ -41,7 +41,7 @@ def test_thirty_images_a_second_are_shown_without_falling_behind(notebook, pictu
     page.wait_for_timeout(3000)
     picture(page.locator(".ck-picture"), "camera")
     note = page.evaluate(RATE)
-    assert note.startswith("640x480 bgr8 · ") and int(note.split("·")[1].split()[0]) >= 12, note
+    assert note.startswith("640x480 bgr8 · ") and int(note.split("·")[1].split()[0]) >= 20, note
     behind = int(opened.ask("print(view.count - view.drawn)"))
     assert behind <= 3, "the newest image is drawn, none waits"
 

@@ -9,7 +9,7 @@ from cv_bridge import CvBridge, CvBridgeError
 from cv_bridge.encodings import parse
 from sensor_msgs.msg import CompressedImage, Image
 
-TRANSPORTS = {"raw": Image, "compressed": CompressedImage}
+TRANSPORTS: dict[str, Any] = {"raw": Image, "compressed": CompressedImage}
 JPEG_QUALITY, PNG_LEVEL = 95, 3
 _bridge = CvBridge()
 
@@ -66,5 +66,6 @@ def to_bgr(msg: Any) -> Any:
     if encoding.cv_type == "8UC3":
         return image
     first = image if image.ndim == 2 else image[:, :, 0]
-    grey = cv2.normalize(first.astype("float32"), None, 0, 255, cv2.NORM_MINMAX).astype("uint8")
+    low, high = float(first.min()), float(first.max())
+    grey = ((first - low) * (255.0 / ((high - low) or 1.0))).astype("uint8")
     return cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)

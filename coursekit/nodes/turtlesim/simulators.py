@@ -15,10 +15,13 @@ class Simulator(Protocol):
 
     world: World
     session: Any
-    full_name: str
-    namespace: str
     running: bool
     frames: int
+
+    @property
+    def full_name(self) -> str: ...
+    @property
+    def namespace(self) -> str: ...
 
     def background(self) -> tuple[int, int, int]: ...
 

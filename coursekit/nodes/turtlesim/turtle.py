@@ -81,9 +81,7 @@ class TurtleInterface:
         return response
 
     async def _rotate(self, goal_handle: Any) -> RotateAbsolute.Result:
-        self._end_goal(
-            "abort", "Rotation goal received before a previous goal finished. Aborting previous goal"
-        )
+        self._end_goal("abort", "Rotation goal received before a previous goal finished. Aborting previous goal")
         rotation = self.turtle.rotate_to(goal_handle.request.theta)
         ended = Future()
         self._goal = (goal_handle, rotation, ended)

@@ -13,8 +13,6 @@ from sensor_msgs.msg import CompressedImage, Image
 from cv_bridge.convert import ConversionError, convert
 from cv_bridge.encodings import DTYPES, Encoding, UnknownEncoding, parse
 
-_NOT_AN_ARRAY = "Your input type is not a numpy array"
-
 
 class CvBridgeError(TypeError):
     """A conversion that cannot be made."""
@@ -92,27 +90,26 @@ class CvBridge:
 
     def cv2_to_imgmsg(self, cvim: Any, encoding: str = "passthrough", header: Any = None) -> Image:
         """A message with a copy of the image; CvBridgeError when the array does not fit the encoding."""
-        if not isinstance(cvim, (np.ndarray, np.generic)):
-            raise TypeError(_NOT_AN_ARRAY)
+        _check_array(cvim)
         message = Image()
         if header is not None:
             message.header = header
-        message.height, message.width = cvim.shape[:2]
-        cv_type = self.dtype_with_channels_to_cvtype2(cvim.dtype, 1 if cvim.ndim < 3 else cvim.shape[2])
+        shape: tuple[int, ...] = cvim.shape
+        message.height, message.width = shape[:2]
+        cv_type = self.dtype_with_channels_to_cvtype2(cvim.dtype, 1 if len(shape) < 3 else shape[2])
         message.encoding = cv_type if encoding == "passthrough" else encoding
         if encoding != "passthrough" and _parsed(encoding).cv_type != cv_type:
             raise CvBridgeError(f"encoding specified as {encoding}, but image has incompatible type {cv_type}")
         message.is_bigendian = int(cvim.dtype.byteorder == ">")
         data = array.array("B")
-        data.frombytes(memoryview(np.ascontiguousarray(cvim)).cast("B") if cvim.size else b"")
+        data.frombytes(memoryview(np.ascontiguousarray(cvim).data).cast("B") if cvim.size else b"")
         message.data = data
         message.step = len(data) // message.height if message.height else 0
         return message
 
     def cv2_to_compressed_imgmsg(self, cvim: Any, dst_format: str = "jpg") -> CompressedImage:
         """A message with the image as a file: jpg, png, bmp, tiff, ...; CvBridgeError for other formats."""
-        if not isinstance(cvim, (np.ndarray, np.generic)):
-            raise TypeError(_NOT_AN_ARRAY)
+        _check_array(cvim)
         try:
             done, data = cv2.imencode(f".{dst_format}", cvim)
         except cv2.error as error:
@@ -120,6 +117,11 @@ class CvBridge:
         if not done:
             raise CvBridgeError(f"OpenCV cannot write '{dst_format}'. Use 'jpg' or 'png'.")
         return CompressedImage(format=dst_format, data=data.tobytes())
+
+
+def _check_array(image: Any) -> None:
+    if not isinstance(image, (np.ndarray, np.generic)):
+        raise TypeError("Your input type is not a numpy array")
 
 
 def _parsed(encoding: str) -> Encoding:

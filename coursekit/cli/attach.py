@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import contextlib
 import json
 import os
@@ -11,7 +12,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from . import endpoint
 
@@ -85,17 +86,40 @@ def _signals_to(client: socket.socket) -> Iterator[None]:
 
 
 def _forward_stdin(client: socket.socket) -> None:
+    decoder = codecs.getincrementaldecoder("utf-8")("replace")
     with contextlib.suppress(OSError, ValueError):
-        for line in sys.stdin:
-            _send(client, {"stdin": line})
+        while data := os.read(sys.stdin.fileno(), 4096):
+            _send(client, {"stdin": decoder.decode(data)})
         _send(client, {"eof": True})
+
+
+@contextlib.contextmanager
+def _terminal() -> Iterator[Callable[[], None]]:
+    """A function that has the terminal pass on each key at once, without echo; at the end it is as it was."""
+    try:
+        import termios
+        import tty
+    except ImportError:  # Windows
+        yield lambda: None
+        return
+    if not sys.stdin.isatty():
+        yield lambda: None
+        return
+    number = sys.stdin.fileno()
+    before = termios.tcgetattr(number)
+    try:
+        yield lambda: tty.setcbreak(number)
+    finally:
+        termios.tcsetattr(number, termios.TCSADRAIN, before)
 
 
 def _show(client: socket.socket) -> int:
     """Print what the process prints; returns when it ends."""
-    with client.makefile("r", encoding="utf-8") as lines:
+    with client.makefile("r", encoding="utf-8") as lines, _terminal() as pass_keys_on:
         for line in lines:
             message = json.loads(line)
+            if "keys" in message:
+                pass_keys_on()
             if "exit" in message:
                 return int(message["exit"])
             for name, stream in (("stdout", sys.stdout), ("stderr", sys.stderr)):

@@ -97,6 +97,7 @@ class Guest:
             cwd=str(first.get("cwd") or os.getcwd()),
             on_output=lambda stream, text: self._say({stream: text}),
         )
+        self._process.on_wants_keys = lambda: self._say({"keys": True})
         self._process.on_exit(lambda process: self._say({"exit": process.exit_code}))
 
     def _hear(self, said: dict[str, Any]) -> None:

@@ -139,6 +139,8 @@ class Process:
         self.cleanups: list[Callable[[], None]] = []
         self.out = Output()
         self.stdin = Input(session)
+        self.on_wants_keys: Callable[[], None] | None = None
+        """Called when it wants each key as it is typed, not whole lines; set by who types."""
         self.stdin_to: Any = None
         """A process that gets what is typed, as the program in the foreground of a shell does."""
         self.threads: list[threading.Thread] = []
@@ -184,6 +186,12 @@ class Process:
             self.stdin_to.write_stdin(text)
         else:
             self.stdin.feed(text)
+
+    def want_keys(self) -> None:
+        """Ask whoever types for each key at once: what a terminal calls raw mode."""
+        for process in (self, self.parent):
+            if process is not None and process.on_wants_keys is not None:
+                process.on_wants_keys()
 
     def close_stdin(self) -> None:
         """End its standard input, as Ctrl-D does."""

@@ -14,6 +14,8 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from turtlesim.action import RotateAbsolute
 
+from coursekit.core.process import current_process
+
 ARROWS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "right": (0.0, -1.0), "left": (0.0, 1.0)}
 """Arrow keys: (linear, angular)."""
 _SEQUENCES = {"A": "up", "B": "down", "C": "right", "D": "left"}
@@ -101,6 +103,9 @@ def main(args: list[str] | None = None) -> None:
     node = TeleopTurtle()
     threading.Thread(target=_spin, args=(node,), daemon=True).start()
     print(USAGE, flush=True)
+    process = current_process()
+    if process is not None:
+        process.want_keys()
     try:
         for key in keys(sys.stdin):
             if not node.press(key):

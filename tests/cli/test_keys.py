@@ -1,0 +1,55 @@
+"""A program that wants keys gets each as it is typed, in a real terminal."""
+
+import os
+import subprocess
+import sys
+import time
+
+import pytest
+
+pty = pytest.importorskip("pty")
+termios = pytest.importorskip("termios")
+
+ROS2 = [sys.executable, "-m", "coursekit.cli.ros2"]
+
+
+@pytest.fixture
+def terminal(tmp_path):
+    """terminal(words) runs a command in a terminal of its own: (process, the terminal's other end)."""
+    env = {**os.environ, "COURSEKIT_RUNTIME_DIR": str(tmp_path), "ROS_DOMAIN_ID": "77"}
+    started = []
+
+    def start(*words):
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen([*ROS2, *words], env=env, stdin=theirs, stdout=theirs, stderr=theirs)
+        started.append((process, ours, theirs))
+        return process, ours
+
+    yield start
+    for process, ours, theirs in started:
+        process.kill()
+        process.wait()
+        os.close(ours)
+        os.close(theirs)
+
+
+def read_until(number, text):
+    seen = ""
+    give_up = time.monotonic() + 30
+    while text not in seen and time.monotonic() < give_up:
+        seen += os.read(number, 4096).decode(errors="replace")
+    return seen
+
+
+@pytest.mark.slow
+def test_a_key_needs_no_enter_and_the_terminal_is_as_before_afterwards(terminal):
+    process, keyboard = terminal("run", "turtlesim", "turtle_teleop_key")
+    before = termios.tcgetattr(keyboard)
+    assert "'Q' quits." in read_until(keyboard, "'Q' quits.")
+    give_up = time.monotonic() + 10
+    while termios.tcgetattr(keyboard)[3] & termios.ICANON and time.monotonic() < give_up:
+        pass
+    os.write(keyboard, b"\x1b[A")
+    os.write(keyboard, b"q")
+    assert process.wait(20) == 0
+    assert termios.tcgetattr(keyboard) == before

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from coursekit.cli.attach import domain_id
@@ -9,6 +10,19 @@ from coursekit.core.session import Session, current
 
 WAIT_SECONDS = 5.0
 """How long code waits for an answer before it says that none came."""
+
+
+APPEAR_SECONDS = 3.0
+"""How long code waits for a node, topic or service that a cell before may only just have started."""
+
+
+def appears(condition: Callable[[], bool]) -> bool:
+    """Wait until `condition()` holds, at most `APPEAR_SECONDS`; whether it does."""
+    clock = current().clock
+    give_up = clock.steady() + round(APPEAR_SECONDS * 1e9)
+    while not condition() and clock.steady() < give_up:
+        clock.sleep(0.05)
+    return condition()
 
 
 class HiddenNode:

@@ -134,6 +134,15 @@ class Cells:
         self.session.in_cell = False
 
 
+def adopt(old: Any, new: Any) -> Any:
+    """Let `new` belong to the cell that made `old`: it was started again, not by a cell. Returns `new`."""
+    cells = _state.get("cells")
+    for made in cells.made.values() if cells is not None else ():
+        if old in made:
+            made[made.index(old)] = new
+    return new
+
+
 def _describe(one: Any) -> str:
     return f"node {one.full_name}" if hasattr(one, "full_name") else f"process {' '.join(one.argv)}"
 
@@ -156,4 +165,4 @@ def _end_one(one: Any) -> bool:
     return True
 
 
-__all__ = ["reset", "start"]
+__all__ = ["adopt", "reset", "start"]

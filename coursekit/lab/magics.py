@@ -6,6 +6,7 @@ import os
 import re
 import shlex
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
 
+from .kernel import adopt
 from .terminal import Terminal, Terminals
 
 _terminals: dict[str, Terminal] = {}
@@ -66,8 +68,12 @@ class CourseMagics(Magics):
 
         options, argv, background = _read(self._expanded(line))
         env = workspace_environment(options.pop("workspace", None))
-        process = current().start(lambda: run(argv), name="ros2", argv=argv, env=env, on_output=_to_cell(background))
-        return _attend(process, options.get("name") or _title(argv), options.get("stop-after"), background)
+
+        def begin() -> Any:
+            sink = _to_cell(background)
+            return current().start(lambda: run(argv), name="ros2", argv=argv, env=env, on_output=sink)
+
+        return _attend(begin, options.get("name") or _title(argv), options.get("stop-after"), background)
 
     @line_magic
     def colcon(self, line: str) -> Terminal | None:
@@ -81,9 +87,12 @@ class CourseMagics(Magics):
             command += ["--executor", "sequential"]
         env = dict(os.environ) | {"PYTHONUNBUFFERED": "1", "COLCON_LOG_LEVEL": "error"}
         env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn of it in every build
-        process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False)
-        current().launch(process, _to_cell(background, _without_durations if virtual else str))
-        return _attend(process, options.get("name") or "colcon", options.get("stop-after"), background)
+
+        def begin() -> Any:
+            process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False)
+            return current().launch(process, _to_cell(background, _without_durations if virtual else str))
+
+        return _attend(begin, options.get("name") or "colcon", options.get("stop-after"), background)
 
     @cell_magic
     def write(self, line: str, cell: str) -> None:
@@ -158,9 +167,11 @@ def workspace() -> Path:
     return Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
 
 
-def _attend(process: Any, title: str, stop_after: str | None, background: bool) -> Terminal | None:
+def _attend(begin: Callable[[], Any], title: str, stop_after: str | None, background: bool) -> Terminal | None:
+    """Begin a process and wait for it, or give it a terminal that can begin it again."""
+    process = begin()
     if background:
-        shown = Terminal(process, title)
+        shown = Terminal(process, title, again=lambda: adopt(shown.process, begin()))
         _terminals[title] = shown
         return shown
     try:

@@ -8,13 +8,14 @@ from typing import Any
 
 from coursekit.cli.ask import full_name
 
-from .hidden import HiddenNode
+from .hidden import HiddenNode, appears
 
 TRUNCATE = 128
 
 
 def known_type(graph: Any, topic: str) -> str:
     """The type of a topic in the graph; LookupError with near names when it is not there or has several."""
+    appears(lambda: topic in dict(graph.topics()))
     types = dict(graph.topics()).get(topic)
     if not types:
         names = [name for name, _ in graph.topics()]

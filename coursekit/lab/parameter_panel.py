@@ -11,6 +11,7 @@ import yaml
 from coursekit.cli.ask import full_name
 from coursekit.cli.param_text import type_name
 
+from .hidden import appears
 from .panel import Panel, static
 
 _CONTROLS = {1: "check", 2: "whole", 3: "number", 4: "text"}
@@ -66,6 +67,7 @@ class ParameterPanel(Panel):
             raise
 
     def _check_node(self) -> None:
+        appears(lambda: any(node.full_name == self.node_name for node in list(self.hidden.graph.nodes)))
         names = sorted(node.full_name for node in list(self.hidden.graph.nodes) if not node.name.startswith("_"))
         if self.node_name not in names:
             close = difflib.get_close_matches(self.node_name, names, 1, 0.6)

@@ -9,7 +9,7 @@ from coursekit.cli.ask import full_name
 from coursekit.view.graph_facts import nodes_at, take, types_of
 
 from .form import filled, schema
-from .hidden import WAIT_SECONDS
+from .hidden import WAIT_SECONDS, appears
 from .messages import as_yaml
 from .panel import Panel, static
 
@@ -37,6 +37,7 @@ class ServiceCaller(Panel):
         """
         name = full_name(service) if service else self._chosen
         self._chosen = name
+        appears(lambda: name in self.hidden.graph.servers)
         client, request = self._prepared(name, fields)
         response = self.hidden.result(client.call_async(request), timeout_sec)
         self._note(name, request, response)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -28,15 +29,20 @@ class Terminal(anywidget.AnyWidget):
     _css = _STATIC / "terminal.css"
     title = traitlets.Unicode("").tag(sync=True)
 
-    def __init__(self, process: Any, title: str = "") -> None:
+    def __init__(self, process: Any, title: str = "", again: Callable[[], Any] | None = None) -> None:
         super().__init__(title=title or process.name)
-        self.process = process
+        self._again = again
         self._pending: list[str] = []
         self._lock = threading.Lock()
         self._alarm: Any = None
+        self._seen = False
         self.on_msg(self._hear)
-        process.on_output(self._collect)
-        process.on_exit(lambda _: self._flush())
+        self._follow(process)
+
+    def _follow(self, process: Any) -> None:
+        self.process = process
+        process.on_output(lambda _stream, text: self._collect(text) if process is self.process else None)
+        process.on_exit(lambda _: self._flush() if process is self.process else None)
 
     # -- what a program sees
 
@@ -61,6 +67,18 @@ class Terminal(anywidget.AnyWidget):
         """Wait until the process ends; its exit code, None if it still runs."""
         return self.process.wait(timeout_sec)
 
+    def restart(self) -> None:
+        """Run the same command line anew, in this terminal; what still runs is ended first."""
+        if self._again is None:
+            raise RuntimeError("This terminal was made for a process that was started elsewhere; start that again.")
+        if self.process.exit_code is None:
+            self.process.interrupt()
+            if self.process.wait(2.0) is None:
+                self.process.kill()
+                self.process.wait(2.0)
+        self._follow(self._again())
+        self._show_all()
+
     @property
     def state(self) -> str:
         """'running', or how it ended."""
@@ -80,7 +98,9 @@ class Terminal(anywidget.AnyWidget):
 
     # -- to the browser
 
-    def _collect(self, _stream: str, text: str) -> None:
+    def _collect(self, text: str) -> None:
+        if not self._seen:
+            return
         with self._lock:
             self._pending.append(text)
             if self._alarm is not None:
@@ -91,19 +111,38 @@ class Terminal(anywidget.AnyWidget):
     def _flush(self) -> None:
         with self._lock:
             text, self._pending, self._alarm = "".join(self._pending), [], None
+        if self._seen:
+            self._tell(text)
+
+    def _show_all(self) -> None:
+        with self._lock:
+            self._pending = []  # it is part of the whole
+            text = self.text
+        self._tell(text, whole=True)
+
+    def _tell(self, text: str, whole: bool = False) -> None:
         lines = text.splitlines(keepends=True)
         skipped = max(0, len(lines) - LINES)
-        self._tell("".join(lines[skipped:]), skipped=skipped)
-
-    def _tell(self, text: str, skipped: int = 0, whole: bool = False) -> None:
-        self.send({"text": text, "skipped": skipped, "whole": whole, "state": self.state})
+        self.send(
+            {
+                "text": "".join(lines[skipped:]),
+                "skipped": skipped,
+                "whole": whole,
+                "state": self.state,
+                "command": " ".join(self.process.argv),
+                "again": self._again is not None,
+            }
+        )
 
     def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
         kind = message.get("type")
         if kind == "ready":
-            self._tell("".join(self.text.splitlines(keepends=True)[-LINES:]), whole=True)
+            self._seen = True
+            self._show_all()
         elif kind == "interrupt":
             self.process.interrupt()
+        elif kind == "again" and self.process.exit_code is not None:
+            self.restart()
         elif kind == "line":
             self.process.write_stdin(str(message.get("text", "")) + "\n")
 

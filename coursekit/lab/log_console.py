@@ -34,9 +34,9 @@ class LogConsole(Panel):
         self._counts: Counter[str] = Counter()
         self._paused: list[Any] | None = None
         qos = QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.hidden.node.create_subscription(Log, "/rosout", self._hear, qos)
+        self.hidden.node.create_subscription(Log, "/rosout", self._collect, qos)
 
-    def _hear(self, entry: Any) -> None:
+    def _collect(self, entry: Any) -> None:
         self._entries.append(entry)
         self._counts[LEVELS.get(entry.level, "INFO")] += 1
         self.changed()

@@ -253,6 +253,16 @@ def test_a_late_log_is_in_the_order_of_time(session):
     assert console.lines()[0].endswith("sent 1")
 
 
+def test_the_log_is_filtered_from_the_browser(session, monkeypatch):
+    console = LogConsole()
+    session.clock.sleep(1.6)
+    sent = heard_by_browser(console, monkeypatch)
+    says(console, type="ready")
+    says(console, type="filter", level="WARN")
+    assert [len(message["lines"]) for message in sent] == [4, 1]
+    assert sent[1]["counts"]["INFO"] == 3 and sent[1]["lines"][0]["time"] == "22:13:21.000"
+
+
 def test_a_level_that_does_not_exist_names_those_that_do(session):
     with pytest.raises(ValueError, match="DEBUG, INFO, WARN"):
         LogConsole("LOUD")

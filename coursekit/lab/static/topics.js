@@ -9,12 +9,14 @@ function row(one, model) {
     make("td", { className: "ck-dim", textContent: one.type }),
     make("td", { className: "ck-number", textContent: one.publishers }),
     make("td", { className: "ck-number", textContent: one.subscribers }),
-    make("td", { className: "ck-number", textContent: !one.watched ? "" : one.rate ? `${one.rate.toFixed(2)} Hz` : "silent" }),
-    make("td", { className: "ck-number", textContent: one.watched ? one.count : "" }),
+    make("td", {
+      className: "ck-number", title: one.watched ? `${one.count} messages heard` : "",
+      textContent: !one.watched ? "" : one.rate ? `${one.rate.toFixed(2)} Hz` : one.count ? "silent" : "nothing yet",
+    }),
   ];
   const rows = [make("tr", {}, ...cells)];
   if (one.watched && one.last)
-    rows.push(make("tr", { className: "ck-message" }, make("td", { colSpan: 6 }, make("pre", { textContent: one.last }))));
+    rows.push(make("tr", { className: "ck-message" }, make("td", { colSpan: 5 }, make("pre", { textContent: one.last }))));
   return rows;
 }
 
@@ -24,7 +26,7 @@ export default {
     const error = make("div", { className: "ck-error" });
     const table = make("div");
     body.append(table, error);
-    const titles = ["topic", "type", "publishers", "subscribers", "rate", "messages"];
+    const titles = ["topic", "type", "publishers", "subscribers", "rate"];
     return listen(model, {
       shown({ rows }) {
         error.textContent = "";

@@ -181,18 +181,14 @@ def _calls(kind: str, servers: Sequence[End], clients: Sequence[End]) -> Iterato
     served = names_of(servers)
     for name in names_of(clients):
         nodes = nodes_at(name, clients)
+        ends = tuple((node, name) for node in nodes)
+        offered, wanted = types_of(name, servers), types_of(name, clients)
         if name not in served:
             close = difflib.get_close_matches(name, served, 1, ALIKE)
             hint = f"; did you mean {close[0]}?" if close else ""
-            cure = f"Start the node that serves it; {_listed(nodes)} waits. Served: {', '.join(served) or f'no {kind}'}."
-        elif types_of(name, servers) != types_of(name, clients):
-            hint = ""
-            cure = f"Use one type: served is {', '.join(types_of(name, servers))}, called {', '.join(types_of(name, clients))}."
-        else:
-            continue
-        said = (
-            f"nobody serves the {kind} {name}"
-            if name not in served
-            else f"{kind} {name} is used with two types"
-        )
-        yield Fault(said + hint, cure, (name,), ends=tuple((node, name) for node in nodes))
+            there = ", ".join(served) or f"no {kind}"
+            cure = f"Start the node that serves it; {_listed(nodes)} waits. Served: {there}."
+            yield Fault(f"nobody serves the {kind} {name}{hint}", cure, (name,), ends=ends)
+        elif offered != wanted:
+            cure = f"Use one type: served is {', '.join(offered)}, called {', '.join(wanted)}."
+            yield Fault(f"{kind} {name} is used with two types", cure, (name,), ends=ends)

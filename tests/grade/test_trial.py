@@ -1,0 +1,28 @@
+"""Trials run beside the session: its clock stands still meanwhile, and an endless loop ends them."""
+
+import pytest
+
+from coursekit.core.session import Session
+from coursekit.grade import trial
+from coursekit.grade.trial import Plan, TrialFailed, try_out
+
+
+def test_a_trial_takes_no_time_of_the_session():
+    with Session(virtual=True).use() as session:
+        before = session.clock.steady()
+        seen = try_out(Plan(run=[["run", "demo_nodes_py", "talker"]], seconds=2.5))
+        assert "Hello World: 1" in seen.outputs[0]
+        assert session.clock.steady() == before
+
+
+def test_a_program_that_never_gives_way_fails_the_trial(tmp_path, monkeypatch):
+    (tmp_path / "share/ament_index/resource_index/packages").mkdir(parents=True)
+    (tmp_path / "share/ament_index/resource_index/packages/busy").touch()
+    (tmp_path / "lib/busy").mkdir(parents=True)
+    program = tmp_path / "lib/busy/loop"
+    program.write_text("#!/usr/bin/env python3\nwhile True:\n    pass\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    monkeypatch.setattr(trial, "TIME_LIMIT", 1.0)
+    with pytest.raises(TrialFailed, match="a loop that never waits"):
+        try_out(Plan(run=[["run", "busy", "loop"]]))

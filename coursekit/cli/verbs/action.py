@@ -93,6 +93,7 @@ def _nodes_with(node: Any, action: str, find: Any) -> list[tuple[str, list[str]]
 def send_goal(args: Any) -> int:
     """Send a goal, show its feedback if asked, and its result; Ctrl-C cancels it."""
     from rclpy.action import ActionClient
+    from rclpy.signals import SignalHandlerOptions, install_signal_handlers
     from rosidl_runtime_py import set_message_fields
     from rosidl_runtime_py.utilities import get_action
 
@@ -106,6 +107,7 @@ def send_goal(args: Any) -> int:
     except Exception as error:
         raise ask.Unhappy(f"Failed to populate message fields: {error!r}") from None
     with ask.command_node() as node:
+        install_signal_handlers(SignalHandlerOptions.NO)  # Ctrl-C leaves the node alive, to cancel the goal
         client = ActionClient(node, kind, args.action_name)
         try:
             return _Sending(node, client, args.feedback).run(goal)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
+import shutil
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -72,6 +74,7 @@ def open_lab(args: argparse.Namespace) -> int:
         "--ServerApp.ip=127.0.0.1",
         "--LabApp.default_url=/lab/tree/00_start_here.ipynb",
         f"--LabServerApp.app_settings_dir={_settings_folder(folder)}",
+        *_terminal_settings(folder),
     ]  # fmt: skip
     if hasattr(os, "getuid") and os.getuid() == 0:
         command.append("--allow-root")
@@ -93,6 +96,29 @@ def _settings_folder(folder: Path) -> Path:
         '{"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": false}}'
     )
     return settings
+
+
+_BASHRC = """\
+# Terminals of the course: your own settings, then ROS sourced, and completion by Tab.
+[ -f ~/.bashrc ] && . ~/.bashrc
+export PATH={bin}:"$PATH"
+export PS1='\\W$ '
+eval "$(register-python-argcomplete ros2 2>/dev/null)"
+eval "$(register-python-argcomplete colcon 2>/dev/null)"
+cd {folder}
+"""
+
+
+def _terminal_settings(folder: Path) -> list[str]:
+    """Options that make JupyterLab's terminals know `ros2`: login shells forget the PATH that they are given."""
+    bash = shutil.which("bash")
+    if bash is None or sys.platform == "win32":
+        return []
+    file = folder / ".coursekit" / "terminal.bashrc"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    quoted = {"bin": shlex.quote(str(Path(sys.executable).parent)), "folder": shlex.quote(str(folder))}
+    file.write_text(_BASHRC.format(**quoted))
+    return [f"--ServerApp.terminado_settings={{'shell_command': [{bash!r}, '--rcfile', {str(file)!r}, '-i']}}"]
 
 
 def _has_browser() -> bool:

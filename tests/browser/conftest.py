@@ -106,6 +106,26 @@ class Notebook:
             timeout=PATIENCE_MS,
         )
 
+    def wait_until_it_answers(self) -> None:
+        """A connection that is still being made loses requests: ask until one is answered."""
+        for _ in range(8):
+            if self.page.evaluate(
+                """async () => {
+                    const kernel = jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel;
+                    const asked = async () => {
+                        await kernel.info;
+                        await kernel.requestExecute({ code: 'None', store_history: false }).done;
+                        return kernel.connectionStatus === 'connected';
+                    };
+                    const late = new Promise((done) => setTimeout(() => done(false), 8000));
+                    return kernel ? await Promise.race([asked(), late]) : await late;
+                }"""
+            ):
+                return
+            self.page.reload(timeout=PATIENCE_MS)
+            self.page.wait_for_selector(".jp-NotebookPanel .jp-CodeCell", timeout=PATIENCE_MS)
+        raise RuntimeError("the kernel does not answer")
+
     def text(self) -> str:
         """What the outputs say."""
         return "\n".join(self.page.locator(".jp-OutputArea-output").all_inner_texts())
@@ -147,7 +167,9 @@ def notebook(lab, browser, request):
             "() => jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.status === 'idle'",
             timeout=PATIENCE_MS,
         )
-        return Notebook(page, name)
+        made = Notebook(page, name)
+        made.wait_until_it_answers()
+        return made
 
     yield open_
     for page in opened:

@@ -19,7 +19,7 @@ from .kernel import adopt
 from .terminal import Terminal, Terminals
 
 _terminals: dict[str, Terminal] = {}
-_DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s\]")
+_DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
 
 
 def terminal(name: str) -> Terminal:
@@ -159,7 +159,7 @@ def _without_folders(text: str) -> str:
 
 def _without_durations(text: str) -> str:
     """What a build took is left out where every run has to print the same."""
-    return _DURATION.sub("[0.00s]", text)
+    return _DURATION.sub("[0.00s", text)
 
 
 def workspace() -> Path:

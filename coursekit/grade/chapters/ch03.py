@@ -98,6 +98,7 @@ def _expect_usage(seen: Seen, words: str) -> None:
     hints=(
         "The node has a client and a service, both made in the constructor.",
         "`async def`, and in it `await self.client.call_async(...)`: the result of await is the response.",
+        "The client needs a callback group of its own, or its answer waits for the end of your callback.",
     ),
 )
 def gate(work: Work) -> None:
@@ -109,15 +110,15 @@ def gate(work: Work) -> None:
     if "/py_gate_node" not in seen.nodes:
         raise Wrong("a node named /py_gate_node", ", ".join(seen.nodes) + _last_words(seen))
     if "/py_gate_service" not in seen.services:
-        raise Wrong("a service /py_gate_service", "none of that name", "self.create_service(AddTwoInts, name, function)")
+        raise Wrong("a service /py_gate_service", "none of that name", "Is create_service in the constructor?")
     if seen.responses[0] is None:
-        cause = "Does the callback wait for the answer with `call`? That is the deadlock: use `await` and `call_async`."
+        cause = "A deadlock? Both are needed: `await` with `call_async`, and a group of its own for the client."
         raise Wrong(f"an answer to {questions[0]}", "none came" + _last_words(seen), cause)
     for (a, b), response in zip(questions, seen.responses, strict=True):
         if response is None or response["sum"] != a + b + 10:
             raise Wrong(f"for a={a}, b={b} what the server says, and 10 more", f"{response}", share=0.25)
     if seen.outputs[1].count(" = ") < len(questions):
-        raise Wrong("py_add_two_ints_service is asked each time", "its server heard less", "Ask, do not add.", share=0.25)
+        raise Wrong("py_add_two_ints_service is asked each time", "its server heard less", "Ask it.", share=0.25)
 
 
 def _last_words(seen: Seen) -> str:
@@ -142,14 +143,15 @@ def switch(work: Work) -> None:
     services = [name for name, types in first.services.items() if SET in types]
     if not services:
         raise Wrong(f"a service of type {SET}", "none" + _last_words(first), "Was it built after the last change?")
-    topics = [name for name in first.topics if name not in ("/rosout", "/parameter_events") and first.publishers.get(name)]
+    usual = ("/rosout", "/parameter_events")
+    topics = [name for name in first.topics if name not in usual and first.publishers.get(name)]
     if not topics:
         raise Wrong("a topic that shows whether it is on", "the node publishes nothing", share=0.25)
     calls = [(when, services[0], SET, {"data": on}) for when, on in ((3.05, True), (6.05, False))]
     seen = work.try_out(command, call=calls, record=topics, seconds=9.0)
     for (_, name, _, request), response in zip(calls, seen.responses, strict=True):
         if response is None or not response["success"] or not response["message"].strip():
-            raise Wrong(f"{name} answers {request}: success, and a message", f"{response}", "Is it returned?", share=0.25)
+            raise Wrong(f"{name} answers {request}: success, and a message", f"{response}", share=0.25)
     if not any(_shows(seen.messages.get(name, [])) for name in topics):
         raise Wrong(
             "a topic, at least once a second, that differs between on and off",

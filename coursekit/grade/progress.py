@@ -86,7 +86,7 @@ class Progress:
         for chapter, (points, of, exercises) in self.chapters().items():
             marks = "".join(
                 f"<span title='{name} {title}: {got:g} of {most:g}' style='display:inline-block;width:12px;height:12px;"
-                f"margin-right:3px;border-radius:3px;background:{'#1a7f4b' if got >= most else '#c9a13b' if got else '#c8ced3'}'>"
+                f"margin-right:3px;border-radius:3px;background:{_colour(got, most)}'>"
                 "</span>"
                 for name, title, got, most in exercises
             )
@@ -95,6 +95,11 @@ class Progress:
                 f"<td style='text-align:left'>{marks}</td></tr>"
             )
         return f"<table><tr><th>chapter</th><th>points</th><th>exercises</th></tr>{''.join(rows)}</table>"
+
+
+def _colour(got: float, most: float) -> str:
+    """Green for all points, yellow for some, grey for none."""
+    return "#1a7f4b" if got >= most else "#c9a13b" if got else "#c8ced3"
 
 
 def progress(chapter: str = "") -> Progress:

@@ -46,7 +46,7 @@ def test_names_and_remappings_of_the_command_line_reach_the_node():
         (["topic", "type", "/nope"], 1, ""),
         (["topic", "echo", "/nope"], 1, "WARNING: topic [/nope] does not appear to be published yet"),
         (["topic", "pub", "/t", "std_msgs/msg/Nope"], 1, "The passed message type is invalid"),
-        (["topic", "pub", "/t", "std_msgs/msg/String", "hello"], 1, "The passed value needs to be a dictionary in YAML format"),
+        (["topic", "pub", "/t", "std_msgs/msg/String", "hello"], 1, "The passed value needs to be a dictionary in YAML"),
         (["topic", "pub", "/t", "std_msgs/msg/String", "{nope: 1}"], 1, "Failed to populate field"),
         (["node", "info", "/nope"], 1, "Unable to find node '/nope'"),
         (["param", "get", "/nope", "a"], 1, "Node not found"),

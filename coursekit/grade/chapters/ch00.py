@@ -25,7 +25,10 @@ def who(work: Work) -> None:
     "ch00.q2",
     "Keys",
     points=2,
-    hints=("It looks to the right at first: turn round before you drive.", "Half a turn is 3.14 rad; at 2 rad/s it takes 1.57 s."),
+    hints=(
+        "It looks to the right at first: turn round before you drive.",
+        "Half a turn is 3.14 rad; at 2 rad/s it takes 1.57 s.",
+    ),
 )
 def keys(work: Work) -> None:
     """The presses bring a fresh turtle to the left half."""
@@ -52,7 +55,8 @@ def keys(work: Work) -> None:
     if driven < 3:
         raise Wrong("at least 3 m", f"{driven:.1f} m", share=0.25)
     if poses[-1][0] >= 5.5:
-        raise Wrong("an end in the left half, x below 5.5", f"x = {poses[-1][0]:.2f}", "Where does it look at the start?", share=0.5)
+        seen_at = f"x = {poses[-1][0]:.2f}"
+        raise Wrong("an end in the left half, x below 5.5", seen_at, "Where does it look at the start?", share=0.5)
 
 
 @exercise("ch00.q3", "What for?", points=1, hints=("A dictionary: {chapter number: 'a sentence', ...}.",))

@@ -82,7 +82,9 @@ def relay(work: Work) -> None:
     seen = work.try_out(
         f"run {PACKAGE} relay_exe",
         record=["/py_upper_topic"],
-        publish=[(0.5 + index * 0.7, "/py_str_topic", "std_msgs/msg/String", {"data": one}) for index, one in enumerate(said)],
+        publish=[
+            (0.5 + index * 0.7, "/py_str_topic", "std_msgs/msg/String", {"data": one}) for index, one in enumerate(said)
+        ],
         seconds=4.0,
     )
     _expect_node(seen, "/py_relay_node")

@@ -152,7 +152,7 @@ def test_chapter_5_runs_to_its_camera(course, browser, picture):
         browser.new_page(viewport={"width": 1280, "height": 900}), course("05_parameters_launch_images.ipynb")
     )
     assert chapter.run_to("image_view(") > 0
-    image = chapter.show(chapter.page.locator(".ck-image img, .ck-image canvas").first)
+    image = chapter.show(chapter.page.locator(".ck-picture img").first)
     image.wait_for(timeout=PATIENCE_MS)
     chapter.page.wait_for_timeout(1500)
     picture(chapter.page, "chapter5")

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-TIME_LIMIT = 30.0
+TIME_LIMIT = 60.0
 """Real seconds that a trial may take."""
 MESSAGES = 5000
 """Messages that are kept of each topic."""
@@ -25,8 +25,9 @@ class Plan:
     """What happens in a trial.
 
     `run` are command lines without the word `ros2`, started in order; `record` are topics whose messages are kept;
-    `publish` are (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `seconds` is when
-    Ctrl-C is pressed in everything.
+    `publish` are (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `later` are
+    (seconds, command line), started when the rest is up, in that order; `seconds` is when Ctrl-C is pressed in
+    everything.
     """
 
     run: list[list[str]]
@@ -34,11 +35,15 @@ class Plan:
     record: list[str] = field(default_factory=list)
     publish: list[tuple[float, str, str, dict[str, Any]]] = field(default_factory=list)
     call: list[tuple[float, str, str, dict[str, Any]]] = field(default_factory=list)
+    later: list[tuple[float, list[str]]] = field(default_factory=list)
 
 
 @dataclass
 class Seen:
-    """What was seen: at the end of the trial, just before Ctrl-C, and while it ran."""
+    """What was seen: at the end of the trial, just before Ctrl-C, and while it ran.
+
+    `outputs` and `exit_codes` are those of `run`, then those of `later`.
+    """
 
     outputs: list[str] = field(default_factory=list)
     exit_codes: list[int | None] = field(default_factory=list)
@@ -84,13 +89,14 @@ class Watcher:
 
     def run(self) -> Seen:
         """Carry it out."""
-        from coursekit.cli.parser import run
-
-        started = [
-            self.session.start(lambda argv=argv: run(argv), name="ros2", argv=argv) for argv in self.plan.run
-        ]
+        started = [self._start(argv) for argv in self.plan.run]
         watching = self.session.start(self._watch, name="watcher")
-        self.session.clock.sleep(self.plan.seconds)
+        now = 0.0
+        for when, argv in self.plan.later:
+            self.session.clock.sleep(max(0.0, when - now))
+            now = max(now, when)
+            started.append(self._start(argv))
+        self.session.clock.sleep(max(0.0, self.plan.seconds - now))
         self._look()
         for process in started:
             process.interrupt()
@@ -98,6 +104,11 @@ class Watcher:
         self.seen.outputs = [process.output for process in started]
         watching.kill()
         return self.seen
+
+    def _start(self, argv: list[str]) -> Any:
+        from coursekit.cli.parser import run
+
+        return self.session.start(lambda: run(argv), name="ros2", argv=argv)
 
     def _watch(self) -> None:
         import rclpy

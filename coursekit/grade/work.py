@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -67,13 +67,23 @@ class Work:
         env = dict(os.environ)
         return overlay_environment(install, env) if install.is_dir() else env
 
-    def try_out(self, *commands: str, seconds: float = 3.0, **plan: Any) -> Seen:
+    def try_out(
+        self, *commands: str, seconds: float = 3.0, later: Sequence[tuple[float, str]] = (), **plan: Any
+    ) -> Seen:
         """Run `ros2` command lines (without that word) alone on the virtual clock; see `Plan` for the rest."""
-        planned = Plan(run=[shlex.split(command) for command in commands], seconds=seconds, **plan)
+        run, asked = [_words(one) for one in commands], [(when, _words(one)) for when, one in later]
+        planned = Plan(run=run, seconds=seconds, later=asked, **plan)
         try:
             return try_out(planned, self.environment(), str(self.workspace))
         except TrialFailed as failure:
             raise Wrong("programs that run", str(failure)) from None
+
+
+def _words(command: str) -> list[str]:
+    try:
+        return shlex.split(command)
+    except ValueError:
+        raise Wrong("a command line whose quotes come in pairs", command[:120]) from None
 
 
 def _near(path: Path) -> str:

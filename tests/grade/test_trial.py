@@ -15,6 +15,13 @@ def test_a_trial_takes_no_time_of_the_session():
         assert session.clock.steady() == before
 
 
+def test_later_commands_find_what_was_started_before():
+    talker, question = ["run", "demo_nodes_py", "talker"], ["topic", "type", "/chatter"]
+    seen = try_out(Plan(run=[talker], seconds=1.5, later=[(0.5, ["node", "list"]), (1.0, question)]))
+    assert [text.strip() for text in seen.outputs[1:]] == ["/talker", "std_msgs/msg/String"]
+    assert seen.exit_codes[1:] == [0, 0]
+
+
 def test_a_program_that_never_gives_way_fails_the_trial(tmp_path, monkeypatch):
     (tmp_path / "share/ament_index/resource_index/packages").mkdir(parents=True)
     (tmp_path / "share/ament_index/resource_index/packages/busy").touch()

@@ -8,6 +8,7 @@ blocking the only thread there is.
 from __future__ import annotations
 
 import contextvars
+import queue
 import sys
 import threading
 import time
@@ -193,6 +194,10 @@ class LaneLock:
     def locked(self) -> bool:
         return self._lock.locked()
 
+    def _at_fork_reinit(self) -> None:
+        self._lock = _RealLock()
+        self._waiters = []
+
     def __enter__(self) -> bool:
         return self.acquire()
 
@@ -230,6 +235,10 @@ class LaneRLock:
         if not self._count:
             self._owner = None
             self._block.release()
+
+    def _at_fork_reinit(self) -> None:
+        self._block._at_fork_reinit()
+        self._owner, self._count = None, 0
 
     def _is_owned(self) -> bool:
         return bool(self._owner == self._me())
@@ -279,6 +288,7 @@ def install_virtual() -> None:
     threading.current_thread = current_thread
     threading.Lock = LaneLock  # type: ignore[misc,assignment]
     threading.RLock = LaneRLock  # type: ignore[misc,assignment]
+    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined,misc] # the C one blocks all lanes
     for name in _real_clocks:
         setattr(time, name, _clock_reader(name, 1_000_000_000))
         setattr(time, f"{name}_ns", _clock_reader(name, 1))

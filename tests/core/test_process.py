@@ -255,3 +255,14 @@ def test_a_virtual_run_is_the_same_every_time():
             return "".join(log)
 
     assert one() == one()
+
+
+def test_a_thread_pool_works_in_a_program(session):
+    from concurrent.futures import ThreadPoolExecutor
+
+    def main():
+        with ThreadPoolExecutor(max_workers=2) as pool:
+            print(sorted(pool.map(lambda number: (time.sleep(0.01), number)[1], range(4))))
+
+    code, process = run(session, main)
+    assert (code, process.output) == (0, "[0, 1, 2, 3]\n")

@@ -128,7 +128,8 @@ class _Echo:
             except AttributeError as error:
                 ask.say_error(f"Invalid field '{'.'.join(self._args.field)}': {error}")
                 self._failed = True
-                self._done.done() or self._done.set_result(False)
+                if not self._done.done():
+                    self._done.set_result(False)
                 return
         print(self._text(msg))
 

@@ -118,6 +118,6 @@ def _import_module(name: str, package: str | None = None) -> ModuleType:
 
 def install() -> None:
     """Put the per-process imports in place; harmless when they are."""
-    builtins.__import__ = _import
+    builtins.__import__ = _import  # type: ignore[assignment]
     importlib.import_module = _import_module
     importlib.metadata.import_module = _import_module  # type: ignore[attr-defined]

@@ -4,103 +4,25 @@ from __future__ import annotations
 
 import contextvars
 import ctypes
-import io
 import itertools
 import os
 import signal
 import sys
 import threading
 import traceback
-from collections import deque
 from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from .lane import Lane, ProcessKilled, thread_lane
+from .output import Input, Output
+from .whose import current_process as current_process
+from .whose import owner
 
 if TYPE_CHECKING:
     from .session import Session
 
-_current: contextvars.ContextVar[Process | None] = contextvars.ContextVar("coursekit_process", default=None)
 _numbers = itertools.count(1)
-
-OUTPUT_LIMIT = 2_000_000
-"""Characters of output that a process remembers; older ones are dropped and counted."""
-
-
-def current_process() -> Process | None:
-    """The process in which the calling code runs; None in the interpreter's own code."""
-    return _current.get()
-
-
-class Output:
-    """What a process wrote, the newest `OUTPUT_LIMIT` characters, and who wants to hear of it."""
-
-    def __init__(self) -> None:
-        self._parts: deque[tuple[str, str]] = deque()
-        self._size = 0
-        self.dropped = 0
-        self.listeners: list[Callable[[str, str], None]] = []
-
-    def write(self, stream: str, text: str) -> None:
-        """Keep `text` and tell the listeners, outside of the process: what they print is not its output."""
-        self._parts.append((stream, text))
-        self._size += len(text)
-        while self._size > OUTPUT_LIMIT and len(self._parts) > 1:
-            _, old = self._parts.popleft()
-            self._size -= len(old)
-            self.dropped += len(old)
-        token = _current.set(None)
-        try:
-            for listener in list(self.listeners):
-                listener(stream, text)
-        finally:
-            _current.reset(token)
-
-    def text(self, stream: str | None = None) -> str:
-        """All that is remembered, or what went to one stream."""
-        return "".join(part for name, part in list(self._parts) if stream in (None, name))
-
-
-class Input(io.TextIOBase):
-    """A process's standard input; reading waits on the session's clock."""
-
-    def __init__(self, session: Session) -> None:
-        self._session = session
-        self._text = ""
-        self._closed_by_writer = False
-        self._changed = session.clock.new_event()
-
-    def feed(self, text: str) -> None:
-        self._text += text
-        self._changed.set()
-
-    def end(self) -> None:
-        self._closed_by_writer = True
-        self._changed.set()
-
-    def readable(self) -> bool:
-        return True
-
-    def readline(self, size: int = -1) -> str:  # type: ignore[override]
-        while "\n" not in self._text and not self._closed_by_writer:
-            self._wait()
-        line, newline, _ = self._text.partition("\n")
-        return self._take(len(line) + len(newline), size)
-
-    def read(self, size: int = -1) -> str:
-        while not self._closed_by_writer and (size < 0 or not self._text):
-            self._wait()
-        return self._take(len(self._text), size)
-
-    def _take(self, count: int, limit: int) -> str:
-        count = count if limit is None or limit < 0 else min(count, limit)
-        taken, self._text = self._text[:count], self._text[count:]
-        return taken
-
-    def _wait(self) -> None:
-        self._changed.clear()
-        self._changed.wait()
 
 
 class Process:
@@ -128,7 +50,8 @@ class Process:
         self.parent = parent
         inherited = parent.env if parent is not None else dict(session.environ)
         self.env: dict[str, str] = dict(inherited) if env is None else dict(env)
-        self.cwd = os.fspath(cwd) if cwd is not None else (parent.cwd if parent is not None else os.getcwd())
+        above = os.getcwd() if parent is None else parent.cwd
+        self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.exit_code: int | None = None
         self.abandoned = False
         self.locals: dict[Any, Any] = {}
@@ -230,7 +153,7 @@ class Process:
     def begin(self) -> None:
         """Start the lane in which `main` runs."""
         context = contextvars.copy_context()
-        context.run(_current.set, self)
+        context.run(owner.set, self)
         context.run(self.session.clock.spawn, self._run, f"{self.name}-{self.pid}")
 
     def _run(self) -> None:

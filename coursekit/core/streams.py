@@ -233,9 +233,9 @@ def install() -> None:
         sys.__class__ = _Sys
     if not isinstance(os.environ, Environ):
         os.environ = Environ(os.environ)  # type: ignore[assignment] # noqa: B003
-    time.sleep = _sleep
+    time.sleep = _sleep  # type: ignore[assignment]
     signal.signal = _signal  # type: ignore[assignment]
-    signal.getsignal = _getsignal
+    signal.getsignal = _getsignal  # type: ignore[assignment]
     global _real_input
     if builtins.input is not _input:
         _real_input = builtins.input

@@ -192,7 +192,7 @@ def main() -> int:
     """Read a plan, carry it out, print what was seen; the argument is how many real seconds it may take."""
     from coursekit.core.session import current
 
-    faulthandler.dump_traceback_later(float(sys.argv[1]), exit=True, file=sys.__stderr__)
+    faulthandler.dump_traceback_later(float(sys.argv[1]), exit=True, file=sys.__stderr__ or 2)
     plan = Plan(**json.load(sys.stdin))
     out = sys.stdout
     seen = Watcher(plan, current()).run()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import yaml
@@ -87,7 +88,8 @@ def _value(field: dict[str, Any], value: Any, path: str) -> Any:
     if not isinstance(value, str) or control == "text":
         return value
     try:
-        return {"whole": int, "number": float, "list": _list, "check": _truth}[control](value)
+        readers: dict[str, Callable[[str], Any]] = {"whole": int, "number": float, "list": _list, "check": _truth}
+        return readers[control](value)
     except (ValueError, yaml.YAMLError):
         wanted = {
             "whole": "a whole number",

@@ -79,7 +79,7 @@ class CourseMagics(Magics):
     def colcon(self, line: str) -> Terminal | None:
         """Run colcon, in the folder of `--workspace` or the current one."""
         options, argv, background = _read(self._expanded(line))
-        folder = Path(options.pop("workspace", None) or workspace())
+        folder = Path(options.get("workspace") or workspace())
         folder.mkdir(parents=True, exist_ok=True)
         command = [sys.executable, "-m", "colcon", *argv]
         virtual = current().clock.virtual
@@ -123,7 +123,7 @@ class CourseMagics(Magics):
             print(f"There is no {line.strip()} in {workspace().name}/. Is the name right, was the cell above run?")
 
     def _expanded(self, line: str) -> str:
-        return str(self.shell.var_expand(line)) if "{" not in line else line
+        return line if self.shell is None or "{" in line else str(self.shell.var_expand(line))
 
 
 def _read(line: str) -> tuple[dict[str, str], list[str], bool]:

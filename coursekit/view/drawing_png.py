@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Callable
 from typing import Any
 
 from .drawing import Curve, Drawing, Rect, Text, bends, heads
@@ -23,9 +24,10 @@ def png(drawing: Drawing) -> bytes:
     axes.set_xlim(0, drawing.width)
     axes.set_ylim(drawing.height, 0)
     axes.axis("off")
+    draw: dict[type, Callable[[Any, Any], None]] = {Rect: _rect, Text: _text, Curve: _curve}
     for part in drawing.parts:
         for shape in part.shapes:
-            {Rect: _rect, Text: _text, Curve: _curve}[type(shape)](axes, shape)
+            draw[type(shape)](axes, shape)
     file = io.BytesIO()
     FigureCanvasAgg(figure).print_png(file)
     return file.getvalue()

@@ -169,7 +169,7 @@ def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
     ]
     last = name.rpartition("/")[2]
     close = difflib.get_close_matches(name, candidates, 1, ALIKE)
-    return (close or [one for one in candidates if one.rpartition("/")[2] == last] or [None])[0]
+    return next(iter(close or [one for one in candidates if one.rpartition("/")[2] == last]), None)
 
 
 def _letters(name: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
@@ -160,7 +160,7 @@ def switch(work: Work) -> None:
         )
 
 
-def _shows(messages: list[tuple[float, Mapping[str, Any]]]) -> bool:
+def _shows(messages: Sequence[tuple[float, Mapping[str, Any]]]) -> bool:
     """Whether what is said while it is on (3 to 6 s) is never said before and after, at least twice in each part."""
     parts = [[repr(msg) for when, msg in messages if start <= when < start + 2.9] for start in (0.0, 3.1, 6.1)]
     before, on, after = (set(part) for part in parts)

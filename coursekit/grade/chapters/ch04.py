@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.trial import Seen
@@ -75,7 +76,7 @@ def mechanic(work: Work) -> None:
     work.built(APPS)
     states = [(17 + 9 * at, at % 2 == 0) for at in range(3)]
     radii = [0.5, 1.0, 2.25]
-    publish = [
+    publish: list[tuple[float, str, str, dict[str, Any]]] = [
         (1.0 + at, "/py_hs_topic", f"{TYPES}/msg/HardwareStatus", {"temperature": degrees, "are_motors_up": up})
         for at, (degrees, up) in enumerate(states)
     ]
@@ -137,7 +138,8 @@ def fetch(work: Work) -> None:
 
 
 def _expect_cancelled(work: Work, goal: str) -> None:
-    cancel = [(1.7, "/fetch/_action/cancel_goal", "action_msgs/srv/CancelGoal", {})]
+    empty: dict[str, Any] = {}
+    cancel = [(1.7, "/fetch/_action/cancel_goal", "action_msgs/srv/CancelGoal", empty)]
     seen = work.try_out(f"run {APPS} fetch_exe", goal, call=cancel, seconds=4.0)
     said = seen.outputs[1]
     if "Goal finished with status" not in said:

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import math
-import warnings
 from collections.abc import Callable
 from typing import Any
 
 from rcl_interfaces.msg import (
-    FloatingPointRange,
-    IntegerRange,
     ParameterDescriptor,
     ParameterEvent,
-    ParameterValue,
     SetParametersResult,
 )
 
+from rclpy._parameter_checks import outside_floating_range, outside_integer_range, read_declaration
 from rclpy.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -69,7 +65,7 @@ class NodeParameters:
         declared: list[Parameter] = []
         descriptors: dict[str, ParameterDescriptor] = {}
         for index, declaration in enumerate(parameters):
-            name, value, descriptor = _read_declaration(index, declaration)
+            name, value, descriptor = read_declaration(index, declaration)
             full_name = f"{namespace}{PARAMETER_SEPARATOR_STRING}{name}" if namespace else name
             validate_parameter_name(full_name)
             if not ignore_override and full_name in self._parameter_overrides:
@@ -238,22 +234,10 @@ class NodeParameters:
             )
         reason = ""
         if parameter.type_ == Parameter.Type.INTEGER and descriptor.integer_range:
-            reason = _outside_integer_range(parameter, descriptor.integer_range[0])
+            reason = outside_integer_range(parameter, descriptor.integer_range[0])
         elif parameter.type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:
-            reason = self._outside_floating_range(parameter, descriptor.floating_point_range[0])
+            reason = outside_floating_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
         return SetParametersResult(successful=not reason, reason=reason)
-
-    def _outside_floating_range(self, parameter: Parameter, allowed: FloatingPointRange) -> str:
-        value, low, high = parameter.value, allowed.from_value, allowed.to_value
-        if any(math.isclose(value, end, rel_tol=self.PARAM_REL_TOL) for end in (low, high)):
-            return ""
-        if not low <= value <= high:
-            return _outside(parameter, low, high)
-        if allowed.step:
-            steps = (value - low) / allowed.step
-            if not math.isclose(steps, round(steps), rel_tol=self.PARAM_REL_TOL):
-                return _no_step(parameter, allowed)
-        return ""
 
     def _store(self, parameters: list[Parameter]) -> None:
         event = ParameterEvent(node=self.get_fully_qualified_name())  # type: ignore[attr-defined]
@@ -335,77 +319,7 @@ class NodeParameters:
         self._post_set_callbacks.remove(callback)
 
 
-def _read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterDescriptor]:
-    """(name, value, descriptor) of one tuple that was given to declare_parameters."""
-    if len(declaration) < 1 or len(declaration) > 3:
-        raise TypeError(
-            f"Invalid parameter tuple length at index {index} in parameters list: "
-            f"{declaration}; expecting length between 1 and 3"
-        )
-    name = declaration[0]
-    if not isinstance(name, str):
-        raise TypeError(f"First element {name} at index {index} in parameters list is not a str.")
-    if len(declaration) == 1:
-        _warn_name_only(name)
-        return name, None, ParameterDescriptor(name=name, dynamic_typing=True)
-    descriptor = declaration[2] if len(declaration) == 3 else ParameterDescriptor()
-    if not isinstance(descriptor, ParameterDescriptor):
-        raise TypeError(
-            f"Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor."
-        )
-    descriptor = descriptor._clone()
-    value = declaration[1]
-    if isinstance(value, Parameter.Type):
-        if value == Parameter.Type.NOT_SET:
-            raise ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
-        if descriptor.dynamic_typing:
-            raise ValueError(
-                f"When declaring parameter {{{name}}} passing a descriptor with "
-                "`dynamic_typing=True` is not allowed when the parameter type is provided"
-            )
-        descriptor.type = value.value
-        return name, None, descriptor
-    if isinstance(value, ParameterValue):
-        raise ValueError("Cannot declare a Parameter from a ParameterValue: give the value itself.")
-    if not descriptor.dynamic_typing and value is not None:
-        descriptor.type = Parameter.Type.from_parameter_value(value).value
-    return name, value, descriptor
-
-
-def _warn_name_only(name: str) -> None:
-    warnings.warn(
-        f"when declaring parameter named '{name}', declaring a parameter only providing its name is deprecated. "
-        "You have to either:\n"
-        '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
-        "\t- Pass a name and a parameter type.\n"
-        "\t- Pass a name and a descriptor with `dynamic_typing=True",
-        stacklevel=5,
-    )
-
-
 def _parameter_msg(name: str, value: Any) -> Any:
     from rcl_interfaces.msg import Parameter as ParameterMsg
 
     return ParameterMsg(name=name, value=value)
-
-
-def _outside(parameter: Parameter, low: Any, high: Any) -> str:
-    return f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {parameter.value}"
-
-
-def _no_step(parameter: Parameter, allowed: Any) -> str:
-    return (
-        f"The parameter value for {parameter.name} is not a valid step. Min: {allowed.from_value}, "
-        f"max: {allowed.to_value}, value: {parameter.value}, step: {allowed.step}"
-    )
-
-
-def _outside_integer_range(parameter: Parameter, allowed: IntegerRange) -> str:
-    value, low, high = parameter.value, allowed.from_value, allowed.to_value
-    if value in (low, high):
-        return ""
-    if not min(low, high) <= value <= max(low, high):
-        return _outside(parameter, low, high)
-    if allowed.step and (value - low) % allowed.step:
-        return _no_step(parameter, allowed)
-    return ""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
@@ -11,6 +10,7 @@ from coursekit.core.ready import Source
 from coursekit.core.session import current
 from coursekit.core.timebase import TimeBase
 from coursekit.core.timer import Timer as CoreTimer
+from rclpy._wait_set import WaitSet as WaitSet
 
 
 class RCLError(RuntimeError):
@@ -344,52 +344,3 @@ def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
     """What a subscription callback's second argument holds."""
     _, stamp, publisher = entry
     return {"source_timestamp": stamp, "received_timestamp": stamp, "publisher_gid": publisher.gid}
-
-
-class WaitSet:
-    """Stands for rcl's wait set: a waitable adds its handles and asks which of them are ready."""
-
-    def __init__(self, *_sizes: Any) -> None:
-        self.handles: dict[str, list[Any]] = {}
-
-    def _add(self, kind: str, handle: Any) -> int:
-        handles = self.handles.setdefault(kind, [])
-        handles.append(handle)
-        return len(handles) - 1
-
-    def add_subscription(self, handle: Any) -> int:
-        """Wait for a message."""
-        return self._add("subscription", handle)
-
-    def add_guard_condition(self, handle: Any) -> int:
-        """Wait for a flag."""
-        return self._add("guard_condition", handle)
-
-    def add_timer(self, handle: Any) -> int:
-        """Wait for a timer."""
-        return self._add("timer", handle)
-
-    def add_client(self, handle: Any) -> int:
-        """Wait for a response."""
-        return self._add("client", handle)
-
-    def add_service(self, handle: Any) -> int:
-        """Wait for a request."""
-        return self._add("service", handle)
-
-    def add_event(self, handle: Any) -> int:
-        """Wait for a QoS event."""
-        return self._add("event", handle)
-
-    def is_ready(self, kind: str, index: int) -> bool:
-        """Whether that entity is ready."""
-        handle = self.handles[kind][index]
-        if kind == "guard_condition":
-            return handle.core.take()
-        return handle.core.has_work()
-
-    def sources(self) -> Iterator[Source]:
-        """All that was added."""
-        for handles in self.handles.values():
-            for handle in handles:
-                yield handle.core

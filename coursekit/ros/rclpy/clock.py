@@ -115,6 +115,9 @@ class Clock:
     <ClockType.STEADY_TIME: 3>
     """
 
+    _clock_type: ClockType
+    _handle: _Handle
+
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Any:
         if not isinstance(clock_type, ClockType):
             raise TypeError("Clock type must be a ClockType enum")

@@ -13,9 +13,12 @@ def wait_for_message(
 ) -> tuple[bool, Any]:
     """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds, -1 for no end."""
     received = Future()
-    subscription = node.create_subscription(
-        msg_type, topic, lambda msg: received.done() or received.set_result(msg), qos_profile
-    )
+
+    def receive(msg: Any) -> None:
+        if not received.done():
+            received.set_result(msg)
+
+    subscription = node.create_subscription(msg_type, topic, receive, qos_profile)
     executor = SingleThreadedExecutor(context=node.context)  # aside from the one that the node may have
     executor._attach(subscription)
     try:

@@ -1,0 +1,84 @@
+"""What a process prints, and what is typed to it."""
+
+from __future__ import annotations
+
+import io
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from .whose import outside
+
+if TYPE_CHECKING:
+    from .session import Session
+
+OUTPUT_LIMIT = 2_000_000
+"""Characters of output that a process remembers; older ones are dropped and counted."""
+
+
+class Output:
+    """What a process wrote, the newest `OUTPUT_LIMIT` characters, and who wants to hear of it."""
+
+    def __init__(self) -> None:
+        self._parts: deque[tuple[str, str]] = deque()
+        self._size = 0
+        self.dropped = 0
+        self.listeners: list[Callable[[str, str], None]] = []
+
+    def write(self, stream: str, text: str) -> None:
+        """Keep `text` and tell the listeners, outside of the process: what they print is not its output."""
+        self._parts.append((stream, text))
+        self._size += len(text)
+        while self._size > OUTPUT_LIMIT and len(self._parts) > 1:
+            _, old = self._parts.popleft()
+            self._size -= len(old)
+            self.dropped += len(old)
+        with outside():
+            for listener in list(self.listeners):
+                listener(stream, text)
+
+    def text(self, stream: str | None = None) -> str:
+        """All that is remembered, or what went to one stream."""
+        return "".join(part for name, part in list(self._parts) if stream in (None, name))
+
+
+class Input(io.TextIOBase):
+    """A process's standard input; reading waits on the session's clock."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._text = ""
+        self._closed_by_writer = False
+        self._changed = session.clock.new_event()
+
+    def feed(self, text: str) -> None:
+        self._text += text
+        self._changed.set()
+
+    def end(self) -> None:
+        self._closed_by_writer = True
+        self._changed.set()
+
+    def readable(self) -> bool:
+        return True
+
+    def readline(self, size: int = -1) -> str:  # type: ignore[override]
+        while "\n" not in self._text and not self._closed_by_writer:
+            self._wait()
+        line, newline, _ = self._text.partition("\n")
+        return self._take(len(line) + len(newline), size)
+
+    def read(self, size: int | None = -1) -> str:
+        size = -1 if size is None else size
+        while not self._closed_by_writer and (size < 0 or not self._text):
+            self._wait()
+        return self._take(len(self._text), size)
+
+    def _take(self, count: int, limit: int) -> str:
+        count = count if limit is None or limit < 0 else min(count, limit)
+        taken, self._text = self._text[:count], self._text[count:]
+        return taken
+
+    def _wait(self) -> None:
+        self._changed.clear()
+        self._changed.wait()

@@ -1,0 +1,57 @@
+"""The wait set that waitables fill and ask."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from coursekit.core.ready import Source
+
+
+class WaitSet:
+    """Stands for rcl's wait set: a waitable adds its handles and asks which of them are ready."""
+
+    def __init__(self, *_sizes: Any) -> None:
+        self.handles: dict[str, list[Any]] = {}
+
+    def _add(self, kind: str, handle: Any) -> int:
+        handles = self.handles.setdefault(kind, [])
+        handles.append(handle)
+        return len(handles) - 1
+
+    def add_subscription(self, handle: Any) -> int:
+        """Wait for a message."""
+        return self._add("subscription", handle)
+
+    def add_guard_condition(self, handle: Any) -> int:
+        """Wait for a flag."""
+        return self._add("guard_condition", handle)
+
+    def add_timer(self, handle: Any) -> int:
+        """Wait for a timer."""
+        return self._add("timer", handle)
+
+    def add_client(self, handle: Any) -> int:
+        """Wait for a response."""
+        return self._add("client", handle)
+
+    def add_service(self, handle: Any) -> int:
+        """Wait for a request."""
+        return self._add("service", handle)
+
+    def add_event(self, handle: Any) -> int:
+        """Wait for a QoS event."""
+        return self._add("event", handle)
+
+    def is_ready(self, kind: str, index: int) -> bool:
+        """Whether that entity is ready."""
+        handle = self.handles[kind][index]
+        if kind == "guard_condition":
+            return handle.core.take()
+        return handle.core.has_work()
+
+    def sources(self) -> Iterator[Source]:
+        """All that was added."""
+        for handles in self.handles.values():
+            for handle in handles:
+                yield handle.core

@@ -1,0 +1,47 @@
+"""Robots: reading and checking their description (URDF, xacro), where their links are, what they look like and weigh.
+
+Numbers in, numbers out: nothing of ROS is needed here.
+"""
+
+from .errors import MeshError, UrdfError
+from .model import (
+    Box,
+    Collision,
+    Cylinder,
+    Geometry,
+    Inertial,
+    Joint,
+    Limit,
+    Link,
+    Material,
+    Mesh,
+    Mimic,
+    Origin,
+    Robot,
+    Sphere,
+    Visual,
+)
+from .reader import load, load_text, parse
+
+__all__ = [
+    "Box",
+    "Collision",
+    "Cylinder",
+    "Geometry",
+    "Inertial",
+    "Joint",
+    "Limit",
+    "Link",
+    "Material",
+    "Mesh",
+    "MeshError",
+    "Mimic",
+    "Origin",
+    "Robot",
+    "Sphere",
+    "UrdfError",
+    "Visual",
+    "load",
+    "load_text",
+    "parse",
+]

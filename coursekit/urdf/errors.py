@@ -1,0 +1,68 @@
+"""What is wrong with a robot's description: the place, urdfdom's words, and the cure."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class UrdfError(ValueError):
+    """A description that is no robot.
+
+    `what` is the fault in urdfdom's words, `file`, `line` and `element` are the place, `cure` says what to do, and
+    `chain` holds the lines that urdfdom adds when the fault ends the reading of a larger element.
+    """
+
+    def __init__(
+        self,
+        what: str,
+        *,
+        file: str = "",
+        line: int = 0,
+        element: str = "",
+        cure: str = "",
+        chain: tuple[str, ...] = (),
+    ) -> None:
+        self.what = what
+        self.file = file or "robot description"
+        self.line = line
+        self.element = element
+        self.cure = cure
+        self.chain = chain
+        super().__init__(self._text())
+
+    def _text(self) -> str:
+        place = f"{self.file}:{self.line}" if self.line else self.file
+        where = f"{place}: {self.element}: " if self.element else f"{place}: "
+        return f"{where}{self.what}\n{self.cure}" if self.cure else where + self.what
+
+    def within(self, outer: str) -> UrdfError:
+        """The same fault, as part of a larger element; `outer` is what urdfdom says about that."""
+        return UrdfError(
+            self.what,
+            file=self.file,
+            line=self.line,
+            element=self.element,
+            cure=self.cure,
+            chain=(*self.chain, outer),
+        )
+
+
+class MeshError(UrdfError):
+    """A mesh file that is not there or cannot be read; the text names the folders that were searched."""
+
+
+def close(name: str, known: Iterable[str]) -> str:
+    """A hint with the nearest names, or with all of them.
+
+    >>> close("base_lnk", ["base_link", "wheel"])
+    "Did you mean 'base_link'?"
+    >>> close("x", ["base_link", "wheel"])
+    'There are: base_link, wheel.'
+    """
+    names = list(known)
+    near = difflib.get_close_matches(name, names, 1, 0.6)
+    if near:
+        return f"Did you mean '{near[0]}'?"
+    more = " ..." if len(names) > 12 else ""
+    return f"There are: {', '.join(names[:12]) or 'none'}{more}."

@@ -1,0 +1,53 @@
+"""xacro files as URDF text."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import threading
+from collections.abc import Mapping
+from typing import Any
+from xml.parsers.expat import ExpatError
+
+from .errors import UrdfError
+
+_alone = threading.Lock()
+"""xacro keeps its state in module globals."""
+
+
+def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> str:
+    """What `xacro PATH name:=value ...` prints; `$(find package)` looks in the ament index. Raises UrdfError.
+
+    In ROS 2: `ros2 run xacro xacro PATH`, or `Command(['xacro ', path])` in a launch file.
+    """
+    import xacro
+
+    file = os.fspath(path)
+    said = io.StringIO()
+    with _alone, contextlib.redirect_stderr(said):
+        try:
+            document = xacro.process_file(file, mappings=dict(arguments or {}))
+        except ExpatError as error:
+            cure = "A tag, a quote or an & is not closed there."
+            raise UrdfError(f"XML parser error: {error}", file=file, line=error.lineno, cure=cure) from None
+        except (Exception, SystemExit) as error:
+            raise _fault(error, file, said.getvalue()) from None
+    return str(document.toprettyxml(indent="  "))
+
+
+def _fault(error: BaseException, file: str, said: str) -> UrdfError:
+    """xacro's complaint with the file that it was in."""
+    stack: list[Any] = list(getattr(__import__("xacro"), "filestack", None) or [])
+    named = [str(one) for one in stack if one]
+    inner = named[-1] if named else file
+    lines = [line for line in said.splitlines() if line.strip()]
+    what = str(error) or type(error).__name__
+    if isinstance(error, SystemExit) and lines:
+        what = lines[-1]
+    within = f" (included by {file})" if inner != file else ""
+    cure = "Look at the names in ${...} and $(...), and at the macro's parameters."
+    return UrdfError(f"xacro: {what}{within}", file=inner, cure=cure)
+
+
+__all__ = ["expand"]

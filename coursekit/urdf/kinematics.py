@@ -1,0 +1,241 @@
+"""Where all links are for given joint positions (forward kinematics).
+
+A robot's tree never changes while its joints move, so it is compiled once: `_compile` writes a Python function with one
+line of arithmetic for each number that is not constant. Constant parts, zeros and ones are worked out beforehand.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from .errors import close
+from .model import Joint, Origin, Robot, Vector
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Pose = tuple[float, float, float, float, float, float, float]
+"""x, y, z [m] and the quaternion x, y, z, w, as in geometry_msgs/Pose."""
+Term = float | str
+"""A number known beforehand, or the name of a variable of the written function."""
+
+
+def quaternion_of(rpy: Vector) -> tuple[float, float, float, float]:
+    """Roll, pitch, yaw (about the fixed axes x, y, z) as a quaternion x, y, z, w.
+
+    >>> quaternion_of((0.0, 0.0, math.pi))
+    (0.0, 0.0, 1.0, 6.123233995736766e-17)
+    """
+    (sr, cr), (sp, cp), (sy, cy) = ((math.sin(a / 2), math.cos(a / 2)) for a in rpy)
+    return (
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    )
+
+
+def pose_of(origin: Origin) -> Pose:
+    """An origin as a pose."""
+    return (*origin.xyz, *quaternion_of(origin.rpy))
+
+
+def compose(a: Pose, b: Pose) -> Pose:
+    """The pose `b`, given in the frame `a`, in the frame that `a` is given in."""
+    x, y, z, qx, qy, qz, qw = a
+    bx, by, bz, rx, ry, rz, rw = b
+    tx, ty, tz = 2 * (qy * bz - qz * by), 2 * (qz * bx - qx * bz), 2 * (qx * by - qy * bx)
+    return (
+        x + bx + qw * tx + qy * tz - qz * ty,
+        y + by + qw * ty + qz * tx - qx * tz,
+        z + bz + qw * tz + qx * ty - qy * tx,
+        qw * rx + qx * rw + qy * rz - qz * ry,
+        qw * ry + qy * rw + qz * rx - qx * rz,
+        qw * rz + qz * rw + qx * ry - qy * rx,
+        qw * rw - qx * rx - qy * ry - qz * rz,
+    )
+
+
+def joint_pose(joint: Joint, position: float = 0.0) -> Pose:
+    """The child link's pose in the parent link, with the joint at `position` (rad or m)."""
+    origin = pose_of(joint.origin)
+    x, y, z = joint.axis
+    if joint.type == "prismatic":
+        return compose(origin, (x * position, y * position, z * position, 0.0, 0.0, 0.0, 1.0))
+    if not joint.moves:
+        return origin
+    sin, cos = math.sin(position / 2), math.cos(position / 2)
+    return compose(origin, (0.0, 0.0, 0.0, x * sin, y * sin, z * sin, cos))
+
+
+class Kinematics:
+    """The link poses of one robot, compiled.
+
+    >>> from coursekit.urdf import parse
+    >>> robot = parse('''<robot name="arm"><link name="base"/><link name="tip"/>
+    ...   <joint name="slide" type="prismatic"><parent link="base"/><child link="tip"/><axis xyz="0 0 1"/>
+    ...   <limit lower="0" upper="1" effort="1" velocity="1"/></joint></robot>''')
+    >>> Kinematics(robot).poses({"slide": 0.25})["tip"]
+    (0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 1.0)
+
+    In ROS 2: what robot_state_publisher and tf2 do together.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self.links = [link.name for _, link in robot.walk()]
+        """The links in the order of the poses: each after its parent."""
+        self._known = frozenset(name for name, joint in robot.joints.items() if joint.moves)
+        self._run = _compile(robot, self.links)
+
+    def poses(self, positions: Mapping[str, float] | None = None) -> dict[str, Pose]:
+        """Each link's pose in the root link; joints that are not given stand at 0, mimics follow.
+
+        Raises LookupError for a name that is no joint which moves.
+        """
+        if not positions:
+            return self._run({})
+        if not positions.keys() <= self._known:
+            self._refuse(positions)
+        return self._run(positions)
+
+    def _refuse(self, positions: Mapping[str, float]) -> None:
+        for name in positions:
+            if name in self.robot.joints and name not in self._known:
+                type_ = self.robot.joints[name].type
+                raise LookupError(f"joint '{name}' is {type_}: no single number is its position.")
+            if name not in self._known:
+                raise LookupError(f"{self.robot.name} has no joint '{name}'. {close(name, sorted(self._known))}")
+
+    def matrices(self, positions: Mapping[str, float] | None = None) -> np.ndarray:
+        """The same as an array of 4x4 matrices (number of links, 4, 4), in the order of `links`."""
+        import numpy as np
+
+        x, y, z, qx, qy, qz, qw = np.array(list(self.poses(positions).values())).T
+        result = np.zeros((len(self.links), 4, 4))
+        result[:, 0] = np.stack((1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy - qz * qw), 2 * (qx * qz + qy * qw), x), 1)
+        result[:, 1] = np.stack((2 * (qx * qy + qz * qw), 1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz - qx * qw), y), 1)
+        result[:, 2] = np.stack((2 * (qx * qz - qy * qw), 2 * (qy * qz + qx * qw), 1 - 2 * (qx * qx + qy * qy), z), 1)
+        result[:, 3, 3] = 1.0
+        return result
+
+
+# -- writing the function
+
+
+class _Writer:
+    """Lines of arithmetic; whatever is known beforehand does not become a line."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self._count = 0
+
+    def keep(self, expression: str) -> str:
+        """A new variable with that value."""
+        self._count += 1
+        self.lines.append(f"v{self._count} = {expression}")
+        return f"v{self._count}"
+
+    def sum(self, *products: tuple[Term, ...]) -> Term:
+        """The sum of products, each of numbers and names."""
+        constant, words = 0.0, []
+        for product in products:
+            factor = math.prod(one for one in product if not isinstance(one, str))
+            names = [one for one in product if isinstance(one, str)]
+            if not names:
+                constant += factor
+            elif factor:
+                words.append((factor, "*".join(names)))
+        if not words:
+            return constant
+        if len(words) == 1 and words[0][0] == 1.0 and not constant and "*" not in words[0][1]:
+            return words[0][1]
+        text = "".join(_signed(factor, names) for factor, names in words)
+        if constant:
+            text += f"{'-' if constant < 0 else '+'}{abs(constant)!r}"
+        return self.keep(text.removeprefix("+"))
+
+
+def _signed(factor: float, names: str) -> str:
+    if abs(factor) == 1.0:
+        return f"{'+' if factor > 0 else '-'}{names}"
+    return f"{'+' if factor > 0 else '-'}{abs(factor)!r}*{names}"
+
+
+def _compile(robot: Robot, links: list[str]) -> Callable[[Mapping[str, float]], dict[str, Any]]:
+    """A function from positions to the dict of poses."""
+    writer = _Writer()
+    names: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
+    for number, joint in enumerate(robot.joints.values()):
+        names[f"J{number}"] = joint.name
+    poses: dict[str, list[Term]] = {links[0]: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]}
+    variables = _positions(robot, writer)
+    for link in links[1:]:
+        joint = robot.joint_above(link)
+        assert joint is not None
+        poses[link] = _compose(writer, poses[joint.parent], _joint_terms(writer, joint, variables))
+    for number, link in enumerate(links):
+        names[f"L{number}"] = link
+    rows = [f"L{number}: ({', '.join(map(str, poses[link]))})" for number, link in enumerate(links)]
+    body = "\n    ".join(["get = p.get", *writer.lines, f"return {{{', '.join(rows)}}}"])
+    exec(f"def run(p):\n    {body}\n", names)
+    run: Callable[[Mapping[str, float]], dict[str, Any]] = names["run"]
+    return run
+
+
+def _positions(robot: Robot, writer: _Writer) -> dict[str, str]:
+    """The variable of each joint's position: given, or that of the joint that it mimics, or 0."""
+    numbers = {name: number for number, name in enumerate(robot.joints)}
+    found: dict[str, str] = {}
+
+    def of(name: str) -> str:
+        if name not in found:
+            mimic, default = robot.joints[name].mimic, "0.0"
+            if mimic is not None:
+                default = f"{of(mimic.joint)}*{mimic.multiplier!r}+{mimic.offset!r}"
+            found[name] = writer.keep(f"get(J{numbers[name]}, {default})")
+        return found[name]
+
+    for joint in robot.joints.values():
+        if joint.moves:
+            of(joint.name)
+    return found
+
+
+def _joint_terms(writer: _Writer, joint: Joint, variables: Mapping[str, str]) -> list[Term]:
+    origin: list[Term] = list(pose_of(joint.origin))
+    if not joint.moves:
+        return origin
+    position = variables[joint.name]
+    x, y, z = joint.axis
+    if joint.type == "prismatic":
+        shift: list[Term] = [writer.sum((axis, position)) for axis in (x, y, z)]
+        return _compose(writer, origin, [*shift, 0.0, 0.0, 0.0, 1.0])
+    half = writer.keep(f"0.5*{position}")
+    sin, cos = writer.keep(f"sin({half})"), writer.keep(f"cos({half})")
+    turn: list[Term] = [writer.sum((axis, sin)) for axis in (x, y, z)]
+    return _compose(writer, origin, [0.0, 0.0, 0.0, *turn, cos])
+
+
+def _compose(writer: _Writer, a: list[Term], b: list[Term]) -> list[Term]:
+    """`compose`, as lines."""
+    x, y, z, qx, qy, qz, qw = a
+    bx, by, bz, rx, ry, rz, rw = b
+    add = writer.sum
+    tx = add((2.0, qy, bz), (-2.0, qz, by))
+    ty = add((2.0, qz, bx), (-2.0, qx, bz))
+    tz = add((2.0, qx, by), (-2.0, qy, bx))
+    return [
+        add((x,), (bx,), (qw, tx), (qy, tz), (-1.0, qz, ty)),
+        add((y,), (by,), (qw, ty), (qz, tx), (-1.0, qx, tz)),
+        add((z,), (bz,), (qw, tz), (qx, ty), (-1.0, qy, tx)),
+        add((qw, rx), (qx, rw), (qy, rz), (-1.0, qz, ry)),
+        add((qw, ry), (qy, rw), (qz, rx), (-1.0, qx, rz)),
+        add((qw, rz), (qz, rw), (qx, ry), (-1.0, qy, rx)),
+        add((qw, rw), (-1.0, qx, rx), (-1.0, qy, ry), (-1.0, qz, rz)),
+    ]
+
+
+__all__ = ["Kinematics", "Pose", "compose", "joint_pose", "pose_of", "quaternion_of"]

@@ -1,0 +1,122 @@
+"""Whether links and joints are one tree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from .errors import UrdfError, close
+from .model import Joint, Link
+from .xml_tree import Element
+
+_TREE = "Failed to build tree: "
+_ROOT = "Failed to find root link: "
+
+
+def _element(root: Element, tag: str, name: str) -> Element:
+    return next(one for one in root.all(tag) if one.get("name") == name)
+
+
+def find_root(root: Element, links: Mapping[str, Link], joints: Mapping[str, Joint]) -> str:
+    """The name of the only link without a parent; raises UrdfError if the joints do not make one tree of the links."""
+    for joint in joints.values():
+        _check_ends(_element(root, "joint", joint.name), joint, links)
+    above: dict[str, Joint] = {}
+    for joint in joints.values():
+        if joint.child in above:
+            raise _two_parents(root, above[joint.child], joint)
+        above[joint.child] = joint
+    tops = [name for name in links if name not in above]
+    if not tops:
+        raise _loop(root, next(iter(links)), above, _ROOT + "No root link found. The robot xml is not a valid tree.")
+    if len(tops) > 1:
+        raise _two_roots(root, tops)
+    reached = {tops[0]}
+    for name in links:
+        if name not in reached and not _climbs(name, above, reached):
+            raise _loop(root, name, above, f"{_TREE}link [{name}] is not connected to the root [{tops[0]}]")
+    return tops[0]
+
+
+def _check_ends(element: Element, joint: Joint, links: Mapping[str, Link]) -> None:
+    if not joint.parent or not joint.child:
+        what = f"{_TREE}Joint [{joint.name}] is missing a parent and/or child link specification."
+        raise element.error(what, 'A joint has both <parent link="..."/> and <child link="..."/>.')
+    if joint.child not in links:
+        what = f"{_TREE}child link [{joint.child}] of joint [{joint.name}] not found"
+        end = element.first("child") or element
+        raise end.error(what, f'{close(joint.child, links)} Or add <link name="{joint.child}"/>.')
+    if joint.parent not in links:
+        what = (
+            f"{_TREE}parent link [{joint.parent}] of joint [{joint.name}] not found.  This is not valid according to "
+            "the URDF spec. Every link you refer to from a joint needs to be explicitly defined in the robot "
+            f"description. To fix this problem you can either remove this joint [{joint.name}] from your urdf file, or "
+            f'add "<link name="{joint.parent}" />" to your urdf file.'
+        )
+        end = element.first("parent") or element
+        raise end.error(what, close(joint.parent, links))
+
+
+def _two_parents(root: Element, first: Joint, second: Joint) -> UrdfError:
+    what = f"{_TREE}link [{second.child}] is the child of two joints: [{first.name}] and [{second.name}]"
+    cure = (
+        f"Joint [{first.name}] in line {first.line} hangs it on [{first.parent}], joint [{second.name}] on "
+        f"[{second.parent}]. A link hangs on one joint only: remove one of them, or give it another child."
+    )
+    return _element(root, "joint", second.name).error(what, cure)
+
+
+def _two_roots(root: Element, tops: list[str]) -> UrdfError:
+    what = f"{_ROOT}Two root links found: [{tops[0]}] and [{tops[1]}]"
+    more = f" ({len(tops)} in all: {', '.join(tops)})" if len(tops) > 2 else ""
+    cure = f"All links but one are the child of a joint{more}: add a joint with <child link=\"{tops[1]}\"/>."
+    return _element(root, "link", tops[1]).error(what, cure)
+
+
+def _climbs(name: str, above: Mapping[str, Joint], reached: set[str]) -> bool:
+    """Whether the way up ends at a link that is known to hang on the root; then all on the way are known too."""
+    way = []
+    while name not in reached:
+        if name in way:
+            return False
+        way.append(name)
+        name = above[name].parent
+    reached.update(way)
+    return True
+
+
+def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> UrdfError:
+    """The error that names the loop which the way up from `start` ends in."""
+    way: list[str] = []
+    while start not in way:
+        way.append(start)
+        start = above[start].parent
+    loop = [*way[way.index(start) :], start][::-1]
+    last = above[loop[-1]]
+    cure = f"The links go round in a loop: {' -> '.join(loop)}. Remove one of its joints, for example [{last.name}]."
+    return _element(root, "joint", last.name).error(what, cure)
+
+
+def check_mimics(root: Element, joints: Mapping[str, Joint]) -> None:
+    """Raise UrdfError if a joint mimics nothing, or itself by way of others."""
+    for joint in joints.values():
+        if joint.mimic is None:
+            continue
+        element = _element(root, "joint", joint.name).first("mimic") or root
+        if joint.mimic.joint not in joints:
+            what = f"joint [{joint.name}] mimics joint [{joint.mimic.joint}], which does not exist"
+            raise element.error(what, close(joint.mimic.joint, joints))
+        if not joints[joint.mimic.joint].moves:
+            what = f"joint [{joint.name}] mimics joint [{joint.mimic.joint}], which is {joints[joint.mimic.joint].type}"
+            raise element.error(what, "Name a joint that moves: revolute, continuous or prismatic.")
+        way = [joint.name]
+        follows: str | None = joint.mimic.joint
+        while follows is not None and follows in joints:
+            if follows in way:
+                what = f"joint [{joint.name}] mimics itself: {' -> '.join([*way, follows])}"
+                raise element.error(what, "One of them has to move by itself: remove its <mimic>.")
+            way.append(follows)
+            mimic = joints[follows].mimic
+            follows = None if mimic is None else mimic.joint
+
+
+__all__ = ["check_mimics", "find_root"]

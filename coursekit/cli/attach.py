@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 
 from . import endpoint
 
@@ -50,17 +51,21 @@ def connect_or_start() -> socket.socket:
 
 def attach(argv: Sequence[str]) -> int:
     """Have the session carry out `ros2 ARGV`; its exit code."""
-    client = connect_or_start()
+    return _be_terminal(connect_or_start(), {"argv": list(argv)})
+
+
+def attach_script(path: Path, argv: Sequence[str]) -> int | None:
+    """Have the session carry out `python3 PATH ARGV`; its exit code, or None when no session runs."""
+    try:
+        client = endpoint.connect(domain_id())
+    except endpoint.NoSession:
+        return None
+    return _be_terminal(client, {"script": str(path), "argv": list(argv)})
+
+
+def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
     with client, _signals_to(client):
-        _send(
-            client,
-            {
-                "token": endpoint.token(domain_id()),
-                "argv": list(argv),
-                "env": dict(os.environ),
-                "cwd": os.getcwd(),
-            },
-        )
+        _send(client, {"token": endpoint.token(domain_id()), "env": dict(os.environ), "cwd": os.getcwd(), **wish})
         threading.Thread(target=_forward_stdin, args=(client,), daemon=True).start()
         return _show(client)
 

@@ -89,16 +89,20 @@ class Guest:
 
     def _start(self, first: dict[str, Any]) -> None:
         argv = [str(word) for word in first.get("argv", [])]
-        self._process = self._door.session.start(
-            lambda: run(argv),
-            name="ros2",
-            argv=argv,
-            env={str(key): str(value) for key, value in first.get("env", {}).items()},
-            cwd=str(first.get("cwd") or os.getcwd()),
-            on_output=lambda stream, text: self._say({stream: text}),
-        )
-        self._process.on_wants_keys = lambda: self._say({"keys": True})
-        self._process.on_exit(lambda process: self._say({"exit": process.exit_code}))
+        script = str(first.get("script") or "")
+        session = self._door.session
+        around: Any = {
+            "env": {str(key): str(value) for key, value in first.get("env", {}).items()},
+            "cwd": str(first.get("cwd") or os.getcwd()),
+            "on_output": lambda stream, text: self._say({stream: text}),
+        }
+        if script:
+            process = session.start_executable(script, argv, **around)
+        else:
+            process = session.start(lambda: run(argv), name="ros2", argv=argv, **around)
+        self._process = process
+        process.on_wants_keys = lambda: self._say({"keys": True})
+        process.on_exit(lambda ended: self._say({"exit": ended.exit_code}))
 
     def _hear(self, said: dict[str, Any]) -> None:
         process = self._process

@@ -146,7 +146,8 @@ def make_process(
         session, _program(path), name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=parent
     )
     process.argv = [str(path), *argv]
-    use_private_modules(process, python_folders(process.env))
+    beside = [] if UNDERLAY in path.parents else [str(path.parent)]
+    use_private_modules(process, [*beside, *python_folders(process.env)])
     return process
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import importlib
 import os
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from coursekit.core import session
+from coursekit.core import script, session
+from coursekit.core.commands import inside
 from coursekit.core.executables import ChildProcess
 
 from .substitutions.find_executable import which
@@ -28,8 +28,8 @@ def start_process(
 ) -> Any:
     """Start a command and return its process.
 
-    Executables of packages and `ros2` run inside the session, where they share its graph and clock;
-    everything else becomes a child process of the system. With `shell` the user's shell runs the text. A
+    Executables of packages, `ros2` and Python programs that use rclpy run inside the session, where they share its
+    graph and clock; everything else becomes a child process of the system. With `shell` the user's shell runs the text. A
     terminal window before the command is left out.
 
     Raises:
@@ -38,17 +38,22 @@ def start_process(
     current = session.current()
     cmd = without_terminal(cmd)
     words = ros2_words(" ".join(cmd)) if shell else list(cmd)
-    if words and os.path.basename(words[0]) == "ros2":
-        ros2 = _ros2(words[1:])
-        return current.start(ros2, name="ros2", argv=words[1:], env=env, cwd=cwd, on_output=on_output)
+    run = inside(os.path.basename(words[0])) if words else None
+    if run is not None:
+        name, argv = os.path.basename(words[0]), words[1:]
+        return current.start(lambda: run(argv), name=name, argv=argv, env=env, cwd=cwd, on_output=on_output)
+    program = script.of_command(words, cwd) if words else None
+    if program is not None:
+        path, argv = program
+        return current.start_executable(path, argv, env=env, cwd=cwd, on_output=on_output)
     if shell:
         cmd = [env.get("SHELL") or "/bin/sh", "-c", " ".join(cmd)]
     elif is_package_executable(cmd[0]):
         return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
-    program = which(cmd[0], env.get("PATH"))
-    if program is None:
+    found = which(cmd[0], env.get("PATH"))
+    if found is None:
         raise FileNotFoundError(2, "there is no such program", cmd[0])
-    child = ChildProcess(current, [program, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
+    child = ChildProcess(current, [found, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output)
 
 
@@ -92,13 +97,3 @@ def is_package_executable(path: str) -> bool:
     folder = Path(path).parent
     prefix = folder.parent.parent
     return folder.parent.name == "lib" and (prefix / "share" / folder.name).is_dir()
-
-
-def _ros2(argv: list[str]) -> Callable[[], int]:
-    """Return what the `ros2` command does in this session; its parser is loaded only when it is used."""
-
-    def main() -> int:
-        code: int = importlib.import_module("coursekit.cli.parser").run(argv)
-        return code
-
-    return main

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursekit.core import script
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from rclpy.utilities import (
     _locals,
@@ -169,3 +170,6 @@ def spin_until_future_complete(
     finally:
         if added:
             executor.remove_node(node)
+
+
+script.join()

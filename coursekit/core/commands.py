@@ -1,0 +1,32 @@
+"""Programs that a session carries out itself, named here and loaded when they are used.
+
+The rooms above this one hold them, so they stand here by name only.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Sequence
+from typing import Any
+
+INSIDE = {"ros2": "coursekit.cli.parser:run"}
+"""Command: the function that takes its words and returns its exit code."""
+
+JOIN = "coursekit.cli.attach:attach_script"
+"""The function that has the running session carry out a Python program; None when no session runs."""
+
+
+def load(place: str) -> Callable[..., Any]:
+    """The function at 'package.module:function'."""
+    module, _, function = place.partition(":")
+    found: Callable[..., Any] = getattr(importlib.import_module(module), function)
+    return found
+
+
+def inside(command: str) -> Callable[[Sequence[str]], int] | None:
+    """What carries out `command` inside of the session; None for other programs.
+
+    >>> inside("ls") is None
+    True
+    """
+    return load(INSIDE[command]) if command in INSIDE else None

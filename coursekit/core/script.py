@@ -1,0 +1,57 @@
+"""Python programs that are started by path: `python3 node.py` in a terminal or a launch file.
+
+They join the session that runs for the same user and ROS domain, so that they share its graph, as on a robot every
+program does. Where none runs, or under pytest, a debugger or `python -m`, a program has a session of its own.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from .commands import JOIN, load
+from .whose import current_process
+
+_PYTHON = re.compile(r"python(3(\.\d+)?)?(\.exe)?")
+_USES_ROS = re.compile(rb"^\s*(import|from)\s+(rclpy|tf2_ros|launch)\b", re.MULTILINE)
+_READ = 1_000_000
+
+
+def joins() -> Path | None:
+    """The program that this interpreter was started for, if it should join a session."""
+    main = sys.modules.get("__main__")
+    path = Path(getattr(main, "__file__", None) or "")
+    if getattr(main, "__spec__", None) is not None or path.suffix != ".py" or current_process() is not None:
+        return None
+    alone = any(os.environ.get(name) for name in ("COURSEKIT_TIME", "COURSEKIT_STOP_AFTER", "COURSEKIT_ALONE"))
+    if alone or sys.gettrace() is not None or sys.flags.interactive or Path(sys.prefix) in path.resolve().parents:
+        return None
+    return path.resolve()
+
+
+def join() -> None:
+    """Have the running session carry out this interpreter's program, and end with its exit code.
+
+    Called when rclpy is imported, which programs do before anything else; returns where there is nothing to join.
+    """
+    path = joins()
+    code = None if path is None else load(JOIN)(path, sys.argv[1:])
+    if code is not None:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
+
+
+def of_command(cmd: Sequence[str], folder: str | None) -> tuple[Path, list[str]] | None:
+    """The program and arguments of a command `python3 [-u] FILE.py ...` whose file uses ROS; None for others."""
+    if not _PYTHON.fullmatch(os.path.basename(cmd[0])):
+        return None
+    words = [word for at, word in enumerate(cmd[1:]) if not (at == 0 and word == "-u")]
+    path = Path(folder or os.getcwd(), words[0]) if words else Path()
+    if path.suffix != ".py" or not path.is_file():
+        return None
+    with open(path, "rb") as file:
+        return (path, words[1:]) if _USES_ROS.search(file.read(_READ)) else None

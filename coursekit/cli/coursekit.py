@@ -1,4 +1,4 @@
-"""The command `coursekit`: lab, doctor, progress and course."""
+"""The command `coursekit`: lab, doctor, progress, course, slam and slam-error."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+
+from coursekit.cli import slam
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -29,6 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     progress = commands.add_parser("progress", help="show your points")
     progress.add_argument("--folder", default="course")
     progress.set_defaults(main=show_progress)
+    slam.add_commands(commands)
     args = parser.parse_args(argv)
     return int(args.main(args) or 0)
 

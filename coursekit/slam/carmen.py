@@ -1,0 +1,161 @@
+"""Logs of the CARMEN toolkit, the form in which the classic SLAM data sets are kept: FLASER, ROBOTLASER1, ODOM, PARAM."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from coursekit.slam.carmen_line import Reading, parse_laser, parse_parameter
+from coursekit.slam.files import read_lines
+from coursekit.slam.pose import Pose2
+from coursekit.slam.scan import Laser
+
+TOLD = 20
+"""So many bad lines are told one by one; further ones are counted."""
+MOST = 100_000_000
+"""More readings than this are refused instead of filling the memory."""
+_LASERS = ("FLASER", "ROBOTLASER1")
+
+
+@dataclass
+class CarmenLog:
+    """The scans of a log in the order of its lines, and what could not be read."""
+
+    readings: list[Reading] = field(default_factory=list)
+    parameters: dict[str, str] = field(default_factory=dict)
+    bad: int = 0
+    complaints: list[str] = field(default_factory=list)
+    """Line number and fault of the first bad lines."""
+
+    @property
+    def has_odometry(self) -> bool:
+        """Whether the wheels ever turned: a log without odometry repeats one pose."""
+        return any(reading.odometry != self.readings[0].odometry for reading in self.readings)
+
+    @property
+    def seconds(self) -> float:
+        """From the first scan to the last."""
+        return self.readings[-1].stamp - self.readings[0].stamp
+
+    def lasers(self) -> list[Laser]:
+        """The sensor of each scan: its own header, else PARAM lines, else the 180° of old logs."""
+        limit = self._range_limit()
+        offset = self._offset()
+        made: dict[tuple[str, int, object], Laser] = {}
+        chosen = []
+        for reading in self.readings:
+            key = (reading.kind, len(reading.ranges), reading.laser)
+            if key not in made:
+                made[key] = self._laser(reading, limit.get(key[:2], np.inf), offset)
+            chosen.append(made[key])
+        return chosen
+
+    def _laser(self, reading: Reading, limit: float, offset: Pose2) -> Laser:
+        """The sensor of one scan."""
+        count = len(reading.ranges)
+        if reading.laser is not None:
+            start, step, maximum = reading.laser
+            return Laser(start, step, range_max=min(maximum, limit), offset=offset)
+        view = np.radians(self._number("laser_front_laser_fov", 180.0))
+        maximum = min(limit, self._number("robot_front_laser_max", np.inf))
+        half = Laser.half_circle(count, maximum, offset)
+        if abs(view - np.pi) < 1e-6:
+            return half
+        return Laser(-view / 2, view / max(count - 1, 1), range_max=maximum, offset=offset)
+
+    def _number(self, name: str, default: float) -> float:
+        """A PARAM as a positive number."""
+        try:
+            value = float(self.parameters[name])
+        except (KeyError, ValueError):
+            return default
+        return value if np.isfinite(value) and value > 0 else default
+
+    def _offset(self) -> Pose2:
+        """Where the laser sits: from the two poses of each line when they always differ alike, else from PARAM."""
+        seen = np.array([tuple(r.odometry.to(r.laser_pose)) for r in self.readings[:1000]])
+        if len(seen) and np.abs(seen - seen[0]).max() < 2e-3 and 1e-4 < np.hypot(*seen[0, :2]) < 3.0:
+            return Pose2.of(np.median(seen, axis=0))
+        try:
+            ahead = float(self.parameters["robot_frontlaser_offset"])
+        except (KeyError, ValueError):
+            return Pose2()
+        return Pose2(ahead, 0.0, 0.0) if abs(ahead) < 3.0 else Pose2()
+
+    def _range_limit(self) -> dict[tuple[str, int], float]:
+        """Where "no return" begins for each kind of scan: a largest value that stands in the log again and again."""
+        limits: dict[tuple[str, int], float] = {}
+        groups: dict[tuple[str, int], list[np.ndarray]] = {}
+        for reading in self.readings:
+            groups.setdefault((reading.kind, len(reading.ranges)), []).append(reading.ranges)
+        for key, rows in groups.items():
+            limits[key] = saturation(np.concatenate(rows))
+        return limits
+
+
+def saturation(ranges: np.ndarray) -> float:
+    """The value from which on ranges mean "no return", inf when none is seen.
+
+    A largest value that is far more frequent than the ranges just below it, or 50 m and more, which the lasers of old
+    logs write for nothing.
+
+    >>> saturation(np.array([1.0, 2.0, 8.0, 3.0, 8.0, 2.5, 8.0, 8.0]))
+    8.0
+    """
+    values = ranges[np.isfinite(ranges)]
+    if not len(values):
+        return float("inf")
+    top = float(values.max())
+    often, near = int((values == top).sum()), int(((values > 0.97 * top) & (values < top)).sum())
+    if often > max(3, 2 * near) and often > 1e-4 * len(values):
+        return min(top, 50.0) if top >= 50.0 else top
+    return 50.0 if top >= 50.0 else float("inf")
+
+
+def read_log(path: str | Path) -> CarmenLog:
+    """Read a log (.clf, .log, also packed as .gz or .xz). Bad lines are noted with their number and left out.
+
+    Raises FileNotFoundError, and ValueError when nothing in the file is a scan.
+    """
+    log, kinds, total = CarmenLog(), Counter[str](), 0
+    for number, line in enumerate(read_lines(path), start=1):
+        word = line.split(None, 1)[0] if line.strip() else ""
+        if word in _LASERS:
+            try:
+                reading = parse_laser(line)
+            except ValueError as fault:
+                _complain(log, number, str(fault))
+                continue
+            total += len(reading.ranges)
+            if total > MOST:
+                raise ValueError(f"{path} holds more than {MOST} readings: cut it into pieces")
+            log.readings.append(reading)
+        elif word == "PARAM":
+            name, value = parse_parameter(line)
+            if len(log.parameters) < 10_000:
+                log.parameters[name] = value
+        elif word and not word.startswith("#") and len(kinds) < 10:
+            kinds[word[:20]] += 1
+    if not log.readings:
+        raise ValueError(_nothing(path, log, kinds))
+    return log
+
+
+def _complain(log: CarmenLog, number: int, fault: str) -> None:
+    """Note a bad line."""
+    log.bad += 1
+    if len(log.complaints) < TOLD:
+        log.complaints.append(f"line {number}: {fault}")
+
+
+def _nothing(path: str | Path, log: CarmenLog, kinds: Counter[str]) -> str:
+    """Why a file gave no scans."""
+    if log.bad:
+        return f"{path}: none of its {log.bad} scans can be read; {log.complaints[0]}"
+    if not kinds:
+        return f"{path} is empty: expected a CARMEN log with FLASER or ROBOTLASER1 lines"
+    found = ", ".join(repr(kind) for kind in kinds)
+    return f"{path} is no CARMEN log: no line begins with FLASER or ROBOTLASER1 (found {found})"

@@ -1,0 +1,129 @@
+"""One line of a CARMEN log."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursekit.slam.pose import Pose2
+
+BEAMS = 100_000
+"""No laser has more beams."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One scan as the log has it."""
+
+    kind: str
+    stamp: float
+    ranges: np.ndarray
+    """(n,) float32 [m], as written."""
+    odometry: Pose2
+    laser_pose: Pose2
+    laser: tuple[float, float, float] | None = None
+    """Start angle, angle step, maximum range, where the line has them."""
+
+
+def parse_laser(line: str) -> Reading:
+    """A FLASER or ROBOTLASER1 line.
+
+    Raises ValueError that says what is wrong.
+
+    >>> parse_laser("FLASER 2 1.0 2.0 0 0 0 0.5 0 0 12.5 host 12.5").odometry.x
+    0.5
+    """
+    words = line.split()
+    return _flaser(words) if words[0] == "FLASER" else _robotlaser(words)
+
+
+def parse_parameter(line: str) -> tuple[str, str]:
+    """Name and value of a PARAM line; ("", "") when it has none.
+
+    >>> parse_parameter("PARAM robot_frontlaser_offset 0.04 nohost 0")
+    ('robot_frontlaser_offset', '0.04')
+    """
+    words = line.split()
+    return (words[1], words[2]) if len(words) > 2 else ("", "")
+
+
+def _number(word: str, what: str) -> float:
+    """A finite number."""
+    try:
+        value = float(word)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ValueError(f"{what} should be a number, found '{word[:20]}'")
+    return value
+
+
+def _count(words: list[str], at: int, rest: int) -> int:
+    """A beam count that fits the words that follow: `rest` more than the beams."""
+    try:
+        count = int(words[at])
+    except (ValueError, IndexError):
+        raise ValueError("the number of beams is missing") from None
+    if not 1 <= count <= BEAMS:
+        raise ValueError(f"{count} beams: expected 1 to {BEAMS}")
+    if len(words) < at + 1 + count + rest:
+        raise ValueError(f"{count} beams announced, but the line ends after {len(words)} words")
+    return count
+
+
+def _ranges(words: list[str]) -> np.ndarray:
+    """Ranges; NaN and inf are allowed, other words are not."""
+    try:
+        return np.array([float(word) for word in words], dtype=np.float32)
+    except ValueError as fault:
+        raise ValueError(f"a range is no number: {fault}") from None
+
+
+def _pose(words: list[str], what: str) -> Pose2:
+    """Three words."""
+    x, y, theta = (_number(word, what) for word in words)
+    if max(abs(x), abs(y)) > 1e7:
+        raise ValueError(f"{what} is {x:g}, {y:g}: farther than 10 000 km")
+    return Pose2.of((x, y, theta))
+
+
+def _flaser(words: list[str]) -> Reading:
+    """FLASER n ranges laser_pose robot_pose stamp host stamp."""
+    count = _count(words, 1, 7)
+    tail = words[2 + count :]
+    if len(tail) > 9:
+        raise ValueError(f"{count} beams announced, but {len(tail)} words follow them instead of 9")
+    return Reading(
+        "FLASER",
+        _number(tail[6], "the stamp"),
+        _ranges(words[2 : 2 + count]),
+        _pose(tail[3:6], "the odometry"),
+        _pose(tail[:3], "the laser's pose"),
+    )
+
+
+def _robotlaser(words: list[str]) -> Reading:
+    """ROBOTLASER1 type start view step max accuracy remission n ranges m remissions poses speeds safety stamp host stamp."""
+    count = _count(words, 8, 12)
+    start, view, step, limit = (_number(word, "the laser's header") for word in words[2:6])
+    try:
+        remissions = int(words[9 + count])
+    except ValueError:
+        raise ValueError("the number of remission values is missing") from None
+    tail = words[10 + count + max(remissions, 0) :]
+    if remissions < 0 or len(tail) < 12:
+        raise ValueError(
+            f"{remissions} remission values announced, but {len(tail)} words follow instead of 14"
+        )
+    if not 0 < step < math.pi:
+        step = view / count if view > 0 else math.pi / count
+    return Reading(
+        "ROBOTLASER1",
+        _number(tail[11], "the stamp"),
+        _ranges(words[9 : 9 + count]),
+        _pose(tail[3:6], "the odometry"),
+        _pose(tail[:3], "the laser's pose"),
+        (start, step, limit if limit > 0 else math.inf),
+    )

@@ -1,0 +1,46 @@
+"""Lines of text files, plain or compressed, without trust in what they hold."""
+
+from __future__ import annotations
+
+import gzip
+import lzma
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO
+
+LONGEST = 1 << 20
+"""Longer lines are cut: no scan needs them, and a file without line ends must not fill the memory."""
+
+
+def read_lines(path: str | Path) -> Iterator[str]:
+    """The lines of a text file, `.gz` and `.xz` unpacked on the way; what is no text becomes a replacement character.
+
+    Raises FileNotFoundError, IsADirectoryError, or ValueError when the compressed data are damaged.
+    """
+    file = Path(path)
+    if not file.exists():
+        raise FileNotFoundError(f"no file {file}: check the name, the present folder is {Path.cwd()}")
+    if file.is_dir():
+        raise IsADirectoryError(f"{file} is a folder: name a file in it")
+    with _open(file) as stream:
+        try:
+            yield from _lines(stream)
+        except (OSError, EOFError, lzma.LZMAError) as fault:
+            raise ValueError(f"{file} is damaged or not what its name says: {fault}") from fault
+
+
+def _open(file: Path) -> IO[bytes]:
+    """The bytes, unpacked as the first of them ask for."""
+    with file.open("rb") as stream:
+        magic = stream.read(6)
+    if magic[:2] == b"\x1f\x8b":
+        return gzip.open(file, "rb")  # type: ignore[return-value]
+    if magic == b"\xfd7zXZ\x00":
+        return lzma.open(file, "rb")  # type: ignore[return-value]
+    return file.open("rb")
+
+
+def _lines(stream: IO[bytes]) -> Iterator[str]:
+    """Lines of at most LONGEST bytes; what is longer comes in pieces."""
+    while line := stream.readline(LONGEST):
+        yield line.decode("utf-8", "replace")

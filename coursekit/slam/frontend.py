@@ -1,0 +1,119 @@
+"""Following the robot from scan to scan: odometry, then the best fit in the submap at hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from coursekit.slam.matcher import match
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.refine import Refined, precision_of, refine
+from coursekit.slam.scan import Scan
+from coursekit.slam.submap import Submap
+
+
+class Tracker:
+    """Where the robot is in the submap at hand; submaps overlap by half, so that there is always a rich one."""
+
+    def __init__(self, params: SlamParameters) -> None:
+        self.params = params
+        self.submaps: list[Submap] = []
+        """The one that is matched against, and the one that takes over."""
+        self.finished: list[Submap] = []
+        """Those just left; the owner takes them."""
+        self.pose = Pose2()
+        """In the frame of the first submap."""
+        self._keyframe = Pose2()
+        self._odometry: Pose2 | None = None
+        self._speed = Pose2()
+        self._stamp = 0.0
+
+    def track(self, scan: Scan, odometry: Pose2 | None) -> tuple[Refined, float, bool]:
+        """Follow the robot to the next scan: the match, its score, and whether it is believed."""
+        motion, known = self._motion(scan, odometry)
+        guess = self.pose @ motion
+        if not self.submaps:
+            return Refined(guess, np.eye(3), 1.0, 0.0), 1.0, True
+        precision = self._precision(motion, known)
+        found, score = self._match(scan, guess, precision)
+        accepted = score >= self.params.minimum_score
+        if not accepted and known:
+            found = Refined(guess, found.information * 0.0, found.inliers, found.spread)
+        self._speed = self.pose.to(found.pose)
+        self.pose = found.pose
+        return found, score, accepted
+
+    def _match(self, scan: Scan, guess: Pose2, precision: Array) -> tuple[Refined, float]:
+        """The best fit near the guess; farther away when there is none."""
+        p, submap = self.params, self.submaps[0]
+        best, score = match(scan.points, submap, guess, p.search_distance, p.search_angle)
+        if score < p.minimum_score:
+            wide, better = match(scan.points, submap, guess, 3 * p.search_distance, 2 * p.search_angle)
+            if better > max(p.minimum_score, score):
+                best, score = wide, better
+        return refine(scan.points, submap, best, guess, precision), score
+
+    def _motion(self, scan: Scan, odometry: Pose2 | None) -> tuple[Pose2, bool]:
+        """The motion since the last scan, by odometry, else as fast as before."""
+        before, self._odometry = self._odometry, odometry
+        if odometry is not None and before is not None:
+            return before.to(odometry), True
+        return (self._speed if self.submaps else Pose2()), False
+
+    def _precision(self, motion: Pose2, known: bool) -> Array:
+        """How certain the guess is."""
+        if not known:
+            return precision_of(0.5, 0.5, 0.5)
+        p = self.params
+        way, turn = math.hypot(motion.x, motion.y), abs(motion.theta)
+        sigma = p.odometry_distance_sigma[0] + p.odometry_distance_sigma[1] * way
+        return precision_of(sigma, sigma, p.odometry_angle_sigma[0] + p.odometry_angle_sigma[1] * turn)
+
+    def moved_enough(self) -> bool:
+        """Whether it is time for a keyframe."""
+        motion = self.from_keyframe()
+        return (
+            math.hypot(motion.x, motion.y) > self.params.keyframe_distance
+            or abs(motion.theta) > self.params.keyframe_angle
+        )
+
+    def from_keyframe(self) -> Pose2:
+        """The motion since the last keyframe."""
+        return self._keyframe.to(self.pose)
+
+    def edge_precision(self, found: Refined) -> Array:
+        """Certainty of the motion since the last keyframe."""
+        motion = self.from_keyframe()
+        way, turn = math.hypot(motion.x, motion.y), abs(motion.theta)
+        floor = np.diag([(0.01 + 0.02 * way) ** 2, (0.01 + 0.02 * way) ** 2, (0.003 + 0.02 * turn) ** 2])
+        odometry = precision_of(0.02 + 0.2 * way, 0.02 + 0.2 * way, 0.02 + 0.2 * turn)
+        return np.linalg.inv(np.linalg.inv(found.information * 0.1 + odometry) + floor)
+
+    def insert(self, number: int, scan: Scan) -> None:
+        """Put a keyframe into the submaps; begin and leave submaps."""
+        half = self.params.submap_keyframes // 2
+        if not self.submaps:
+            self.submaps.append(Submap(self.params, number))
+            self.pose = Pose2()
+        elif len(self.submaps) == 1 and len(self.submaps[0].members) >= half:
+            self.submaps.append(Submap(self.params, number))
+        for submap in self.submaps:
+            pose = Pose2() if submap.anchor == number else self._in(submap)
+            submap.members[number] = pose
+            submap.insert(scan.points, scan.normals, pose)
+        if len(self.submaps[0].members) >= self.params.submap_keyframes:
+            self._leave(number)
+        self._keyframe = self.pose
+
+    def _in(self, submap: Submap) -> Pose2:
+        """The robot's pose in a submap's frame."""
+        return self.submaps[0].members[submap.anchor].to(self.pose)
+
+    def _leave(self, number: int) -> None:
+        """Go on in the next submap."""
+        self.pose = self._in(self.submaps[1])
+        left = self.submaps.pop(0)
+        left.finish()
+        self.finished.append(left)

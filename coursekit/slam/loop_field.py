@@ -1,0 +1,151 @@
+"""Finding a scan in a submap with hardly any guess: branch and bound over fields of falling sharpness (Hess et al. 2016)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit
+
+from coursekit.slam.pose import Array, Pose2
+
+LEVELS = 7
+"""The coarsest field takes the best of 64 x 64 cells."""
+
+
+@njit(cache=True)
+def _paint(points, field, ox, oy, cell, sigma):  # type: ignore[no-untyped-def]
+    """Likelihood around each point, 0 to 255."""
+    steps = int(2.5 * sigma / cell) + 1
+    for k in range(len(points)):
+        row, column = int((points[k, 1] - oy) / cell), int((points[k, 0] - ox) / cell)
+        for i in range(max(row - steps, 0), min(row + steps + 1, field.shape[0])):
+            for j in range(max(column - steps, 0), min(column + steps + 1, field.shape[1])):
+                dx, dy = ox + (j + 0.5) * cell - points[k, 0], oy + (i + 0.5) * cell - points[k, 1]
+                value = int(255.0 * math.exp(-0.5 * (dx * dx + dy * dy) / (sigma * sigma)))
+                if value > field[i, j]:
+                    field[i, j] = value
+
+
+@njit(cache=True)
+def _coarser(fine, step):  # type: ignore[no-untyped-def]
+    """Best of each cell and the ones `step` up, right, and both."""
+    height, width = fine.shape
+    out = fine.copy()
+    for i in range(height):
+        for j in range(width):
+            best = fine[i, j]
+            if j + step < width:
+                best = max(best, fine[i, j + step])
+            if i + step < height:
+                best = max(best, fine[i + step, j])
+                if j + step < width:
+                    best = max(best, fine[i + step, j + step])
+            out[i, j] = best
+    return out
+
+
+@njit(cache=True)
+def _sum(field, rows, columns, di, dj):  # type: ignore[no-untyped-def]
+    """Sum of a field at shifted cells."""
+    total = 0
+    height, width = field.shape
+    for k in range(len(rows)):
+        i, j = rows[k] + di, columns[k] + dj
+        if 0 <= i < height and 0 <= j < width:
+            total += field[i, j]
+    return total
+
+
+@njit(cache=True)
+def search(points, fields, ox, oy, cell, x, y, theta, reach, angles, angle_step, least):  # type: ignore[no-untyped-def]
+    """Best (x, y, theta, score) within ±reach cells and ±angles steps; score is `least` or below when nothing beats it."""
+    count, top = len(points), len(fields) - 1
+    side = 1 << top
+    blocks = (2 * reach + side) // side
+    turns = 2 * angles + 1
+    rows, columns = np.empty((turns, count), np.int32), np.empty((turns, count), np.int32)
+    bounds = np.empty(turns * blocks * blocks, np.int64)
+    for a in range(turns):
+        c, s = math.cos(theta + (a - angles) * angle_step), math.sin(theta + (a - angles) * angle_step)
+        for k in range(count):
+            columns[a, k] = math.floor((x + c * points[k, 0] - s * points[k, 1] - ox) / cell)
+            rows[a, k] = math.floor((y + s * points[k, 0] + c * points[k, 1] - oy) / cell)
+        for i in range(blocks):
+            for j in range(blocks):
+                bounds[(a * blocks + i) * blocks + j] = _sum(
+                    fields[top], rows[a], columns[a], i * side - reach, j * side - reach
+                )
+    best, best_a, best_i, best_j = int(least * 255 * count), -1, 0, 0
+    stack = np.empty((4 * (top + 2), 4), np.int64)
+    for index in np.argsort(-bounds, kind="mergesort"):
+        if bounds[index] <= best:
+            break
+        a, rest = index // (blocks * blocks), index % (blocks * blocks)
+        stack[0] = np.array(
+            [top, (rest // blocks) * side - reach, (rest % blocks) * side - reach, bounds[index]]
+        )
+        depth = 1
+        while depth:
+            depth -= 1
+            level, i, j, bound = stack[depth]
+            if bound <= best:
+                continue
+            if level == 0:
+                if i <= reach and j <= reach:
+                    best, best_a, best_i, best_j = bound, a, i, j
+                continue
+            half = 1 << (level - 1)
+            begin = depth
+            for di in (0, half):
+                for dj in (0, half):
+                    value = _sum(fields[level - 1], rows[a], columns[a], i + di, j + dj)
+                    at = depth
+                    while at > begin and stack[at - 1, 3] > value:  # the best of the four is opened first
+                        stack[at] = stack[at - 1]
+                        at -= 1
+                    stack[at, 0], stack[at, 1], stack[at, 2], stack[at, 3] = level - 1, i + di, j + dj, value
+                    depth += 1
+    if best_a < 0:
+        return x, y, theta, 0.0
+    return (
+        x + best_j * cell,
+        y + best_i * cell,
+        theta + (best_a - angles) * angle_step,
+        best / (255.0 * count),
+    )
+
+
+class LoopField:
+    """The fields of one submap's points (n, 2).
+
+    >>> wall = np.array([[x / 20, 1.0] for x in range(60)] + [[0.0, y / 20] for y in range(20)])
+    >>> found, score = LoopField(wall, 0.1).find(wall, Pose2(0.7, -0.6, 0.3), 1.0, 0.5, 0.05, 0.3)
+    >>> found.distance(Pose2()) < 0.15, score > 0.8
+    (True, True)
+    """
+
+    def __init__(self, points: Array, cell: float) -> None:
+        self.cell = cell
+        border = (1 << (LEVELS - 1)) * cell
+        self.origin = points.min(axis=0) - border - 4 * cell
+        size = np.ceil((points.max(axis=0) + 4 * cell - self.origin) / cell).astype(int)
+        field = np.zeros((size[1], size[0]), dtype=np.uint8)
+        _paint(np.ascontiguousarray(points), field, self.origin[0], self.origin[1], cell, cell)
+        fields = [field]
+        for level in range(1, LEVELS):
+            fields.append(_coarser(fields[-1], 1 << (level - 1)))
+        self._fields = tuple(fields)
+
+    def find(
+        self, points: Array, guess: Pose2, distance: float, angle: float, angle_step: float, least: float
+    ) -> tuple[Pose2, float]:
+        """Best pose of the points within ±distance [m] and ±angle [rad] of the guess; score 0 when none beats `least`."""
+        if not len(points):
+            return guess, 0.0
+        reach, steps = math.ceil(distance / self.cell), math.ceil(min(angle, math.pi) / angle_step)
+        x, y, theta, score = search(
+            points, self._fields, self.origin[0], self.origin[1], self.cell, guess.x, guess.y, guess.theta,
+            reach, steps, angle_step, least,
+        )  # fmt: skip
+        return Pose2.of((x, y, theta)), float(score)

@@ -1,0 +1,161 @@
+"""Closing loops: is this keyframe in a place that an older submap knows?"""
+
+from __future__ import annotations
+
+import math
+from collections import OrderedDict
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import dijkstra
+
+from coursekit.slam.graph import PoseGraph
+from coursekit.slam.keyframe import Keyframe
+from coursekit.slam.loop_field import LoopField
+from coursekit.slam.matcher import sample
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.refine import refine
+from coursekit.slam.submap import Submap
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A keyframe found in a submap: the motion from one of the submap's keyframes to it."""
+
+    first: int
+    second: int
+    motion: Pose2
+    precision: Array
+    score: float
+
+
+class LoopSearch:
+    """Looks for loops among finished submaps; a loop counts once a second one agrees with it."""
+
+    def __init__(self, params: SlamParameters) -> None:
+        self.params = params
+        self.submaps: list[Submap] = []
+        self._fields: OrderedDict[int, LoopField] = OrderedDict()
+        self._pending: list[Loop] = []
+        self.rejected = 0
+
+    def search(self, keyframe: Keyframe, graph: PoseGraph) -> list[Loop]:
+        """The loops that this keyframe settles."""
+        if not self.submaps:
+            return []
+        ways = _ways(graph, keyframe.number)
+        found = []
+        for submap, near in self._candidates(keyframe.number, graph, ways):
+            loop = self._try(keyframe, submap, near, graph, float(ways[near]))
+            if loop is not None:
+                found.append(loop)
+        return self._settle(found, graph)
+
+    def _candidates(self, number: int, graph: PoseGraph, ways: Array) -> list[tuple[Submap, int]]:
+        """Submaps whose keyframes may be near, nearest first, and the nearest keyframe of each."""
+        p, here, ranked = self.params, graph.poses[number], []
+        for submap in self.submaps:
+            members = np.fromiter(submap.members, dtype=np.int64)
+            gaps = np.hypot(*(graph.poses[members, :2] - here[:2]).T)
+            k = int(np.argmin(gaps))
+            way = float(ways[members].min())
+            if way > p.loop_least_way and gaps[k] < p.loop_view + self._window(way)[0]:
+                ranked.append((float(gaps[k]), submap, int(members[k])))
+        ranked.sort(key=lambda item: item[0])
+        return [(submap, near) for _, submap, near in ranked[: p.loop_candidates]]
+
+    def _window(self, way: float) -> tuple[float, float]:
+        """How far off the estimate may be after so long a way [m], [rad]."""
+        p = self.params
+        return min(0.5 + p.loop_drift * way, p.loop_distance), min(
+            0.2 + 0.3 * p.loop_drift * way, p.loop_angle
+        )
+
+    def _try(
+        self, keyframe: Keyframe, submap: Submap, near: int, graph: PoseGraph, way: float
+    ) -> Loop | None:
+        """Search one submap."""
+        p = self.params
+        guess = submap.members[near] @ graph.pose(near).to(graph.pose(keyframe.number))
+        distance, angle = self._window(way)
+        points = keyframe.scan.points
+        pose, score = self._field(submap).find(
+            sample(points, 100), guess, distance, angle, p.loop_angle_step, p.loop_score
+        )
+        if score <= p.loop_score:
+            return None
+        submap.restore()
+        found = refine(points, submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
+        submap.finish()
+        if found.inliers < p.loop_inliers or found.pose.distance(pose) > 0.4:
+            return None
+        first = min(submap.members, key=lambda m: (submap.members[m].distance(found.pose), m))
+        return Loop(
+            first,
+            keyframe.number,
+            submap.members[first].to(found.pose),
+            loop_precision(found.information),
+            score,
+        )
+
+    def _field(self, submap: Submap) -> LoopField:
+        """The fields of a submap, the latest few kept."""
+        key = submap.anchor
+        if key not in self._fields:
+            self._fields[key] = LoopField(submap.points[: submap.count], self.params.loop_cell)
+            while len(self._fields) > self.params.loop_fields:
+                self._fields.popitem(last=False)
+        self._fields.move_to_end(key)
+        return self._fields[key]
+
+    def _settle(self, found: list[Loop], graph: PoseGraph) -> list[Loop]:
+        """Those that agree with another one; the rest wait, and are dropped when they have waited long."""
+        settled: list[Loop] = []
+        for loop in found:
+            friends = [other for other in self._pending if _agree(loop, other, graph)]
+            if friends:
+                settled += [loop, *friends]
+                self._pending = [other for other in self._pending if other not in friends]
+            else:
+                self._pending.append(loop)
+        if found:
+            newest = found[-1].second
+            old = [loop for loop in self._pending if loop.second < newest - self.params.loop_patience]
+            self.rejected += len(old)
+            self._pending = [loop for loop in self._pending if loop not in old]
+        return settled
+
+
+def _ways(graph: PoseGraph, number: int) -> Array:
+    """Shortest way [m] from a keyframe to every other along the graph's edges; a turn of a radian counts as a metre."""
+    pairs = np.array(graph.pairs).reshape(-1, 2)
+    lengths = np.array([math.hypot(m.x, m.y) + abs(m.theta) for m in graph.motions]) + 1e-6
+    matrix = csr_matrix((lengths, (pairs[:, 0], pairs[:, 1])), shape=(graph.size, graph.size))
+    return dijkstra(matrix, directed=False, indices=number)
+
+
+def _agree(one: Loop, other: Loop, graph: PoseGraph) -> bool:
+    """Whether two loops say the same of the drift: around the circle of both nothing is left over."""
+    if one.second == other.second and abs(one.first - other.first) < 3:
+        return False
+    out, back = graph.pose(one.second), graph.pose(one.first)
+    circle = (
+        one.motion
+        @ out.to(graph.pose(other.second))
+        @ other.motion.inverse()
+        @ graph.pose(other.first).to(back)
+    )
+    way = out.distance(graph.pose(other.second)) + back.distance(graph.pose(other.first))
+    return (
+        math.hypot(circle.x, circle.y) < 0.1 + 0.03 * way
+        and abs(circle.theta) < 0.05 + 0.01 * way
+        and way < 15.0
+    )
+
+
+def loop_precision(information: Array) -> Array:
+    """Certainty of a match, never better than 2 cm and half a degree: neighbouring points share their errors."""
+    floor = np.diag([0.02**2, 0.02**2, 0.009**2])
+    return np.linalg.inv(np.linalg.inv(0.1 * information + np.diag([1.0, 1.0, 1.0])) + floor)

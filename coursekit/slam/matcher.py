@@ -1,0 +1,105 @@
+"""Correlative scan matching: the best pose of a whole window, never a local one (after Olson, ICRA 2009).
+
+Two levels, best first: blocks of 4 x 4 cells are bounded from above in the coarse field; a block is opened only while its
+bound beats the best pose found.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit
+
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.submap import Submap
+
+
+@njit(cache=True)
+def _cells(points, x, y, angle, ox, oy, cell, rows, columns):  # type: ignore[no-untyped-def]
+    """Cell of each point, seen from a pose; far outside stays far outside."""
+    c, s = math.cos(angle), math.sin(angle)
+    for k in range(len(points)):
+        px, py = points[k, 0], points[k, 1]
+        columns[k] = math.floor((x + c * px - s * py - ox) / cell)
+        rows[k] = math.floor((y + s * px + c * py - oy) / cell)
+
+
+@njit(cache=True)
+def _sum(field, rows, columns, di, dj):  # type: ignore[no-untyped-def]
+    """Sum of the field at shifted cells."""
+    total = 0
+    height, width = field.shape
+    for k in range(len(rows)):
+        i, j = rows[k] + di, columns[k] + dj
+        if 0 <= i < height and 0 <= j < width:
+            total += field[i, j]
+    return total
+
+
+@njit(cache=True)
+def _block_sum(coarse, rows, columns, di, dj):  # type: ignore[no-untyped-def]
+    """Sum of the coarse field: an upper bound of `_sum` for shifts (di..di+3, dj..dj+3)."""
+    total = 0
+    height, width = coarse.shape
+    for k in range(len(rows)):
+        i, j = (rows[k] + di) >> 2, (columns[k] + dj) >> 2
+        if 0 <= i < height and 0 <= j < width:
+            total += coarse[i, j]
+        elif -1 <= i < height and -1 <= j < width:
+            total += coarse[max(i, 0), max(j, 0)]
+    return total
+
+
+@njit(cache=True)
+def correlate(points, likelihood, coarse, ox, oy, cell, x, y, theta, reach, angles, angle_step, pull):  # type: ignore[no-untyped-def]
+    """Best (x, y, theta, mean likelihood 0..1) within ±reach cells and ±angles steps of a pose.
+
+    `pull` is taken from the score at the window's rim, and its square-law part nearer: of equals the nearest wins.
+    """
+    count, blocks = len(points), (2 * reach + 4) // 4
+    rows, columns = np.empty((2 * angles + 1, count), np.int64), np.empty((2 * angles + 1, count), np.int64)
+    bounds = np.empty((2 * angles + 1) * blocks * blocks)
+    full = 255.0 * count
+    for a in range(2 * angles + 1):
+        _cells(points, x, y, theta + (a - angles) * angle_step, ox, oy, cell, rows[a], columns[a])
+        turn = ((a - angles) / max(angles, 1)) ** 2
+        for i in range(blocks):
+            for j in range(blocks):
+                total = _block_sum(coarse, rows[a], columns[a], 4 * i - reach, 4 * j - reach)
+                bounds[(a * blocks + i) * blocks + j] = total / full - pull * turn
+    best, best_a, best_i, best_j = -1e9, angles, 0, 0
+    for index in np.argsort(-bounds, kind="mergesort"):
+        if bounds[index] <= best:
+            break
+        a, rest = index // (blocks * blocks), index % (blocks * blocks)
+        turn = ((a - angles) / max(angles, 1)) ** 2
+        for i in range(4 * (rest // blocks) - reach, min(4 * (rest // blocks) - reach + 4, reach + 1)):
+            for j in range(4 * (rest % blocks) - reach, min(4 * (rest % blocks) - reach + 4, reach + 1)):
+                away = (i * i + j * j) / max(reach * reach, 1)
+                score = _sum(likelihood, rows[a], columns[a], i, j) / full - pull * (turn + away)
+                if score > best:
+                    best, best_a, best_i, best_j = score, a, i, j
+    away, turn = (best_i**2 + best_j**2) / max(reach * reach, 1), ((best_a - angles) / max(angles, 1)) ** 2
+    best += pull * (turn + away)
+    return x + best_j * cell, y + best_i * cell, theta + (best_a - angles) * angle_step, best
+
+
+def sample(points: Array, limit: int) -> Array:
+    """At most `limit` of the points, evenly spread."""
+    return points if len(points) <= limit else np.ascontiguousarray(points[:: -(-len(points) // limit)])
+
+
+def match(
+    points: Array, submap: Submap, guess: Pose2, distance: float, angle: float, pull: float = 0.05
+) -> tuple[Pose2, float]:
+    """Best pose within ±distance [m] and ±angle [rad] of the guess, and its score (0 to 1), to a cell and an angle step."""
+    p = submap.params
+    if not len(points) or not submap.nearest.size:
+        return guess, 0.0
+    reach, steps = max(1, round(distance / p.cell)), max(1, round(angle / p.angle_step))
+    x, y, theta, score = correlate(
+        sample(points, 120), submap.likelihood, submap.coarse, submap.origin[0], submap.origin[1], p.cell,
+        guess.x, guess.y, guess.theta, reach, steps, p.angle_step, pull,
+    )  # fmt: skip
+    return Pose2.of((x, y, theta)), float(score)

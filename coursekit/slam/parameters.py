@@ -1,0 +1,81 @@
+"""All that can be tuned in SLAM, in one place. No value depends on a building, a robot or a log."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class SlamParameters:
+    """Metres, radians, seconds.
+
+    >>> SlamParameters(resolution=0.1).resolution
+    0.1
+    """
+
+    # scans
+    range_min: float = 0.05
+    """Nearer returns are the robot itself or dust."""
+    match_range: float = 30.0
+    """Farther returns are not matched."""
+    point_spacing: float = 0.05
+    """Points for matching are at least this far apart."""
+    normal_reach: float = 0.12
+    """A wall's direction comes from the points this near (plus 2 % of the range)."""
+    clear_no_return: float = 0.0
+    """How far a beam without return clears the map; 0: it says nothing (glass and black surfaces give none either)."""
+
+    # submaps and matching
+    cell: float = 0.05
+    """Cell of the likelihood field."""
+    field_sigma: float = 0.06
+    """Blur of the likelihood field."""
+    field_reach: float = 0.3
+    """A point influences cells this near."""
+    merge_distance: float = 0.03
+    """Points of one surface this near become one."""
+    submap_keyframes: int = 30
+    """A submap is finished after this many; the next one begins at half."""
+    search_distance: float = 0.3
+    search_angle: float = math.radians(20)
+    angle_step: float = math.radians(1)
+    minimum_score: float = 0.45
+    """Mean likelihood below which a match is not believed and the search is widened."""
+    odometry_distance_sigma: tuple[float, float] = (0.02, 0.1)
+    """Odometry errs by this much, plus this part of the way."""
+    odometry_angle_sigma: tuple[float, float] = (0.02, 0.1)
+    range_sigma: float = 0.03
+    """Noise of a hit across its wall, roughness of walls included."""
+
+    # keyframes
+    keyframe_distance: float = 0.3
+    keyframe_angle: float = math.radians(15)
+
+    # loops
+    loop_cell: float = 0.1
+    loop_score: float = 0.55
+    """Mean likelihood that a loop must beat."""
+    loop_inliers: float = 0.6
+    """Part of a scan's points that must lie on the walls of the submap."""
+    loop_least_way: float = 8.0
+    """Places that are joined by a shorter way are no loop."""
+    loop_drift: float = 0.05
+    """The search grows by this much of the way since the place was seen."""
+    loop_distance: float = 8.0
+    loop_angle: float = math.radians(60)
+    loop_angle_step: float = math.radians(1.2)
+    loop_view: float = 3.0
+    """A submap is searched when one of its keyframes may be this near."""
+    loop_candidates: int = 2
+    """Submaps searched for each keyframe."""
+    loop_fields: int = 24
+    """Submaps whose search fields are kept in memory."""
+    loop_patience: int = 15
+    """A loop that no other confirms is dropped after this many keyframes."""
+
+    # the map
+    resolution: float = 0.05
+    hit_odds: float = 0.85
+    miss_odds: float = -0.4
+    odds_limit: float = 4.0

@@ -1,0 +1,178 @@
+"""Gauss-Newton refinement of a match: the pose that puts the points onto the walls, its certainty, and what is unsure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+
+from coursekit.slam.pose import Array, Pose2, rotation
+from coursekit.slam.submap import Submap
+
+ALONG = 0.05
+"""Weight of the distance along a wall against the one across it; also gives corners and posts a say."""
+
+
+@dataclass(frozen=True)
+class Refined:
+    """The outcome of a refinement."""
+
+    pose: Pose2
+    information: Array
+    """(3, 3) inverse covariance in the pose's own frame [1/m², 1/rad²], the prior left out."""
+    inliers: float
+    """Part of the points that lie on a wall."""
+    spread: float
+    """Weighted root mean square distance of the inliers to their walls [m]."""
+
+    @property
+    def degeneracy(self) -> float:
+        """How little the walls hold the worst direction of motion: 0 as well as the best, towards 1 in a bare corridor."""
+        values = np.linalg.eigvalsh(self.information[:2, :2])
+        return 1.0 if values[1] <= 0 else float(1.0 - math.sqrt(max(values[0], 0.0) / values[1]))
+
+
+@njit(cache=True)
+def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gate, sigma, along, h, b):  # type: ignore[no-untyped-def]
+    """Sum the normal equations in the pose's own frame; returns inliers and the weighted sums of squares and weights."""
+    c, s = math.cos(xyt[2]), math.sin(xyt[2])
+    height, width = nearest.shape
+    inliers, squares, total = 0, 0.0, 0.0
+    for k in range(len(points)):
+        px, py = points[k, 0], points[k, 1]
+        wx, wy = xyt[0] + c * px - s * py, xyt[1] + s * px + c * py
+        i, j = math.floor((wy - oy) / cell), math.floor((wx - ox) / cell)
+        if i < 0 or j < 0 or i >= height or j >= width or nearest[i, j] < 0:
+            continue
+        q = nearest[i, j]
+        dx, dy = wx - walls[q, 0], wy - walls[q, 1]
+        nx, ny = normals[q, 0], normals[q, 1]
+        across = nx * dx + ny * dy
+        if dx * dx + dy * dy > gate * gate:
+            continue
+        plain = nx == 0.0 and ny == 0.0
+        r2 = dx * dx + dy * dy if plain else across * across
+        kernel = 1.0 / (1.0 + r2 / (4.0 * sigma * sigma))
+        trust = kernel * weights[q] / (weights[q] + 1.0) / (sigma * sigma)
+        if abs(r2) < 9.0 * sigma * sigma:
+            inliers += 1
+        squares += kernel * r2
+        total += kernel
+        # residuals along two directions: across the wall, and (weakly) along it
+        for turn in range(2):
+            if plain:
+                ux, uy, w = (1.0, 0.0, 0.25 * trust) if turn == 0 else (0.0, 1.0, 0.25 * trust)
+            elif turn == 0:
+                ux, uy, w = nx, ny, trust
+            else:
+                ux, uy, w = -ny, nx, along * trust
+            r = ux * dx + uy * dy
+            j0, j1 = ux * c + uy * s, -ux * s + uy * c
+            j2 = -j0 * py + j1 * px
+            h[0, 0] += w * j0 * j0
+            h[0, 1] += w * j0 * j1
+            h[0, 2] += w * j0 * j2
+            h[1, 1] += w * j1 * j1
+            h[1, 2] += w * j1 * j2
+            h[2, 2] += w * j2 * j2
+            b[0] += w * j0 * r
+            b[1] += w * j1 * r
+            b[2] += w * j2 * r
+    h[1, 0], h[2, 0], h[2, 1] = h[0, 1], h[0, 2], h[1, 2]
+    return inliers, squares, total
+
+
+@njit(cache=True)
+def _solve3(h, b):  # type: ignore[no-untyped-def]
+    """h⁻¹ b for a symmetric 3 x 3 matrix, by Cramer's rule."""
+    c0 = h[1, 1] * h[2, 2] - h[1, 2] * h[2, 1]
+    c1 = h[1, 2] * h[2, 0] - h[1, 0] * h[2, 2]
+    c2 = h[1, 0] * h[2, 1] - h[1, 1] * h[2, 0]
+    d = h[0, 0] * c0 + h[0, 1] * c1 + h[0, 2] * c2
+    x = (
+        b[0] * c0 + h[0, 1] * (b[2] * h[1, 2] - b[1] * h[2, 2]) + h[0, 2] * (b[1] * h[2, 1] - b[2] * h[1, 1])
+    ) / d
+    y = (
+        h[0, 0] * (b[1] * h[2, 2] - b[2] * h[1, 2]) + b[0] * c1 + h[0, 2] * (b[2] * h[1, 0] - b[1] * h[2, 0])
+    ) / d
+    z = (
+        h[0, 0] * (b[2] * h[1, 1] - b[1] * h[2, 1]) + h[0, 1] * (b[1] * h[2, 0] - b[2] * h[1, 0]) + b[0] * c2
+    ) / d
+    return x, y, z
+
+
+@njit(cache=True)
+def gauss_newton(
+    points,
+    start,
+    walls,
+    normals,
+    weights,
+    nearest,
+    ox,
+    oy,
+    cell,
+    gate,
+    sigma,
+    along,
+    prior,
+    precision,
+    rounds,
+    h,
+):  # type: ignore[no-untyped-def]
+    """Pose after the rounds, inliers and weighted rms; `h` receives the information, the prior left out."""
+    pose, b = start.copy(), np.zeros(3)
+    damp = np.zeros((3, 3))
+    inliers, squares, total = 0, 0.0, 0.0
+    for turn in range(rounds):
+        h[:], b[:] = 0.0, 0.0
+        reach = max(gate * 0.7**turn, 4.0 * sigma)
+        inliers, squares, total = _accumulate(
+            points, pose, walls, normals, weights, nearest, ox, oy, cell, reach, sigma, along, h, b
+        )
+        c, s = math.cos(pose[2]), math.sin(pose[2])
+        ex, ey = pose[0] - prior[0], pose[1] - prior[1]
+        et = (pose[2] - prior[2] + math.pi) % (2 * math.pi) - math.pi
+        e0, e1 = c * ex + s * ey, -s * ex + c * ey
+        for i in range(3):
+            for j in range(3):
+                damp[i, j] = h[i, j] + precision[i, j]
+            b[i] += precision[i, 0] * e0 + precision[i, 1] * e1 + precision[i, 2] * et
+            damp[i, i] += 1e-6 + 1e-9 * h[i, i]
+        d0, d1, d2 = _solve3(damp, b)
+        pose[0] -= c * d0 - s * d1
+        pose[1] -= s * d0 + c * d1
+        pose[2] -= d2
+        if d0 * d0 + d1 * d1 < 1e-8 and abs(d2) < 1e-5 and turn >= 2:
+            break
+    return pose, inliers, math.sqrt(squares / total) if total > 0 else 0.0
+
+
+def refine(
+    points: Array,
+    submap: Submap,
+    guess: Pose2,
+    prior: Pose2,
+    precision: Array,
+    gate: float = 0.3,
+    rounds: int = 10,
+) -> Refined:
+    """Refine a guess against a submap; `prior` with its (3, 3) precision holds what the walls leave open."""
+    information = np.zeros((3, 3))
+    if not len(points) or not submap.nearest.size:
+        return Refined(guess, information, 0.0, 0.0)
+    pose, inliers, spread = gauss_newton(
+        points, np.array(guess), submap.points, submap.normals, submap.weights, submap.nearest, submap.origin[0],
+        submap.origin[1], submap.params.cell, gate, submap.params.range_sigma, ALONG, np.array(prior),
+        np.asarray(precision, float), rounds, information,
+    )  # fmt: skip
+    return Refined(Pose2.of(pose), information, inliers / len(points), spread)
+
+
+def precision_of(sigma_forward: float, sigma_side: float, sigma_angle: float, heading: float = 0.0) -> Array:
+    """Inverse covariance (3, 3) from standard deviations, the first two along and across `heading`."""
+    turn = np.eye(3)
+    turn[:2, :2] = rotation(heading)
+    return turn @ np.diag([sigma_forward**-2, sigma_side**-2, sigma_angle**-2]) @ turn.T

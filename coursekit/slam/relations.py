@@ -1,0 +1,112 @@
+"""The error of an estimated trajectory against known motions (Kümmerle et al. 2009): local, so no map need be aligned."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from coursekit.slam.files import read_lines
+from coursekit.slam.pose import Array, between, wrap_all
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Mean and standard deviation of the translation [m] and rotation [deg] errors."""
+
+    translation: float
+    translation_std: float
+    rotation: float
+    rotation_std: float
+    used: int
+    outside: int
+    """Relations whose stamps lie outside of the trajectory: not counted."""
+
+    def __str__(self) -> str:
+        return (
+            f"translation {self.translation:.4f} ± {self.translation_std:.4f} m, "
+            f"rotation {self.rotation:.3f} ± {self.rotation_std:.3f} deg ({self.used} relations)"
+        )
+
+
+def read_relations(path: str | Path) -> Array:
+    """(n, 5) `t1 t2 x y theta` from lines `t1 t2 x y z roll pitch yaw`.
+
+    Raises ValueError with the line's number when a line is something else.
+    """
+    return _table(path, 8, "t1 t2 x y z roll pitch yaw", "relations")[:, [0, 1, 2, 3, 7]]
+
+
+def read_trajectory(path: str | Path) -> Array:
+    """(n, 4) `stamp x y theta`, in order of stamps."""
+    rows = _table(path, 4, "stamp x y theta", "poses")
+    return rows[np.argsort(rows[:, 0], kind="stable")]
+
+
+def write_trajectory(path: str | Path, trajectory: Array) -> None:
+    """Write (n, 4) rows as `stamp x y theta` lines."""
+    lines = (f"{stamp:.6f} {x:.6f} {y:.6f} {theta:.6f}\n" for stamp, x, y, theta in trajectory)
+    Path(path).write_text("".join(lines), encoding="ascii")
+
+
+def _table(path: str | Path, width: int, form: str, noun: str) -> Array:
+    """Numbers of a text file, `width` a line; empty lines and # comments are left out."""
+    rows: list[list[float]] = []
+    for number, line in enumerate(read_lines(path), start=1):
+        words = line.split("#", 1)[0].split()
+        if not words:
+            continue
+        try:
+            row = [float(word) for word in words]
+        except ValueError:
+            row = []
+        if len(row) != width or not np.isfinite(row).all():
+            raise ValueError(f"{path}, line {number}: expected '{form}', found '{line.strip()[:60]}'")
+        rows.append(row)
+    if not rows:
+        raise ValueError(f"{path} holds no {noun}: each line should be '{form}'")
+    return np.array(rows)
+
+
+def poses_at(trajectory: Array, stamps: Array) -> Array:
+    """(n, 3) poses at the stamps, linear between the rows `stamp x y theta` of the trajectory.
+
+    >>> poses_at(np.array([[0.0, 0, 0, 3.0], [1.0, 2, 0, -3.0]]), np.array([0.5])).round(3)
+    array([[ 1.   ,  0.   , -3.142]])
+    """
+    times = trajectory[:, 0]
+    after = np.clip(np.searchsorted(times, stamps, side="right"), 1, max(len(times) - 1, 1))
+    after = np.minimum(after, len(times) - 1)
+    before = np.maximum(after - 1, 0)
+    gap = times[after] - times[before]
+    part = np.where(gap > 0, (stamps - times[before]) / np.where(gap > 0, gap, 1), 0.0)[:, None]
+    first, second = trajectory[before, 1:], trajectory[after, 1:]
+    step = second - first
+    step[:, 2] = wrap_all(step[:, 2])
+    poses = first + part * step
+    poses[:, 2] = wrap_all(poses[:, 2])
+    return poses
+
+
+def errors(trajectory: Array, relations: Array, slack: float = 0.5) -> Errors:
+    """Compare rows `stamp x y theta` with rows `t1 t2 x y theta`; stamps outside by more than `slack` [s] do not count.
+
+    Raises ValueError when no relation lies inside of the trajectory.
+    """
+    trajectory = trajectory[np.argsort(trajectory[:, 0], kind="stable")]  # logs are not always in order
+    low, high = trajectory[0, 0] - slack, trajectory[-1, 0] + slack
+    inside = (relations[:, :2] >= low).all(axis=1) & (relations[:, :2] <= high).all(axis=1)
+    if not inside.any():
+        raise ValueError(
+            f"no relation lies within the trajectory ({trajectory[0, 0]:.2f} to {trajectory[-1, 0]:.2f} s): "
+            "do the two files belong to the same log?"
+        )
+    chosen = relations[inside]
+    found = between(poses_at(trajectory, chosen[:, 0]), poses_at(trajectory, chosen[:, 1]))
+    wrong = between(chosen[:, 2:], found)
+    metres, degrees = np.hypot(wrong[:, 0], wrong[:, 1]), np.degrees(np.abs(wrong[:, 2]))
+    return Errors(
+        float(metres.mean()), float(metres.std()), float(degrees.mean()), float(degrees.std()),
+        int(inside.sum()), int((~inside).sum()),
+    )  # fmt: skip

@@ -1,0 +1,119 @@
+"""One turn of the laser: which ranges count, where they hit, and the direction of the walls there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.scan_kernels import bearing_table, normals_of, thin
+
+HERE = Pose2()
+"""The laser sits in the middle of the robot, and looks ahead."""
+BINS = 1024
+"""Directions that the bearing table of a scan tells apart."""
+
+
+@dataclass(frozen=True)
+class Laser:
+    """What is known of the sensor. In ROS 2: the fields of sensor_msgs/LaserScan and the transform base → laser.
+
+    >>> Laser(angle_min=-1.0, angle_increment=0.5, range_max=10.0).angles(5)
+    array([-1. , -0.5,  0. ,  0.5,  1. ])
+    """
+
+    angle_min: float
+    angle_increment: float
+    range_min: float = 0.0
+    range_max: float = math.inf
+    """Ranges from here on mean that nothing was hit."""
+    offset: Pose2 = HERE
+    """Where the laser sits on the robot."""
+    flipped: bool = False
+    """Mounted upside down: the beams turn the other way."""
+
+    def angles(self, count: int) -> Array:
+        """Direction of each beam in the laser's frame [rad]."""
+        angles: Array = self.angle_min + self.angle_increment * np.arange(count, dtype=np.float64)
+        return -angles if self.flipped else angles
+
+    @classmethod
+    def half_circle(cls, count: int, range_max: float = math.inf, offset: Pose2 = HERE) -> Laser:
+        """The 180° lasers of old logs: even counts from -90° on, the last end left out; odd counts with both ends."""
+        steps = count - 1 if count % 2 else count
+        return cls(-math.pi / 2, math.pi / max(steps, 1), range_max=range_max, offset=offset)
+
+
+@dataclass(frozen=True, eq=False)
+class Scan:
+    """What a scan saw, in the robot's frame; points sorted by their bearing from the laser."""
+
+    stamp: float
+    origin: Pose2
+    """Where the laser sits on the robot."""
+    hits: Array
+    """(n, 2) where beams ended [m]."""
+    misses: Array
+    """(m, 2) how far beams without return have cleared [m]."""
+    points: Array
+    """(k, 2) hits for matching: near enough, and thinned where they are dense."""
+    normals: Array
+    """(k, 2) unit vectors across the wall at each point; zero where there is no clear wall."""
+    table: np.ndarray
+    """(BINS + 1) first point of each bearing, for `point_at` look-ups."""
+
+    @classmethod
+    def from_ranges(
+        cls, ranges: Sequence[float] | np.ndarray, laser: Laser, params: SlamParameters, stamp: float = 0.0
+    ) -> Scan:
+        """From ranges [m]; NaN, negative, zero and too small ones are left out, the maximum and inf are no return.
+
+        >>> scan = Scan.from_ranges([1.0, float("nan"), 0.0, float("inf"), 2.0], Laser(0.0, 0.1), SlamParameters())
+        >>> len(scan.hits)
+        2
+        """
+        values = np.asarray(ranges, dtype=np.float64).reshape(-1)
+        angles = laser.angles(len(values)) + laser.offset.theta
+        with np.errstate(invalid="ignore"):
+            good = (
+                (values > max(laser.range_min, params.range_min))
+                & (values < laser.range_max)
+                & np.isfinite(values)
+            )
+            nothing = (values >= laser.range_max) | np.isposinf(values)
+        centre = np.array([laser.offset.x, laser.offset.y])
+        directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        hits = centre + directions[good] * values[good, None]
+        clear = min(params.clear_no_return, laser.range_max)
+        misses = centre + directions[nothing] * clear if clear > 0 else np.zeros((0, 2))
+        return cls.from_points(hits, params, origin=laser.offset, stamp=stamp, misses=misses)
+
+    @classmethod
+    def from_points(
+        cls,
+        points: Array,
+        params: SlamParameters,
+        *,
+        origin: Pose2 = HERE,
+        stamp: float = 0.0,
+        misses: Array | None = None,
+    ) -> Scan:
+        """From points (n, 2) in the robot's frame [m], in any order."""
+        hits = np.asarray(points, dtype=np.float64).reshape(-1, 2)
+        hits = hits[np.isfinite(hits).all(axis=1)]
+        relative = hits - np.array([origin.x, origin.y])
+        bearings = np.arctan2(relative[:, 1], relative[:, 0])
+        order = np.argsort(bearings, kind="stable")
+        hits, bearings = np.ascontiguousarray(hits[order]), bearings[order]
+        distances = np.hypot(relative[order, 0], relative[order, 1])
+        normals = normals_of(hits, distances, params.normal_reach)
+        normals[np.einsum("ij,ij->i", normals, relative[order]) > 0] *= -1  # towards the laser
+        near = distances < params.match_range
+        keep = thin(hits, near, params.point_spacing)
+        table = bearing_table(bearings[keep], BINS)
+        none = np.zeros((0, 2)) if misses is None else misses
+        return cls(stamp, origin, hits, none, hits[keep].copy(), normals[keep].copy(), table)

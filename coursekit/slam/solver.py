@@ -1,0 +1,175 @@
+"""Sparse least squares over poses: Gauss-Newton with damping, all edges at once; and the chordal first guess."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix, csc_matrix
+from scipy.sparse.linalg import splu
+
+from coursekit.slam.pose import Array, wrap_all
+
+SCALE = 9.0
+"""Squared error (in sigmas) at which a doubtful edge has half its trust."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Edges as arrays: measured motions `z` (m, 3) from `i` to `j` with precisions (m, 3, 3)."""
+
+    i: np.ndarray
+    j: np.ndarray
+    z: Array
+    precision: Array
+    robust: np.ndarray
+
+
+def residuals(problem: Problem, poses: Array) -> Array:
+    """(m, 3): how far each motion is from its measurement, in the measurement's frame."""
+    a, b, z = poses[problem.i], poses[problem.j], problem.z
+    theta = a[:, 2] + z[:, 2]
+    c, s = np.cos(theta), np.sin(theta)
+    ca, sa = np.cos(a[:, 2]), np.sin(a[:, 2])
+    dx = b[:, 0] - a[:, 0] - (ca * z[:, 0] - sa * z[:, 1])
+    dy = b[:, 1] - a[:, 1] - (sa * z[:, 0] + ca * z[:, 1])
+    return np.stack([c * dx + s * dy, c * dy - s * dx, wrap_all(b[:, 2] - theta)], axis=1)
+
+
+def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
+    """Derivatives (m, 3, 3) of the residuals by the two poses in world coordinates."""
+    a, b, z = poses[problem.i], poses[problem.j], problem.z
+    theta = a[:, 2] + z[:, 2]
+    c, s = np.cos(theta), np.sin(theta)
+    dx, dy = b[:, 0] - a[:, 0], b[:, 1] - a[:, 1]
+    first, second = np.zeros((len(a), 3, 3)), np.zeros((len(a), 3, 3))
+    second[:, 0, 0], second[:, 0, 1], second[:, 1, 0], second[:, 1, 1] = c, s, -s, c
+    second[:, 2, 2] = 1.0
+    first[:, :2, :2] = -second[:, :2, :2]
+    first[:, 0, 2], first[:, 1, 2] = -s * dx + c * dy, -c * dx - s * dy
+    first[:, 2, 2] = -1.0
+    return first, second
+
+
+def trust_of(problem: Problem, errors: Array) -> Array:
+    """(m,) weight of each edge: 1, or less for doubtful edges that disagree (Geman-McClure)."""
+    squared = np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
+    return np.where(problem.robust, (SCALE / (SCALE + squared)) ** 2, 1.0)
+
+
+def cost(problem: Problem, errors: Array) -> float:
+    """The sum that is made small."""
+    squared = np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
+    return float(np.sum(np.where(problem.robust, SCALE * squared / (SCALE + squared), squared)))
+
+
+class Assembler:
+    """The sparse normal matrix of a fixed set of pairs: where each block goes is worked out once."""
+
+    def __init__(self, i: np.ndarray, j: np.ndarray, size: int) -> None:
+        self.size = size
+        corners = [(i, i), (i, j), (j, i), (j, j)]
+        rows = np.concatenate([3 * a for a, _ in corners])[:, None, None] + np.arange(3)[:, None]
+        columns = np.concatenate([3 * b for _, b in corners])[:, None, None] + np.arange(3)
+        shape = (len(rows), 3, 3)
+        rows, columns = (np.broadcast_to(part, shape).ravel() for part in (rows, columns))
+        keys, self._place = np.unique(columns.astype(np.int64) * (3 * size) + rows, return_inverse=True)
+        self._rows = (keys % (3 * size)).astype(np.int32)
+        self._starts = np.searchsorted(keys // (3 * size), np.arange(3 * size + 1)).astype(np.int32)
+        self._diagonal = np.searchsorted(keys, np.arange(3 * size) * (3 * size + 1))
+
+    def matrix(self, blocks: Array, damping: Array) -> csc_matrix:
+        """From (4 m, 3, 3) blocks in the order ii, ij, ji, jj, and what to add to the diagonal (3 n)."""
+        data = np.bincount(self._place.ravel(), blocks.ravel(), len(self._rows)).astype(np.float64)
+        data[self._diagonal] += damping
+        return csc_matrix((data, self._rows, self._starts), shape=(3 * self.size, 3 * self.size))
+
+
+def gradient(i: np.ndarray, j: np.ndarray, gi: Array, gj: Array, size: int) -> Array:
+    """Sum (m, 3) parts at both ends into (3 n)."""
+    index = np.concatenate([3 * i, 3 * j])[:, None] + np.arange(3)
+    return np.bincount(index.ravel(), np.concatenate([gi, gj]).ravel(), 3 * size).astype(np.float64)
+
+
+def solve(matrix: csc_matrix, right: Array) -> Array:
+    """matrix⁻¹ right, for symmetric positive matrices."""
+    return splu(
+        matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+    ).solve(right)
+
+
+def _blocks(problem: Problem, poses: Array, weights: Array, errors: Array) -> tuple[Array, Array, Array]:
+    """Blocks of the normal matrix and gradients at both ends."""
+    a, b = jacobians(problem, poses)
+    wa = np.einsum("mki,mkl->mil", a, problem.precision * weights[:, None, None])
+    wb = np.einsum("mki,mkl->mil", b, problem.precision * weights[:, None, None])
+    blocks = np.concatenate([wa @ a, wa @ b, wb @ a, wb @ b])
+    return blocks, np.einsum("mil,ml->mi", wa, errors), np.einsum("mil,ml->mi", wb, errors)
+
+
+def optimize(problem: Problem, start: Array, rounds: int = 20) -> tuple[Array, Array]:
+    """Poses (n, 3) of least cost near the start, node 0 held, and each edge's trust."""
+    poses, size = start.copy(), len(start)
+    if not len(problem.i) or size < 2:
+        return poses, np.ones(len(problem.i))
+    assembler, damping = Assembler(problem.i, problem.j, size), 1e-9
+    hold = np.zeros(3 * size)
+    hold[:3] = 1e12
+    errors = residuals(problem, poses)
+    now = cost(problem, errors)
+    for _ in range(rounds):
+        blocks, gi, gj = _blocks(problem, poses, trust_of(problem, errors), errors)
+        right = gradient(problem.i, problem.j, gi, gj, size)
+        step = solve(assembler.matrix(blocks, hold + damping + 1e-9), right).reshape(-1, 3)
+        moved = poses - step
+        moved_errors = residuals(problem, moved)
+        then = cost(problem, moved_errors)
+        if not then <= now:
+            damping = max(damping, 1e-3) * 30
+            if damping > 1e9:
+                break
+            continue
+        done = now - then < 1e-6 * now + 1e-12
+        poses, errors, now, damping = moved, moved_errors, then, damping * 0.1
+        if done:
+            break
+    poses[:, 2] = wrap_all(poses[:, 2])
+    return poses, trust_of(problem, errors)
+
+
+def chordal(problem: Problem, poses: Array) -> Array:
+    """A first guess that needs none: headings as free complex numbers, then positions; two linear problems."""
+    size = len(poses)
+    weight_r, weight_t = np.sqrt(problem.precision[:, 2, 2]), np.sqrt(problem.precision[:, 0, 0])
+    turn = np.exp(1j * problem.z[:, 2])
+    first = np.exp(1j * poses[0, 2])
+    heading = _linear(problem, weight_r, turn, np.zeros(len(problem.i), complex), first, size)
+    unit = heading / np.maximum(np.abs(heading), 1e-12)
+    shift = unit[problem.i] * (problem.z[:, 0] + 1j * problem.z[:, 1])
+    place = _linear(
+        problem, weight_t, np.ones(len(problem.i), complex), shift, poses[0, 0] + 1j * poses[0, 1], size
+    )
+    return np.stack([place.real, place.imag, np.angle(unit)], axis=1)
+
+
+def _linear(
+    problem: Problem, weight: Array, factor: np.ndarray, shift: np.ndarray, first: complex, size: int
+) -> np.ndarray:
+    """Least squares of v[j] = factor v[i] + shift with v[0] given, complex numbers."""
+    rows = np.arange(len(weight))
+    matrix = coo_matrix(
+        (
+            np.concatenate([weight * 1.0, -weight * factor]),
+            (np.concatenate([rows, rows]), np.concatenate([problem.j, problem.i])),
+        ),
+        shape=(len(rows), size),
+    ).tocsc()
+    rest, right = matrix[:, 1:], weight * shift - matrix[:, :1].toarray().ravel() * first
+    normal = (rest.conj().T @ rest).tocsc() + 1e-12 * _identity(size - 1)
+    return np.concatenate([[first], splu(normal.tocsc()).solve(rest.conj().T @ right)])
+
+
+def _identity(size: int) -> csc_matrix:
+    """A complex identity matrix."""
+    index = np.arange(size)
+    return csc_matrix((np.ones(size, complex), (index, index)), shape=(size, size))

@@ -1,0 +1,104 @@
+"""A piece of map that scans are matched against: wall points with normals, and fields that answer in one look-up."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2, rotation
+from coursekit.slam.submap_kernels import insert_points
+
+COARSE = 4
+"""Cells to a coarse cell, each way."""
+MARGIN = 64
+"""Cells added around what must fit, so that growing is rare; a multiple of COARSE."""
+
+
+class Submap:
+    """Wall points of several scans in one frame; near points of one wall are merged into their mean.
+
+    `nearest` gives the nearest wall point of a cell, `likelihood` (0 to 255) how likely a beam ends there, `coarse` the
+    highest likelihood of a block of cells and the blocks above and right of it.
+    """
+
+    def __init__(self, params: SlamParameters, anchor: int = 0) -> None:
+        self.params = params
+        self.anchor = anchor
+        """The keyframe whose pose is this submap's frame."""
+        self.members: dict[int, Pose2] = {}
+        """Keyframes inside, and where they are in this frame."""
+        self.count = 0
+        self.points = np.zeros((256, 2))
+        self.normals = np.zeros((256, 2))
+        self.weights = np.zeros(256)
+        """How many hits each point is the mean of."""
+        self.origin = np.zeros(2)
+        """Lower left corner of the fields."""
+        self.nearest = np.full((0, 0), -1, dtype=np.int32)
+        self.likelihood = np.zeros((0, 0), dtype=np.uint8)
+        self.coarse = np.zeros((0, 0), dtype=np.uint8)
+
+    def insert(self, points: Array, normals: Array, pose: Pose2) -> None:
+        """Add a scan's points as seen from `pose` in this frame."""
+        if not len(points):
+            return
+        moved = np.ascontiguousarray(pose.transform(points))
+        turned = np.ascontiguousarray(normals @ rotation(pose.theta).T)
+        self._make_room(moved)
+        p = self.params
+        self.count = insert_points(
+            moved, turned, self.points, self.normals, self.weights, self.count, self.nearest, self.likelihood,
+            self.coarse, self.origin[0], self.origin[1], p.cell, p.field_reach, p.field_sigma, p.merge_distance,
+        )  # fmt: skip
+
+    def _make_room(self, points: Array) -> None:
+        """Enlarge arrays and fields so that the points fit."""
+        while self.count + len(points) > len(self.points):
+            self.points, self.normals = (
+                np.concatenate([a, np.zeros_like(a)]) for a in (self.points, self.normals)
+            )
+            self.weights = np.concatenate([self.weights, np.zeros_like(self.weights)])
+        cell, reach = self.params.cell, self.params.field_reach + self.params.cell
+        rows, columns = self.nearest.shape
+        top = self.origin + np.array([columns, rows]) * cell
+        low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
+        if not self.nearest.size:
+            self.origin = top = np.floor(low / (cell * COARSE)) * cell * COARSE
+        before = np.where(low < self.origin, np.ceil((self.origin - low) / cell), 0).astype(int)
+        after = np.where(high > top, np.ceil((high - top) / cell), 0).astype(int)
+        if before.any() or after.any():
+            self._grow(_roomy(before), _roomy(after))
+
+    def _grow(self, before: np.ndarray, after: np.ndarray) -> None:
+        """Add cells below/left (`before`) and above/right (`after`), (x, y) each."""
+        pads = ((before[1], after[1]), (before[0], after[0]))
+        self.nearest = np.pad(self.nearest, pads, constant_values=-1)
+        self.likelihood = np.pad(self.likelihood, pads)
+        self.coarse = np.pad(self.coarse, tuple((a // COARSE, b // COARSE) for a, b in pads))
+        self.origin = self.origin - before * self.params.cell
+
+    def finish(self) -> None:
+        """Drop the fields; `restore` makes them again."""
+        self.points, self.normals = self.points[: self.count].copy(), self.normals[: self.count].copy()
+        self.weights = self.weights[: self.count].copy()
+        self.nearest = np.full((0, 0), -1, dtype=np.int32)
+        self.likelihood, self.coarse = (np.zeros((0, 0), dtype=np.uint8) for _ in range(2))
+
+    def restore(self) -> None:
+        """Make the fields of a finished submap again."""
+        if self.nearest.size or not self.count:
+            return
+        points, normals, weights = self.points, self.normals, self.weights
+        self.count = 0
+        self._make_room(points)
+        p = self.params
+        self.count = insert_points(
+            points, normals, self.points, self.normals, self.weights, 0, self.nearest, self.likelihood, self.coarse,
+            self.origin[0], self.origin[1], p.cell, p.field_reach, p.field_sigma, 0.0,
+        )  # fmt: skip
+        self.weights[: self.count] = weights[: self.count]
+
+
+def _roomy(cells: np.ndarray) -> np.ndarray:
+    """Where cells are needed, at least MARGIN more, and whole coarse cells."""
+    return np.where(cells > 0, -(-(cells + MARGIN) // COARSE) * COARSE, 0)

@@ -1,0 +1,41 @@
+"""Frames in time: the science of tf2, without ROS. Poses are plain tuples, stamps are integers of nanoseconds.
+
+>>> from coursekit.tf import FrameBuffer
+>>> buffer = FrameBuffer()
+>>> buffer.set_static("base", "laser", (0.1, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0))
+True
+>>> buffer.lookup("base", "laser").pose[:3]
+(0.1, 0.0, 0.2)
+
+In ROS 2: tf2::BufferCore.
+"""
+
+from .buffer import DEFAULT_CACHE_NS, FrameBuffer, Lookup
+from .errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
+from .pose import IDENTITY, Pose, compose, interpolate, inverse, rotate, slerp
+
+__all__ = [
+    "DEFAULT_CACHE_NS",
+    "IDENTITY",
+    "ConnectivityException",
+    "ExtrapolationException",
+    "FrameBuffer",
+    "InvalidArgumentException",
+    "Lookup",
+    "LookupException",
+    "Pose",
+    "TimeoutException",
+    "TransformException",
+    "compose",
+    "interpolate",
+    "inverse",
+    "rotate",
+    "slerp",
+]

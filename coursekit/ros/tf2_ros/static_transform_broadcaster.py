@@ -1,0 +1,29 @@
+"""Sends transforms that never change, on /tf_static, where late listeners still get them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tf2_msgs.msg import TFMessage
+
+from tf2_ros.transform_broadcaster import as_list
+
+
+class StaticTransformBroadcaster:
+    """A publisher of /tf_static; each message holds all that was sent so far, because only the last one is kept."""
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        if qos is None:
+            qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
+        self.pub_tf = node.create_publisher(TFMessage, "/tf_static", qos)
+        self.net_message = TFMessage()
+
+    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
+        """Send one transform, or several; one for a known child replaces the old one."""
+        known = {sent.child_frame_id: sent for sent in self.net_message.transforms}
+        known.update((new.child_frame_id, new) for new in as_list(transform))
+        self.net_message.transforms = list(known.values())
+        self.pub_tf.publish(self.net_message)

@@ -1,0 +1,119 @@
+"""The history of one frame in its parent."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from . import errors
+from .pose import IDENTITY, Pose, interpolate
+
+
+class FrameCache:
+    """Poses of a frame by stamp, oldest first, as far back as `span_ns` before the newest.
+
+    A static frame has one pose for all times. The parent may change: each sample knows its own.
+    """
+
+    __slots__ = ("name", "newest", "newest_pose", "parents", "poses", "single_parent", "span_ns", "stamps", "static")
+
+    def __init__(self, name: str, span_ns: int, *, static: bool = False) -> None:
+        self.name = name
+        self.span_ns = span_ns
+        self.static = static
+        self.clear()
+
+    def clear(self) -> None:
+        """Forget the samples."""
+        self.stamps: list[int] = []
+        self.poses: list[Pose] = []
+        self.parents: list[str] = []
+        self.newest = 0
+        self.newest_pose = IDENTITY
+        self.single_parent = True
+
+    def insert(self, stamp: int, pose: Pose, parent: str) -> bool:
+        """Add a sample; False when it is older than the cache holds."""
+        if self.static:
+            self.stamps, self.poses, self.parents = [0], [pose], [parent]
+            self.newest, self.newest_pose = 0, pose
+            return True
+        stamps = self.stamps
+        if not stamps or stamp >= self.newest:
+            if stamps and stamp == self.newest and self.poses[-1] == pose and self.parents[-1] == parent:
+                return True
+            stamps.append(stamp)
+            self.poses.append(pose)
+            self.parents.append(parent)
+            self.newest, self.newest_pose = stamp, pose
+        elif not self._insert_older(stamp, pose, parent):
+            return False
+        if parent != self.parents[0] or not self.single_parent:
+            self.single_parent = self.parents.count(parent) == len(stamps)
+        if stamps[0] < self.newest - self.span_ns:
+            self._prune()
+        return True
+
+    def _insert_older(self, stamp: int, pose: Pose, parent: str) -> bool:
+        if stamp < self.newest - self.span_ns:
+            return False
+        place = bisect_right(self.stamps, stamp)
+        before = place - 1
+        if before < 0 or (self.stamps[before], self.poses[before], self.parents[before]) != (stamp, pose, parent):
+            self.stamps.insert(place, stamp)
+            self.poses.insert(place, pose)
+            self.parents.insert(place, parent)
+        return True
+
+    def _prune(self) -> None:
+        gone = bisect_right(self.stamps, self.newest - self.span_ns - 1)
+        del self.stamps[:gone], self.poses[:gone], self.parents[:gone]
+        if not self.single_parent:
+            self.single_parent = self.parents.count(self.parents[-1]) == len(self.parents)
+
+    def at(self, stamp: int) -> Pose | None:
+        """The pose at a time, interpolated; 0 is the newest. None outside of what is held."""
+        stamps = self.stamps
+        if not stamps:
+            return None
+        if not stamp or self.static or stamp == self.newest:
+            return self.newest_pose
+        after = bisect_right(stamps, stamp)
+        if not after or after == len(stamps):
+            return None
+        here = after - 1
+        then = stamps[here]
+        pose = self.poses[here]
+        if then == stamp or self.parents[here] != self.parents[after]:
+            return pose
+        return interpolate(pose, self.poses[after], (stamp - then) / (stamps[after] - then))
+
+    def parent_at(self, stamp: int) -> str | None:
+        """The parent at a time; 0 is now. None outside of what is held."""
+        if not self.stamps:
+            return None
+        if not stamp or self.static:
+            return self.parents[-1]
+        after = bisect_right(self.stamps, stamp)
+        if not after or (after == len(self.stamps) and stamp != self.newest):
+            return None
+        return self.parents[after - 1]
+
+    def why_not(self, stamp: int) -> str:
+        """The text of why there is no pose at a time; '' when nothing is held at all."""
+        if not self.stamps:
+            return ""
+        if len(self.stamps) == 1:
+            return errors.only_one(stamp, self.newest)
+        if stamp > self.newest:
+            return errors.too_new(stamp, self.newest)
+        return errors.too_old(stamp, self.stamps[0])
+
+    @property
+    def parent(self) -> str | None:
+        """The parent of the newest sample."""
+        return self.parents[-1] if self.parents else None
+
+    @property
+    def oldest(self) -> int:
+        """The stamp of the oldest sample; 0 when there is none."""
+        return self.stamps[0] if self.stamps else 0

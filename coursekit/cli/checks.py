@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from coursekit.core.executables import UNDERLAY
+from coursekit.interfaces.find import UNDERLAY
 
 
 @dataclass(frozen=True)

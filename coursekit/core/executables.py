@@ -15,15 +15,13 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from coursekit.interfaces.find import UNDERLAY, prefixes
+
 from .modules import use_private_modules
 from .process import Output, Process, current_process
 
 if TYPE_CHECKING:
     from .session import Session
-
-UNDERLAY = Path(__file__).resolve().parents[1]
-"""The ament prefix that coursekit itself is."""
-
 
 class PackageNotFound(LookupError):
     """No such package in any prefix; the text names close ones."""
@@ -46,12 +44,6 @@ class ExecutableNotFound(LookupError):
 def _hint(name: str, known: Sequence[str]) -> str:
     close = difflib.get_close_matches(name, known, 3)
     return f"; did you mean {' or '.join(close)}?" if close else ""
-
-
-def prefixes() -> list[Path]:
-    """The ament prefixes of the calling process, the underlay last."""
-    listed = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
-    return [*listed, UNDERLAY] if UNDERLAY not in listed else listed
 
 
 def _index(prefix: Path) -> Path:

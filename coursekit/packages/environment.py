@@ -7,7 +7,7 @@ import sys
 from collections.abc import MutableMapping
 from pathlib import Path
 
-from coursekit.core.executables import UNDERLAY
+from coursekit.interfaces.find import UNDERLAY
 
 
 def source_underlay(environ: MutableMapping[str, str]) -> None:

@@ -33,16 +33,16 @@ def test_a_publisher_hears_of_a_request_that_does_not_fit(world):
 
 def test_the_default_is_a_warning_on_both_sides(world, capfd):
     node = world.node()
-    node.create_publisher(String, "/chatter", QoSProfile(depth=1))
-    node.create_subscription(String, "/chatter", lambda m: None, LATCHED)
+    node.create_publisher(String, "chatter", QoSProfile(depth=1))
+    node.create_subscription(String, "chatter", lambda m: None, LATCHED)
     world.spin_for(0.5)
     shown = capfd.readouterr().err
     assert (
-        "New subscription discovered on topic '/chatter', requesting incompatible QoS. "
+        "New subscription discovered on topic 'chatter', requesting incompatible QoS. "
         "No messages will be sent to it. Last incompatible policy: DURABILITY" in shown
     )
     assert (
-        "New publisher discovered on topic '/chatter', offering incompatible QoS. "
+        "New publisher discovered on topic 'chatter', offering incompatible QoS. "
         "No messages will be received from it. Last incompatible policy: DURABILITY" in shown
     )
 

@@ -115,7 +115,6 @@ def create_node(
     parameter_overrides: list[Any] | None = None,
     allow_undeclared_parameters: bool = False,
     automatically_declare_parameters_from_overrides: bool = False,
-    enable_logger_service: bool = False,
 ) -> Any:
     """Make a node."""
     from rclpy.node import Node
@@ -131,7 +130,6 @@ def create_node(
         parameter_overrides=parameter_overrides,
         allow_undeclared_parameters=allow_undeclared_parameters,
         automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
-        enable_logger_service=enable_logger_service,
     )
 
 

@@ -74,7 +74,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         parameter_overrides: list[Parameter] | None = None,
         allow_undeclared_parameters: bool = False,
         automatically_declare_parameters_from_overrides: bool = False,
-        enable_logger_service: bool = False,
     ) -> None:
         self._handle = None
         self._context = get_default_context() if context is None else context
@@ -111,10 +110,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self._time_source.attach_clock(self._clock)
         if start_parameter_services:
             self._parameter_service = ParameterService(self)
-        if enable_logger_service:
-            from rclpy.logging_service import LoggingService
-
-            self._logger_service = LoggingService(self)
 
     # -- joining the graph
 

@@ -28,7 +28,7 @@ class Publisher:
         self.topic = topic
         self.qos_profile = qos_profile
         self.event_handlers = event_callbacks.create_event_handlers(
-            callback_group, publisher_impl, publisher_impl.core.name
+            callback_group, publisher_impl, topic
         )
         self._context_ok: Any = None
 

@@ -42,7 +42,7 @@ class Subscription:
         self.qos_profile = qos_profile
         self.raw = raw
         self.event_handlers = event_callbacks.create_event_handlers(
-            callback_group, subscription_impl, subscription_impl.core.name
+            callback_group, subscription_impl, topic
         )
 
     @property

@@ -10,13 +10,13 @@ from rclpy._rclpy_pybind11 import WaitSet
 class NumberOfEntities:
     """How many handles of each kind a waitable adds."""
 
-    __slots__ = (
-        "num_clients",
-        "num_events",
-        "num_guard_conditions",
-        "num_services",
+    __slots__ = (  # noqa: RUF023 - the order in which it prints
         "num_subscriptions",
+        "num_guard_conditions",
         "num_timers",
+        "num_clients",
+        "num_services",
+        "num_events",
     )
 
     def __init__(

@@ -168,8 +168,7 @@ def _compile(robot: Robot, links: list[str]) -> Callable[[Mapping[str, float]], 
     """A function from positions to the dict of poses."""
     writer = _Writer()
     names: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
-    for number, joint in enumerate(robot.joints.values()):
-        names[f"J{number}"] = joint.name
+    names |= {f"J{number}": name for number, name in enumerate(robot.joints)}
     poses: dict[str, list[Term]] = {links[0]: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]}
     variables = _positions(robot, writer)
     for link in links[1:]:

@@ -33,7 +33,7 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
     root = read(text, path)
     _check_robot(root)
     materials = _materials(root)
-    links = {}
+    links: dict[str, Link] = {}
     warnings: list[str] = []
     for element in root.all("link"):
         link = read_link(element)

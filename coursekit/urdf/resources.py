@@ -1,0 +1,110 @@
+"""Where a file of a robot is: `package://`, `file://` and plain paths, resolved here and nowhere else.
+
+`package://NAME/rest` is looked for in this order:
+
+1. folders given to `add_package_path` (the newest first), and those in ROS_PACKAGE_PATH: NAME inside the folder, or the
+   folder itself when it is called NAME;
+2. `share/NAME` of every prefix in AMENT_PREFIX_PATH, the sourced workspaces;
+3. `share/NAME` of coursekit's own underlay;
+4. the folders above the robot's file: one that is called NAME, or that has a folder NAME.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from .errors import MeshError, close
+
+UNDERLAY = Path(__file__).resolve().parents[1]
+_added: list[Path] = []
+
+
+def add_package_path(folder: str | os.PathLike[str]) -> None:
+    """Search this folder first for packages; NotADirectoryError if there is no such folder.
+
+    In ROS 2 one builds and sources a workspace instead, or sets ROS_PACKAGE_PATH for older tools.
+    """
+    path = Path(folder).expanduser().resolve()
+    if not path.is_dir():
+        raise NotADirectoryError(f"'{path}' is no folder, so no packages can be found there. Check the path.")
+    remove_package_path(path)
+    _added.insert(0, path)
+
+
+def remove_package_path(folder: str | os.PathLike[str]) -> None:
+    """Take a folder back; harmless when it was not added."""
+    path = Path(folder).expanduser().resolve()
+    if path in _added:
+        _added.remove(path)
+
+
+def package_paths() -> list[Path]:
+    """The folders in which packages are looked for, in order; a package is a folder inside one of them."""
+    listed = [Path(one) for one in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if one]
+    prefixes = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    shares = [prefix / "share" for prefix in prefixes]
+    return list(dict.fromkeys([*_added, *listed, *shares, UNDERLAY / "share"]))
+
+
+def find_package(name: str, near: Path | None = None) -> Path:
+    """The folder of a package; `near` is the robot's file. MeshError tells the folders that were searched."""
+    searched = package_paths()
+    for folder in searched:
+        if (folder / name).is_dir():
+            return folder / name
+        if folder.name == name and folder.is_dir():
+            return folder
+    for folder in near.resolve().parents if near is not None else ():
+        if folder.name == name:
+            return folder
+        if (folder / name).is_dir():
+            return folder / name
+    raise MeshError(f"package '{name}' not found", cure=_where(name, searched))
+
+
+def _where(name: str, searched: list[Path]) -> str:
+    there = sorted({one.name for folder in searched if folder.is_dir() for one in folder.iterdir() if one.is_dir()})
+    hint = close(name, there)
+    lines = [f"  {folder}" for folder in searched]
+    first = f"{hint}\n" if hint.startswith("Did") else ""
+    return (
+        f"{first}Searched were, in this order:\n" + "\n".join(lines) + "\nBuild and source the workspace that has it, "
+        "or call add_package_path('the folder that holds the package')."
+    )
+
+
+def find_file(uri: str, near: Path | None = None) -> Path:
+    """The file that a URI or path of a description means; `near` is the robot's file.
+
+    Raises MeshError if the package or the file is not there, or the URI is of another kind.
+
+    >>> find_file("package://turtlesim/package.xml").name
+    'package.xml'
+    """
+    parts = urlsplit(uri)
+    if parts.scheme == "package":
+        name, _, rest = uri.removeprefix("package://").partition("/")
+        path = find_package(name, near) / unquote(rest)
+    elif parts.scheme == "file":
+        path = Path(unquote(parts.path))
+    elif len(parts.scheme) > 1:
+        cure = "Use package://NAME/path, file:///path, or a path relative to the robot's file."
+        raise MeshError(f"'{uri}' cannot be read: '{parts.scheme}://' is not known here", cure=cure)
+    else:
+        path = Path(uri) if near is None else near.resolve().parent / uri
+    if not path.is_file():
+        raise MeshError(f"'{uri}' not found: there is no file {path}", cure=_beside(path))
+    return path
+
+
+def _beside(path: Path) -> str:
+    folder = path.parent
+    if not folder.is_dir():
+        return f"There is no folder {folder} either. Is it listed in setup.py's data_files, and was the package built?"
+    there = sorted(one.name for one in folder.iterdir())
+    return f"{close(path.name, there)} Is it listed in setup.py's data_files, and was the package built?"
+
+
+__all__ = ["add_package_path", "find_file", "find_package", "package_paths", "remove_package_path"]

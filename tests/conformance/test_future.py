@@ -1,3 +1,5 @@
+import asyncio
+
 import pytest
 from rclpy.task import Future
 
@@ -86,3 +88,18 @@ def test_results_may_be_none_and_done():
     future.set_result(None)
     assert future.done()
     assert future.result() is None
+
+
+def test_a_future_is_awaited_in_asyncio_too():
+    future = Future()
+
+    async def wait():
+        return await future
+
+    async def both():
+        waiting = asyncio.ensure_future(wait())
+        await asyncio.sleep(0)
+        future.set_result("done")
+        return await waiting
+
+    assert asyncio.run(both()) == "done"

@@ -8,6 +8,8 @@
 
 from __future__ import annotations
 
+import importlib
+import importlib.util
 from typing import Any
 
 from coursekit.core import script
@@ -34,6 +36,13 @@ __all__ = [
     "spin_until_future_complete",
     "try_shutdown",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Load `rclpy.executors` and the like when they are named: programs do so without importing them."""
+    if name.startswith("__") or importlib.util.find_spec(f"rclpy.{name}") is None:
+        raise AttributeError(f"module 'rclpy' has no attribute '{name}'")
+    return importlib.import_module(f"rclpy.{name}")
 
 
 class InitContextManager:

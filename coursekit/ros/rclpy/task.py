@@ -8,7 +8,10 @@ import threading
 import traceback
 import weakref
 from collections.abc import Callable, Generator
+from contextvars import ContextVar
 from typing import Any
+
+_in_task: ContextVar[bool] = ContextVar("rclpy_in_task", default=False)
 
 
 class Future:
@@ -35,9 +38,9 @@ class Future:
         if getattr(self, "_exception", None) is not None and not self._exception_fetched:
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
-    def __await__(self) -> Generator[Future, None, Any]:
+    def __await__(self) -> Generator[Future | None, None, Any]:
         while not self._done:
-            yield self
+            yield self if _in_task.get() else None  # asyncio and `coroutine.send(None)` take a bare yield only
         return self.result()
 
     def cancel(self) -> None:
@@ -164,12 +167,20 @@ class Task(Future):
                     self._finish(result)
                     return
                 self._handler, self._coroutine = result, True
-            self.awaits = self._handler.send(None)
+            self.awaits = self._resume()
         except StopIteration as stop:
             self._finish(stop.value)
         except Exception as error:
             self._complete()
             self.set_exception(error)
+
+    def _resume(self) -> Future | None:
+        token = _in_task.set(True)
+        try:
+            awaited: Future | None = self._handler.send(None)
+            return awaited
+        finally:
+            _in_task.reset(token)
 
     def _finish(self, result: Any) -> None:
         self._complete()

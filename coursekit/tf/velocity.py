@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import acos, sqrt
 
 from .buffer import FrameBuffer
-from .pose import Vector, multiply, rotate
+from .pose import Quaternion, Vector, multiply, rotate
 
 Velocity = tuple[Vector, Vector]
 
@@ -31,21 +31,19 @@ def velocity(
     begin_pose = buffer.lookup(observation, tracking, start).pose
     end_pose = buffer.lookup(observation, tracking, end).pose
     seconds = (end - start) * 1e-9
-    linear = tuple((b - a) / seconds for a, b in zip(begin_pose[:3], end_pose[:3], strict=True))
-    angular = tuple(part / seconds for part in _turn(begin_pose[3:], end_pose[3:]))
+    moved = _scaled(_minus(end_pose[:3], begin_pose[:3]), 1.0 / seconds)
+    turned = _scaled(_turn(begin_pose[3:], end_pose[3:]), 1.0 / seconds)
     into = buffer.lookup(reference, observation, time).pose[3:]
-    linear, angular = rotate(into, linear), rotate(into, angular)
+    linear, angular = rotate(into, moved), rotate(into, turned)
     at = buffer.lookup(reference, point_frame, time).pose
-    there = rotate(at[3:], point)
     origin = buffer.lookup(reference, tracking, time).pose
-    arm = tuple(a + t - o for a, t, o in zip(at[:3], there, origin[:3], strict=True))
-    swing = _cross(angular, arm)
-    return tuple(a + b for a, b in zip(linear, swing, strict=True)), angular  # type: ignore[return-value]
+    arm = _minus(rotate(at[3:], point), _minus(origin[:3], at[:3]))
+    return _minus(linear, _cross(arm, angular)), angular
 
 
-def _turn(a: tuple[float, ...], b: tuple[float, ...]) -> Vector:
+def _turn(a: Quaternion, b: Quaternion) -> Vector:
     """The rotation vector from attitude `a` to `b`, in the frame that both are given in."""
-    i, j, k, w = multiply(b, (-a[0], -a[1], -a[2], a[3]))  # type: ignore[arg-type]
+    i, j, k, w = multiply(b, (-a[0], -a[1], -a[2], a[3]))
     if w < 0.0:
         i, j, k, w = -i, -j, -k, -w
     length = sqrt(i * i + j * j + k * k)
@@ -53,5 +51,13 @@ def _turn(a: tuple[float, ...], b: tuple[float, ...]) -> Vector:
     return i * scale, j * scale, k * scale
 
 
-def _cross(a: Vector, b: tuple[float, ...]) -> Vector:
+def _minus(a: Vector, b: Vector) -> Vector:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def _scaled(a: Vector, factor: float) -> Vector:
+    return a[0] * factor, a[1] * factor, a[2] * factor
+
+
+def _cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

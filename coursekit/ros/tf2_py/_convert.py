@@ -12,7 +12,7 @@ from std_msgs.msg import Header
 
 from coursekit.tf import Pose
 
-_new = object.__new__
+_new: Any = object.__new__
 
 
 def nanoseconds(time: Any, what: str = "time") -> int:
@@ -28,8 +28,8 @@ def nanoseconds(time: Any, what: str = "time") -> int:
 
 def pose_of(transform: Any, faults: tuple[str, str]) -> Pose:
     """The numbers of a geometry_msgs/Transform; TypeError with one of `faults` for parts of a wrong type."""
-    t = transform.translation
-    r = transform.rotation
+    t: Any = transform.translation
+    r: Any = transform.rotation
     if not isinstance(t, Vector3):
         raise TypeError(faults[0])
     if not isinstance(r, Quaternion):

@@ -1,0 +1,27 @@
+"""How the stamped types of geometry_msgs are transformed; importing it registers them with tf2_ros."""
+
+from tf2_geometry_msgs.tf2_geometry_msgs import (
+    do_transform_point,
+    do_transform_polygon_stamped,
+    do_transform_pose,
+    do_transform_pose_stamped,
+    do_transform_pose_with_covariance_stamped,
+    do_transform_vector3,
+    do_transform_wrench,
+    from_msg_msg,
+    to_msg_msg,
+    transform_covariance,
+)
+
+__all__ = [
+    "do_transform_point",
+    "do_transform_polygon_stamped",
+    "do_transform_pose",
+    "do_transform_pose_stamped",
+    "do_transform_pose_with_covariance_stamped",
+    "do_transform_vector3",
+    "do_transform_wrench",
+    "from_msg_msg",
+    "to_msg_msg",
+    "transform_covariance",
+]

@@ -1,0 +1,65 @@
+"""`ros2 run joint_state_publisher_gui joint_state_publisher_gui`: joint states from sliders, which a notebook shows."""
+
+from __future__ import annotations
+
+import random
+
+from coursekit.core.session import current
+from coursekit.nodes.robots import boards
+from coursekit.nodes.robots.joint_state_publisher import JointStatePublisher, run
+from coursekit.urdf.errors import close
+
+
+class JointStatePublisherGui(JointStatePublisher):
+    """A joint_state_publisher whose positions somebody sets by hand.
+
+    The sliders are drawn by `joint_sliders()` of coursekit.lab; without a notebook it publishes the zero positions.
+    """
+
+    def __init__(self, file: str | None = None) -> None:
+        self.session = current()
+        self.running = True
+        self._chance = random.Random(0 if self.session.clock.virtual else None)
+        self._entered = False
+        super().__init__(file)
+        self.full_name = self.get_fully_qualified_name()
+        self._entered = True
+        boards.add(self)
+
+    def changed(self) -> None:
+        """Have the sliders follow."""
+        if self._entered:
+            boards.tell(self)
+
+    def move(self, name: str, position: float) -> None:
+        """Put a joint to a position (rad or m), within its limits; LookupError if it has no slider."""
+        joint = self.model.free.get(name)
+        if joint is None:
+            raise LookupError(f"There is no slider for joint '{name}'. {close(name, self.model.free)}")
+        joint.position = min(max(float(position), joint.least), joint.greatest)
+        self.changed()
+
+    def center(self) -> None:
+        """Put all joints to their zero positions."""
+        self.get_logger().info("Centering")
+        for joint in self.model.free.values():
+            joint.position = joint.zero
+        self.changed()
+
+    def randomize(self) -> None:
+        """Put all joints anywhere within their limits."""
+        self.get_logger().info("Randomizing")
+        for joint in self.model.free.values():
+            joint.position = self._chance.uniform(joint.least, joint.greatest)
+        self.changed()
+
+    def destroy_node(self) -> None:
+        """End it, and its sliders."""
+        self.running = False
+        boards.remove(self)
+        super().destroy_node()
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C."""
+    return run(JointStatePublisherGui, args)

@@ -1,0 +1,238 @@
+"""`ros2 run robot_state_publisher robot_state_publisher`: from joint states and a URDF to frames on /tf and /tf_static."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterable, Sequence
+
+import rclpy
+from builtin_interfaces.msg import Time
+from geometry_msgs.msg import TransformStamped
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from rclpy.utilities import remove_ros_args
+from sensor_msgs.msg import JointState
+from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
+
+from coursekit.core.process import ProcessKilled, current_process
+from coursekit.urdf import Joint, Robot, UrdfError, load_text, parse
+from coursekit.urdf.kinematics import joint_pose
+from coursekit.urdf.texts import error_text
+
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+_TYPES = {
+    "robot_description": (Parameter.Type.STRING, "URDF must be a string"),
+    "use_tf_static": (Parameter.Type.BOOL, "use_tf_static must be a boolean"),
+    "frame_prefix": (Parameter.Type.STRING, "frame_prefix must be a string"),
+    "ignore_timestamp": (Parameter.Type.BOOL, "ignore_timestamp must be a boolean"),
+    "publish_frequency": (Parameter.Type.DOUBLE, "publish_frequency must be a double"),
+}
+
+
+class RobotStatePublisher(Node):
+    """Publishes where a robot's links are.
+
+    Raises UrdfError for a bad description, RuntimeError for other bad parameters, OSError for a missing file.
+    """
+
+    def __init__(self, file: str | None = None) -> None:
+        super().__init__("robot_state_publisher")
+        text = self._description(file)
+        self._source = file if file is not None and not self.get_parameter("robot_description").value else ""
+        interval = self._checked_interval(self.declare_parameter("publish_frequency", 20.0).value)
+        self._interval_ns = interval
+        self._prefix = self.declare_parameter("frame_prefix", "").value
+        self._ignore_timestamp = self.declare_parameter("ignore_timestamp", False).value
+        self._use_static = self.declare_parameter("use_tf_static", True).value
+        self._published: dict[str, int] = {}
+        self._last_call = 0
+        self._tf = self.create_publisher(TFMessage, "/tf", 100)
+        self._tf_static = self.create_publisher(TFMessage, "/tf_static", LATCHED)
+        self._topic = self.create_publisher(String, "robot_description", LATCHED)
+        self._set_robot(text)
+        self.create_subscription(JointState, "joint_states", self._joint_states, qos_profile_sensor_data)
+        self._publish_fixed()
+        if not self._use_static:
+            self.create_timer(max(interval, 1_000_000) / 1e9, self._publish_fixed)
+        self.add_on_set_parameters_callback(self._judge)
+
+    # -- the robot
+
+    def _description(self, file: str | None) -> str:
+        text: str = self.declare_parameter("robot_description", "").value
+        if text:
+            return text
+        if file is None:
+            raise RuntimeError("robot_description parameter must not be empty")
+        self.get_logger().warning(
+            "No robot_description parameter, but command-line argument available.  Assuming argument is name of URDF "
+            "file.  This backwards compatibility fallback will be removed in the future."
+        )
+        return load_text(file)
+
+    def _set_robot(self, text: str) -> None:
+        robot = parse(text, self._source or "robot_description")
+        root = robot.links[robot.root]
+        if root.inertial is not None:
+            self.get_logger().get_child("kdl_parser").warning(
+                f"The root link {robot.root} has an inertia specified in the URDF, but KDL does not support a root link "
+                "with an inertia.  As a workaround, you can add an extra dummy link to your URDF."
+            )
+        self._moving, self._fixed = _sorted_joints(robot)
+        self._mimics = [joint for joint in robot.joints.values() if joint.mimic is not None]
+        self._published.clear()
+        for name in sorted(robot.links):
+            self.get_logger().info(f"got segment {name}")
+        self._topic.publish(String(data=text))
+
+    def _checked_interval(self, frequency: float) -> int:
+        if not 0.0 <= frequency <= 1000.0:
+            raise RuntimeError("publish_frequency must be between 0 and 1000")
+        return round(1e9 / frequency) if frequency else 2**62
+
+    # -- publishing
+
+    def _publish_fixed(self) -> None:
+        stamp = self.get_clock().now().to_msg()
+        transforms = [self._transform(joint, 0.0, stamp) for joint in self._fixed]
+        (self._tf_static if self._use_static else self._tf).publish(TFMessage(transforms=transforms))
+
+    def _transform(self, joint: Joint, position: float, stamp: Time) -> TransformStamped:
+        made = TransformStamped()
+        made.header.stamp = stamp
+        made.header.frame_id = self._prefix + joint.parent
+        made.child_frame_id = self._prefix + joint.child
+        x, y, z, qx, qy, qz, qw = joint_pose(joint, position)
+        shift, turn = made.transform.translation, made.transform.rotation
+        shift.x, shift.y, shift.z = x, y, z
+        turn.x, turn.y, turn.z, turn.w = qx, qy, qz, qw
+        return made
+
+    def _joint_states(self, msg: JointState) -> None:
+        if len(msg.name) != len(msg.position):
+            if msg.position:
+                self.get_logger().error("Robot state publisher ignored an invalid JointState message")
+            else:
+                self.get_logger().warning(
+                    "Robot state publisher ignored a JointState message about joint(s) "
+                    f'"{msg.name[0]}"(,...) whose position member was empty.'
+                )
+            return
+        if self._is_due(msg.name, msg.header.stamp):
+            self._publish_moving(dict(zip(msg.name, msg.position, strict=True)), msg.header.stamp)
+
+    def _is_due(self, names: Sequence[str], stamp: Time) -> bool:
+        """Whether the interval since the joint that was published longest ago is over."""
+        now = self.get_clock().now().nanoseconds
+        if self._last_call > now:
+            self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
+            self._published.clear()
+        self._last_call = now
+        sent = stamp.sec * 1_000_000_000 + stamp.nanosec
+        oldest = min((self._published.get(name, 0) for name in names), default=now)
+        if not self._ignore_timestamp and sent < min(oldest, now) + self._interval_ns and oldest:
+            return False
+        self._published.update(dict.fromkeys(names, sent))
+        return True
+
+    def _publish_moving(self, positions: dict[str, float], stamp: Time) -> None:
+        for joint in self._mimics:
+            mimic = joint.mimic
+            if mimic is not None and mimic.joint in positions:
+                positions.setdefault(joint.name, positions[mimic.joint] * mimic.multiplier + mimic.offset)
+        moved = sorted(name for name in positions if name in self._moving)
+        transforms = [self._transform(self._moving[name], positions[name], stamp) for name in moved]
+        self._tf.publish(TFMessage(transforms=transforms))
+
+    # -- parameters that change
+
+    def _judge(self, parameters: Iterable[Parameter]) -> SetParametersResult:
+        for parameter in parameters:
+            reason = self._change(parameter)
+            if reason:
+                return SetParametersResult(successful=False, reason=reason)
+        return SetParametersResult(successful=True)
+
+    def _change(self, parameter: Parameter) -> str:
+        """Take a changed parameter; the reason if it is refused, else ''."""
+        kind, reason = _TYPES.get(parameter.name, (parameter.type_, ""))
+        if parameter.type_ != kind:
+            return reason
+        value = parameter.value
+        if parameter.name == "robot_description":
+            return self._reload(value)
+        if parameter.name == "publish_frequency":
+            try:
+                self._interval_ns = self._checked_interval(value)
+            except RuntimeError as error:
+                return str(error)
+        elif parameter.name == "frame_prefix":
+            self._prefix = value
+        elif parameter.name == "ignore_timestamp":
+            self._ignore_timestamp = value
+        elif parameter.name == "use_tf_static":
+            self._use_static = value
+        return ""
+
+    def _reload(self, text: str) -> str:
+        if not text:
+            return "Empty URDF is not allowed"
+        try:
+            self._source = ""
+            self._set_robot(text)
+        except UrdfError as error:
+            print(error_text(error), end="", file=sys.stderr)
+            self.get_logger().warning(
+                "Failed to parse new URDF: Unable to initialize urdf::model from robot description"
+            )
+            return f"Failed to parse new URDF: {error}"
+        self._publish_fixed()
+        return ""
+
+
+def _sorted_joints(robot: Robot) -> tuple[dict[str, Joint], list[Joint]]:
+    """The joints that move, by name, and those that do not; a floating joint is neither: somebody else publishes it."""
+    joints = [robot.joints[name] for name in sorted(robot.joints)]
+    moving = {joint.name: joint for joint in joints if joint.moves}
+    return moving, [joint for joint in joints if joint.type in ("fixed", "planar")]
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C; a bad description ends it as it ends the real one."""
+    words = remove_ros_args(sys.argv if args is None else args)[1:]
+    rclpy.init(args=args)
+    try:
+        node = RobotStatePublisher(words[0] if words else None)
+    except (UrdfError, RuntimeError, OSError) as error:
+        _complain(error)
+        rclpy.try_shutdown()
+        return _abort()
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+def _abort() -> int:
+    """End as a C++ program does that threw an exception which nobody caught."""
+    if current_process() is not None:
+        raise ProcessKilled(signal.SIGABRT)
+    return 1
+
+
+def _complain(error: Exception) -> None:
+    what = str(error)
+    if isinstance(error, UrdfError):
+        print(error_text(error), end="", file=sys.stderr)
+        print("Failed to parse robot description using: urdf_xml_parser/URDFXMLParser", file=sys.stderr)
+        what = "Unable to initialize urdf::model from robot description"
+    print(f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {what}", file=sys.stderr)

@@ -1,0 +1,57 @@
+"""Asks for the first Fibonacci numbers and tells how the answer grows."""
+
+import sys
+
+import rclpy
+from action_tutorials_interfaces.action import Fibonacci
+from rclpy.action import ActionClient
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+ORDER = 10
+
+
+class FibonacciActionClient(Node):
+    """Sends one goal; ends when the result is there."""
+
+    def __init__(self) -> None:
+        super().__init__("fibonacci_action_client")
+        self._client = ActionClient(self, Fibonacci, "fibonacci")
+
+    def send_goal(self, order: int) -> None:
+        """Wait for the server and ask it."""
+        self._client.wait_for_server()
+        sent = self._client.send_goal_async(Fibonacci.Goal(order=order), feedback_callback=self._hear)
+        sent.add_done_callback(self._take_answer)
+
+    def _take_answer(self, future) -> None:
+        goal_handle = future.result()
+        if not goal_handle.accepted:
+            self.get_logger().info("Goal rejected :(")
+            rclpy.shutdown()
+            return
+        self.get_logger().info("Goal accepted :)")
+        goal_handle.get_result_async().add_done_callback(self._take_result)
+
+    def _take_result(self, future) -> None:
+        self.get_logger().info(f"Result: {future.result().result.sequence}")
+        rclpy.shutdown()
+
+    def _hear(self, message) -> None:
+        self.get_logger().info(f"Received feedback: {message.feedback.partial_sequence}")
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run until the result is there."""
+    rclpy.init(args=args)
+    node = FibonacciActionClient()
+    try:
+        node.send_goal(ORDER)
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+    except ExternalShutdownException:
+        sys.exit(1)
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()

@@ -1,0 +1,1 @@
+"""Interfaces: the action of the action tutorial."""

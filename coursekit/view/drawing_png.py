@@ -1,4 +1,4 @@
-"""A drawing as PNG bytes, by matplotlib's Agg canvas (no pyplot, no window)."""
+"""A drawing as PNG or PDF bytes, by matplotlib's canvases (no pyplot, no window)."""
 
 from __future__ import annotations
 
@@ -15,6 +15,22 @@ SCALE = 2.0
 def png(drawing: Drawing) -> bytes:
     """The picture, `SCALE` times as large as the drawing."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    file = io.BytesIO()
+    FigureCanvasAgg(_figure(drawing)).print_png(file)
+    return file.getvalue()
+
+
+def pdf(drawing: Drawing) -> bytes:
+    """The picture on a page of its size; the same bytes every time."""
+    from matplotlib.backends.backend_pdf import FigureCanvasPdf
+
+    file = io.BytesIO()
+    FigureCanvasPdf(_figure(drawing)).print_pdf(file, metadata={"CreationDate": None})
+    return file.getvalue()
+
+
+def _figure(drawing: Drawing) -> Any:
     from matplotlib.figure import Figure
 
     figure = Figure(
@@ -28,9 +44,7 @@ def png(drawing: Drawing) -> bytes:
     for part in drawing.parts:
         for shape in part.shapes:
             draw[type(shape)](axes, shape)
-    file = io.BytesIO()
-    FigureCanvasAgg(figure).print_png(file)
-    return file.getvalue()
+    return figure
 
 
 def _rect(axes: Any, rect: Rect) -> None:

@@ -1,0 +1,30 @@
+"""`buffer_server`: a buffer that other nodes ask by the action tf2_buffer_server."""
+
+from __future__ import annotations
+
+import sys
+
+import rclpy
+from rclpy.duration import Duration
+from rclpy.executors import ExternalShutdownException
+from tf2_ros import Buffer, BufferServer, TransformListener
+
+
+def main() -> int:
+    """Serve until Ctrl-C; the parameter buffer_size is the history in seconds."""
+    rclpy.init(args=sys.argv)
+    node = rclpy.create_node("tf_buffer")
+    seconds = node.declare_parameter("buffer_size", 120.0).value
+    buffer = Buffer(Duration(seconds=seconds), node)
+    listener = TransformListener(buffer, node)
+    server = BufferServer(buffer, node, "tf2_buffer_server")
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        server.server.destroy()
+        listener.unregister()
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0

@@ -1,0 +1,95 @@
+"""What is to be told of a buffer's frames, taken at one moment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+STALE_SECONDS = 2.0
+"""A moving frame that nobody has told of for so long is marked."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One frame; `parent` '' for the root of a tree. Times in nanoseconds."""
+
+    name: str
+    parent: str = ""
+    static: bool = False
+    rate: float = 0.0
+    newest: int = 0
+    oldest: int = 0
+    authority: str = ""
+    late: float = 0.0
+    """Seconds since it was last told, when that is too long; 0 otherwise."""
+
+
+@dataclass
+class FrameFacts:
+    """Frames by name, sorted; children of each; the roots; and what is wrong."""
+
+    frames: dict[str, Frame] = field(default_factory=dict)
+    children: dict[str, list[str]] = field(default_factory=dict)
+    roots: list[str] = field(default_factory=list)
+    faults: list[str] = field(default_factory=list)
+    now: int = 0
+
+
+def take(buffer: Any, now: int = 0) -> FrameFacts:
+    """The facts of a FrameBuffer; with `now` (nanoseconds), also what is late."""
+    facts = FrameFacts(now=now)
+    for name, cache in sorted(buffer.frames.items()):
+        parent = cache.parent if cache is not None else None
+        if parent is None:
+            facts.frames[name] = Frame(name)
+            continue
+        span = (cache.newest - cache.oldest) * 1e-9
+        age = (now - cache.newest) * 1e-9
+        facts.frames[name] = Frame(
+            name,
+            parent,
+            cache.static,
+            (len(cache.stamps) - 1) / span if span > 0 else 0.0,
+            cache.newest,
+            cache.oldest,
+            buffer.authorities.get(name, ""),
+            age if now and not cache.static and age > STALE_SECONDS else 0.0,
+        )
+        facts.children.setdefault(parent, []).append(name)
+    facts.roots = [name for name, frame in facts.frames.items() if not frame.parent]
+    facts.faults = list(_faults(facts))
+    return facts
+
+
+def _faults(facts: FrameFacts):  # type: ignore[no-untyped-def]
+    if len(facts.roots) > 1:
+        yield (
+            f"{len(facts.roots)} trees that nothing joins, with the roots {', '.join(facts.roots)}: no transform "
+            "between them can be looked up. Publish the pose of one root in a frame of the other."
+        )
+    loop = set(facts.frames) - reachable(facts)
+    if loop:
+        yield f"a loop: {', '.join(sorted(loop))}. Each frame may have one parent, and no frame is its own ancestor."
+    for frame in facts.frames.values():
+        if frame.late:
+            yield f"{frame.name}: nobody has told its pose in {frame.parent} for {frame.late:.1f} s"
+
+
+def reachable(facts: FrameFacts) -> set[str]:
+    """The frames below a root."""
+    found: set[str] = set()
+    waiting = list(facts.roots)
+    while waiting:
+        name = waiting.pop()
+        found.add(name)
+        waiting += facts.children.get(name, [])
+    return found
+
+
+def note(frame: Frame) -> str:
+    """What is said beside a frame's name."""
+    if not frame.parent:
+        return ""
+    if frame.static:
+        return "static"
+    return f"{frame.rate:.1f} Hz" if frame.rate else "once"

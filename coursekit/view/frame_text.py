@@ -1,0 +1,31 @@
+"""The tree of frames in lines, the same every time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .frame_facts import FrameFacts, note
+
+
+def described(facts: FrameFacts) -> str:
+    """A heading, a line for each frame, and a line for each fault."""
+    if not facts.frames:
+        return "frames: none. Nobody has published a transform on /tf or /tf_static."
+    trees = len(facts.roots)
+    lines = [f"frames: {_count(len(facts.frames), 'frame')}, {_count(trees, 'tree')}"]
+    for root in facts.roots:
+        lines.append(root)
+        lines += _below(facts, root, "")
+    return "\n".join(lines + [f"! {fault}" for fault in facts.faults])
+
+
+def _below(facts: FrameFacts, name: str, indent: str) -> Iterator[str]:
+    children = facts.children.get(name, [])
+    for child in children:
+        last = child == children[-1]
+        yield f"{indent}{'`-- ' if last else '|-- '}{child}  {note(facts.frames[child])}"
+        yield from _below(facts, child, indent + ("    " if last else "|   "))
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,63 @@
+"""The tree of frames as a picture and as text, with what is wrong in it told."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import frame_text
+from .drawing import Drawing, svg
+from .drawing_png import pdf, png
+from .frame_facts import FrameFacts, take
+from .frame_picture import draw
+
+
+class FrameTree:
+    """The frames of a buffer as they were at one moment.
+
+    `details` writes broadcaster and times beside each frame, as view_frames does.
+
+    >>> from coursekit.tf import FrameBuffer
+    >>> buffer = FrameBuffer()
+    >>> _ = buffer.set_static("base_link", "laser", (0.1, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0))
+    >>> print(FrameTree(buffer).text())
+    frames: 2 frames, 1 tree
+    base_link
+    `-- laser  static
+
+    In ROS 2: `ros2 run tf2_tools view_frames`.
+    """
+
+    def __init__(self, buffer: Any, now_ns: int = 0, *, details: bool = False) -> None:
+        self.facts: FrameFacts = take(buffer, now_ns)
+        self.details = details
+
+    def drawing(self) -> Drawing:
+        """The shapes."""
+        return draw(self.facts, self.details)
+
+    def svg(self) -> str:
+        """The picture as SVG."""
+        return svg(self.drawing(), title="tree of frames")
+
+    def png(self) -> bytes:
+        """The picture as PNG, at twice the size of the SVG."""
+        return png(self.drawing())
+
+    def pdf(self) -> bytes:
+        """The picture as a PDF file."""
+        return pdf(self.drawing())
+
+    def text(self) -> str:
+        """The tree in lines."""
+        return frame_text.described(self.facts)
+
+    def __repr__(self) -> str:
+        return self.text()
+
+    def _repr_mimebundle_(self, **_options: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        drawing = self.drawing()
+        size = {"width": round(drawing.width), "height": round(drawing.height)}
+        return {"text/plain": self.text(), "image/png": png(drawing)}, {"image/png": size}
+
+
+__all__ = ["FrameTree"]

@@ -36,8 +36,7 @@ class Tracker:
         guess = self.pose @ motion
         if not self.submaps:
             return Refined(guess, np.eye(3), 1.0, 0.0), 1.0, True
-        precision = self._precision(motion, known)
-        found, score = self._match(scan, guess, precision)
+        found, score = self._match(scan, guess, self._sigmas(motion, known))
         accepted = score >= self.params.minimum_score
         if not accepted and known:
             found = Refined(guess, found.information * 0.0, found.inliers, found.spread)
@@ -45,15 +44,17 @@ class Tracker:
         self.pose = found.pose
         return found, score, accepted
 
-    def _match(self, scan: Scan, guess: Pose2, precision: Array) -> tuple[Refined, float]:
+    def _match(self, scan: Scan, guess: Pose2, sigmas: tuple[float, float]) -> tuple[Refined, float]:
         """The best fit near the guess; farther away when there is none."""
         p, submap = self.params, self.submaps[0]
-        best, score = match(scan.points, submap, guess, p.search_distance, p.search_angle)
+        best, score = match(scan.points, submap, guess, p.search_distance, p.search_angle, sigmas)
         if score < p.minimum_score:
-            wide, better = match(scan.points, submap, guess, 3 * p.search_distance, 2 * p.search_angle)
+            wide, better = match(
+                scan.points, submap, guess, 3 * p.search_distance, 2 * p.search_angle, sigmas
+            )
             if better > max(p.minimum_score, score):
                 best, score = wide, better
-        return refine(scan.points, submap, best, guess, precision), score
+        return refine(scan.points, submap, best, guess, precision_of(sigmas[0], *sigmas)), score
 
     def _motion(self, scan: Scan, odometry: Pose2 | None) -> tuple[Pose2, bool]:
         """The motion since the last scan, by odometry, else as fast as before."""
@@ -62,14 +63,13 @@ class Tracker:
             return before.to(odometry), True
         return (self._speed if self.submaps else Pose2()), False
 
-    def _precision(self, motion: Pose2, known: bool) -> Array:
-        """How certain the guess is."""
-        if not known:
-            return precision_of(0.5, 0.5, 0.5)
+    def _sigmas(self, motion: Pose2, known: bool) -> tuple[float, float]:
+        """How far off the guess may well be [m], [rad]."""
         p = self.params
-        way, turn = math.hypot(motion.x, motion.y), abs(motion.theta)
-        sigma = p.odometry_distance_sigma[0] + p.odometry_distance_sigma[1] * way
-        return precision_of(sigma, sigma, p.odometry_angle_sigma[0] + p.odometry_angle_sigma[1] * turn)
+        if not known:
+            return p.blind_sigma, p.blind_sigma
+        (still, going), (straight, turning) = p.odometry_distance_sigma, p.odometry_angle_sigma
+        return still + going * math.hypot(motion.x, motion.y), straight + turning * abs(motion.theta)
 
     def moved_enough(self) -> bool:
         """Whether it is time for a keyframe."""
@@ -102,7 +102,7 @@ class Tracker:
         for submap in self.submaps:
             pose = Pose2() if submap.anchor == number else self._in(submap)
             submap.members[number] = pose
-            submap.insert(scan.points, scan.normals, pose)
+            submap.insert(scan, pose)
         if len(self.submaps[0].members) >= self.params.submap_keyframes:
             self._leave(number)
         self._keyframe = self.pose

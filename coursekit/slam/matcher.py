@@ -52,10 +52,12 @@ def _block_sum(coarse, rows, columns, di, dj):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def correlate(points, likelihood, coarse, ox, oy, cell, x, y, theta, reach, angles, angle_step, pull):  # type: ignore[no-untyped-def]
+def correlate(  # type: ignore[no-untyped-def]
+    points, likelihood, coarse, ox, oy, cell, x, y, theta, reach, angles, angle_step, per_cell, per_step, most
+):
     """Best (x, y, theta, mean likelihood 0..1) within ±reach cells and ±angles steps of a pose.
 
-    `pull` is taken from the score at the window's rim, and its square-law part nearer: of equals the nearest wins.
+    What is away from the pose costs `per_cell` and `per_step` times the square of its distance, at the most `most`.
     """
     count, blocks = len(points), (2 * reach + 4) // 4
     rows, columns = np.empty((2 * angles + 1, count), np.int64), np.empty((2 * angles + 1, count), np.int64)
@@ -63,26 +65,24 @@ def correlate(points, likelihood, coarse, ox, oy, cell, x, y, theta, reach, angl
     full = 255.0 * count
     for a in range(2 * angles + 1):
         _cells(points, x, y, theta + (a - angles) * angle_step, ox, oy, cell, rows[a], columns[a])
-        turn = ((a - angles) / max(angles, 1)) ** 2
+        turn = min(per_step * (a - angles) ** 2, most)
         for i in range(blocks):
             for j in range(blocks):
                 total = _block_sum(coarse, rows[a], columns[a], 4 * i - reach, 4 * j - reach)
-                bounds[(a * blocks + i) * blocks + j] = total / full - pull * turn
-    best, best_a, best_i, best_j = -1e9, angles, 0, 0
+                bounds[(a * blocks + i) * blocks + j] = total / full - turn
+    best, best_a, best_i, best_j, raw = -1e9, angles, 0, 0, 0.0
     for index in np.argsort(-bounds, kind="mergesort"):
         if bounds[index] <= best:
             break
         a, rest = index // (blocks * blocks), index % (blocks * blocks)
-        turn = ((a - angles) / max(angles, 1)) ** 2
+        turn = per_step * (a - angles) ** 2
         for i in range(4 * (rest // blocks) - reach, min(4 * (rest // blocks) - reach + 4, reach + 1)):
             for j in range(4 * (rest % blocks) - reach, min(4 * (rest % blocks) - reach + 4, reach + 1)):
-                away = (i * i + j * j) / max(reach * reach, 1)
-                score = _sum(likelihood, rows[a], columns[a], i, j) / full - pull * (turn + away)
+                likely = _sum(likelihood, rows[a], columns[a], i, j) / full
+                score = likely - min(turn + per_cell * (i * i + j * j), most)
                 if score > best:
-                    best, best_a, best_i, best_j = score, a, i, j
-    away, turn = (best_i**2 + best_j**2) / max(reach * reach, 1), ((best_a - angles) / max(angles, 1)) ** 2
-    best += pull * (turn + away)
-    return x + best_j * cell, y + best_i * cell, theta + (best_a - angles) * angle_step, best
+                    best, best_a, best_i, best_j, raw = score, a, i, j, likely
+    return x + best_j * cell, y + best_i * cell, theta + (best_a - angles) * angle_step, raw
 
 
 def sample(points: Array, limit: int) -> Array:
@@ -91,15 +91,19 @@ def sample(points: Array, limit: int) -> Array:
 
 
 def match(
-    points: Array, submap: Submap, guess: Pose2, distance: float, angle: float, pull: float = 0.05
+    points: Array, submap: Submap, guess: Pose2, distance: float, angle: float, sigmas: tuple[float, float]
 ) -> tuple[Pose2, float]:
-    """Best pose within ±distance [m] and ±angle [rad] of the guess, and its score (0 to 1), to a cell and an angle step."""
+    """Best pose within ±distance [m] and ±angle [rad] of the guess, and its score (0 to 1), to a cell and an angle step.
+
+    `sigmas` tell how far off the guess may well be [m], [rad]; it wins where the walls leave it open.
+    """
     p = submap.params
     if not len(points) or not submap.nearest.size:
         return guess, 0.0
     reach, steps = max(1, round(distance / p.cell)), max(1, round(angle / p.angle_step))
     x, y, theta, score = correlate(
         sample(points, 120), submap.likelihood, submap.coarse, submap.origin[0], submap.origin[1], p.cell,
-        guess.x, guess.y, guess.theta, reach, steps, p.angle_step, pull,
+        guess.x, guess.y, guess.theta, reach, steps, p.angle_step, p.guess_weight * (p.cell / sigmas[0]) ** 2,
+        p.guess_weight * (p.angle_step / sigmas[1]) ** 2, p.guess_limit,
     )  # fmt: skip
     return Pose2.of((x, y, theta)), float(score)

@@ -21,6 +21,8 @@ class SlamParameters:
     """Farther returns are not matched."""
     point_spacing: float = 0.05
     """Points for matching are at least this far apart."""
+    fill_widest: float = 0.6
+    """Gaps on a straight wall up to this wide are filled."""
     normal_reach: float = 0.12
     """A wall's direction comes from the points this near (plus 2 % of the range)."""
     clear_no_return: float = 0.0
@@ -40,8 +42,14 @@ class SlamParameters:
     search_distance: float = 0.3
     search_angle: float = math.radians(20)
     angle_step: float = math.radians(1)
+    guess_weight: float = 0.01
+    """Score that a match loses for each squared sigma that it is away from the guess,"""
+    guess_limit: float = 0.15
+    """and the most that it loses."""
     minimum_score: float = 0.45
     """Mean likelihood below which a match is not believed and the search is widened."""
+    blind_sigma: float = 0.3
+    """Without odometry a guess errs by this much [m], [rad]."""
     odometry_distance_sigma: tuple[float, float] = (0.02, 0.1)
     """Odometry errs by this much, plus this part of the way."""
     odometry_angle_sigma: tuple[float, float] = (0.02, 0.1)

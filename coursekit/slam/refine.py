@@ -11,9 +11,6 @@ from numba import njit
 from coursekit.slam.pose import Array, Pose2, rotation
 from coursekit.slam.submap import Submap
 
-ALONG = 0.05
-"""Weight of the distance along a wall against the one across it; also gives corners and posts a say."""
-
 
 @dataclass(frozen=True)
 class Refined:
@@ -35,7 +32,7 @@ class Refined:
 
 
 @njit(cache=True)
-def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gate, sigma, along, h, b):  # type: ignore[no-untyped-def]
+def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gate, sigma, h, b):  # type: ignore[no-untyped-def]
     """Sum the normal equations in the pose's own frame; returns inliers and the weighted sums of squares and weights."""
     c, s = math.cos(xyt[2]), math.sin(xyt[2])
     height, width = nearest.shape
@@ -60,14 +57,11 @@ def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gat
             inliers += 1
         squares += kernel * r2
         total += kernel
-        # residuals along two directions: across the wall, and (weakly) along it
-        for turn in range(2):
+        for turn in range(2 if plain else 1):  # a post holds both ways, a wall only across
             if plain:
                 ux, uy, w = (1.0, 0.0, 0.25 * trust) if turn == 0 else (0.0, 1.0, 0.25 * trust)
-            elif turn == 0:
-                ux, uy, w = nx, ny, trust
             else:
-                ux, uy, w = -ny, nx, along * trust
+                ux, uy, w = nx, ny, trust
             r = ux * dx + uy * dy
             j0, j1 = ux * c + uy * s, -ux * s + uy * c
             j2 = -j0 * py + j1 * px
@@ -116,7 +110,6 @@ def gauss_newton(
     cell,
     gate,
     sigma,
-    along,
     prior,
     precision,
     rounds,
@@ -130,7 +123,7 @@ def gauss_newton(
         h[:], b[:] = 0.0, 0.0
         reach = max(gate * 0.7**turn, 4.0 * sigma)
         inliers, squares, total = _accumulate(
-            points, pose, walls, normals, weights, nearest, ox, oy, cell, reach, sigma, along, h, b
+            points, pose, walls, normals, weights, nearest, ox, oy, cell, reach, sigma, h, b
         )
         c, s = math.cos(pose[2]), math.sin(pose[2])
         ex, ey = pose[0] - prior[0], pose[1] - prior[1]
@@ -165,7 +158,7 @@ def refine(
         return Refined(guess, information, 0.0, 0.0)
     pose, inliers, spread = gauss_newton(
         points, np.array(guess), submap.points, submap.normals, submap.weights, submap.nearest, submap.origin[0],
-        submap.origin[1], submap.params.cell, gate, submap.params.range_sigma, ALONG, np.array(prior),
+        submap.origin[1], submap.params.cell, gate, submap.params.range_sigma, np.array(prior),
         np.asarray(precision, float), rounds, information,
     )  # fmt: skip
     return Refined(Pose2.of(pose), information, inliers / len(points), spread)

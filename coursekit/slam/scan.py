@@ -10,12 +10,10 @@ import numpy as np
 
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2
-from coursekit.slam.scan_kernels import bearing_table, normals_of, thin
+from coursekit.slam.scan_kernels import fill_walls, normals_of, thin
 
 HERE = Pose2()
 """The laser sits in the middle of the robot, and looks ahead."""
-BINS = 1024
-"""Directions that the bearing table of a scan tells apart."""
 
 
 @dataclass(frozen=True)
@@ -63,8 +61,9 @@ class Scan:
     """(k, 2) hits for matching: near enough, and thinned where they are dense."""
     normals: Array
     """(k, 2) unit vectors across the wall at each point; zero where there is no clear wall."""
-    table: np.ndarray
-    """(BINS + 1) first point of each bearing, for `point_at` look-ups."""
+    filled: Array
+    """(f, 2) points between those of `points` that lie on one wall, so that few beams still draw walls without gaps."""
+    filled_normals: Array
 
     @classmethod
     def from_ranges(
@@ -114,6 +113,6 @@ class Scan:
         normals[np.einsum("ij,ij->i", normals, relative[order]) > 0] *= -1  # towards the laser
         near = distances < params.match_range
         keep = thin(hits, near, params.point_spacing)
-        table = bearing_table(bearings[keep], BINS)
+        filled, directions = fill_walls(hits[keep], normals[keep], params.point_spacing, params.fill_widest)
         none = np.zeros((0, 2)) if misses is None else misses
-        return cls(stamp, origin, hits, none, hits[keep].copy(), normals[keep].copy(), table)
+        return cls(stamp, origin, hits, none, hits[keep], normals[keep], filled, directions)

@@ -74,12 +74,26 @@ def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def bearing_table(bearings, bins):  # type: ignore[no-untyped-def]
-    """For each of `bins` directions from -pi the number of points before it, and the total at the end."""
-    table = np.zeros(bins + 1, dtype=np.int32)
-    for i in range(len(bearings)):
-        k = int((bearings[i] + math.pi) / (2 * math.pi) * bins)
-        table[min(max(k, 0), bins - 1) + 1] += 1
-    for k in range(bins):
-        table[k + 1] += table[k]
-    return table
+def fill_walls(points, normals, spacing, widest):  # type: ignore[no-untyped-def]
+    """Points and normals between neighbours on one straight wall that are farther apart than `spacing` [m], up to `widest`."""
+    room = int(widest / spacing) + 2
+    filled, directions = np.empty((len(points) * room, 2)), np.empty((len(points) * room, 2))
+    count = 0
+    for i in range(len(points) - 1):
+        dx, dy = points[i + 1, 0] - points[i, 0], points[i + 1, 1] - points[i, 1]
+        gap = math.sqrt(dx * dx + dy * dy)
+        if gap < 1.5 * spacing or gap > widest:
+            continue
+        ax, ay, bx, by = normals[i, 0], normals[i, 1], normals[i + 1, 0], normals[i + 1, 1]
+        if (
+            ax * bx + ay * by < 0.9
+            or abs(ax * dx + ay * dy) > 0.2 * gap
+            or abs(bx * dx + by * dy) > 0.2 * gap
+        ):
+            continue
+        steps = int(gap / spacing + 0.5)
+        for k in range(1, steps):
+            filled[count, 0], filled[count, 1] = points[i, 0] + dx * k / steps, points[i, 1] + dy * k / steps
+            directions[count, 0], directions[count, 1] = ax, ay
+            count += 1
+    return filled[:count].copy(), directions[:count].copy()

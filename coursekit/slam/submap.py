@@ -6,6 +6,7 @@ import numpy as np
 
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2, rotation
+from coursekit.slam.scan import Scan
 from coursekit.slam.submap_kernels import insert_points
 
 COARSE = 4
@@ -38,8 +39,13 @@ class Submap:
         self.likelihood = np.zeros((0, 0), dtype=np.uint8)
         self.coarse = np.zeros((0, 0), dtype=np.uint8)
 
-    def insert(self, points: Array, normals: Array, pose: Pose2) -> None:
+    def insert(self, scan: Scan, pose: Pose2) -> None:
         """Add a scan's points as seen from `pose` in this frame."""
+        self._add(scan.points, scan.normals, pose)
+        self._add(scan.filled, scan.filled_normals, pose)
+
+    def _add(self, points: Array, normals: Array, pose: Pose2) -> None:
+        """Add points with normals."""
         if not len(points):
             return
         moved = np.ascontiguousarray(pose.transform(points))

@@ -1,0 +1,33 @@
+"""The meshes of the course are those that the script makes."""
+
+import importlib.util
+
+import numpy as np
+import pytest
+import trimesh
+
+from tests.urdf.oracle import ROBOTS
+
+SPEC = importlib.util.spec_from_file_location("make_meshes", ROBOTS.parent / "make_meshes.py")
+MAKER = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(MAKER)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("meshes")
+    MAKER.make(folder)
+    return folder
+
+
+@pytest.mark.parametrize("name", [*(f"{one}.stl" for one in MAKER.SOLIDS), *(f"{one}.dae" for one in MAKER.PAINTED)])
+def test_a_mesh_file_is_what_the_script_makes(made, name):
+    kept, new = (trimesh.load_mesh(folder / name) for folder in (ROBOTS.parent / "meshes", made))
+    kept, new = (one.to_mesh() if isinstance(one, trimesh.Scene) else one for one in (kept, new))
+    np.testing.assert_allclose(kept.bounds, new.bounds, atol=1e-5)
+    assert kept.area == pytest.approx(new.area, rel=1e-3)
+
+
+def test_the_meshes_are_small():
+    files = [path for path in (ROBOTS.parent / "meshes").rglob("*") if path.is_file()]
+    assert sum(path.stat().st_size for path in files) < 1_000_000

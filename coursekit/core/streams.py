@@ -177,8 +177,8 @@ class _Sys(types.ModuleType):
 def _sleep(seconds: float) -> None:
     process = current_process()
     session = process.session if process is not None else _session_here()
-    if session is None:
-        _real_sleep(seconds)
+    if session is None or sys._getframe(1).f_globals.get("__name__") == "subprocess":
+        _real_sleep(seconds)  # who waits for a child of the system waits as long as that one takes
         return
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -266,3 +267,16 @@ def test_a_thread_pool_works_in_a_program(session):
 
     code, process = run(session, main)
     assert (code, process.output) == (0, "[0, 1, 2, 3]\n")
+
+
+def test_waiting_for_a_child_of_the_system_leaves_the_virtual_clock_alone():
+    def main():
+        child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(0.3)"])
+        print(child.wait(timeout=20))
+
+    with Session(virtual=True).use() as session:
+        before = session.clock.steady()
+        process = session.start(main, name="waits")
+        assert process.wait(1.0) == 0
+        assert process.output == "0\n"
+        assert session.clock.steady() - before < 1e9

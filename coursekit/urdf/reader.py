@@ -16,6 +16,9 @@ from .tree import check_mimics, find_root
 from .xml_tree import Element, read
 
 VERSIONS = ("1.0", "1.1", "1.2")
+XACRO_DEFINITIONS = ("xacro:include", "xacro:arg", "xacro:property", "xacro:macro")
+"""What may be left over in an expanded file; anything else of xacro's stands for links that are missing."""
+EXPAND = "Expand the file first: xacro robot.urdf.xacro > robot.urdf."
 
 
 def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
@@ -42,7 +45,9 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
             raise element.error(f"link '{link.name}' is not unique.", cure)
         links[link.name] = _coloured(link, element, materials, warnings)
     if not links:
-        raise root.error("No link elements found in urdf file", 'A robot has at least <link name="base_link"/>.')
+        xacro = any(one.tag.startswith("xacro:") for one in root.children)
+        cure = EXPAND if xacro else 'A robot has at least <link name="base_link"/>.'
+        raise root.error("No link elements found in urdf file", cure)
     joints = _joints(root, warnings)
     top = find_root(root, links, joints)
     check_mimics(root, joints)
@@ -92,9 +97,9 @@ def _check_robot(root: Element) -> None:
             what = "Invalid 'version' specified; versions from 1.0 upto 1.2 are currently supported"
         raise root.error(what, "Leave version= out.")
     for element in root.children:
-        if element.tag.startswith("xacro:"):
+        if element.tag.startswith("xacro:") and element.tag not in XACRO_DEFINITIONS:
             what = f"<{element.tag}> is xacro, not URDF"
-            raise element.error(what, "Expand the file first: xacro robot.urdf.xacro > robot.urdf.")
+            raise element.error(what, EXPAND)
 
 
 def _materials(root: Element) -> dict[str, Material]:

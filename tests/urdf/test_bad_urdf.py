@@ -308,6 +308,13 @@ def test_what_urdfdom_adds_is_kept():
     )
 
 
+def test_definitions_that_xacro_left_do_no_harm():
+    text = '<robot name="r" xmlns:xacro="x"><xacro:include filename="a"/>{}</robot>'
+    assert parse(text.format(links("a"))).root == "a"
+    with pytest.raises(UrdfError, match="Expand the file first"):
+        parse(text.format(""))
+
+
 def test_a_near_name_is_offered():
     text = f'<robot name="r">{links("base_link", "wheel_link")}{joint(parent="base_lnk", child="wheel_link")}</robot>'
     with pytest.raises(UrdfError, match="Did you mean 'base_link'"):

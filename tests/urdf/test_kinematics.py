@@ -18,6 +18,12 @@ OURS = sorted(ROBOTS.glob("*.urdf"))
 BROKEN = {
     "ur3.urdf": "No name given for the robot.",
     "alex_psyonic_hands.urdf": "joint [Left_index_q2] mimics joint [index_q1], which does not exist",
+    "fr3.urdf": "<xacro:fr3_robot> is xacro, not URDF",
+    "dual_fr3.urdf": "is xacro, not URDF",
+    "finger_macro.urdf": "No name given for the robot.",
+    "trifinger_stage.urdf": "parent link [base_link] of joint [base_to_table] not found",
+    "trifingeredu_stage.urdf": "parent link [base_link] of joint [base_to_table] not found",
+    "stretch4_sg4.urdf": "Parser found 5 elements but 4 expected while parsing color",
 }
 """Public robots that are wrong, and how."""
 

@@ -1,26 +1,21 @@
 """The meshes of the course are those that the script makes."""
 
-import importlib.util
-
 import numpy as np
 import pytest
 import trimesh
 
+from robots.make import __main__ as maker
 from tests.urdf.oracle import ROBOTS
-
-SPEC = importlib.util.spec_from_file_location("make_meshes", ROBOTS.parent / "make_meshes.py")
-MAKER = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(MAKER)
 
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
     folder = tmp_path_factory.mktemp("meshes")
-    MAKER.make(folder)
+    maker.make(folder)
     return folder
 
 
-@pytest.mark.parametrize("name", [*(f"{one}.stl" for one in MAKER.SOLIDS), *(f"{one}.dae" for one in MAKER.PAINTED)])
+@pytest.mark.parametrize("name", [*(f"{one}.stl" for one in maker.SOLIDS), *(f"{one}.dae" for one in maker.PAINTED)])
 def test_a_mesh_file_is_what_the_script_makes(made, name):
     kept, new = (trimesh.load_mesh(folder / name) for folder in (ROBOTS.parent / "meshes", made))
     kept, new = (one.to_mesh() if isinstance(one, trimesh.Scene) else one for one in (kept, new))

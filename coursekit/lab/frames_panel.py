@@ -1,0 +1,110 @@
+"""The tree of frames in a notebook: a still picture, or a live one that follows /tf and /tf_static."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.core.session import current
+from coursekit.tf import FrameBuffer, TransformException
+from coursekit.view.frame_tree import FrameTree
+
+from .hidden import HiddenNode
+from .panel import Panel, static
+
+LISTEN_SECONDS = 1.0
+"""How long `frames()` listens before it shows what it heard."""
+
+
+def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool = False) -> FrameTree | FramesPanel:
+    """The tree of frames, as view_frames draws it, after listening for `seconds`.
+
+    `details` writes broadcaster and times beside each frame. `live=True` follows every change, and shows where a frame
+    is when it is clicked.
+    """
+    if live:
+        return FramesPanel(details=details)
+    hidden = HiddenNode("frames")
+    try:
+        buffer = listen_to_frames(hidden)
+        hidden.session.clock.sleep(seconds)
+        return FrameTree(buffer, current().clock.now(), details=details)
+    finally:
+        hidden.close()
+
+
+def listen_to_frames(hidden: HiddenNode, heard: Any = None) -> FrameBuffer:
+    """A buffer that the hidden node fills; `heard()` is called after every message."""
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+    from tf2_msgs.msg import TFMessage
+    from tf2_py._convert import nanoseconds, pose_of
+
+    buffer = FrameBuffer(report=lambda _level, _text: None)
+
+    def take(msg: TFMessage, fixed: bool) -> None:
+        for transform in msg.transforms:
+            pose = pose_of(transform.transform, ("", ""))
+            stamp = 0 if fixed else nanoseconds(transform.header.stamp)
+            buffer.set(transform.header.frame_id, transform.child_frame_id, stamp, pose, static=fixed)
+        if heard is not None:
+            heard()
+
+    lasting = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    hidden.node.create_subscription(TFMessage, "/tf", lambda msg: take(msg, False), QoSProfile(depth=100))
+    hidden.node.create_subscription(TFMessage, "/tf_static", lambda msg: take(msg, True), lasting)
+    return buffer
+
+
+class FramesPanel(Panel):
+    """A picture of the frames that follows what is broadcast; `picture()` is the present one."""
+
+    _esm = static("frames.js")
+    _css = static("frames.css")
+
+    def __init__(self, *, details: bool = False) -> None:
+        super().__init__("frames")
+        self._details = details
+        self._chosen = ""
+        self._buffer = listen_to_frames(self.hidden, self.changed)
+
+    def picture(self) -> FrameTree:
+        """The tree as it is now."""
+        return FrameTree(self._buffer, self.session.clock.now(), details=self._details)
+
+    def where(self, frame: str) -> str:
+        """Where a frame is in its parent and in the root of its tree."""
+        lines, parent = [frame], self._buffer.parent(frame)
+        root = frame
+        while (above := self._buffer.parent(root)) is not None and above != frame:
+            root = above
+        for other in dict.fromkeys(name for name in (parent, root) if name and name != frame):
+            try:
+                x, y, z, i, j, k, w = self._buffer.lookup(other, frame).pose
+            except TransformException as error:
+                lines.append(f"in {other}: {error}")
+                continue
+            lines.append(
+                f"in {other}: position ({x:.3f}, {y:.3f}, {z:.3f}) m, quaternion ({i:.3f}, {j:.3f}, {k:.3f}, {w:.3f})"
+            )
+        return "\n".join(lines)
+
+    def text(self) -> str:
+        """The tree in lines."""
+        return self.picture().text()
+
+    def shown(self) -> dict[str, Any]:
+        """The picture, and where the chosen frame is."""
+        said = self.where(self._chosen) if self._chosen else ""
+        return {"svg": self.picture().svg(), "chosen": self._chosen, "where": said, "details": self._details}
+
+    def on_choose(self, message: dict[str, Any]) -> None:
+        """A frame was clicked; '' closes the text."""
+        self._chosen = str(message.get("name", ""))
+        self._push()
+
+    def on_details(self, message: dict[str, Any]) -> None:
+        """The box was ticked."""
+        self._details = bool(message.get("on"))
+        self._push()
+
+
+__all__ = ["FramesPanel", "frames", "listen_to_frames"]

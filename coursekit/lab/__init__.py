@@ -3,6 +3,7 @@
 from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress
 
+from .frames_panel import frames
 from .graph_panel import graph
 from .image_view import image_view
 from .kernel import reset, start
@@ -20,6 +21,7 @@ __all__ = [
     "check",
     "echo",
     "edit",
+    "frames",
     "graph",
     "hint",
     "image_view",

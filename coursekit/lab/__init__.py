@@ -6,6 +6,7 @@ from coursekit.grade.progress import progress
 from .frames_panel import frames
 from .graph_panel import graph
 from .image_view import image_view
+from .joint_panel import joint_sliders
 from .kernel import reset, start
 from .log_console import log_console
 from .magics import edit, terminal, terminals, wait, workspace
@@ -25,6 +26,7 @@ __all__ = [
     "graph",
     "hint",
     "image_view",
+    "joint_sliders",
     "log_console",
     "pad",
     "parameter_panel",

@@ -24,12 +24,23 @@ class JointStatePublisherGui(JointStatePublisher):
         super().__init__(file)
         self.full_name = self.get_fully_qualified_name()
         self._entered = True
+        self._said: list[str] = []
+        self._speak = self.create_guard_condition(self._log)
         boards.add(self)
 
     def changed(self) -> None:
         """Have the sliders follow."""
         if self._entered:
             boards.tell(self)
+
+    def _say(self, text: str) -> None:
+        """Log from the node's own thread: buttons are pressed in the notebook's."""
+        self._said.append(text)
+        self._speak.trigger()
+
+    def _log(self) -> None:
+        while self._said:
+            self.get_logger().info(self._said.pop(0))
 
     def move(self, name: str, position: float) -> None:
         """Put a joint to a position (rad or m), within its limits; LookupError if it has no slider."""
@@ -41,14 +52,14 @@ class JointStatePublisherGui(JointStatePublisher):
 
     def center(self) -> None:
         """Put all joints to their zero positions."""
-        self.get_logger().info("Centering")
+        self._say("Centering")
         for joint in self.model.free.values():
             joint.position = joint.zero
         self.changed()
 
     def randomize(self) -> None:
         """Put all joints anywhere within their limits."""
-        self.get_logger().info("Randomizing")
+        self._say("Randomizing")
         for joint in self.model.free.values():
             joint.position = self._chance.uniform(joint.least, joint.greatest)
         self.changed()

@@ -1,0 +1,136 @@
+"""The sliders of a running joint_state_publisher_gui."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from coursekit.core.session import current
+from coursekit.nodes.robots import boards
+from coursekit.nodes.robots.boards import Board
+
+from .hidden import appears
+from .panel import Panel, static
+
+START = "Start one: %ros2 run joint_state_publisher_gui joint_state_publisher_gui &"
+
+
+class JointPanel(Panel):
+    """See `joint_sliders`."""
+
+    _esm = static("joints.js")
+    _css = static("joints.css")
+
+    def __init__(self, node: str = "") -> None:
+        super().__init__()
+        self._wanted = node if not node or node.startswith("/") else f"/{node}"
+        self._board: Board | None = None
+        boards.watch(self._news)
+        try:
+            appears(lambda: self._find() is not None)
+            self._board = self._find()
+            if self._board is None:
+                raise LookupError(f"No {self._wanted or 'joint_state_publisher_gui'} runs. {START}")
+        except BaseException:
+            self.close()
+            raise
+
+    def _find(self) -> Board | None:
+        running = boards.running(current())
+        return next((one for one in reversed(running) if self._wanted in ("", one.full_name)), None)
+
+    def _news(self, board: Board) -> None:
+        if board is self._board or (self._board is not None and not self._board.running):
+            self._board = self._find() or self._board
+            self.changed()
+
+    @property
+    def board(self) -> Board:
+        """The node whose joints are shown."""
+        assert self._board is not None
+        return self._board
+
+    # -- from code
+
+    @property
+    def positions(self) -> dict[str, float]:
+        """Where the joints are (rad or m)."""
+        return {name: joint.position or 0.0 for name, joint in self.board.model.free.items()}
+
+    def move(self, name: str, position: float) -> None:
+        """Move a slider, as a hand would (rad or m); LookupError if there is none of that name."""
+        self.board.move(name, position)
+
+    def center(self) -> None:
+        """Press the button Center."""
+        self.board.center()
+
+    def randomize(self) -> None:
+        """Press the button Randomize."""
+        self.board.randomize()
+
+    # -- what is shown
+
+    def text(self) -> str:
+        """A line for each joint."""
+        if self._board is None:
+            return "joint sliders: none"
+        ended = "" if self.board.running else ", ended"
+        lines = [f"joint sliders of {self.board.full_name}: {len(self.board.model.free)}{ended}"]
+        for row in self._rows():
+            lines.append(f"{row['name']}: {row['value']:.3f}  {row['least']:.3f} .. {row['greatest']:.3f}")
+        return "\n".join(lines)
+
+    def _rows(self) -> list[dict[str, Any]]:
+        return [
+            {
+                "name": joint.name,
+                "value": 0.0 if joint.position is None else joint.position,
+                "least": _drawable(joint.least),
+                "greatest": _drawable(joint.greatest),
+            }
+            for joint in self.board.model.free.values()
+            if joint.least < joint.greatest
+        ]
+
+    def shown(self) -> dict[str, Any]:
+        """The sliders."""
+        if self._board is None:
+            return {"node": "", "running": False, "rows": []}
+        return {"node": self.board.full_name, "running": self.board.running, "rows": self._rows()}
+
+    def on_move(self, message: dict[str, Any]) -> None:
+        """A slider was moved."""
+        name, value = message.get("name"), message.get("value")
+        if name in self.board.model.free and isinstance(value, int | float) and math.isfinite(value):
+            self.board.move(str(name), float(value))
+
+    def on_center(self, _message: dict[str, Any]) -> None:
+        """The button."""
+        self.board.center()
+
+    def on_randomize(self, _message: dict[str, Any]) -> None:
+        """The button."""
+        self.board.randomize()
+
+    def leave(self) -> None:
+        """Stop listening."""
+        boards.unwatch(self._news)
+
+
+def _drawable(limit: float) -> float:
+    """Limits beyond reason are drawn as a thousand."""
+    return max(-1000.0, min(1000.0, limit))
+
+
+def joint_sliders(node: str = "") -> JointPanel:
+    """A slider for every joint of a running joint_state_publisher_gui, the newest or the one named.
+
+    From code: `joint_sliders().move("head_swivel", 0.5)`. LookupError: none runs.
+
+    In ROS 2: the window of `ros2 run joint_state_publisher_gui joint_state_publisher_gui`.
+    """
+    return JointPanel(node)
+
+
+__all__ = ["JointPanel", "joint_sliders"]

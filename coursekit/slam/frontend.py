@@ -28,7 +28,8 @@ class Tracker:
         self._keyframe = Pose2()
         self._odometry: Pose2 | None = None
         self._speed = Pose2()
-        self._stamp = 0.0
+        self._usual = 0.8
+        """Running mean of the scores."""
 
     def track(self, scan: Scan, odometry: Pose2 | None) -> tuple[Refined, float, bool]:
         """Follow the robot to the next scan: the match, its score, and whether it is believed."""
@@ -45,15 +46,17 @@ class Tracker:
         return found, score, accepted
 
     def _match(self, scan: Scan, guess: Pose2, sigmas: tuple[float, float]) -> tuple[Refined, float]:
-        """The best fit near the guess; farther away when there is none."""
+        """The best fit near the guess; when it is much poorer than usual, a clearly better one farther away."""
         p, submap = self.params, self.submaps[0]
-        best, score = match(scan.points, submap, guess, p.search_distance, p.search_angle, sigmas)
-        if score < p.minimum_score:
-            wide, better = match(
-                scan.points, submap, guess, 3 * p.search_distance, 2 * p.search_angle, sigmas
-            )
-            if better > max(p.minimum_score, score):
-                best, score = wide, better
+        wide = p.search_distance if sigmas[0] >= p.blind_sigma else min(3 * sigmas[0], 1.0)
+        best, score = match(scan.points, submap, guess, max(p.search_distance, wide), p.search_angle, sigmas)
+        if score < max(p.minimum_score, p.poor_match * self._usual):
+            blind = (p.blind_sigma, p.blind_sigma)
+            for other in (self.pose @ self._speed, guess):  # the odometry may be wrong
+                far, better = match(scan.points, submap, other, 3 * p.search_distance, 2 * p.search_angle, blind)
+                if better > score + p.clearly_better:
+                    best, score, guess, sigmas = far, better, far, blind
+        self._usual += 0.05 * (score - self._usual)
         return refine(scan.points, submap, best, guess, precision_of(sigmas[0], *sigmas)), score
 
     def _motion(self, scan: Scan, odometry: Pose2 | None) -> tuple[Pose2, bool]:

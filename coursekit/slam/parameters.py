@@ -42,6 +42,10 @@ class SlamParameters:
     search_distance: float = 0.3
     search_angle: float = math.radians(20)
     angle_step: float = math.radians(1)
+    poor_match: float = 0.85
+    """A score below this part of the usual one makes the search wider and the odometry doubtful;"""
+    clearly_better: float = 0.1
+    """a match far from the odometry must score this much more."""
     guess_weight: float = 0.01
     """Score that a match loses for each squared sigma that it is away from the guess,"""
     guess_limit: float = 0.15

@@ -12,7 +12,6 @@ from tests.urdf.oracle import ROBOTS
 
 @pytest.fixture
 def session():
-    streams.install()
     with Session(virtual=True).use() as made:
         yield made
         close_panels()
@@ -50,6 +49,7 @@ def test_a_slider_moves_its_joint_within_the_limits(session, gui):
 
 
 def test_the_buttons_center_and_randomize(session, gui):
+    streams.install()  # pytest changes sys.stderr between a fixture and its test
     panel = joint_sliders()
     panel._hear(panel, {"type": "randomize"}, [])
     assert all(panel.positions.values())

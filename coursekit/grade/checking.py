@@ -10,6 +10,7 @@ from typing import Any
 
 from .exercise import Exercise, find
 from .progress import Progress
+from .interruptions import Gone, NeedsWorkspace
 from .verdict import CheckFailed, Verdict, Wrong
 from .work import Work
 
@@ -21,8 +22,13 @@ def workspace() -> Path:
 
 def judge(exercise: Exercise, variables: Mapping[str, Any], folder: Path, tries: int = 1) -> Verdict:
     """The verdict on the work as it is now. After the second failure a hint is given, with each further one the next."""
+    return judge_work(exercise, Work(variables, folder), tries)
+
+
+def judge_work(exercise: Exercise, work: Work, tries: int = 1) -> Verdict:
+    """The verdict on work wherever it is."""
     try:
-        exercise.judge(Work(variables, folder))
+        exercise.judge(work)
     except Wrong as wrong:
         hints = exercise.hints
         hint = hints[min(tries - 2, len(hints) - 1)] if hints and tries >= 2 else ""
@@ -36,6 +42,8 @@ def judge(exercise: Exercise, variables: Mapping[str, Any], folder: Path, tries:
             wrong.cause,
             hint,
         )
+    except (Gone, NeedsWorkspace):
+        raise
     except NotImplementedError:
         return Verdict(exercise.name, exercise.title, 0, exercise.points, "your code", "the stub is still there")
     except Exception as error:

@@ -1,0 +1,137 @@
+"""Inside the sandbox: runs a student's cells, then answers the judge's questions about what they left.
+
+Started as `python -m coursekit.grade.inside`; lines of JSON come on stdin, one line of JSON answers each.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+import signal
+import sys
+import traceback
+from collections.abc import Iterator
+from types import SimpleNamespace
+from typing import Any
+
+from .wire import pack, unpack
+
+NOT_NEEDED = ("%ros2 run", "%ros2 launch", "%ros2 topic", "%ros2 node", "%ros2 service", "%ros2 param", "%ros2 action")
+
+
+class TookTooLong(KeyboardInterrupt):
+    """Ends a cell that goes on for ever."""
+
+
+def _ring(_signum: int, _frame: Any) -> None:
+    raise TookTooLong("the cell took too long")
+
+
+@contextlib.contextmanager
+def _alarm(seconds: float) -> Iterator[None]:
+    if not hasattr(signal, "setitimer"):
+        yield
+        return
+    signal.signal(signal.SIGALRM, _ring)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+class Runner:
+    """A shell like the notebook's, without a kernel."""
+
+    def __init__(self) -> None:
+        os.environ["COURSEKIT_TIME"] = "virtual"
+        from IPython.core.interactiveshell import InteractiveShell
+
+        self.shell: Any = InteractiveShell.instance()
+        self.shell.kernel = SimpleNamespace()  # the lab's magics want one
+        self.shell.colors = "NoColor"
+        self.build: list[str] = []
+
+    def run(self, source: str, seconds: float) -> dict[str, Any]:
+        """Run a cell; what went wrong is told, what it prints is not."""
+        source = self._without_builds(source)
+        try:
+            with _alarm(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+                done = self.shell.run_cell(source, store_history=False)
+        except TookTooLong:
+            return {"error": f"TookTooLong: it ran for more than {seconds:g} s"}
+        error = done.error_before_exec or done.error_in_exec
+        return {"error": f"{type(error).__name__}: {error}"[:500] if error is not None else ""}
+
+    def _without_builds(self, source: str) -> str:
+        """Builds are kept for the end: one serves them all."""
+        lines = source.splitlines()
+        kept = [line for line in lines if not line.startswith("%colcon build")]
+        self.build += [line for line in lines if line.startswith("%colcon build")]
+        return "\n".join(kept)
+
+    def ask(self, question: dict[str, Any]) -> dict[str, Any]:
+        """One question of the judge."""
+        kind = question.get("ask")
+        if kind == "run":
+            return self.run(str(question["source"]), float(question["seconds"]))
+        if kind == "value":
+            names = self.shell.user_ns
+            return {"value": pack(names[question["name"]])} if question["name"] in names else {"missing": True}
+        if kind == "call":
+            return self._call(question)
+        if kind == "build":
+            return self._build(float(question["seconds"]))
+        return {"error": f"there is no question {kind!r}"}
+
+    def _call(self, question: dict[str, Any]) -> dict[str, Any]:
+        function = self.shell.user_ns.get(question["name"])
+        if not callable(function):
+            return {"missing": True}
+        try:
+            with _alarm(float(question["seconds"])), contextlib.redirect_stdout(io.StringIO()):
+                return {"value": pack(function(*[unpack(one) for one in question["args"]]))}
+        except BaseException as error:
+            where = traceback.extract_tb(error.__traceback__)[-1]
+            return {"error": f"{type(error).__name__}: {error} (line {where.lineno})"[:500]}
+
+    def _build(self, seconds: float) -> dict[str, Any]:
+        if not self.build:
+            return {"error": ""}
+        chosen = {word for line in self.build for word in line.split()[2:] if not word.startswith("-")}
+        everything = any("--packages-select" not in line for line in self.build)
+        self.build = []
+        folder = os.environ["COURSEKIT_WORKSPACE"]
+        there = {entry for _, folders, _ in os.walk(os.path.join(folder, "src")) for entry in folders}
+        select = "" if everything else " --packages-select " + " ".join(sorted(chosen & there))
+        return {"error": ""} if not everything and not chosen & there else self.run_build(select, seconds)
+
+    def run_build(self, select: str, seconds: float) -> dict[str, Any]:
+        """Build now."""
+        with _alarm(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(TookTooLong):
+            self.shell.run_line_magic("colcon", f"build{select}")
+        return {"error": ""}
+
+
+def main() -> int:
+    """Answer until the judge hangs up."""
+    questions = os.fdopen(os.dup(0), encoding="utf-8")
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for number in (0, 1, 2):
+        os.dup2(nothing, number)
+    runner = Runner()
+    for line in questions:
+        try:
+            answer = runner.ask(json.loads(line))
+        except Exception as error:
+            answer = {"error": f"{type(error).__name__}: {error}"[:500]}
+        answers.write(json.dumps(answer) + "\n")
+        answers.flush()
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

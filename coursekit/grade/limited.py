@@ -1,0 +1,32 @@
+"""`python limited.py MEMORY PROCESSES FILE SECONDS -- COMMAND`: sets the limits, then becomes the command."""
+
+import os
+import sys
+
+
+def main(argv: list[str]) -> None:
+    """Limit this process and become the command."""
+    memory, processes, file, seconds = (int(word) for word in argv[:4])
+    try:
+        import resource
+    except ImportError:  # Windows: the watcher outside is all there is
+        pass
+    else:
+        wanted = {
+            "RLIMIT_AS": memory,
+            "RLIMIT_NPROC": processes,
+            "RLIMIT_FSIZE": file,
+            "RLIMIT_CPU": 2 * seconds,
+            "RLIMIT_CORE": 0,
+            "RLIMIT_NOFILE": 512,
+        }
+        for name, value in wanted.items():
+            _, hard = resource.getrlimit(getattr(resource, name))
+            most = value if hard == resource.RLIM_INFINITY else min(value, hard)
+            resource.setrlimit(getattr(resource, name), (most, most))
+    command = argv[argv.index("--") + 1 :]
+    os.execvp(command[0], command)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

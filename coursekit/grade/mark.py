@@ -1,0 +1,155 @@
+"""Marks one submission: runs its notebooks in a sandbox and has every exercise judged from outside."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from . import sandbox
+from .checking import judge_work
+from .exercise import Exercise
+from .inside import NOT_NEEDED
+from .remote import BUILD_SECONDS, Line, RemoteWork
+from .interruptions import Gone, NeedsWorkspace
+from .repair import Repaired, Step, repair
+from .submissions import Submission, read_notebook
+from .verdict import Verdict
+
+CELL_SECONDS = 20.0
+
+
+@dataclass
+class Marked:
+    """The outcome of one submission."""
+
+    student: str
+    digest: str
+    verdicts: list[Verdict] = field(default_factory=list)
+    status: str = "graded"
+    tier: str = ""
+    notes: list[str] = field(default_factory=list)
+    minutes_late: float = 0.0
+    answers: list[str] = field(default_factory=list)
+
+    def total(self) -> float:
+        """All points."""
+        return round(sum(verdict.points for verdict in self.verdicts), 2)
+
+    def as_json(self) -> dict[str, Any]:
+        """As plain values; `of_json` reads them again."""
+        return asdict(self)
+
+    @classmethod
+    def of_json(cls, found: dict[str, Any]) -> Marked:
+        """What `as_json` gave."""
+        return cls(**{**found, "verdicts": [Verdict(**one) for one in found["verdicts"]]})
+
+
+def mark(
+    submission: Submission,
+    sources: Mapping[str, dict[str, Any]],
+    exercises: Mapping[str, Exercise],
+    limits: sandbox.Limits,
+) -> Marked:
+    """Grade a submission; whatever is wrong with it ends up in the result, never as an exception."""
+    made = Marked(submission.student, submission.digest(), tier=sandbox.tier())
+    with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
+        try:
+            files = submission.notebooks(Path(scratch) / "unpacked")
+            for name, file in _chosen(files, sources, made.notes).items():
+                _mark_notebook(sources[name], file, Path(scratch) / name, exercises, limits, made)
+        except ValueError as error:
+            made.status, made.notes = "unreadable", [*made.notes, str(error)]
+        except Exception as error:  # one bad submission never stops the class
+            made.status, made.notes = "error", [*made.notes, f"{type(error).__name__}: {error}"]
+    judged = {verdict.name for verdict in made.verdicts}
+    made.verdicts += [_unjudged(one, "nothing was handed in") for name, one in exercises.items() if name not in judged]
+    made.verdicts.sort(key=lambda verdict: verdict.name)
+    if not judged and made.status == "graded":
+        made.status = "empty"
+    return made
+
+
+def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:
+    """Which file is which notebook of the course: by name, of several the newest."""
+    found: dict[str, Path] = {}
+    for file in sorted(files, key=lambda one: one.stat().st_mtime):
+        names = [name for name in sources if file.name == name or file.stem.startswith(Path(name).stem)]
+        if not names and len(sources) == 1:
+            names = list(sources)
+            notes.append(f"{file.name}: taken as {names[0]}")
+        for name in names:
+            if name in found:
+                notes.append(f"{name}: handed in more than once; {file.name} counts")
+            found[name] = file
+    return found
+
+
+def _mark_notebook(
+    source: dict[str, Any],
+    file: Path,
+    folder: Path,
+    exercises: Mapping[str, Exercise],
+    limits: sandbox.Limits,
+    made: Marked,
+) -> None:
+    repaired = repair(source, read_notebook(file))
+    made.notes += repaired.notes
+    made.answers += repaired.answers()
+    workspace = folder / "course" / "ros2_ws"
+    (workspace / "src").mkdir(parents=True)
+    env = _environment(workspace)
+    running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
+    try:
+        work = RemoteWork(Line(running, limits), workspace, env, limits)
+        made.verdicts += _run_and_judge(repaired, work, exercises)
+    finally:
+        running.end()
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _environment(workspace: Path) -> dict[str, str]:
+    from coursekit.packages.environment import source_underlay
+
+    env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT_")}
+    source_underlay(env)
+    return env | {"COURSEKIT_COURSE": str(workspace.parent), "COURSEKIT_WORKSPACE": str(workspace)}
+
+
+def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str, Exercise]) -> list[Verdict]:
+    """Values are judged where their check stands; files and programs at the end, after one build."""
+    verdicts: list[Verdict] = []
+    later: list[str] = []
+    wanted = [step.exercise for step in repaired.steps if step.exercise in exercises]
+    try:
+        for step in repaired.steps:
+            if step.exercise in exercises:
+                try:
+                    verdicts.append(judge_work(exercises[step.exercise], work))
+                except NeedsWorkspace:
+                    later.append(step.exercise)
+            elif _needed(step):
+                work.run(step.source, CELL_SECONDS)
+        work.build(BUILD_SECONDS)
+        verdicts += [judge_work(exercises[name], work) for name in later]
+    except Gone as gone:
+        judged = {verdict.name for verdict in verdicts}
+        verdicts += [_unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
+    return verdicts
+
+
+def _needed(step: Step) -> bool:
+    """Cells of the course that only show something are left out."""
+    lines = [line.strip() for line in step.source.splitlines() if line.strip()]
+    shows = (*NOT_NEEDED, "wait(", "graph(", "terminal", "reset(", "progress(", "print(terminal", "frames(", "%ros2 --")
+    return step.solution or not all(line.startswith(shows) for line in lines)
+
+
+def _unjudged(exercise: Exercise, why: str) -> Verdict:
+    return Verdict(exercise.name, exercise.title, 0, exercise.points, "your work", why)

@@ -1,0 +1,159 @@
+"""A student's work seen from outside of its sandbox: the judge asks, the sandbox answers in JSON."""
+
+from __future__ import annotations
+
+import json
+import select
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from . import sandbox
+from .interruptions import Gone, NeedsWorkspace
+from .trial import Plan, Seen, TrialFailed
+from .verdict import Wrong
+from .wire import pack, unpack
+from .work import Work, _words
+
+CALL_SECONDS = 10.0
+BUILD_SECONDS = 60.0
+
+
+class Line:
+    """Questions and answers over the sandbox's stdin and stdout."""
+
+    def __init__(self, running: sandbox.Sandboxed, limits: sandbox.Limits) -> None:
+        self._running = running
+        self._limits = limits
+        self._read = 0
+        self._rest = b""
+
+    def ask(self, question: dict[str, Any], seconds: float) -> dict[str, Any]:
+        """The answer; Gone when there is none."""
+        assert self._running.child.stdin is not None
+        try:
+            self._running.child.stdin.write(json.dumps(question).encode() + b"\n")
+            self._running.child.stdin.flush()
+            answer = json.loads(self._line(time.monotonic() + seconds))
+        except (OSError, ValueError) as error:
+            raise Gone(self._why(error)) from None
+        if not isinstance(answer, dict):
+            raise Gone("the sandbox answered nonsense")
+        return answer
+
+    def _line(self, give_up: float) -> bytes:
+        assert self._running.child.stdout is not None
+        pipe = self._running.child.stdout
+        while b"\n" not in self._rest:
+            left = give_up - time.monotonic()
+            if left <= 0 or not select.select([pipe], [], [], min(left, 0.5))[0]:
+                if left <= 0:
+                    self._running.end("it did not answer in time")
+                    raise ValueError("no answer")
+                continue
+            data = pipe.read1(65536)  # type: ignore[attr-defined]
+            self._read += len(data)
+            if not data or self._read > self._limits.output:
+                self._running.end("" if not data else "it wrote more than it may")
+                raise ValueError("no answer")
+            self._rest += data
+        line, _, self._rest = self._rest.partition(b"\n")
+        return line
+
+    def _why(self, error: Exception) -> str:
+        return self._running.stopped or f"the program ended while it ran ({error})"
+
+
+class RemoteWork(Work):
+    """`Work` whose variables live in a sandbox and whose programs are tried out in further ones."""
+
+    def __init__(self, line: Line, workspace: Path, environment: Mapping[str, str], limits: sandbox.Limits) -> None:
+        super().__init__({}, workspace)
+        self._line = line
+        self._environment = environment
+        self._limits = limits
+        self.complete = False
+        """Whether all cells have run and the packages are built."""
+
+    def run(self, source: str, seconds: float) -> str:
+        """Run a cell in the sandbox; what went wrong."""
+        return str(self._line.ask({"ask": "run", "source": source, "seconds": seconds}, seconds + 10).get("error", ""))
+
+    def build(self, seconds: float) -> None:
+        """Build what the notebook builds; then files and programs can be judged."""
+        self._line.ask({"ask": "build", "seconds": seconds}, seconds + 10)
+        self.complete = True
+
+    def value(self, name: str, kind: type[Any]) -> Any:
+        answer = self._line.ask({"ask": "value", "name": name}, CALL_SECONDS)
+        self.variables = {} if answer.get("missing") else {name: _unpacked(answer)}
+        return super().value(name, kind)
+
+    def function(self, name: str) -> Any:
+        answer = self._line.ask({"ask": "value", "name": name}, CALL_SECONDS)
+        if answer.get("missing"):
+            raise Wrong(f"a function named `{name}`", "there is none", "Was the cell above run?")
+
+        def call(*args: Any) -> Any:
+            question = {"ask": "call", "name": name, "args": [pack(one) for one in args], "seconds": CALL_SECONDS}
+            said = self._line.ask(question, CALL_SECONDS + 5)
+            if said.get("missing") or said.get("error"):
+                raise RuntimeError(str(said.get("error") or f"`{name}` cannot be called"))
+            return _unpacked(said)
+
+        return call
+
+    def file(self, path: str) -> Path:
+        self._need()
+        found = super().file(path)
+        if not found.resolve().is_relative_to(self.workspace.resolve()):
+            raise Wrong(f"the file {path} in {self.workspace.name}/", "a link to a place outside of it")
+        return found
+
+    def built(self, package: str) -> Path:
+        self._need()
+        return super().built(package)
+
+    def environment(self) -> dict[str, str]:
+        from coursekit.packages.overlay import overlay_environment
+
+        install = self.workspace / "install"
+        env = dict(self._environment)
+        return overlay_environment(install, env) if install.is_dir() else env
+
+    def try_out(
+        self, *commands: str, seconds: float = 3.0, later: Sequence[tuple[float, str]] = (), **plan: Any
+    ) -> Seen:
+        self._need()
+        run, asked = [_words(one) for one in commands], [(when, _words(one)) for when, one in later]
+        try:
+            return self._sandboxed_trial(Plan(run=run, seconds=seconds, later=asked, **plan))
+        except TrialFailed as failure:
+            raise Wrong("programs that run", str(failure)) from None
+
+    def _need(self) -> None:
+        if not self.complete:
+            raise NeedsWorkspace
+
+    def _sandboxed_trial(self, plan: Plan) -> Seen:
+        command = [sys.executable, "-m", "coursekit.grade.trial", str(self._limits.seconds)]
+        env = self.environment() | {"COURSEKIT_TIME": "virtual"}
+        running = sandbox.start(command, self.workspace.parent, env, self._limits)
+        try:
+            out, _ = running.child.communicate(json.dumps(asdict(plan)).encode(), timeout=self._limits.seconds + 5)
+            found = json.loads(out[: self._limits.output])
+            return Seen(**found)
+        except (ValueError, TypeError):
+            raise TrialFailed(running.stopped or "the programs ended the trial, so nothing was seen") from None
+        finally:
+            running.end()
+
+
+def _unpacked(answer: dict[str, Any]) -> Any:
+    try:
+        return unpack(answer.get("value"))
+    except Exception:
+        raise Wrong("a value that can be told", "something else") from None

@@ -1,0 +1,123 @@
+"""Brings a submitted notebook into the shape of the course's: what is missing, doubled or retyped is mended and told."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from .copy import without_solution
+
+_CHECK = re.compile(r"""^\s*check\(\s*["'](?P<name>[\w.]+)["']\s*\)\s*$""", re.M)
+
+
+@dataclass
+class Step:
+    """One cell to run, and the exercise that is judged after it."""
+
+    source: str
+    exercise: str = ""
+    solution: bool = False
+    """Whether the student wrote it."""
+
+
+@dataclass
+class Repaired:
+    """The cells to run in the order of the course's notebook, and what had to be mended."""
+
+    steps: list[Step] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    def answers(self) -> list[str]:
+        """What the student wrote into solution cells."""
+        return [step.source for step in self.steps if step.solution]
+
+
+def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
+    """Put the student's answers, and cells of their own, into the course's notebook."""
+    made = Repaired()
+    theirs = [cell for cell in submitted.get("cells", []) if isinstance(cell, dict)]
+    by_id = _by_id(theirs, made.notes)
+    own = _own_cells(source, theirs)
+    for cell in source["cells"]:
+        grading = cell.get("metadata", {}).get("nbgrader", {})
+        text = "".join(cell["source"])
+        name = str(grading.get("grade_id", ""))
+        if cell["cell_type"] != "code":
+            continue
+        if grading.get("solution"):
+            answer = _answer(name, text, by_id, theirs, made.notes)
+            made.steps += [Step(one, solution=True) for one in own.pop(name, [])]
+            made.steps.append(Step(answer, solution=True))
+            continue
+        found = _CHECK.search(text)
+        made.steps.append(Step("" if found else text, found["name"] if found else ""))
+    made.steps = [Step(one, solution=True) for left in own.values() for one in left] + made.steps
+    return made
+
+
+def _id(cell: dict[str, Any]) -> str:
+    grading = cell.get("metadata", {}).get("nbgrader", {})
+    return str(grading.get("grade_id", "")) if isinstance(grading, dict) else ""
+
+
+def _text(cell: dict[str, Any]) -> str:
+    source = cell.get("source", "")
+    return source if isinstance(source, str) else "".join(str(line) for line in source)
+
+
+def _by_id(cells: Iterable[dict[str, Any]], notes: list[str]) -> dict[str, str]:
+    """The text of each named cell: of two with one name the one that was worked on, else the later."""
+    found: dict[str, str] = {}
+    for cell in cells:
+        name, text = _id(cell), _text(cell)
+        if not name:
+            continue
+        if cell.get("cell_type") != "code":
+            notes.append(f"{name}: the cell had been turned into {cell.get('cell_type')}; it was read as code")
+        if name in found:
+            notes.append(f"{name}: there were two such cells; the one that was worked on counts")
+            if "NotImplementedError" in text and "NotImplementedError" not in found[name]:
+                continue
+        found[name] = text
+    return found
+
+
+def _answer(
+    name: str, text: str, by_id: dict[str, str], theirs: list[dict[str, Any]], notes: list[str]
+) -> str:
+    if name in by_id:
+        return by_id[name]
+    before = _cell_before_check(name, theirs)
+    if before:
+        notes.append(f"{name}: the cell had lost its name; the one above its check was taken")
+        return before
+    notes.append(f"{name}: the cell is missing")
+    return without_solution(text)
+
+
+def _cell_before_check(name: str, theirs: list[dict[str, Any]]) -> str:
+    """An unnamed cell right above the check of the same exercise."""
+    exercise = re.sub(r"[-_](solution|answer)$", "", name)
+    for before, cell in itertools.pairwise(theirs):
+        found = _CHECK.search(_text(cell))
+        if found and found["name"] == exercise and not _id(before):
+            return _text(before)
+    return ""
+
+
+def _own_cells(source: dict[str, Any], theirs: list[dict[str, Any]]) -> dict[str, list[str]]:
+    """Cells that the student added, by the name of the solution cell below them ('' at the end)."""
+    known = {"".join(cell["source"]).strip() for cell in source["cells"]}
+    solutions = {_id(cell) for cell in source["cells"] if cell.get("metadata", {}).get("nbgrader", {}).get("solution")}
+    found: dict[str, list[str]] = {}
+    waiting: list[str] = []
+    for cell in theirs:
+        if _id(cell) in solutions:
+            found.setdefault(_id(cell), []).extend(waiting)
+            waiting = []
+        elif cell.get("cell_type") == "code" and not _id(cell) and _text(cell).strip() not in known:
+            waiting.append(_text(cell))
+    return {name: cells for name, cells in found.items() if cells}

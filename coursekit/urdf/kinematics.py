@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from .errors import close
@@ -113,13 +114,28 @@ class Kinematics:
         """The same as an array of 4x4 matrices (number of links, 4, 4), in the order of `links`."""
         import numpy as np
 
-        x, y, z, qx, qy, qz, qw = np.array(list(self.poses(positions).values())).T
-        result = np.zeros((len(self.links), 4, 4))
-        result[:, 0] = np.stack((1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy - qz * qw), 2 * (qx * qz + qy * qw), x), 1)
-        result[:, 1] = np.stack((2 * (qx * qy + qz * qw), 1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz - qx * qw), y), 1)
-        result[:, 2] = np.stack((2 * (qx * qz - qy * qw), 2 * (qy * qz + qx * qw), 1 - 2 * (qx * qx + qy * qy), z), 1)
+        poses = np.array(list(self.poses(positions).values()))
+        turns = poses[:, 3:]
+        result: np.ndarray = np.matmul((turns[:, :, None] * turns[:, None, :]).reshape(-1, 16), _rotations())
+        result = result.reshape(-1, 4, 4)
+        result[:, :3, 3] = poses[:, :3]
         result[:, 3, 3] = 1.0
         return result
+
+
+@lru_cache(maxsize=1)
+def _rotations() -> np.ndarray:
+    """(16, 16): from the products of a quaternion's numbers (xx, xy, ..., ww) to the rotation in a 4x4 matrix."""
+    import numpy as np
+
+    found = np.zeros((4, 4, 4, 4))
+    x, y, z, w = range(4)
+    for i, j, k in ((x, y, z), (y, z, x), (z, x, y)):
+        found[i, i, i, i] = found[w, w, i, i] = 1.0
+        found[j, j, i, i] = found[k, k, i, i] = -1.0
+        found[i, j, i, j] = found[i, j, j, i] = 2.0
+        found[k, w, j, i], found[k, w, i, j] = 2.0, -2.0
+    return found.reshape(16, 16)
 
 
 # -- writing the function

@@ -26,6 +26,15 @@ def row(what: str, ours: float, peer: float | None, goal: str, unit: str = "µs"
     print(f"| {what} | {ours:.1f} {unit} | {theirs} | {ratio} | {goal} |")
 
 
+def link_poses() -> None:
+    """Print the table of forward kinematics."""
+    print("\n| all link poses of a 16-link robot | coursekit | as 4×4 | yourdfpy | pinocchio, 4×4 | goal |")
+    print("|---|---|---|---|---|---|")
+    for name, times in json.loads(measure(sys.executable, "link_poses.py")).items():
+        cells = [f"{one:.1f} µs" if one is not None else "not installed" for one in times.values()]
+        print(f"| {name} axes | {' | '.join(cells)} | ≤ 20 µs |")
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))
@@ -37,6 +46,7 @@ def main() -> None:
     row("640×480×3 image, publish → callback", ours["image"], peer.get("image"), "≤ 50 µs")
     speed = float(measure(sys.executable, "virtual_nodes.py"))
     print(f"| twelve nodes at 30 Hz, virtual clock | {speed:.0f} × real time | has none | | ≥ 100 × |")
+    link_poses()
     if not peer:
         print("\nThe real rclpy is not here to compare with: `make conformance` installs it (Linux x86-64).")
 

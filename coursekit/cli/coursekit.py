@@ -1,4 +1,4 @@
-"""The command `coursekit`: lab, doctor, progress, course, slam and slam-error."""
+"""The command `coursekit`: lab, doctor, progress, course, slam, slam-error and grade."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursekit.cli import slam
+from coursekit.cli import grading, slam
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -32,6 +32,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     progress.add_argument("--folder", default="course")
     progress.set_defaults(main=show_progress)
     slam.add_commands(commands)
+    grading.add_commands(commands)
     args = parser.parse_args(argv)
     return int(args.main(args) or 0)
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from .exercise import Exercise, find
-from .progress import Progress
 from .interruptions import Gone, NeedsWorkspace
+from .progress import Progress
 from .verdict import CheckFailed, Verdict, Wrong
 from .work import Work
 

@@ -15,8 +15,8 @@ from . import sandbox
 from .checking import judge_work
 from .exercise import Exercise
 from .inside import NOT_NEEDED
-from .remote import BUILD_SECONDS, Line, RemoteWork
 from .interruptions import Gone, NeedsWorkspace
+from .remote import BUILD_SECONDS, Line, RemoteWork
 from .repair import Repaired, Step, repair
 from .submissions import Submission, read_notebook
 from .verdict import Verdict

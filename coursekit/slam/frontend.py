@@ -53,7 +53,9 @@ class Tracker:
         if score < max(p.minimum_score, p.poor_match * self._usual):
             blind = (p.blind_sigma, p.blind_sigma)
             for other in (self.pose @ self._speed, guess):  # the odometry may be wrong
-                far, better = match(scan.points, submap, other, 3 * p.search_distance, 2 * p.search_angle, blind)
+                far, better = match(
+                    scan.points, submap, other, 3 * p.search_distance, 2 * p.search_angle, blind
+                )
                 if better > score + p.clearly_better:
                     best, score, guess, sigmas = far, better, far, blind
         self._usual += 0.05 * (score - self._usual)

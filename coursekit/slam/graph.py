@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from coursekit.slam.pose import Array, Pose2
@@ -26,11 +24,11 @@ class PoseGraph:
     def __init__(self) -> None:
         self._poses = np.zeros((64, 3))
         self.size = 0
-        self.pairs: list[tuple[int, int]] = []
-        self.motions: list[Pose2] = []
-        self.precisions: list[Array] = []
-        self.robust: list[bool] = []
-        """Edges that may be false, such as loops; the others are trusted."""
+        self._edges = 0
+        self._pairs = np.zeros((64, 2), dtype=np.int64)
+        self._motions = np.zeros((64, 3))
+        self._precisions = np.zeros((64, 3, 3))
+        self._robust = np.zeros(64, dtype=bool)
 
     @property
     def poses(self) -> Array:
@@ -54,20 +52,27 @@ class PoseGraph:
         for node in (first, second):
             if not 0 <= node < self.size:
                 raise IndexError(f"no node {node}: the graph has {self.size}, add it with add_node first")
-        self.pairs.append((first, second))
-        self.motions.append(motion)
-        self.precisions.append(np.asarray(precision, float))
-        self.robust.append(robust)
-        return len(self.pairs) - 1
+        k = self._edges
+        if k == len(self._pairs):
+            self._pairs, self._motions, self._precisions, self._robust = (
+                np.concatenate([part, np.zeros_like(part)])
+                for part in (self._pairs, self._motions, self._precisions, self._robust)
+            )
+        self._pairs[k], self._motions[k], self._precisions[k], self._robust[k] = (
+            (first, second),
+            motion,
+            precision,
+            robust,
+        )
+        self._edges += 1
+        return k
 
-    def problem(self, edges: Sequence[int] | None = None) -> Problem:
-        """The edges (all, or these) as arrays."""
-        chosen = range(len(self.pairs)) if edges is None else edges
-        pairs = np.array([self.pairs[k] for k in chosen], dtype=np.int64).reshape(-1, 2)
-        motions = np.array([self.motions[k] for k in chosen], dtype=float).reshape(-1, 3)
-        precisions = np.array([self.precisions[k] for k in chosen], dtype=float).reshape(-1, 3, 3)
+    @property
+    def edges(self) -> Problem:
+        """The edges as arrays, views; `robust` marks those that may be false, such as loops."""
+        n = self._edges
         return Problem(
-            pairs[:, 0], pairs[:, 1], motions, precisions, np.array([self.robust[k] for k in chosen], bool)
+            self._pairs[:n, 0], self._pairs[:n, 1], self._motions[:n], self._precisions[:n], self._robust[:n]
         )
 
     def optimize(self, *, rounds: int = 20, fresh: bool = False) -> Array:
@@ -75,7 +80,7 @@ class PoseGraph:
 
         `fresh` starts from the chordal solution instead of the present poses.
         """
-        problem = self.problem()
+        problem = self.edges
         start = chordal(problem, self.poses) if fresh else self.poses
         poses, trust = optimize(problem, start, rounds=rounds)
         self._poses[: self.size] = poses

@@ -37,9 +37,17 @@ class LoopSearch:
     def __init__(self, params: SlamParameters) -> None:
         self.params = params
         self.submaps: list[Submap] = []
-        self._fields: OrderedDict[int, LoopField] = OrderedDict()
+        self._fields: OrderedDict[int, tuple[LoopField, Submap]] = OrderedDict()
         self._pending: list[Loop] = []
         self.rejected = 0
+        self._members = np.zeros(0, dtype=np.int64)
+        self._starts = np.zeros(1, dtype=np.int64)
+
+    def add(self, submap: Submap) -> None:
+        """A finished submap, to be found later."""
+        self.submaps.append(submap)
+        self._members = np.concatenate([self._members, np.fromiter(submap.members, dtype=np.int64)])
+        self._starts = np.append(self._starts, len(self._members))
 
     def search(self, keyframe: Keyframe, graph: PoseGraph) -> list[Loop]:
         """The loops that this keyframe settles."""
@@ -55,16 +63,16 @@ class LoopSearch:
 
     def _candidates(self, number: int, graph: PoseGraph, ways: Array) -> list[tuple[Submap, int]]:
         """Submaps whose keyframes may be near, nearest first, and the nearest keyframe of each."""
-        p, here, ranked = self.params, graph.poses[number], []
-        for submap in self.submaps:
-            members = np.fromiter(submap.members, dtype=np.int64)
-            gaps = np.hypot(*(graph.poses[members, :2] - here[:2]).T)
-            k = int(np.argmin(gaps))
-            way = float(ways[members].min())
-            if way > p.loop_least_way and gaps[k] < p.loop_view + self._window(way)[0]:
-                ranked.append((float(gaps[k]), submap, int(members[k])))
-        ranked.sort(key=lambda item: item[0])
-        return [(submap, near) for _, submap, near in ranked[: p.loop_candidates]]
+        p, members = self.params, self._members
+        gaps = np.hypot(*(graph.poses[members, :2] - graph.poses[number, :2]).T)
+        starts = self._starts[:-1]
+        shortest = np.minimum.reduceat(ways[members], starts)
+        nearest = np.minimum.reduceat(gaps, starts)
+        reach = p.loop_view + np.minimum(0.5 + p.loop_drift * shortest, p.loop_distance)
+        ranked = np.argsort(nearest, kind="stable")
+        chosen = ranked[((shortest > p.loop_least_way) & (nearest < reach))[ranked]][: p.loop_candidates]
+        spans = [(int(k), slice(self._starts[k], self._starts[k + 1])) for k in chosen]
+        return [(self.submaps[k], int(members[span][np.argmin(gaps[span])])) for k, span in spans]
 
     def _window(self, way: float) -> tuple[float, float]:
         """How far off the estimate may be after so long a way [m], [rad]."""
@@ -86,9 +94,7 @@ class LoopSearch:
         )
         if score <= p.loop_score:
             return None
-        submap.restore()
         found = refine(points, submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
-        submap.finish()
         if found.inliers < p.loop_inliers or found.pose.distance(pose) > 0.4:
             return None
         first = min(submap.members, key=lambda m: (submap.members[m].distance(found.pose), m))
@@ -101,14 +107,15 @@ class LoopSearch:
         )
 
     def _field(self, submap: Submap) -> LoopField:
-        """The fields of a submap, the latest few kept."""
+        """The fields of a submap; those of the latest few are kept."""
         key = submap.anchor
         if key not in self._fields:
-            self._fields[key] = LoopField(submap.points[: submap.count], self.params.loop_cell)
-            while len(self._fields) > self.params.loop_fields:
-                self._fields.popitem(last=False)
+            self._fields[key] = (LoopField(submap.points[: submap.count], self.params.loop_cell), submap)
+            submap.restore()
+            if len(self._fields) > self.params.loop_fields:
+                self._fields.popitem(last=False)[1][1].finish()
         self._fields.move_to_end(key)
-        return self._fields[key]
+        return self._fields[key][0]
 
     def _settle(self, found: list[Loop], graph: PoseGraph) -> list[Loop]:
         """Those that agree with another one; the rest wait, and are dropped when they have waited long."""
@@ -130,9 +137,9 @@ class LoopSearch:
 
 def _ways(graph: PoseGraph, number: int) -> Array:
     """Shortest way [m] from a keyframe to every other along the graph's edges; a turn of a radian counts as a metre."""
-    pairs = np.array(graph.pairs).reshape(-1, 2)
-    lengths = np.array([math.hypot(m.x, m.y) + abs(m.theta) for m in graph.motions]) + 1e-6
-    matrix = csr_matrix((lengths, (pairs[:, 0], pairs[:, 1])), shape=(graph.size, graph.size))
+    edges = graph.edges
+    lengths = np.hypot(edges.z[:, 0], edges.z[:, 1]) + np.abs(edges.z[:, 2]) + 1e-6
+    matrix = csr_matrix((lengths, (edges.i, edges.j)), shape=(graph.size, graph.size))
     return dijkstra(matrix, directed=False, indices=number)
 
 

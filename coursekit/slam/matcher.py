@@ -26,29 +26,20 @@ def _cells(points, x, y, angle, ox, oy, cell, rows, columns):  # type: ignore[no
 
 
 @njit(cache=True)
-def _sum(field, rows, columns, di, dj):  # type: ignore[no-untyped-def]
-    """Sum of the field at shifted cells."""
-    total = 0
+def _patch_sums(field, tops, lefts, down, right, side, sums):  # type: ignore[no-untyped-def]
+    """For each shift (down..down+side-1, right..right+side-1) the sum of the field at the shifted cells."""
     height, width = field.shape
-    for k in range(len(rows)):
-        i, j = rows[k] + di, columns[k] + dj
-        if 0 <= i < height and 0 <= j < width:
-            total += field[i, j]
-    return total
-
-
-@njit(cache=True)
-def _block_sum(coarse, rows, columns, di, dj):  # type: ignore[no-untyped-def]
-    """Sum of the coarse field: an upper bound of `_sum` for shifts (di..di+3, dj..dj+3)."""
-    total = 0
-    height, width = coarse.shape
-    for k in range(len(rows)):
-        i, j = (rows[k] + di) >> 2, (columns[k] + dj) >> 2
-        if 0 <= i < height and 0 <= j < width:
-            total += coarse[i, j]
-        elif -1 <= i < height and -1 <= j < width:
-            total += coarse[max(i, 0), max(j, 0)]
-    return total
+    sums[:] = 0
+    for k in range(len(tops)):
+        top, left = tops[k] + down, lefts[k] + right
+        if top >= 0 and left >= 0 and top + side <= height and left + side <= width:
+            for i in range(side):
+                for j in range(side):
+                    sums[i * side + j] += field[top + i, left + j]
+            continue
+        for i in range(max(-top, 0), min(side, height - top)):
+            for j in range(max(-left, 0), min(side, width - left)):
+                sums[i * side + j] += field[top + i, left + j]
 
 
 @njit(cache=True)
@@ -60,28 +51,34 @@ def correlate(  # type: ignore[no-untyped-def]
     What is away from the pose costs `per_cell` and `per_step` times the square of its distance, at the most `most`.
     """
     count, blocks = len(points), (2 * reach + 4) // 4
-    rows, columns = np.empty((2 * angles + 1, count), np.int64), np.empty((2 * angles + 1, count), np.int64)
-    bounds = np.empty((2 * angles + 1) * blocks * blocks)
+    rows, columns = np.empty((2 * angles + 1, count), np.int32), np.empty((2 * angles + 1, count), np.int32)
+    bounds, sums = np.empty((2 * angles + 1) * blocks * blocks), np.empty(blocks * blocks, np.int32)
+    fine = np.empty(16, np.int32)
     full = 255.0 * count
     for a in range(2 * angles + 1):
         _cells(points, x, y, theta + (a - angles) * angle_step, ox, oy, cell, rows[a], columns[a])
         turn = min(per_step * (a - angles) ** 2, most)
-        for i in range(blocks):
-            for j in range(blocks):
-                total = _block_sum(coarse, rows[a], columns[a], 4 * i - reach, 4 * j - reach)
-                bounds[(a * blocks + i) * blocks + j] = total / full - turn
+        rows[a] -= reach
+        columns[a] -= reach
+        _patch_sums(coarse, rows[a] >> 2, columns[a] >> 2, 0, 0, blocks, sums)
+        for block in range(blocks * blocks):
+            bounds[a * blocks * blocks + block] = sums[block] / full - turn
     best, best_a, best_i, best_j, raw = -1e9, angles, 0, 0, 0.0
     for index in np.argsort(-bounds, kind="mergesort"):
         if bounds[index] <= best:
             break
         a, rest = index // (blocks * blocks), index % (blocks * blocks)
         turn = per_step * (a - angles) ** 2
-        for i in range(4 * (rest // blocks) - reach, min(4 * (rest // blocks) - reach + 4, reach + 1)):
-            for j in range(4 * (rest % blocks) - reach, min(4 * (rest % blocks) - reach + 4, reach + 1)):
-                likely = _sum(likelihood, rows[a], columns[a], i, j) / full
-                score = likely - min(turn + per_cell * (i * i + j * j), most)
-                if score > best:
-                    best, best_a, best_i, best_j, raw = score, a, i, j, likely
+        top, left = 4 * (rest // blocks), 4 * (rest % blocks)
+        _patch_sums(likelihood, rows[a], columns[a], top, left, 4, fine)
+        for spot in range(16):
+            i, j = top + spot // 4 - reach, left + spot % 4 - reach
+            if i > reach or j > reach:
+                continue
+            likely = fine[spot] / full
+            score = likely - min(turn + per_cell * (i * i + j * j), most)
+            if score > best:
+                best, best_a, best_i, best_j, raw = score, a, i, j, likely
     return x + best_j * cell, y + best_i * cell, theta + (best_a - angles) * angle_step, raw
 
 

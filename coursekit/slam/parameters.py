@@ -81,7 +81,7 @@ class SlamParameters:
     """A submap is searched when one of its keyframes may be this near."""
     loop_candidates: int = 2
     """Submaps searched for each keyframe."""
-    loop_fields: int = 24
+    loop_fields: int = 12
     """Submaps whose search fields are kept in memory."""
     loop_patience: int = 15
     """A loop that no other confirms is dropped after this many keyframes."""

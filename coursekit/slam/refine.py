@@ -27,8 +27,9 @@ class Refined:
     @property
     def degeneracy(self) -> float:
         """How little the walls hold the worst direction of motion: 0 as well as the best, towards 1 in a bare corridor."""
-        values = np.linalg.eigvalsh(self.information[:2, :2])
-        return 1.0 if values[1] <= 0 else float(1.0 - math.sqrt(max(values[0], 0.0) / values[1]))
+        (a, b), (_, d) = self.information[:2, :2].tolist()
+        middle, root = 0.5 * (a + d), math.hypot(0.5 * (a - d), b)
+        return 1.0 - math.sqrt(max(middle - root, 0.0) / (middle + root)) if middle + root > 0 else 1.0
 
 
 @njit(cache=True)

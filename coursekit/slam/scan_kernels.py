@@ -75,7 +75,7 @@ def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def fill_walls(points, normals, spacing, widest):  # type: ignore[no-untyped-def]
-    """Points and normals between neighbours on one straight wall that are farther apart than `spacing` [m], up to `widest`."""
+    """Points and normals between neighbours on one wall that are farther apart than `spacing` [m], up to `widest`."""
     room = int(widest / spacing) + 2
     filled, directions = np.empty((len(points) * room, 2)), np.empty((len(points) * room, 2))
     count = 0

@@ -78,7 +78,8 @@ class Slam:
             self.graph.add_edge(last, number, motion, tracker.edge_precision(found))
         self.keyframes.append(Keyframe(number, scan))
         tracker.insert(number, scan)
-        self.loops.submaps += tracker.finished
+        for submap in tracker.finished:
+            self.loops.add(submap)
         tracker.finished.clear()
         self._close(self.loops.search(self.keyframes[-1], self.graph))
 

@@ -64,7 +64,8 @@ class Submap:
                 np.concatenate([a, np.zeros_like(a)]) for a in (self.points, self.normals)
             )
             self.weights = np.concatenate([self.weights, np.zeros_like(self.weights)])
-        cell, reach = self.params.cell, self.params.field_reach + self.params.cell
+        cell = self.params.cell
+        reach = self.params.field_reach + (COARSE + 1) * cell  # a rim of empty coarse cells
         rows, columns = self.nearest.shape
         top = self.origin + np.array([columns, rows]) * cell
         low, high = points.min(axis=0) - reach, points.max(axis=0) + reach

@@ -26,12 +26,13 @@ def robot_or_fault(text):
     assert len(Kinematics(robot).poses()) == len(robot.links)
 
 
+@settings(deadline=None)
 @given(st.integers(0, len(SOUND)))
 def test_a_truncated_description_is_a_fault(end):
     robot_or_fault(SOUND[:end])
 
 
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 @given(st.lists(st.tuples(st.integers(0, len(SOUND)), st.integers(0, 30), st.sampled_from(PIECES)), min_size=1, max_size=4))
 def test_a_damaged_description_is_a_robot_or_a_fault(damages):
     text = SOUND
@@ -61,7 +62,7 @@ def element(children):
     )
 
 
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 @given(st.lists(st.recursive(st.just(""), element, max_leaves=8), max_size=6))
 def test_any_tree_of_elements_is_a_robot_or_a_fault(parts):
     robot_or_fault(f'<robot name="r">{"".join(parts)}</robot>')

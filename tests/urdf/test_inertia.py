@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coursekit.urdf import Box, Cylinder, Inertial, Link, Sphere, Visual, load
@@ -30,6 +30,7 @@ def link(inertia, mass=1.0, shape=None):
     return Link("body", visuals, inertial=Inertial(mass, inertia))
 
 
+@settings(deadline=None)
 @given(SIZES, SIZES, SIZES, st.floats(0.01, 100.0))
 def test_every_block_is_a_real_body(x, y, z, mass):
     shape = Box((x, y, z))

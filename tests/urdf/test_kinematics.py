@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coursekit.urdf import Robot, load, parse
@@ -129,6 +129,7 @@ def test_the_compiled_poses_are_those_of_joint_after_joint(seed):
             assert poses[joint.child] == pytest.approx(expected, abs=1e-12)
 
 
+@settings(deadline=None)
 @given(st.tuples(*[st.floats(-7, 7)] * 3))
 def test_a_quaternion_turns_as_roll_pitch_and_yaw_do(rpy):
     x, y, z, w = quaternion_of(rpy)

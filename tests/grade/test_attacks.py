@@ -1,0 +1,153 @@
+"""Hostile and broken submissions: each gets the mark it deserves, and none harms the next or the host."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from coursekit.grade import mark as marking
+from coursekit.grade import sandbox
+from coursekit.grade.exercise import find
+from coursekit.grade.mark import mark
+from coursekit.grade.sandbox import Limits
+from coursekit.grade.submissions import Submission
+
+NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
+RIGHT = """
+def full_name(name, node, namespace):
+    root = "" if namespace == "/" else namespace
+    if name.startswith("/"):
+        return name
+    if name.startswith("~"):
+        return root + "/" + node + name[1:]
+    return root + "/" + name
+"""
+ALWAYS_EQUAL = """
+class Yes(str):
+    def __eq__(self, other): return True
+    def __ne__(self, other): return False
+    __hash__ = str.__hash__
+def full_name(*_): return Yes("yes")
+"""
+PATCH = """
+import ast, builtins, sys
+class Drop(ast.NodeTransformer):
+    def visit_Assert(self, node): return None
+    def visit_Raise(self, node): return None
+get_ipython().ast_transformers.append(Drop())
+import coursekit.grade.verdict as v
+v.Verdict.passed = property(lambda self: True)
+v.Wrong.__init__ = lambda *a, **k: None
+def full_name(*_): return "x"
+"""
+READ_TESTS = """
+import glob, os, sys, re
+import coursekit
+root = os.path.dirname(os.path.dirname(coursekit.__file__))
+texts = [open(f).read() for f in glob.glob(root + "/notebooks/*.ipynb") + glob.glob(root + "/tests/**/*.py", recursive=True)]
+texts += [open(f).read() for f in glob.glob(root + "/coursekit/grade/chapters/*.py")]
+if not texts:
+    raise SystemExit("nothing to read")
+""" + RIGHT
+ESCAPE = f"open({str(NOTEBOOKS.parent / 'escaped')!r}, 'w').write('I was here')\n" + RIGHT
+NETWORK = "import socket\nsocket.create_connection(('127.0.0.1', 22), 2)\nsocket.getaddrinfo('pypi.org', 80)\n" + RIGHT
+STUBBORN = "while True:\n    try:\n        while True: pass\n    except BaseException: pass\n"
+PIPES = """
+import os
+for number in range(3, 64):
+    try: os.write(number, b'{"value": "/scan"}\\n' * 50)
+    except OSError: pass
+""" + "def full_name(*_): return '/scan'\n"
+MANY_FILES = "n = 0\nwhile True:\n    open(f'f{n}', 'wb').write(b'x' * 60_000_000); n += 1\n" + RIGHT
+
+DESERVE = {
+    "right": (RIGHT, 1),
+    "a stub": ("raise NotImplementedError()", 0),
+    "a syntax error": ("def full_name(:", 0),
+    "a name error": ("full_nam = 1", 0),
+    "an endless loop": ("while True: pass", 0),
+    "an endless loop that ignores signals": (STUBBORN, 0),
+    "an endless answer": ("def full_name(*_):\n    while True: pass", 0),
+    "a fork bomb": ("import os\nwhile True: os.fork()", 0),
+    "a thread bomb": ("import threading, time\nwhile True: threading.Thread(target=time.sleep, args=(99,)).start()", 0),
+    "a memory hog": ("hog = []\nwhile True: hog.append(bytearray(100_000_000))", 0),
+    "too many files": (MANY_FILES, 0),
+    "huge output": ("print('x' * 30_000_000)\n" + RIGHT, 1),
+    "an early exit": ("import os\nos._exit(0)", 0),
+    "a fake exit": ("import sys\nsys.exit(0)\n", 0),
+    "__eq__ that is always true": (ALWAYS_EQUAL, 0),
+    "asserts taken out and verdicts patched": (PATCH, 0),
+    "reading the hidden tests": (READ_TESTS, 0),
+    "writing to the host": (ESCAPE, 1),  # into its own empty root, which nobody sees
+    "the network": (NETWORK, 0),
+    "forged answers on every pipe": (PIPES, 0),
+    "an answer nested without end": ("a = []\nfor _ in range(9999): a = [a]\ndef full_name(*_): return a", 0),
+    "input()": ("input('name?')\n", 0),
+    "waiting for a file that never comes": ("open('/dev/stdin').read()\n", 0),
+}
+NEEDS_BUBBLEWRAP = {"reading the hidden tests", "writing to the host", "the network", "a fork bomb", "a thread bomb"}
+
+
+def cells(answer):
+    grading = {"grade": False, "solution": True, "locked": False, "grade_id": "ch02.q1", "schema_version": 3, "task": False}
+    check = {**grading, "grade": True, "solution": False, "locked": True, "grade_id": "check-ch02.q1", "points": 1}
+    return {
+        "nbformat": 4,
+        "nbformat_minor": 5,
+        "metadata": {},
+        "cells": [
+            {"cell_type": "code", "metadata": {"nbgrader": grading}, "source": answer, "outputs": []},
+            {"cell_type": "code", "metadata": {"nbgrader": check}, "source": 'check("ch02.q1")', "outputs": []},
+        ],
+    }
+
+
+def grade(folder, answer, **changed):
+    folder.mkdir(exist_ok=True)
+    (folder / "names.ipynb").write_text(json.dumps({**cells(answer), **changed}))
+    exercise = {"ch02.q1": find("ch02.q1")}
+    limits = Limits(seconds=12, memory=1 << 30, processes=60, folder=100 << 20)
+    return mark(Submission(folder.name, folder), {"names.ipynb": cells("")}, exercise, limits)
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch):
+    monkeypatch.setattr(marking, "CELL_SECONDS", 2.0)
+    monkeypatch.setattr("coursekit.grade.remote.CALL_SECONDS", 2.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("attack", DESERVE)
+def test_each_attack_gets_what_it_deserves(tmp_path, attack):
+    if attack in NEEDS_BUBBLEWRAP and sandbox.tier() != "bubblewrap":
+        pytest.skip(f"NOT TESTED: {attack} needs bubblewrap, which does not work here")
+    answer, deserved = DESERVE[attack]
+    marked = grade(tmp_path / "student", answer)
+    verdict = marked.verdicts[0]
+    print(f"{attack}: {verdict.points:g} of {verdict.of:g}; {verdict.got or 'solved'} ({marked.tier})")
+    assert marked.status == "graded"
+    assert verdict.points == deserved, verdict.text()
+    assert verdict.passed or verdict.got
+    assert not (NOTEBOOKS.parent / "escaped").exists()
+
+
+def test_broken_notebooks_are_told_and_cost_nobody_else_anything(tmp_path):
+    for name, text in {"none.ipynb": "", "list.ipynb": "[]", "deep.ipynb": "[" * 100_000, "binary.ipynb": "\0"}.items():
+        folder = tmp_path / name
+        folder.mkdir()
+        (folder / "names.ipynb").write_text(text)
+        marked = mark(Submission(name, folder), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits(seconds=5))
+        assert (marked.status, marked.total()) == ("unreadable", 0), name
+        assert marked.notes
+
+
+def test_doubled_retyped_and_nameless_cells_are_mended(tmp_path):
+    answer, check = cells(RIGHT)["cells"]
+    stub = {**answer, "source": "raise NotImplementedError()"}
+    nameless = {**answer, "metadata": {}}
+    retyped = {**answer, "cell_type": "markdown"}
+    for name, found in {"doubled": [answer, stub, check], "nameless": [nameless, check], "retyped": [retyped, check]}.items():
+        marked = grade(tmp_path / name, "", cells=found)
+        assert marked.total() == 1, (name, marked)
+        assert marked.notes, name
+    assert grade(tmp_path / "missing", "", cells=[check]).total() == 0

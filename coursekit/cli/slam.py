@@ -91,7 +91,7 @@ def _report(log: CarmenLog, slam: Slam, seconds: float) -> None:
     odometry = "" if log.has_odometry else ", no odometry"
     print(f"scans:     {count} ({slam.lost} without a match{odometry})")
     print(f"keyframes: {len(slam.keyframes)}")
-    print(f"loops:     {slam.loops_accepted} accepted, {slam.loops_rejected} rejected")
+    print(f"loops:     {len(slam.loops)} accepted, {slam.rejected} rejected")
     ratio = f", {log.seconds / seconds:.0f} × real time" if log.seconds > 0 else ""
     print(f"speed:     {seconds:.1f} s, {1000 * seconds / count:.2f} ms a scan{ratio}")
 

@@ -25,11 +25,20 @@ class Tracker:
         """Those just left; the owner takes them."""
         self.pose = Pose2()
         """In the frame of the first submap."""
-        self._keyframe = Pose2()
+        self.base = 0
+        """The keyframe that the next one is tied to,"""
+        self._base_pose = Pose2()
+        """and where it is in the frame of the first submap."""
         self._odometry: Pose2 | None = None
         self._speed = Pose2()
         self._usual = 0.8
         """Running mean of the scores."""
+
+    def start(self, submap: Submap, base: int, pose: Pose2) -> None:
+        """Begin in a known submap: at `pose` in its frame, tied to one of its keyframes."""
+        self.submaps, self.finished = [submap], []
+        self.pose, self.base, self._base_pose = pose, base, submap.members[base]
+        self._odometry, self._speed = None, Pose2()
 
     def track(self, scan: Scan, odometry: Pose2 | None) -> tuple[Refined, float, bool]:
         """Follow the robot to the next scan: the match, its score, and whether it is believed."""
@@ -86,7 +95,7 @@ class Tracker:
 
     def from_keyframe(self) -> Pose2:
         """The motion since the last keyframe."""
-        return self._keyframe.to(self.pose)
+        return self._base_pose.to(self.pose)
 
     def edge_precision(self, found: Refined) -> Array:
         """Certainty of the motion since the last keyframe."""
@@ -109,14 +118,14 @@ class Tracker:
             submap.members[number] = pose
             submap.insert(scan, pose)
         if len(self.submaps[0].members) >= self.params.submap_keyframes:
-            self._leave(number)
-        self._keyframe = self.pose
+            self._leave()
+        self.base, self._base_pose = number, self.pose
 
     def _in(self, submap: Submap) -> Pose2:
         """The robot's pose in a submap's frame."""
         return self.submaps[0].members[submap.anchor].to(self.pose)
 
-    def _leave(self, number: int) -> None:
+    def _leave(self) -> None:
         """Go on in the next submap."""
         self.pose = self._in(self.submaps[1])
         left = self.submaps.pop(0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from coursekit.slam.pose import Array, Pose2
-from coursekit.slam.solver import Problem, chordal, optimize
+from coursekit.slam.solver import Problem, chordal, cost, optimize, residuals, squared_errors, trust_of
 
 
 class PoseGraph:
@@ -75,13 +75,33 @@ class PoseGraph:
             self._pairs[:n, 0], self._pairs[:n, 1], self._motions[:n], self._precisions[:n], self._robust[:n]
         )
 
-    def optimize(self, *, rounds: int = 20, fresh: bool = False) -> Array:
+    def optimize(self, *, rounds: int = 20, slack: float = 0.0) -> Array:
         """Move the poses to where they agree best with the edges, node 0 held; returns each edge's trust (0 to 1).
 
-        `fresh` starts from the chordal solution instead of the present poses.
+        `slack` lets doubtful edges that are off by this squared error (in sigmas) have their say first.
         """
-        problem = self.edges
-        start = chordal(problem, self.poses) if fresh else self.poses
-        poses, trust = optimize(problem, start, rounds=rounds)
+        poses, trust = optimize(self.edges, self.poses, rounds, slack)
         self._poses[: self.size] = poses
         return trust
+
+    def restart(self) -> Array:
+        """Like `optimize`, from the chordal solution of the trusted edges if that ends better; returns the trust."""
+        edges = self.edges
+        trust = self.optimize()
+        sure = Problem(*(part[trust > 0.5] for part in vars(edges).values()))
+        if not len(sure.i):
+            return trust
+        poses, other = optimize(edges, chordal(sure, self.poses))
+        if cost(edges, residuals(edges, poses)) < cost(edges, residuals(edges, self.poses)) - 1e-9:
+            self._poses[: self.size] = poses
+            trust = other
+        return trust
+
+    def trust(self) -> Array:
+        """(m,) how far each edge is trusted at the present poses: 1, or less for doubtful ones that disagree."""
+        return trust_of(self.edges, residuals(self.edges, self.poses))
+
+    def error_of(self, edge: int) -> float:
+        """Squared error of an edge at the present poses, in sigmas."""
+        one = Problem(*(part[edge : edge + 1] for part in vars(self.edges).values()))
+        return float(squared_errors(one, residuals(one, self.poses))[0])

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from coursekit.slam.scan import Scan
 
 
-@dataclass(frozen=True)
-class Keyframe:
+class Keyframe(NamedTuple):
     """A scan that is kept; its pose is the graph's node of the same number."""
 
     number: int
     scan: Scan
-    travelled: float = 0.0
-    """Way since the start [m]."""

@@ -83,6 +83,10 @@ class SlamParameters:
     """Submaps searched for each keyframe."""
     loop_fields: int = 12
     """Submaps whose search fields are kept in memory."""
+    loop_tension: float = 0.1
+    """The graph is optimized at once when a loop is off by this much,"""
+    loop_batch: int = 20
+    """and else after so many loops."""
     loop_patience: int = 15
     """A loop that no other confirms is dropped after this many keyframes."""
 

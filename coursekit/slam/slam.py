@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,10 +12,11 @@ from coursekit.slam.graph import PoseGraph
 from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.loops import Loop, LoopSearch
+from coursekit.slam.map_drawing import MapDrawing
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2, compose
 from coursekit.slam.refine import Refined
-from coursekit.slam.scan import Scan
+from coursekit.slam.scan import Laser, Scan
 
 
 @dataclass(frozen=True)
@@ -22,103 +24,125 @@ class Result:
     """What `Slam.add` found."""
 
     pose: Pose2
+    """Where the robot is in the map."""
     score: float
-    """0 (nothing fits) to 1."""
+    """How well the scan fits: 0 to 1."""
     accepted: bool
-    """False: nothing matched, the pose comes from the odometry alone."""
-    keyframe: bool
+    """False: nothing fits, the pose comes from the odometry alone."""
     degeneracy: float
+    """0: the walls hold every direction alike; towards 1: they leave one open, as in a bare corridor."""
+    keyframe: bool = False
+    loops: tuple[Loop, ...] = ()
+    """Loops that this scan settled."""
+    corrected: bool = False
+    """Earlier poses have been moved: the map is to be drawn again."""
 
 
 class Slam:
-    """Simultaneous localisation and mapping with a planar laser.
+    """Simultaneous localisation and mapping with a planar laser. In ROS 2: slam_toolbox.
 
     >>> slam = Slam()
-    >>> slam.add(Scan.from_points(np.array([[1.0, 0.0]]), slam.params), Pose2()).pose
-    Pose2(x=0.0, y=0.0, theta=0.0)
+    >>> laser = Laser(angle_min=0.0, angle_increment=0.1)
+    >>> slam.add_ranges(0.0, [1.0, 1.0, 1.0], laser, Pose2()).keyframe
+    True
+    >>> slam.trajectory()
+    array([[0., 0., 0., 0.]])
     """
 
-    def __init__(self, params: SlamParameters = SlamParameters()) -> None:
-        self.params = params
+    def __init__(self, params: SlamParameters | None = None, start: Pose2 | None = None) -> None:
+        self.params = params or SlamParameters()
         self.graph = PoseGraph()
         self.keyframes: list[Keyframe] = []
-        self.tracker = Tracker(params)
-        self.loops = LoopSearch(params)
-        self.loops_accepted = 0
+        self.tracker = Tracker(self.params)
+        self.search = LoopSearch(self.params)
+        self.loops: list[Loop] = []
+        """All that were accepted."""
         self.lost = 0
         """Scans without a match."""
-        self._dirty = 0
-        self._stamps: list[float] = []
-        self._bases: list[int] = []
-        self._motions: list[Pose2] = []
+        self.stamps: list[float] = []
+        self.bases: list[int] = []
+        """For each scan the keyframe that it is tied to,"""
+        self.motions: list[Pose2] = []
+        """and the motion from there."""
+        self._start = start or Pose2()
+        self._waiting = 0
+        self._drawing = MapDrawing(self.params)
+
+    def add_ranges(
+        self, stamp: float, ranges: Sequence[float] | np.ndarray, laser: Laser, odometry: Pose2 | None = None
+    ) -> Result:
+        """Take the next scan as ranges [m]; see `add`."""
+        return self.add(Scan.from_ranges(ranges, laser, self.params, stamp), odometry)
 
     def add(self, scan: Scan, odometry: Pose2 | None = None) -> Result:
-        """Take the next scan."""
-        tracker = self.tracker
-        found, score, accepted = tracker.track(scan, odometry)
+        """Take the next scan, with the robot's pose by its odometry, if it has one."""
+        found, score, accepted = self.tracker.track(scan, odometry)
         self.lost += not accepted
-        fresh = not self.keyframes or tracker.moved_enough()
+        loops: list[Loop] = []
+        corrected, fresh = False, not self.keyframes or self.tracker.moved_enough()
         if fresh:
             self._add_keyframe(scan, found)
-        self._stamps.append(scan.stamp)
-        self._bases.append(len(self.keyframes) - 1)
-        self._motions.append(tracker.from_keyframe())
-        pose = self.graph.pose(self._bases[-1]) @ self._motions[-1]
-        return Result(pose, score, accepted, fresh, found.degeneracy)
+            loops = self.search.search(self.keyframes[-1], self.graph)
+            corrected = self._close(loops)
+        self.stamps.append(scan.stamp)
+        self.bases.append(self.tracker.base)
+        self.motions.append(self.tracker.from_keyframe())
+        return Result(self.pose, score, accepted, found.degeneracy, fresh, tuple(loops), corrected)
+
+    @property
+    def pose(self) -> Pose2:
+        """Where the robot is in the map."""
+        if not self.keyframes:
+            return self._start
+        return self.graph.pose(self.tracker.base) @ self.tracker.from_keyframe()
 
     def _add_keyframe(self, scan: Scan, found: Refined) -> None:
         """Remember a scan, tie it to the one before."""
         tracker = self.tracker
-        if not self.keyframes:
-            number = self.graph.add_node(Pose2())
-        else:
+        number = self.graph.add_node(self.pose)
+        if self.keyframes:
             motion = tracker.from_keyframe()
-            last = len(self.keyframes) - 1
-            number = self.graph.add_node(self.graph.pose(last) @ motion)
-            self.graph.add_edge(last, number, motion, tracker.edge_precision(found))
+            self.graph.add_edge(tracker.base, number, motion, tracker.edge_precision(found))
         self.keyframes.append(Keyframe(number, scan))
         tracker.insert(number, scan)
-        for submap in tracker.finished:
-            self.loops.add(submap)
-        tracker.finished.clear()
-        self._close(self.loops.search(self.keyframes[-1], self.graph))
+        while tracker.finished:
+            self.search.add(tracker.finished.pop(0))
 
-    def _close(self, loops: list[Loop]) -> None:
-        """Tie loops into the graph; optimize when they move something."""
-        before = [self.graph.pose(loop.first) @ loop.motion for loop in loops]
+    def _close(self, loops: list[Loop]) -> bool:
+        """Tie loops into the graph; optimize when they move something. True when poses have moved."""
+        off = 0.0
+        edges = []
         for loop in loops:
-            self.graph.add_edge(loop.first, loop.second, loop.motion, loop.precision, robust=True)
-        self.loops_accepted += len(loops)
-        self._dirty += len(loops)
-        off = max(
-            (pose.distance(self.graph.pose(x.second)) for pose, x in zip(before, loops, strict=True)),
-            default=0.0,
-        )
-        if off > 0.1 or self._dirty > 20:
-            self.graph.optimize(rounds=8)
-            self._dirty = 0
+            there = self.graph.pose(loop.first) @ loop.motion
+            off = max(off, there.distance(self.graph.pose(loop.second)))
+            edges.append(
+                self.graph.add_edge(loop.first, loop.second, loop.motion, loop.precision, robust=True)
+            )
+        self.loops += loops
+        self._waiting += len(loops)
+        if off < self.params.loop_tension and self._waiting < self.params.loop_batch:
+            return False
+        self._waiting = 0
+        self.graph.optimize(rounds=8, slack=max((self.graph.error_of(edge) for edge in edges), default=0.0))
+        return True
 
     def finish(self) -> None:
-        """Settle all that is open."""
-        self.graph.optimize()
+        """Settle all that is open; more scans may follow."""
+        self.graph.restart()
+        self._waiting = 0
 
     @property
-    def loops_rejected(self) -> int:
-        """Loops that no other confirmed."""
-        return self.loops.rejected
-
-    def summary(self) -> str:
-        return f"loops {self.loops_accepted}/{self.loops_rejected}"
+    def rejected(self) -> int:
+        """Loops that were found, but that no other one confirmed, or that the rest of the graph contradicts."""
+        edges = self.graph.edges
+        return self.search.rejected + int((self.graph.trust()[edges.robust] < 0.1).sum())
 
     def map(self) -> OccupancyGrid:
-        """The map, drawn from all keyframes."""
-        grid = OccupancyGrid(self.params)
-        grid.insert_all((k.scan, self.graph.pose(k.number)) for k in self.keyframes)
-        return grid
+        """The map: what is new is added, and all is drawn again after poses have moved. Yours to read, not to change."""
+        return self._drawing.draw(self.keyframes, self.graph.poses)
 
     def trajectory(self) -> Array:
         """(n, 4) `stamp x y theta`, a row for each scan."""
-        if not self._stamps:
+        if not self.stamps:
             return np.zeros((0, 4))
-        poses = compose(self.graph.poses[self._bases], np.array(self._motions))
-        return np.column_stack([self._stamps, poses])
+        return np.column_stack([self.stamps, compose(self.graph.poses[self.bases], np.array(self.motions))])

@@ -51,16 +51,20 @@ def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
     return first, second
 
 
-def trust_of(problem: Problem, errors: Array) -> Array:
+def squared_errors(problem: Problem, errors: Array) -> Array:
+    """(m,) squared size of the residuals in sigmas."""
+    return np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
+
+
+def trust_of(problem: Problem, errors: Array, scale: float = SCALE) -> Array:
     """(m,) weight of each edge: 1, or less for doubtful edges that disagree (Geman-McClure)."""
-    squared = np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
-    return np.where(problem.robust, (SCALE / (SCALE + squared)) ** 2, 1.0)
+    return np.where(problem.robust, (scale / (scale + squared_errors(problem, errors))) ** 2, 1.0)
 
 
-def cost(problem: Problem, errors: Array) -> float:
+def cost(problem: Problem, errors: Array, scale: float = SCALE) -> float:
     """The sum that is made small."""
-    squared = np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
-    return float(np.sum(np.where(problem.robust, SCALE * squared / (SCALE + squared), squared)))
+    squared = squared_errors(problem, errors)
+    return float(np.sum(np.where(problem.robust, scale * squared / (scale + squared), squared)))
 
 
 class Assembler:
@@ -107,23 +111,37 @@ def _blocks(problem: Problem, poses: Array, weights: Array, errors: Array) -> tu
     return blocks, np.einsum("mil,ml->mi", wa, errors), np.einsum("mil,ml->mi", wb, errors)
 
 
-def optimize(problem: Problem, start: Array, rounds: int = 20) -> tuple[Array, Array]:
-    """Poses (n, 3) of least cost near the start, node 0 held, and each edge's trust."""
+def optimize(problem: Problem, start: Array, rounds: int = 20, slack: float = 0.0) -> tuple[Array, Array]:
+    """Poses (n, 3) of least cost near the start, node 0 held, and each edge's trust.
+
+    With `slack` doubtful edges are first trusted up to that squared error, then less and less (graduated non-convexity,
+    Yang et al. 2020): a true loop after much drift looks false at first.
+    """
     poses, size = start.copy(), len(start)
     if not len(problem.i) or size < 2:
         return poses, np.ones(len(problem.i))
-    assembler, damping = Assembler(problem.i, problem.j, size), 1e-9
-    hold = np.zeros(3 * size)
+    assembler = Assembler(problem.i, problem.j, size)
+    scale = max(SCALE, slack)
+    while scale > SCALE:
+        poses = _descend(problem, poses, assembler, 2, scale)
+        scale = max(SCALE, scale / 8)
+    poses = _descend(problem, poses, assembler, rounds, SCALE)
+    poses[:, 2] = wrap_all(poses[:, 2])
+    return poses, trust_of(problem, residuals(problem, poses))
+
+
+def _descend(problem: Problem, poses: Array, assembler: Assembler, rounds: int, scale: float) -> Array:
+    """Up to so many damped Gauss-Newton steps (Levenberg-Marquardt)."""
+    hold, damping = np.zeros(3 * len(poses)), 1e-9
     hold[:3] = 1e12
     errors = residuals(problem, poses)
-    now = cost(problem, errors)
+    now = cost(problem, errors, scale)
     for _ in range(rounds):
-        blocks, gi, gj = _blocks(problem, poses, trust_of(problem, errors), errors)
-        right = gradient(problem.i, problem.j, gi, gj, size)
-        step = solve(assembler.matrix(blocks, hold + damping + 1e-9), right).reshape(-1, 3)
-        moved = poses - step
+        blocks, gi, gj = _blocks(problem, poses, trust_of(problem, errors, scale), errors)
+        right = gradient(problem.i, problem.j, gi, gj, len(poses))
+        moved = poses - solve(assembler.matrix(blocks, hold + damping + 1e-9), right).reshape(-1, 3)
         moved_errors = residuals(problem, moved)
-        then = cost(problem, moved_errors)
+        then = cost(problem, moved_errors, scale)
         if not then <= now:
             damping = max(damping, 1e-3) * 30
             if damping > 1e9:
@@ -133,8 +151,7 @@ def optimize(problem: Problem, start: Array, rounds: int = 20) -> tuple[Array, A
         poses, errors, now, damping = moved, moved_errors, then, damping * 0.1
         if done:
             break
-    poses[:, 2] = wrap_all(poses[:, 2])
-    return poses, trust_of(problem, errors)
+    return poses
 
 
 def chordal(problem: Problem, poses: Array) -> Array:

@@ -1,0 +1,38 @@
+"""Keeping the map in step with the keyframes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from coursekit.slam.grid import OccupancyGrid
+from coursekit.slam.keyframe import Keyframe
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2, wrap_all
+
+
+class MapDrawing:
+    """A grid, and the poses that its scans were drawn from."""
+
+    def __init__(self, params: SlamParameters) -> None:
+        self._params = params
+        self._grid = OccupancyGrid(params)
+        self._drawn = np.zeros((0, 3))
+
+    def draw(self, keyframes: Sequence[Keyframe], poses: Array) -> OccupancyGrid:
+        """The grid with all keyframes: new ones are added; all are drawn again when old ones have moved."""
+        if self._moved(poses):
+            self._grid, self._drawn = OccupancyGrid(self._params), np.zeros((0, 3))
+        for keyframe in keyframes[len(self._drawn) :]:
+            self._grid.insert(keyframe.scan, Pose2.of(poses[keyframe.number]))
+        self._drawn = poses.copy()
+        return self._grid
+
+    def _moved(self, poses: Array) -> bool:
+        """Whether a drawn pose is now elsewhere: a hundredth of a cell, or of a degree."""
+        change = poses[: len(self._drawn)] - self._drawn
+        if not len(change):
+            return False
+        far = np.abs(change[:, :2]).max() > 0.01 * self._params.resolution
+        return bool(far or np.abs(wrap_all(change[:, 2])).max() > 2e-4)

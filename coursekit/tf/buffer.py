@@ -115,7 +115,7 @@ class FrameBuffer:
         return True
 
     def clear(self) -> None:
-        """Forget all poses; the names of the frames stay known."""
+        """Forget all that moves; static frames and the names of all frames stay."""
         with self._lock:
             for cache in self.frames.values():
                 if cache is not None:

@@ -20,10 +20,14 @@ class FrameCache:
         self.name = name
         self.span_ns = span_ns
         self.static = static
-        self.clear()
+        self._empty()
 
     def clear(self) -> None:
-        """Forget the samples."""
+        """Forget the samples; a static frame stays where it is, because nobody would tell it again."""
+        if not self.static:
+            self._empty()
+
+    def _empty(self) -> None:
         self.stamps: list[int] = []
         self.poses: list[Pose] = []
         self.parents: list[str] = []

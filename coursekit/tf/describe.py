@@ -50,10 +50,10 @@ def as_dot(frames: Frames, authorities: Mapping[str, str], now: int = 0) -> str:
         if cache is None or cache.parent is None:
             continue
         parents[name] = cache.parent
-        old = f" ( {(now - cache.newest) / 1e9:.3f} sec old)" if now else ""
+        old = f"( {(now - cache.newest) / 1e9:.3f} sec old)" if now else ""
         lines.append(
             f'"{cache.parent}" -> "{name}"[label="Broadcaster: {authorities.get(name, NOBODY)}\\n'
-            f"Average rate: {rate(cache):.3f} Hz\\nMost recent transform: {seconds_text(cache.newest)}{old}\\n"
+            f"Average rate: {rate(cache):.3f} Hz\\nMost recent transform: {seconds_text(cache.newest)} {old}\\n"
             f'Buffer length: {(cache.newest - cache.oldest) / 1e9:.3f} sec\\n"];'
         )
     for name in frames:

@@ -92,28 +92,33 @@ def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:
     >>> [round(part, 3) for part in slerp((0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 1.0, 0.0), 0.5)]
     [0.0, 0.0, 0.707, 0.707]
     """
-    ai, aj, ak, aw = a
-    bi, bj, bk, bw = b
-    dot = ai * bi + aj * bj + ak * bk + aw * bw
-    sign = 1.0
-    if dot < 0.0:
-        dot, sign = -dot, -1.0
-    if dot >= 1.0:
-        return a
-    angle = acos(dot)
-    scale = 1.0 / sin(angle)
-    p = sin((1.0 - ratio) * angle) * scale
-    r = sin(ratio * angle) * scale * sign
-    return ai * p + bi * r, aj * p + bj * r, ak * p + bk * r, aw * p + bw * r
+    return interpolate((0.0, 0.0, 0.0, *a), (0.0, 0.0, 0.0, *b), ratio)[3:]
 
 
 def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
     """Part of the way from pose `a` to pose `b`: straight in position, `slerp` in attitude."""
-    x, y, z, *qa = a
-    bx, by, bz, *qb = b
-    turn = a[3:] if qa == qb else slerp(a[3:], b[3:], ratio)
+    x, y, z, i, j, k, w = a
+    bx, by, bz, bi, bj, bk, bw = b
     rest = 1.0 - ratio
-    return (rest * x + ratio * bx, rest * y + ratio * by, rest * z + ratio * bz, *turn)
+    dot = i * bi + j * bj + k * bk + w * bw
+    same = dot if dot >= 0.0 else -dot
+    if same >= 1.0:  # no turn; also for equal quaternions that rounding made a little long
+        return rest * x + ratio * bx, rest * y + ratio * by, rest * z + ratio * bz, i, j, k, w
+    angle = acos(same)
+    scale = 1.0 / sin(angle)
+    p = sin(rest * angle) * scale
+    r = sin(ratio * angle) * scale
+    if dot < 0.0:
+        r = -r
+    return (
+        rest * x + ratio * bx,
+        rest * y + ratio * by,
+        rest * z + ratio * bz,
+        p * i + r * bi,
+        p * j + r * bj,
+        p * k + r * bk,
+        p * w + r * bw,
+    )
 
 
 def canonical(pose: Pose) -> Pose:

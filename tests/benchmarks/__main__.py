@@ -35,6 +35,18 @@ def link_poses() -> None:
         print(f"| {name} axes | {' | '.join(cells)} | ≤ 20 µs |")
 
 
+def transforms() -> None:
+    """Print the table of lookups."""
+    print("\n| lookup_transform, every edge moves | coursekit | C++ tf2 (Python binding) | goal |")
+    print("|---|---|---|---|")
+    words = {"latest": "newest, after new data", "again": "the same once more", "between": "interpolated"}
+    for depth, times in json.loads(measure(sys.executable, "transforms.py")).items():
+        for kind, ours in times["ours"].items():
+            theirs = "not installed" if times["peer"] is None else f"{times['peer'][kind]:.1f} µs"
+            goal = {"5": "≤ 8 µs", "15": "≤ 15 µs"}[depth]
+            print(f"| depth {depth}, {words[kind]} | {ours:.1f} µs | {theirs} | {goal} |")
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))
@@ -47,6 +59,7 @@ def main() -> None:
     speed = float(measure(sys.executable, "virtual_nodes.py"))
     print(f"| twelve nodes at 30 Hz, virtual clock | {speed:.0f} × real time | has none | | ≥ 100 × |")
     link_poses()
+    transforms()
     if not peer:
         print("\nThe real rclpy is not here to compare with: `make conformance` installs it (Linux x86-64).")
 

@@ -134,10 +134,11 @@ def test_a_buffer_server_answers_clients(run, session):
     answers = []
 
     def ask():
+        from threading import Thread
+
         from rclpy.duration import Duration
         from rclpy.time import Time
         from tf2_ros import BufferClient, LookupException
-        from threading import Thread
 
         rclpy.init()
         node = rclpy.create_node("asker")

@@ -176,7 +176,8 @@ def test_unknown_frames(buffer):
 
 def test_names_that_no_frame_has(buffer):
     buffer.set("foo", "bar", S, at(1.0))
-    text = "Invalid argument \"/foo\" passed to lookupTransform argument target_frame - in tf2 frame_ids cannot start with a '/'"
+    start = 'Invalid argument "/foo" passed to lookupTransform argument target_frame - '
+    text = start + "in tf2 frame_ids cannot start with a '/'"
     fails(InvalidArgumentException, text, lambda: buffer.lookup("/foo", "bar"))
     text = 'Invalid argument "" passed to lookupTransform argument source_frame - in tf2 frame_ids cannot be empty'
     fails(InvalidArgumentException, text, lambda: buffer.lookup("foo", ""))
@@ -224,7 +225,12 @@ def test_a_loop(buffer):
 @pytest.mark.parametrize(
     ("parent", "child", "pose", "fault"),
     [
-        ("a", "a", IDENTITY, 'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a"'),
+        (
+            "a",
+            "a",
+            IDENTITY,
+            'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a"',
+        ),
         ("a", "", IDENTITY, "TF_NO_CHILD_FRAME_ID"),
         ("", "b", IDENTITY, "TF_NO_FRAME_ID"),
         ("a", "b", (math.nan, *IDENTITY[1:]), "TF_NAN_INPUT"),
@@ -250,9 +256,7 @@ def test_all_frames_as_text(buffer):
     buffer.set("map", "robot", 1 * S, at(1.0), "me")
     buffer.set("map", "robot", 2 * S, at(1.0), "me")
     buffer.set_static("robot", "laser", at(1.0), "me")
-    assert buffer.all_frames_as_string() == (
-        "Frame robot exists with parent map.\nFrame laser exists with parent robot.\n"
-    )
+    assert buffer.all_frames_as_string() == ("Frame robot exists with parent map.\nFrame laser exists with parent robot.\n")
     assert buffer.all_frames_as_yaml().splitlines()[:7] == [
         "robot: ",
         "  parent: 'map'",
@@ -266,10 +270,12 @@ def test_all_frames_as_text(buffer):
     assert '"map" -> "robot"[label="Broadcaster: me\\nAverage rate: 2.000 Hz' in buffer.all_frames_as_dot()
 
 
-def test_clearing_keeps_the_names(buffer):
+def test_clearing_keeps_names_and_static_frames(buffer):
     buffer.set("a", "b", S, at(1.0))
+    buffer.set_static("b", "c", at(1.0))
     buffer.clear()
-    assert list(buffer.frames) == ["b", "a"]
+    assert list(buffer.frames) == ["b", "a", "c"]
+    assert buffer.lookup("b", "c").pose[0] == 1.0
     with pytest.raises(ConnectivityException):
         buffer.lookup("a", "b")
 

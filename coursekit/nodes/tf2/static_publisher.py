@@ -72,7 +72,8 @@ class Wanted:
     def rotation(self) -> tuple[float, float, float, float]:
         """The quaternion x, y, z, w."""
         if self.seen(_ANGLES):
-            return quaternion_from_euler(*(self.numbers.get(name, 0.0) for name in _ANGLES))
+            roll, pitch, yaw = (self.numbers.get(name, 0.0) for name in _ANGLES)
+            return quaternion_from_euler(roll, pitch, yaw)
         x, y, z = (self.numbers.get(name, 0.0) for name in _QUATERNION[:3])
         return x, y, z, self.numbers.get("qw", 1.0)
 

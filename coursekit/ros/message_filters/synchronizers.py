@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import threading
 from collections.abc import Sequence
-from functools import reduce
 from typing import Any
 
 from rclpy.duration import Duration
@@ -42,7 +41,7 @@ class TimeSynchronizer(SimpleFilter):
         stamp = msg.header.stamp
         with self.lock:
             self._keep(my_queue, stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp), msg)
-            for common in sorted(reduce(set.intersection, [set(queue) for queue in self.queues])):
+            for common in sorted(set.intersection(*(set(queue) for queue in self.queues))):
                 self._release([common] * len(self.queues))
 
     def _keep(self, queue: Queue, stamp: Time, msg: Any) -> None:

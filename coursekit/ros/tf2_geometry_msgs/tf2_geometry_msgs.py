@@ -128,14 +128,15 @@ def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformSt
     return result
 
 
-for _type, _do in {
+_REGISTERED: dict[Any, Any] = {
     PointStamped: do_transform_point,
     Vector3Stamped: do_transform_vector3,
     PoseStamped: do_transform_pose_stamped,
     PoseWithCovarianceStamped: do_transform_pose_with_covariance_stamped,
     WrenchStamped: do_transform_wrench,
     PolygonStamped: do_transform_polygon_stamped,
-}.items():
+}
+for _type, _do in _REGISTERED.items():
     TransformRegistration().add(_type, _do)
     ConvertRegistration().add_to_msg(_type, to_msg_msg)
     ConvertRegistration().add_from_msg(_type, from_msg_msg)

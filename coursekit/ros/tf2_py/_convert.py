@@ -28,11 +28,10 @@ def nanoseconds(time: Any, what: str = "time") -> int:
 
 def pose_of(transform: Any, faults: tuple[str, str]) -> Pose:
     """The numbers of a geometry_msgs/Transform; TypeError with one of `faults` for parts of a wrong type."""
-    t: Any = transform.translation
-    r: Any = transform.rotation
-    if not isinstance(t, Vector3):
+    t, r = transform.translation, transform.rotation
+    if not issubclass(type(t), Vector3):
         raise TypeError(faults[0])
-    if not isinstance(r, Quaternion):
+    if not issubclass(type(r), Quaternion):
         raise TypeError(faults[1])
     return t._x, t._y, t._z, r._x, r._y, r._z, r._w
 

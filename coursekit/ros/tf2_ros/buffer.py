@@ -7,7 +7,7 @@ from typing import Any
 
 import rclpy
 from geometry_msgs.msg import TransformStamped
-from rclpy.clock import Clock, ClockType, JumpThreshold
+from rclpy.clock import Clock, ClockChange, ClockType, JumpThreshold, TimeJump
 from rclpy.duration import Duration
 from rclpy.node import Node
 from rclpy.task import Future
@@ -34,7 +34,7 @@ class Buffer(BufferCore, BufferInterface):
         BufferCore.__init__(self, cache_time)
         BufferInterface.__init__(self)
         self._new_data_callbacks: list[Callable[[], None]] = []
-        self._clock = Clock() if node is None else node.get_clock()
+        self._clock: Any = Clock() if node is None else node.get_clock()
         if node is not None:
             self.srv = node.create_service(FrameGraph, "tf2_frames", self._get_frames)
             back = JumpThreshold(min_forward=None, min_backward=Duration(seconds=-1), on_clock_change=True)
@@ -44,8 +44,10 @@ class Buffer(BufferCore, BufferInterface):
         response.frame_yaml = self.all_frames_as_yaml()
         return response
 
-    def _jumped(self, _jump: Any) -> None:
-        rclpy.logging.get_logger("tf2_buffer").warning("Detected jump back in time. Clearing TF buffer.")
+    def _jumped(self, jump: TimeJump) -> None:
+        same = jump.clock_change is ClockChange.ROS_TIME_NO_CHANGE
+        what = "jump back in time" if same else "time source change"
+        rclpy.logging.get_logger("tf2_buffer").warning(f"Detected {what}. Clearing TF buffer.")
         self.clear()
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:

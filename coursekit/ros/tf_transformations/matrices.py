@@ -42,8 +42,11 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
     m = np.asarray(matrix, dtype=np.float64)
     quaternion = quaternion_from_matrix(m)
     length = vector_norm(quaternion[:3])
-    direction = np.array(quaternion[:3]) / length if length else np.array((1.0, 0.0, 0.0))
-    point = np.linalg.pinv(np.identity(3) - m[:3, :3]) @ m[:3, 3]
+    if not length:
+        return 0.0, np.array((1.0, 0.0, 0.0)), np.zeros(3)
+    direction = np.array(quaternion[:3]) / length
+    chord = m[:3, 3] - direction * (direction @ m[:3, 3])  # between the origin and where it was turned to
+    point = (chord + np.cross(direction, chord) * quaternion[3] / length) / 2.0
     return 2.0 * math.atan2(length, quaternion[3]), direction, point
 
 

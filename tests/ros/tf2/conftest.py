@@ -1,0 +1,29 @@
+"""A session on the virtual clock, with rclpy started in it."""
+
+import pytest
+import rclpy
+
+from coursekit.core import streams
+from coursekit.core.session import Session
+
+
+@pytest.hookimpl(wrapper=True, trylast=True)
+def pytest_runtest_call(item):
+    """pytest changes sys.stdout between a fixture and its test; processes keep theirs."""
+    streams.install()
+    return (yield)
+
+
+@pytest.fixture
+def session():
+    with Session(virtual=True).use() as made:
+        yield made
+
+
+@pytest.fixture
+def node(session):
+    rclpy.init()
+    made = rclpy.create_node("tester")
+    yield made
+    made.destroy_node()
+    rclpy.try_shutdown()

@@ -14,6 +14,15 @@ class SlamParameters:
     0.1
     """
 
+    def __post_init__(self) -> None:
+        """Refuse what would divide by zero."""
+        for name in (
+            "point_spacing", "cell", "field_sigma", "field_reach", "angle_step", "range_sigma", "loop_cell",
+            "loop_angle_step", "resolution", "blind_sigma", "submap_keyframes", "search_distance", "search_angle",
+        ):  # fmt: skip
+            if not 0 < getattr(self, name) < math.inf:
+                raise ValueError(f"SlamParameters: {name} must be above 0, not {getattr(self, name)}")
+
     # scans
     range_min: float = 0.05
     """Nearer returns are the robot itself or dust."""

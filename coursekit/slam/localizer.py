@@ -1,0 +1,94 @@
+"""Following the robot in a map that is finished."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from coursekit.slam.frontend import Tracker
+from coursekit.slam.grid import OccupancyGrid
+from coursekit.slam.keyframe import Keyframe
+from coursekit.slam.loop_field import LoopField
+from coursekit.slam.matcher import sample
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.refine import refine
+from coursekit.slam.scan import Scan
+from coursekit.slam.slam import Result
+from coursekit.slam.submap import Submap
+from coursekit.slam.submaps import map_submap, submap_of
+
+
+class Localizer:
+    """Tracks the robot against one map; never changes it. In ROS 2: slam_toolbox's localization mode."""
+
+    def __init__(self, submap: Submap, frame: Pose2, params: SlamParameters) -> None:
+        if not submap.count:
+            raise ValueError("the map holds no walls: nothing to localise against")
+        self.params = params
+        self._submap, self._frame = submap, frame
+        self._tracker = Tracker(params)
+        self._tracker.start(submap, submap.anchor, Pose2())
+        self._field: LoopField | None = None
+        self.lost = 0
+        """Scans without a match since the last good one."""
+
+    @classmethod
+    def from_keyframes(cls, keyframes: Sequence[Keyframe], poses: Array, params: SlamParameters) -> Localizer:
+        """In the map of a finished SLAM: `Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)`."""
+        if not keyframes:
+            raise ValueError("no keyframes: nothing to localise against")
+        return cls(submap_of(keyframes, range(len(keyframes)), poses, params), Pose2.of(poses[0]), params)
+
+    @classmethod
+    def from_grid(cls, grid: OccupancyGrid, params: SlamParameters) -> Localizer:
+        """In a drawn map, whose walls are the cells above 65 %."""
+        return cls.from_cells(grid.cells(), grid.resolution, grid.origin, params)
+
+    @classmethod
+    def from_cells(
+        cls, cells: np.ndarray, resolution: float, origin: tuple[float, float], params: SlamParameters
+    ) -> Localizer:
+        """In a map as nav_msgs/OccupancyGrid has it: cells (rows, columns) 0 to 100, row 0 the lowest y."""
+        rows, columns = np.nonzero(cells >= 65)
+        points = (np.stack([columns, rows], axis=1) + 0.5) * resolution + np.array(origin)
+        return cls(map_submap(points, params), Pose2(), params)
+
+    @property
+    def pose(self) -> Pose2:
+        """Where the robot is in the map."""
+        return self._frame @ self._tracker.pose
+
+    def set_pose(self, pose: Pose2) -> None:
+        """Put the robot somewhere, as /initialpose does."""
+        self._tracker.start(self._submap, self._submap.anchor, self._frame.to(pose))
+
+    def add(self, scan: Scan, odometry: Pose2 | None = None) -> Result:
+        """Take the next scan."""
+        found, score, accepted = self._tracker.track(scan, odometry)
+        self.lost = 0 if accepted else self.lost + 1
+        return Result(self.pose, score, accepted, found.degeneracy)
+
+    def find(
+        self, scan: Scan, near: Pose2 | None = None, distance: float | None = None
+    ) -> tuple[Pose2, float]:
+        """Look for the robot in the whole map, or within `distance` [m] of a pose, with any heading.
+
+        Returns the pose and its score, and goes on from there; a score of 0 means that it was not found.
+        """
+        p, points = self.params, self._submap.points[: self._submap.count]
+        if self._field is None:
+            self._field = LoopField(points, p.loop_cell)
+        low, high = points.min(axis=0), points.max(axis=0)
+        middle = Pose2.of((*(low + high) / 2, 0.0))
+        guess = self._frame.to(near) if near is not None else middle
+        reach = distance if distance is not None else float((high - low).max()) / 2
+        pose, score = self._field.find(
+            sample(scan.points, 100), guess, reach, math.pi, p.loop_angle_step, p.minimum_score
+        )
+        if score > 0:
+            found = refine(scan.points, self._submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
+            self.set_pose(self._frame @ found.pose)
+        return (self.pose, score) if score > 0 else (guess, 0.0)

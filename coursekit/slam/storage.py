@@ -1,0 +1,134 @@
+"""Keeping a SLAM session in a file: plain arrays in a .npz, nothing in it is ever run."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from coursekit.slam.keyframe import Keyframe
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Pose2
+from coursekit.slam.scan import Scan
+from coursekit.slam.slam import Slam
+from coursekit.slam.submaps import around, cover
+
+FORMAT = 1
+LARGEST = 2 << 30
+"""Bytes that a session may have when unpacked."""
+
+
+def save(slam: Slam, path: str | Path) -> Path:
+    """Write a session to PATH (.npz is added when missing); returns the full name. In ROS 2: serialize_map."""
+    scans = [keyframe.scan for keyframe in slam.keyframes]
+    edges = slam.graph.edges
+    none = np.zeros((0, 2))
+    arrays: dict[str, Any] = {
+        "format": np.array(FORMAT),
+        "parameters": np.array(json.dumps(dataclasses.asdict(slam.params))),
+        "poses": slam.graph.poses,
+        "pairs": np.stack([edges.i, edges.j], axis=1),
+        "edge_motions": edges.z,
+        "precisions": edges.precision,
+        "robust": edges.robust,
+        "scan_stamps": np.array([scan.stamp for scan in scans]),
+        "origins": np.array([tuple(scan.origin) for scan in scans]).reshape(-1, 3),
+        "hits": np.concatenate([none, *(scan.hits for scan in scans)]),
+        "misses": np.concatenate([none, *(scan.misses for scan in scans)]),
+        "hit_counts": np.array([len(scan.hits) for scan in scans], dtype=np.int64),
+        "miss_counts": np.array([len(scan.misses) for scan in scans], dtype=np.int64),
+        "stamps": np.array(slam.stamps),
+        "bases": np.array(slam.bases, dtype=np.int64),
+        "motions": np.array(slam.motions).reshape(-1, 3),
+        "now": np.array(tuple(slam.pose)),
+    }
+    file = Path(path)
+    file = file if file.suffix == ".npz" else file.with_name(file.name + ".npz")
+    with file.open("wb") as stream:
+        np.savez_compressed(stream, **arrays)
+    return file.resolve()
+
+
+def load(path: str | Path, at: Pose2 | None = None) -> Slam:
+    """Read a session and make it ready to go on, from where it was or from the pose `at`. In ROS 2: deserialize_map.
+
+    Raises FileNotFoundError, or ValueError when the file is no saved session.
+    """
+    file = Path(path)
+    if not file.exists() and file.suffix != ".npz":
+        file = file.with_name(file.name + ".npz")
+    if not file.exists():
+        raise FileNotFoundError(f"no file {file}: a session is saved with coursekit.slam.storage.save")
+    try:
+        with zipfile.ZipFile(file) as packed:
+            if sum(item.file_size for item in packed.infolist()) > LARGEST:
+                raise ValueError("it would fill the memory")
+        with np.load(file, allow_pickle=False) as archive:
+            data = {name: archive[name] for name in archive.files}
+        return _restore(data, at)
+    except (OSError, EOFError, KeyError, IndexError, TypeError, ValueError, zipfile.BadZipFile) as fault:
+        raise ValueError(f"{file} is no saved SLAM session, or is damaged: {fault}") from fault
+
+
+def _restore(data: dict[str, Any], at: Pose2 | None) -> Slam:
+    """A session from its arrays."""
+    if int(data["format"]) != FORMAT:
+        raise ValueError(f"its format is {int(data['format'])}, this coursekit reads {FORMAT}")
+    slam = Slam(_parameters(str(data["parameters"])))
+    _restore_graph(slam, data)
+    for number, scan in enumerate(_scans(slam.params, data)):
+        slam.keyframes.append(Keyframe(number, scan))
+    if len(slam.keyframes) != slam.graph.size:
+        raise ValueError(f"{slam.graph.size} poses, but {len(slam.keyframes)} keyframes")
+    slam.stamps = [float(stamp) for stamp in data["stamps"]]
+    slam.bases = [int(base) for base in data["bases"]]
+    if any(not 0 <= base < slam.graph.size for base in slam.bases) or len(slam.bases) != len(slam.stamps):
+        raise ValueError("its scans name keyframes that it does not have")
+    slam.motions = [Pose2.of(motion) for motion in data["motions"]]
+    if slam.keyframes:
+        resume(slam, at or Pose2.of(data["now"]))
+    return slam
+
+
+def resume(slam: Slam, at: Pose2) -> None:
+    """Go on from a pose in the map: the next keyframe is tied to the nearest old one."""
+    poses = slam.graph.poses
+    for submap in cover(slam.keyframes, poses, slam.params):
+        if submap.anchor not in {known.anchor for known in slam.search.submaps}:
+            slam.search.add(submap)
+    here = around(slam.keyframes, poses, at, slam.params)
+    slam.tracker.start(here, here.anchor, slam.graph.pose(here.anchor).to(at))
+
+
+def _parameters(text: str) -> SlamParameters:
+    """Parameters from JSON; names that this version does not know are left out."""
+    known = {item.name for item in dataclasses.fields(SlamParameters)}
+    values: dict[str, Any] = {}
+    for name, value in json.loads(text).items():
+        if name in known:
+            values[name] = tuple(value) if isinstance(value, list) else value
+    return SlamParameters(**values)
+
+
+def _restore_graph(slam: Slam, data: dict[str, Any]) -> None:
+    """Nodes and edges."""
+    for pose in data["poses"]:
+        slam.graph.add_node(Pose2.of(pose))
+    rows = zip(data["pairs"], data["edge_motions"], data["precisions"], data["robust"], strict=True)
+    for (first, second), motion, precision, robust in rows:
+        slam.graph.add_edge(int(first), int(second), Pose2.of(motion), precision, bool(robust))
+
+
+def _scans(params: SlamParameters, data: dict[str, Any]) -> list[Scan]:
+    """The keyframes' scans."""
+    hits = np.split(data["hits"], np.cumsum(data["hit_counts"])[:-1])
+    misses = np.split(data["misses"], np.cumsum(data["miss_counts"])[:-1])
+    rows = zip(data["scan_stamps"], data["origins"], hits, misses, strict=False)
+    return [
+        Scan.from_points(hit, params, origin=Pose2.of(origin), stamp=float(stamp), misses=miss)
+        for stamp, origin, hit, miss in rows
+    ]

@@ -1,0 +1,50 @@
+"""Submaps from keyframes whose poses are known: to go on after loading, and to localise in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from coursekit.slam.keyframe import Keyframe
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.scan import Scan
+from coursekit.slam.submap import Submap
+
+
+def submap_of(
+    keyframes: Sequence[Keyframe], numbers: Iterable[int], poses: Array, params: SlamParameters
+) -> Submap:
+    """One submap of these keyframes, in the frame of the first."""
+    chosen = list(numbers)
+    frame = Pose2.of(poses[chosen[0]])
+    submap = Submap(params, chosen[0])
+    for number in chosen:
+        submap.members[number] = frame.to(Pose2.of(poses[number]))
+        submap.insert(keyframes[number].scan, submap.members[number])
+    return submap
+
+
+def cover(keyframes: Sequence[Keyframe], poses: Array, params: SlamParameters) -> list[Submap]:
+    """Finished submaps that overlap by half and hold every keyframe, as mapping would have left them."""
+    size, submaps = params.submap_keyframes, []
+    for first in range(0, len(keyframes), max(size // 2, 1)):
+        submaps.append(submap_of(keyframes, range(first, min(first + size, len(keyframes))), poses, params))
+        submaps[-1].finish()
+    return submaps
+
+
+def around(keyframes: Sequence[Keyframe], poses: Array, place: Pose2, params: SlamParameters) -> Submap:
+    """A submap of the keyframes nearest to a place, not yet full."""
+    gaps = np.hypot(poses[:, 0] - place.x, poses[:, 1] - place.y)
+    nearest = np.argsort(gaps, kind="stable")[: max(params.submap_keyframes // 2 - 1, 1)]
+    return submap_of(keyframes, (int(number) for number in nearest), poses, params)
+
+
+def map_submap(points: Array, params: SlamParameters) -> Submap:
+    """One submap of bare points (n, 2), such as the walls of a drawn map; its frame is the map's."""
+    submap = Submap(params)
+    submap.members[0] = Pose2()
+    submap.insert(Scan.from_points(points, params), Pose2())
+    return submap

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -79,7 +80,7 @@ class OccupancyGrid:
 
     def value_at(self, x: float, y: float) -> int:
         """The cell at a position [m]: -1 unknown or outside, else 0 to 100."""
-        j, i = int((x - self.origin[0]) // self.resolution), int((y - self.origin[1]) // self.resolution)
+        j, i = (math.floor((at - corner) / self.resolution) for at, corner in zip((x, y), self.origin, strict=True))
         if not (0 <= i < self.log_odds.shape[0] and 0 <= j < self.log_odds.shape[1]):
             return -1
         odds = float(self.log_odds[i, j])

@@ -146,7 +146,8 @@ def test_doubled_retyped_and_nameless_cells_are_mended(tmp_path):
     stub = {**answer, "source": "raise NotImplementedError()"}
     nameless = {**answer, "metadata": {}}
     retyped = {**answer, "cell_type": "markdown"}
-    for name, found in {"doubled": [answer, stub, check], "nameless": [nameless, check], "retyped": [retyped, check]}.items():
+    shapes = {"doubled": [answer, stub, check], "nameless": [nameless, check], "retyped": [retyped, check]}
+    for name, found in shapes.items():
         marked = grade(tmp_path / name, "", cells=found)
         assert marked.total() == 1, (name, marked)
         assert marked.notes, name

@@ -1,0 +1,192 @@
+"""Maps as files: a description (.yaml) and a picture beside it, as nav2's map server reads and its map saver writes them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import yaml
+
+from coursekit.nav.map_cells import FREE_BELOW, MODES, OCCUPIED_ABOVE, cells_of, picture_of
+from coursekit.nav.map_error import MapError
+from coursekit.nav.map_picture import FORMATS, read_picture, write_picture
+
+MAX_DESCRIPTION_BYTES = 65536
+_CURE_KEYS = "a description needs image, resolution, origin, negate, occupied_thresh and free_thresh"
+
+
+@dataclass(frozen=True)
+class GridMap:
+    """Cells int8 (rows, columns), row 0 at the smallest y: 0 free ... 100 occupied, -1 unknown.
+
+    `resolution` is metres a cell; `origin` is (x, y, yaw) of the corner of cell (0, 0) in metres and radians.
+    """
+
+    cells: np.ndarray
+    resolution: float
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class MapDescription:
+    """What a map's .yaml says; `image` is the picture's path in full."""
+
+    image: Path
+    resolution: float
+    origin: tuple[float, float, float]
+    negate: bool = False
+    occupied_thresh: float = OCCUPIED_ABOVE
+    free_thresh: float = FREE_BELOW
+    mode: str = "trinary"
+
+
+def load_map(path: str | Path) -> GridMap:
+    """The map of a .yaml file; MapError when the description or its picture is no good."""
+    return load_picture(read_description(path))
+
+
+def load_picture(description: MapDescription) -> GridMap:
+    """The map of a description; MapError (part 'picture') when the picture cannot be read."""
+    shades = read_picture(description.image)
+    cells = cells_of(
+        shades,
+        mode=description.mode,
+        negate=description.negate,
+        occupied_thresh=description.occupied_thresh,
+        free_thresh=description.free_thresh,
+    )
+    return GridMap(np.ascontiguousarray(cells[::-1]), description.resolution, description.origin)
+
+
+def save_map(
+    path: str | Path,
+    grid: GridMap,
+    *,
+    mode: str = "trinary",
+    image_format: str = "",
+    occupied_thresh: float = OCCUPIED_ABOVE,
+    free_thresh: float = FREE_BELOW,
+) -> tuple[Path, Path]:
+    """Write PATH.yaml and its picture; returns both names in full.
+
+    The format is pgm, and png in mode 'scale', unless one is given. A PATH that ends in .yaml loses that ending first.
+    Raises MapError for an empty map and for settings that do not go together, OSError when a file cannot be written.
+    """
+    text = str(path)
+    stem = Path(text[:-5] if text.endswith(".yaml") else text).absolute()
+    kind = image_format.lower() or ("png" if mode == "scale" else "pgm")
+    _check_settings(str(stem), mode, kind, occupied_thresh, free_thresh)
+    if not grid.cells.size:
+        raise MapError(str(stem), "the map is empty", "save it once a map has been made")
+    cells = np.asarray(grid.cells)[::-1]
+    shades = picture_of(cells, mode=mode, occupied_thresh=occupied_thresh, free_thresh=free_thresh)
+    picture, description = Path(f"{stem}.{kind}"), Path(f"{stem}.yaml")
+    write_picture(picture, shades)
+    description.write_text(_described(picture.name, grid, mode, occupied_thresh, free_thresh), encoding="utf-8")
+    return description, picture
+
+
+def _described(image: str, grid: GridMap, mode: str, occupied: float, free: float) -> str:
+    x, y, yaw = grid.origin
+    name = yaml.safe_dump(image, width=10_000, allow_unicode=True).partition("\n")[0]
+    return (
+        f"image: {name}\nmode: {mode}\nresolution: {grid.resolution:.6g}\norigin: [{x:.6g}, {y:.6g}, {yaw:.6g}]\n"
+        f"negate: 0\noccupied_thresh: {occupied:.6g}\nfree_thresh: {free:.6g}\n"
+    )
+
+
+def _check_settings(file: str, mode: str, kind: str, occupied: float, free: float) -> None:
+    _check_mode(file, mode)
+    if kind not in FORMATS:
+        raise MapError(file, f"unknown picture format '{kind}'", f"use one of: {', '.join(FORMATS)}")
+    if mode == "scale" and kind != "png":
+        raise MapError(file, f"mode 'scale' needs transparency, which {kind} has not", "use the format png")
+    _check_thresholds(file, mode, occupied, free)
+
+
+# -- reading the description
+
+
+def read_description(path: str | Path) -> MapDescription:
+    """What a .yaml file says; MapError (part 'metadata') with the file, the fault and its cure."""
+    file = Path(path)
+    entries = _entries(file)
+    name = str(file)
+    image = entries.get("image")
+    if not isinstance(image, str) or not image:
+        raise MapError(name, "the key 'image' is missing or no file name", _CURE_KEYS)
+    mode = entries.get("mode", "trinary")
+    _check_mode(name, mode)
+    resolution = _number(name, entries, "resolution")
+    if resolution <= 0:
+        raise MapError(name, f"resolution is {resolution:g}", "it is metres a cell, for example 0.05")
+    occupied, free = _number(name, entries, "occupied_thresh"), _number(name, entries, "free_thresh")
+    _check_thresholds(name, mode, occupied, free)
+    where = file.absolute().parent / image
+    return MapDescription(where, resolution, _origin(name, entries), _negate(name, entries), occupied, free, mode)
+
+
+def _entries(file: Path) -> dict[str, Any]:
+    name = str(file)
+    try:
+        with file.open("rb") as stream:
+            data = stream.read(MAX_DESCRIPTION_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise MapError(name, f"cannot be read: {reason}", "name the .yaml file of a map") from None
+    if len(data) > MAX_DESCRIPTION_BYTES:
+        raise MapError(name, "is too large for a map's description", "name the .yaml file, not the picture")
+    try:
+        entries = yaml.safe_load(data.decode("utf-8"))
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        first = " ".join(str(error).split())[:200]
+        raise MapError(name, f"is no YAML: {first}", _CURE_KEYS) from None
+    if not isinstance(entries, dict):
+        raise MapError(name, "holds no 'key: value' lines", _CURE_KEYS)
+    return entries
+
+
+def _number(file: str, entries: dict[str, Any], key: str) -> float:
+    if key not in entries:
+        raise MapError(file, f"the key '{key}' is missing", _CURE_KEYS)
+    return _finite(file, key, entries[key])
+
+
+def _finite(file: str, key: str, value: Any) -> float:
+    try:
+        number = math.nan if isinstance(value, bool) else float(value)
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise MapError(file, f"{key} is {str(value)[:40]!r}, not a number", f"write for example '{key}: 0.05'")
+    return number
+
+
+def _origin(file: str, entries: dict[str, Any]) -> tuple[float, float, float]:
+    value = entries.get("origin")
+    if not isinstance(value, list) or len(value) != 3:
+        raise MapError(file, "origin is not three numbers", "write 'origin: [x, y, yaw]' in metres and radians")
+    x, y, yaw = (_finite(file, "origin", one) for one in value)
+    return x, y, yaw
+
+
+def _negate(file: str, entries: dict[str, Any]) -> bool:
+    value = entries.get("negate")
+    if value not in (0, 1):
+        raise MapError(file, f"negate is {str(value)[:40]!r}", "write 'negate: 0' (dark is occupied) or 'negate: 1'")
+    return bool(value)
+
+
+def _check_mode(file: str, mode: Any) -> None:
+    if not isinstance(mode, str) or mode not in MODES:
+        raise MapError(file, f"unknown mode {str(mode)[:40]!r}", f"use one of: {', '.join(MODES)}")
+
+
+def _check_thresholds(file: str, mode: str, occupied: float, free: float) -> None:
+    fine = 0.0 <= free <= occupied <= 1.0 and (mode != "scale" or free < occupied)
+    if not fine:
+        what = f"free_thresh {free:g} and occupied_thresh {occupied:g} do not go together"
+        raise MapError(file, what, f"0 <= free < occupied <= 1, for example {FREE_BELOW} and {OCCUPIED_ABOVE}")

@@ -1,4 +1,4 @@
-"""The command `coursekit`: lab, doctor, progress, course, slam, slam-error and grade."""
+"""The command `coursekit`: lab, doctor, progress, course, slam, slam-error, release and grade."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`coursekit grade`: mark a folder of submissions."""
+"""`coursekit release` and `coursekit grade`: what teachers hand out and how they mark it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,11 @@ from pathlib import Path
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the teacher's commands."""
+    release = commands.add_parser("release", help="write the notebooks that students get: without solutions")
+    release.add_argument("chapters", nargs="*", help="which, such as 02 or 02_topics (default: all)")
+    release.add_argument("--out", type=Path, default=Path("release"), help="the folder (default: release)")
+    release.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
+    release.set_defaults(main=run_release)
     grade = commands.add_parser("grade", help="mark a folder of submissions in sandboxes, and write a table")
     grade.add_argument("folder", type=Path, help="a folder, notebook or zip for each student in it")
     grade.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions at the same time")
@@ -17,6 +22,22 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     grade.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     grade.add_argument("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
     grade.set_defaults(main=run_grade)
+
+
+def run_release(args: argparse.Namespace) -> int:
+    """Release, and say what was written."""
+    from coursekit.grade.release import release
+
+    from .coursekit import notebooks_folder
+
+    folder = args.notebooks or notebooks_folder()
+    known = sorted(folder.glob("*.ipynb"))
+    chosen = [one for one in known if not args.chapters or any(one.name.startswith(word) for word in args.chapters)]
+    if not chosen:
+        raise SystemExit(f"No chapter begins with {', '.join(args.chapters)}. There are: {', '.join(p.stem for p in known)}")
+    for written in release(chosen, args.out.resolve()):
+        print(written.name)
+    return 0
 
 
 def run_grade(args: argparse.Namespace) -> int:

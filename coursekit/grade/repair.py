@@ -100,7 +100,7 @@ def _answer(
 
 def _cell_before_check(name: str, theirs: list[dict[str, Any]]) -> str:
     """An unnamed cell right above the check of the same exercise."""
-    exercise = re.sub(r"[-_](solution|answer)$", "", name)
+    exercise = name.replace("-", ".")
     for before, cell in itertools.pairwise(theirs):
         found = _CHECK.search(_text(cell))
         if found and found["name"] == exercise and not _id(before):

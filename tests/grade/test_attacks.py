@@ -89,8 +89,8 @@ NEEDS_BUBBLEWRAP = {"reading the hidden tests", "writing to the host", "the netw
 
 
 def cells(answer):
-    grading = {"grade": False, "solution": True, "locked": False, "grade_id": "ch02.q1", "schema_version": 3, "task": False}
-    check = {**grading, "grade": True, "solution": False, "locked": True, "grade_id": "check-ch02.q1", "points": 1}
+    grading = {"grade": False, "solution": True, "locked": False, "grade_id": "ch02-q1", "schema_version": 3, "task": False}
+    check = {**grading, "grade": True, "solution": False, "locked": True, "grade_id": "ch02-q1-check", "points": 1}
     return {
         "nbformat": 4,
         "nbformat_minor": 5,

@@ -48,7 +48,7 @@ def test_wrong_answers_fail_with_help_and_the_solution_earns_all_points(module, 
         with client.setup_kernel():
             for index, cell in enumerate(notebook.cells):
                 if grading(cell).get("solution"):
-                    fail_first(client, notebook.cells, index, answers.get(grading(cell)["grade_id"], []))
+                    fail_first(client, notebook.cells, index, answers.get(grading(cell)["grade_id"].replace("-", "."), []))
                 client.execute_cell(cell, index)
                 if grading(cell).get("grade"):
                     assert verdict_of(cell).startswith("✔"), verdict_of(cell)
@@ -61,7 +61,7 @@ def fail_first(client, cells, index, texts):
         copies = [nbformat.from_dict(dict(cell)) for cell in cells[index:]]
         copies[0].source = text
         for offset, cell in enumerate(copies):
-            is_check = grading(cell).get("grade_id") == f"{name}.check"
+            is_check = grading(cell).get("grade_id") == f"{name}-check"
             try:
                 client.execute_cell(cell, index + offset)
             except CellExecutionError as error:

@@ -1,0 +1,38 @@
+"""Between maps in memory and nav_msgs/OccupancyGrid."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from nav_msgs.msg import OccupancyGrid
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+from coursekit.nav.map_file import GridMap
+
+MAP_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+def to_message(grid: GridMap, frame: str, stamp: Any) -> OccupancyGrid:
+    """The map as a message; its origin's yaw becomes a quaternion."""
+    msg = OccupancyGrid()
+    msg.header.frame_id = frame
+    msg.header.stamp = msg.info.map_load_time = stamp
+    msg.info.resolution = grid.resolution
+    msg.info.height, msg.info.width = grid.cells.shape
+    x, y, yaw = grid.origin
+    pose = msg.info.origin
+    pose.position.x, pose.position.y = x, y
+    pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+    msg.data = grid.cells.ravel().tolist()
+    return msg
+
+
+def from_message(msg: OccupancyGrid) -> GridMap:
+    """The map of a message; ValueError when its data are not width x height."""
+    cells = np.array(msg.data, dtype=np.int8).reshape(msg.info.height, msg.info.width)
+    pose = msg.info.origin
+    q = pose.orientation
+    yaw = math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
+    return GridMap(cells, float(f"{msg.info.resolution:.6g}"), (pose.position.x, pose.position.y, yaw))

@@ -1,0 +1,141 @@
+"""The map server, the map saver and the lifecycle manager, on the virtual clock."""
+
+import numpy as np
+import pytest
+import rclpy
+from nav2_msgs.srv import LoadMap, ManageLifecycleNodes
+from nav_msgs.msg import OccupancyGrid
+from nav_msgs.srv import GetMap
+from std_srvs.srv import Trigger
+
+from coursekit.nav.map_file import GridMap, save_map
+from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+
+CELLS = np.array([[0, 100, -1], [-1, 0, 0]], dtype=np.int8)
+
+
+class Friend:
+    """A node that hears maps and asks services."""
+
+    def __init__(self, session):
+        self.session = session
+        self.context = rclpy.context.Context()
+        rclpy.init(context=self.context)
+        self.node = rclpy.create_node("friend", context=self.context)
+        self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+        self.maps = []
+
+    def listen(self, topic="map"):
+        self.node.create_subscription(OccupancyGrid, topic, self.maps.append, MAP_QOS)
+        self.spin()
+
+    def spin(self, seconds=0.2):
+        until = self.session.clock.steady() + round(seconds * 1e9)
+        while self.session.clock.steady() < until:
+            self.executor.spin_once(timeout_sec=0.01)
+
+    def ask(self, kind, name, **request):
+        client = self.node.create_client(kind, name)
+        assert client.wait_for_service(5.0)
+        future = client.call_async(kind.Request(**request))
+        self.executor.spin_until_future_complete(future, 10.0)
+        return future.result()
+
+    def manage(self, command):
+        return self.ask(ManageLifecycleNodes, "lifecycle_manager/manage_nodes", command=command).success
+
+    @property
+    def active(self):
+        return self.ask(Trigger, "lifecycle_manager/is_active").success
+
+
+@pytest.fixture
+def friend(session):
+    made = Friend(session)
+    yield made
+    rclpy.shutdown(context=made.context)
+
+
+@pytest.fixture
+def house(tmp_path):
+    return save_map(tmp_path / "house", GridMap(CELLS, 0.05, (-1.0, 2.0, 0.5)))[0]
+
+
+@pytest.fixture
+def serve(run, session):
+    def start(file, *more, autostart="true"):
+        server = run("nav2_map_server", "map_server", "--ros-args", "-p", f"yaml_filename:={file}", *more)
+        names = ("-p", "node_names:=[map_server]", "-p", f"autostart:={autostart}")
+        manager = run("nav2_lifecycle_manager", "lifecycle_manager", "--ros-args", *names)
+        session.clock.sleep(1.0)
+        return server, manager
+
+    return start
+
+
+def test_the_manager_activates_the_server_and_a_late_subscriber_gets_the_map(serve, friend, session, house):
+    server, manager = serve(house)
+    assert "Managed nodes are active" in manager.output and friend.active
+    session.clock.sleep(5.0)
+    friend.listen()
+    (msg,) = friend.maps
+    grid = from_message(msg)
+    assert grid.cells.tolist() == CELLS.tolist()
+    assert (grid.resolution, grid.origin) == (0.05, pytest.approx((-1.0, 2.0, 0.5)))
+    assert msg.header.frame_id == "map"
+    for process in (manager, server):
+        process.interrupt()
+        assert process.wait(2.0) == 0
+
+
+def test_topic_and_frame_are_parameters(serve, friend, house):
+    serve(house, "-p", "topic_name:=plan", "-p", "frame_id:=world")
+    friend.listen("plan")
+    assert [msg.header.frame_id for msg in friend.maps] == ["world"]
+
+
+def test_nothing_is_served_before_the_server_is_active(serve, friend, house):
+    serve(house, autostart="false")
+    friend.listen()
+    assert friend.maps == [] and not friend.active
+    assert friend.manage(0) and friend.active
+    friend.spin()
+    assert len(friend.maps) == 1
+
+
+def test_the_manager_pauses_resumes_resets_and_shuts_down(serve, friend, house, ros2):
+    serve(house)
+    for command, state in ((1, "inactive [2]"), (2, "active [3]"), (3, "unconfigured [1]"), (0, "active [3]")):
+        assert friend.manage(command)
+        assert ros2("lifecycle", "get", "/map_server").strip() == state
+    assert friend.manage(4) and not friend.active
+    assert ros2("lifecycle", "get", "/map_server").strip() == "finalized [4]"
+    assert not friend.manage(9)
+
+
+def test_a_server_without_its_map_is_told_and_bringup_ends(serve, friend, tmp_path):
+    server, manager = serve(tmp_path / "none.yaml")
+    assert "none.yaml: cannot be read: No such file or directory" in server.output
+    assert "Failed to change state for node: map_server" in manager.output
+    assert not friend.active
+
+
+def test_get_map_answers_the_map(serve, friend, house):
+    serve(house)
+    assert from_message(friend.ask(GetMap, "map_server/map").map).cells.tolist() == CELLS.tolist()
+
+
+def test_load_map_answers_with_the_code_of_the_fault_and_keeps_the_map(serve, friend, house, tmp_path):
+    serve(house)
+    friend.listen()
+    (tmp_path / "bare.yaml").write_text(house.read_text().replace("house.pgm", "none.pgm"))
+    files = {"": 1, str(tmp_path / "bare.yaml"): 2, str(tmp_path / "none.yaml"): 3}
+    for file, code in files.items():
+        assert friend.ask(LoadMap, "map_server/load_map", map_url=file).result == code
+    assert len(friend.maps) == 1
+    save_map(tmp_path / "flat", GridMap(np.zeros((1, 2), dtype=np.int8), 0.1))
+    answer = friend.ask(LoadMap, "map_server/load_map", map_url=str(tmp_path / "flat.yaml"))
+    friend.spin()
+    assert answer.result == 0 and list(answer.map.data) == [0, 0]
+    assert [list(msg.data) for msg in friend.maps[1:]] == [[0, 0]]

@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 import rclpy
-from nav2_msgs.srv import LoadMap, ManageLifecycleNodes
+from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.srv import ChangeState
+from nav2_msgs.srv import LoadMap, ManageLifecycleNodes, SaveMap
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
 from std_srvs.srv import Trigger
 
-from coursekit.nav.map_file import GridMap, save_map
+from coursekit.nav.map_file import GridMap, load_map, save_map
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 
 CELLS = np.array([[0, 100, -1], [-1, 0, 0]], dtype=np.int8)
@@ -139,3 +141,48 @@ def test_load_map_answers_with_the_code_of_the_fault_and_keeps_the_map(serve, fr
     friend.spin()
     assert answer.result == 0 and list(answer.map.data) == [0, 0]
     assert [list(msg.data) for msg in friend.maps[1:]] == [[0, 0]]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "ending"),
+    [((), "pgm"), (("--fmt", "bmp"), "bmp"), (("--mode", "scale", "--occ", "0.99", "--free", "0.01"), "png")],
+)
+def test_the_saver_writes_what_the_server_serves_and_says_where(serve, run, house, tmp_path, arguments, ending):
+    serve(house)
+    saver = run("nav2_map_server", "map_saver_cli", "-f", str(tmp_path / "copy"), *arguments)
+    assert saver.wait(5.0) == 0
+    for line in (f"data to {tmp_path}/copy.{ending}", f"metadata to {tmp_path}/copy.yaml", "Map saved successfully"):
+        assert line in saver.output
+    grid = load_map(tmp_path / "copy.yaml")
+    assert grid.cells.tolist() == CELLS.tolist()
+    assert (grid.resolution, grid.origin) == (0.05, (-1.0, 2.0, 0.5))
+
+
+def test_the_saver_without_a_map_says_so_and_ends(run, session, tmp_path):
+    timeout = ("--ros-args", "-p", "save_map_timeout:=7.0")
+    saver = run("nav2_map_server", "map_saver_cli", "-t", "plan", "-f", str(tmp_path / "copy"), *timeout)
+    assert saver.wait(6.9) is None
+    assert saver.wait(1.0) == 1
+    assert "Failed to spin map subscription" in saver.output
+    assert "No map came on 'plan' in 7 s" in saver.output
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_saver_tells_when_it_cannot_write(serve, run, house, tmp_path):
+    serve(house)
+    saver = run("nav2_map_server", "map_saver_cli", "-f", str(tmp_path / "no" / "copy"))
+    assert saver.wait(5.0) == 1
+    assert "Failed to write map for reason" in saver.output and str(tmp_path / "no") in saver.output
+
+
+def test_the_saver_server_saves_on_request(serve, run, friend, house, tmp_path):
+    serve(house)
+    run("nav2_map_server", "map_saver_server")
+    for transition in (Transition.TRANSITION_CONFIGURE, Transition.TRANSITION_ACTIVATE):
+        friend.ask(ChangeState, "map_saver/change_state", transition=Transition(id=transition))
+    target = str(tmp_path / "copy")
+    request = {"map_url": target, "free_thresh": 0.196, "occupied_thresh": 0.65}
+    assert friend.ask(SaveMap, "map_saver/save_map", map_topic="map", **request).result
+    assert load_map(target + ".yaml").cells.tolist() == CELLS.tolist()
+    assert "free_thresh: 0.196\n" in (tmp_path / "copy.yaml").read_text()
+    assert not friend.ask(SaveMap, "map_saver/save_map", map_topic="nowhere", **request).result

@@ -74,7 +74,10 @@ class Tracker:
         """The motion since the last scan, by odometry, else as fast as before."""
         before, self._odometry = self._odometry, odometry
         if odometry is not None and before is not None:
-            return before.to(odometry), True
+            motion = before.to(odometry)
+            if all(map(math.isfinite, motion)) and math.hypot(motion.x, motion.y) < self.params.odometry_jump:
+                return motion, True
+            return Pose2(), False
         return (self._speed if self.submaps else Pose2()), False
 
     def _sigmas(self, motion: Pose2, known: bool) -> tuple[float, float]:

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from coursekit.slam.grid_kernels import update_grid
+from coursekit.slam.grid_kernels import place, update_grid
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Scan
 
 CHUNK = 64
@@ -32,22 +32,28 @@ class OccupancyGrid:
         self.resolution = params.resolution
         self.log_odds = np.zeros((0, 0), dtype=np.float32)
         """Row 0 is the lowest y; 0 is unknown."""
+        self._marks = np.zeros((0, 0), dtype=np.int32)
+        self._number = 0
+        self._corner = (0, 0)
+        self._hit, self._miss, self._limit = (
+            np.float32(value) for value in (params.hit_odds, params.miss_odds, params.odds_limit)
+        )
         self.origin = (0.0, 0.0)
         """Lower left corner of the first cell [m], a multiple of the resolution."""
 
     def insert(self, scan: Scan, pose: Pose2) -> None:
         """Add a scan seen from a pose of the robot."""
         centre = pose @ scan.origin
-        hits, misses = pose.transform(scan.hits), pose.transform(scan.misses)
+        bounds = np.array([centre.x, centre.y, centre.x, centre.y])
         limit = LARGEST * self.resolution / 2
-        hits, misses = (p[(np.abs(p - centre[:2]) < limit).all(axis=1)] for p in (hits, misses))
-        if not self._make_room(np.concatenate([hits, misses, [[centre.x, centre.y]]])):
+        hits = place(scan.hits, pose.x, pose.y, pose.theta, limit, bounds)
+        misses = place(scan.misses, pose.x, pose.y, pose.theta, limit, bounds)
+        if not self._make_room(*bounds.tolist()):
             return
-        p = self.params
+        self._number += 1
         update_grid(
-            self.log_odds, np.ascontiguousarray(hits), np.ascontiguousarray(misses), centre.x - self.origin[0],
-            centre.y - self.origin[1], self.origin[0], self.origin[1], self.resolution, p.hit_odds, p.miss_odds,
-            p.odds_limit,
+            self.log_odds.reshape(-1), self._marks.reshape(-1), self.log_odds.shape[1], self._number, hits, misses,
+            centre.x, centre.y, self.origin[0], self.origin[1], self.resolution, self._hit, self._miss, self._limit,
         )  # fmt: skip
 
     def insert_all(self, scans: Iterable[tuple[Scan, Pose2]]) -> None:
@@ -55,22 +61,25 @@ class OccupancyGrid:
         for scan, pose in scans:
             self.insert(scan, pose)
 
-    def _make_room(self, points: Array) -> bool:
-        """Grow to hold the points; False when that would be too large."""
-        r = self.resolution
-        low = np.floor(points.min(axis=0) / r).astype(np.int64) - 1
-        high = np.floor(points.max(axis=0) / r).astype(np.int64) + 2
+    def _make_room(self, left: float, bottom: float, right: float, top: float) -> bool:
+        """Grow to hold a rectangle; False when that would be too large."""
+        r, (rows, columns) = self.resolution, self.log_odds.shape
         if not self.log_odds.size:
-            self.origin = (float(low[0] * r), float(low[1] * r))
-        first = np.round(np.array(self.origin) / r).astype(np.int64)
-        size = np.array(self.log_odds.shape[::-1])
-        before = -(-np.maximum(first - low, 0) // CHUNK) * CHUNK
-        after = -(-np.maximum(high - first - size, 0) // CHUNK) * CHUNK
-        if (size + before + after > LARGEST).any():
+            self._corner = (math.floor(left / r) - 1, math.floor(bottom / r) - 1)
+        j, i = self._corner
+        before = (_chunks(j - math.floor(left / r) + 1), _chunks(i - math.floor(bottom / r) + 1))
+        after = (
+            _chunks(math.floor(right / r) + 2 - j - columns),
+            _chunks(math.floor(top / r) + 2 - i - rows),
+        )
+        if not any(before) and not any(after):
+            return True
+        if max(columns + before[0] + after[0], rows + before[1] + after[1]) > LARGEST:
             return False
-        if before.any() or after.any():
-            self.log_odds = np.pad(self.log_odds, ((before[1], after[1]), (before[0], after[0])))
-            self.origin = (float((first[0] - before[0]) * r), float((first[1] - before[1]) * r))
+        pads = ((before[1], after[1]), (before[0], after[0]))
+        self.log_odds, self._marks = np.pad(self.log_odds, pads), np.pad(self._marks, pads)
+        self._corner = (j - before[0], i - before[1])
+        self.origin = (self._corner[0] * r, self._corner[1] * r)
         return True
 
     def cells(self) -> np.ndarray:
@@ -80,8 +89,16 @@ class OccupancyGrid:
 
     def value_at(self, x: float, y: float) -> int:
         """The cell at a position [m]: -1 unknown or outside, else 0 to 100."""
-        j, i = (math.floor((at - corner) / self.resolution) for at, corner in zip((x, y), self.origin, strict=True))
+        j, i = (
+            math.floor((at - corner) / self.resolution)
+            for at, corner in zip((x, y), self.origin, strict=True)
+        )
         if not (0 <= i < self.log_odds.shape[0] and 0 <= j < self.log_odds.shape[1]):
             return -1
         odds = float(self.log_odds[i, j])
         return -1 if odds == 0.0 else round(100 / (1 + np.exp(-odds)))
+
+
+def _chunks(cells: int) -> int:
+    """Whole chunks that hold so many cells; none for none."""
+    return -(-max(cells, 0) // CHUNK) * CHUNK

@@ -9,49 +9,56 @@ from numba import njit
 
 
 @njit(cache=True)
-def _cross(grid, x0, y0, x1, y1, miss, limit, last):  # type: ignore[no-untyped-def]
-    """Add `miss` to the cells between two points in cell units (exact traversal); the last one only if `last`."""
-    i, j = math.floor(y0), math.floor(x0)
-    iend, jend = math.floor(y1), math.floor(x1)
-    dx, dy = x1 - x0, y1 - y0
-    sj, si = (1 if dx > 0 else -1), (1 if dy > 0 else -1)
-    tx = (j + (dx > 0) - x0) / dx if dx != 0 else math.inf
-    ty = (i + (dy > 0) - y0) / dy if dy != 0 else math.inf
-    stepx = abs(1.0 / dx) if dx != 0 else math.inf
-    stepy = abs(1.0 / dy) if dy != 0 else math.inf
-    for _ in range(abs(iend - i) + abs(jend - j)):
-        value = grid[i, j] + miss
-        grid[i, j] = value if value > -limit else -limit
-        if tx < ty:
-            tx += stepx
-            j += sj
-        else:
-            ty += stepy
-            i += si
-    if last:
-        value = grid[iend, jend] + miss
-        grid[iend, jend] = value if value > -limit else -limit
+def _clear(grid, marks, width, number, x0, y0, x1, y1, miss, limit):  # type: ignore[no-untyped-def]
+    """Add `miss` to the cells between two points in cell units, each once a scan; one sample for each row or column crossed.
+
+    Positions are whole numbers of 2^-32 cells: no rounding, no branches.
+    """
+    steps = math.ceil(max(abs(x1 - x0), abs(y1 - y0)))
+    if steps == 0:
+        return
+    dx, dy = int((x1 - x0) / steps * 4294967296.0), int((y1 - y0) / steps * 4294967296.0)
+    fx, fy = int(x0 * 4294967296.0) + (dx >> 1), int(y0 * 4294967296.0) + (dy >> 1)
+    for _ in range(steps):
+        cell = np.uint64((fy >> 32) * width + (fx >> 32))
+        if marks[cell] != number:
+            marks[cell] = number
+            grid[cell] = max(grid[cell] + miss, -limit)
+        fx += dx
+        fy += dy
 
 
 @njit(cache=True)
-def update_grid(grid, hits, misses, cx, cy, ox, oy, resolution, hit, miss, limit):  # type: ignore[no-untyped-def]
-    """Add one scan: `hits` and `misses` in metres, the laser at (cx, cy) from the grid's corner (ox, oy)."""
-    x0, y0 = cx / resolution, cy / resolution
-    for k in range(len(misses)):
-        _cross(
-            grid,
-            x0,
-            y0,
-            (misses[k, 0] - ox) / resolution,
-            (misses[k, 1] - oy) / resolution,
-            miss,
-            limit,
-            True,
-        )
+def update_grid(grid, marks, width, number, hits, misses, cx, cy, ox, oy, resolution, hit, miss, limit):  # type: ignore[no-untyped-def]
+    """Add one scan: `hits` and `misses` in metres, the laser at (cx, cy), the grid's corner at (ox, oy).
+
+    The grid comes as one long row. A cell changes at most once a scan, and a hit counts for more than the beams that
+    graze it; `marks` remembers by the scan's `number` which cells have had their turn.
+    """
+    x0, y0 = (cx - ox) / resolution, (cy - oy) / resolution
     for k in range(len(hits)):
-        x1, y1 = (hits[k, 0] - ox) / resolution, (hits[k, 1] - oy) / resolution
-        _cross(grid, x0, y0, x1, y1, miss, limit, False)
-    for k in range(len(hits)):
-        i, j = math.floor((hits[k, 1] - oy) / resolution), math.floor((hits[k, 0] - ox) / resolution)
-        value = grid[i, j] + hit
-        grid[i, j] = value if value < limit else np.float32(limit)
+        cell = math.floor((hits[k, 1] - oy) / resolution) * width + math.floor((hits[k, 0] - ox) / resolution)
+        if marks[cell] != number:
+            marks[cell] = number
+            grid[cell] = min(grid[cell] + hit, limit)
+    for points in (hits, misses):
+        for k in range(len(points)):
+            x1, y1 = (points[k, 0] - ox) / resolution, (points[k, 1] - oy) / resolution
+            _clear(grid, marks, width, number, x0, y0, x1, y1, miss, limit)
+
+
+@njit(cache=True)
+def place(points, x, y, theta, limit, bounds):  # type: ignore[no-untyped-def]
+    """Points seen from a pose, those farther than `limit` left out; widens `bounds` (low x, low y, high x, high y)."""
+    c, s, count = math.cos(theta), math.sin(theta), 0
+    out = np.empty((len(points), 2))
+    for k in range(len(points)):
+        px, py = points[k, 0], points[k, 1]
+        if abs(px) > limit or abs(py) > limit:
+            continue
+        wx, wy = x + c * px - s * py, y + s * px + c * py
+        out[count, 0], out[count, 1] = wx, wy
+        count += 1
+        bounds[0], bounds[1] = min(bounds[0], wx), min(bounds[1], wy)
+        bounds[2], bounds[3] = max(bounds[2], wx), max(bounds[3], wy)
+    return out[:count]

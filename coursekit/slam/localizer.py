@@ -54,7 +54,7 @@ class Localizer:
         """In a map as nav_msgs/OccupancyGrid has it: cells (rows, columns) 0 to 100, row 0 the lowest y."""
         rows, columns = np.nonzero(cells >= 65)
         points = (np.stack([columns, rows], axis=1) + 0.5) * resolution + np.array(origin)
-        return cls(map_submap(points, params), Pose2(), params)
+        return cls(*map_submap(points, params), params)
 
     @property
     def pose(self) -> Pose2:

@@ -11,6 +11,10 @@ from coursekit.slam.submap_kernels import insert_points
 
 COARSE = 4
 """Cells to a coarse cell, each way."""
+LARGEST = 8000
+"""Cells each way; points that would need more are left out."""
+FARTHEST = 200.0
+"""Points this far from the frame's origin [m] are left out: fields must not fill the memory."""
 MARGIN = 64
 """Cells added around what must fit, so that growing is rare; a multiple of COARSE."""
 
@@ -46,10 +50,12 @@ class Submap:
 
     def _add(self, points: Array, normals: Array, pose: Pose2) -> None:
         """Add points with normals."""
-        if not len(points):
+        moved = pose.transform(points)
+        near = np.abs(moved).max(axis=1, initial=0.0) < FARTHEST
+        moved = np.ascontiguousarray(moved[near])
+        turned = np.ascontiguousarray((normals @ rotation(pose.theta).T)[near])
+        if not len(moved):
             return
-        moved = np.ascontiguousarray(pose.transform(points))
-        turned = np.ascontiguousarray(normals @ rotation(pose.theta).T)
         self._make_room(moved)
         p = self.params
         self.count = insert_points(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -42,9 +44,13 @@ def around(keyframes: Sequence[Keyframe], poses: Array, place: Pose2, params: Sl
     return submap_of(keyframes, (int(number) for number in nearest), poses, params)
 
 
-def map_submap(points: Array, params: SlamParameters) -> Submap:
-    """One submap of bare points (n, 2), such as the walls of a drawn map; its frame is the map's."""
+def map_submap(points: Array, params: SlamParameters) -> tuple[Submap, Pose2]:
+    """One submap of bare points (n, 2), such as the walls of a drawn map, and where its frame is in the map."""
     submap = Submap(params)
     submap.members[0] = Pose2()
-    submap.insert(Scan.from_points(points, params), Pose2())
-    return submap
+    if not len(points):
+        return submap, Pose2()
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    everything = dataclasses.replace(params, match_range=math.inf)
+    submap.insert(Scan.from_points(points - middle, everything), Pose2())
+    return submap, Pose2.of((*middle, 0.0))

@@ -49,8 +49,9 @@ class Runner:
         os.environ["COURSEKIT_TIME"] = "virtual"
         from IPython.core.interactiveshell import InteractiveShell
 
-        self.shell: Any = InteractiveShell.instance()
-        self.shell.kernel = SimpleNamespace()  # the lab's magics want one
+        shell: Any = InteractiveShell.instance()
+        self.shell = shell
+        shell.kernel = SimpleNamespace()  # the lab's magics want one
         self.shell.colors = "NoColor"
         self.build: list[str] = []
 

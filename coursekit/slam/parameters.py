@@ -33,7 +33,7 @@ class SlamParameters:
     fill_widest: float = 0.6
     """Gaps on a straight wall up to this wide are filled."""
     normal_reach: float = 0.12
-    """A wall's direction comes from the points this near (plus 2 % of the range)."""
+    """A wall's direction comes from the points this near (farther away from more: some beams must be among them)."""
     clear_no_return: float = 0.0
     """How far a beam without return clears the map; 0: it says nothing (glass and black surfaces give none either)."""
 

@@ -109,7 +109,9 @@ class Scan:
         order = np.argsort(bearings, kind="stable")
         hits, bearings = np.ascontiguousarray(hits[order]), bearings[order]
         distances = np.hypot(relative[order, 0], relative[order, 1])
-        normals = normals_of(hits, distances, params.normal_reach)
+        spacing = float(np.median(np.diff(bearings))) if len(bearings) > 1 else 0.0
+        slope = max(0.02, min(2.5 * spacing, 0.2))  # two neighbours on either side of a wall across the beams
+        normals = normals_of(hits, distances, params.normal_reach, slope)
         normals[np.einsum("ij,ij->i", normals, relative[order]) > 0] *= -1  # towards the laser
         near = distances < params.match_range
         keep = thin(hits, near, params.point_spacing)

@@ -33,12 +33,15 @@ def _spread(points, first, last, out):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def normals_of(points, distances, reach):  # type: ignore[no-untyped-def]
-    """Unit normals (n, 2) of points in order of bearing, from the neighbours within `reach` [m]; zero where unclear."""
+def normals_of(points, distances, reach, slope):  # type: ignore[no-untyped-def]
+    """Unit normals (n, 2) of points in order of bearing, zero where there is no clear wall.
+
+    They come from the neighbours within `reach` [m] + `slope` * distance.
+    """
     count = len(points)
     normals = np.zeros((count, 2))
     for i in range(count):
-        near = reach + 0.02 * distances[i]
+        near = reach + slope * distances[i]
         first = last = i
         while first > 0 and i - first < 12:
             dx, dy = points[first - 1, 0] - points[i, 0], points[first - 1, 1] - points[i, 1]

@@ -14,6 +14,8 @@ from coursekit.slam.scan import Scan
 
 CHUNK = 64
 """Cells that the grid grows by."""
+WALL_ODDS, FREE_ODDS = 0.62, -0.35
+"""Cells above 65 % are walls, those below 41 % free."""
 LARGEST = 8000
 """Cells each way (400 m at 5 cm); a scan that would need more is left out."""
 
@@ -86,6 +88,11 @@ class OccupancyGrid:
         """int8 like OccupancyGrid.data: -1 unknown, else 0 (free) to 100 (wall)."""
         percent = np.rint(100.0 / (1.0 + np.exp(-self.log_odds.astype(np.float64)))).astype(np.int8)
         return np.where(self.log_odds == 0.0, np.int8(-1), percent)
+
+    def trinary(self) -> np.ndarray:
+        """int8: -1 unknown or undecided, 0 free, 100 wall; what slam_toolbox publishes."""
+        known = np.where(self.log_odds < FREE_ODDS, np.int8(0), np.int8(-1))
+        return np.where(self.log_odds > WALL_ODDS, np.int8(100), known)
 
     def value_at(self, x: float, y: float) -> int:
         """The cell at a position [m]: -1 unknown or outside, else 0 to 100."""

@@ -14,10 +14,10 @@ OCCUPIED_ABOVE, FREE_BELOW = 0.65, 0.196
 
 def picture(grid: OccupancyGrid) -> np.ndarray:
     """uint8 (rows, columns), the largest y on top: 254 free, 0 wall, 205 unknown."""
-    cells = grid.cells().astype(int)
+    cells = grid.trinary()
     shades = np.full(cells.shape, UNKNOWN, dtype=np.uint8)
-    shades[(cells >= 0) & (cells <= 100 * FREE_BELOW)] = FREE
-    shades[cells >= 100 * OCCUPIED_ABOVE] = WALL
+    shades[cells == 0] = FREE
+    shades[cells == 100] = WALL
     return shades[::-1]
 
 

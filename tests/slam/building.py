@@ -89,7 +89,9 @@ ROUND = [(3.0, 5.0), (20.5, 5.0), (20.5, 11.0), (3.0, 11.0), (3.0, 5.0), (20.0, 
 class Wheels:
     """Odometry that drifts: wrong scale, a pull to one side, and noise."""
 
-    def __init__(self, rng: np.random.Generator, scale: float = 1.03, pull: float = 0.02, noise: float = 0.05) -> None:
+    def __init__(
+        self, rng: np.random.Generator, scale: float = 1.03, pull: float = 0.02, noise: float = 0.05
+    ) -> None:
         self.pose = Pose2()
         self._rng, self._scale, self._pull, self._noise = rng, scale, pull, noise
         self._last: Pose2 | None = None
@@ -101,7 +103,9 @@ class Wheels:
             way, turn = math.hypot(motion.x, motion.y), abs(motion.theta)
             noise = self._rng.normal(0, self._noise, 3) * np.array([way, way / 2, turn + 0.1 * way])
             self.pose = self.pose @ Pose2(
-                motion.x * self._scale + noise[0], motion.y + noise[1], motion.theta + self._pull * way + noise[2]
+                motion.x * self._scale + noise[0],
+                motion.y + noise[1],
+                motion.theta + self._pull * way + noise[2],
             )
         self._last = truth
         return self.pose

@@ -1,0 +1,79 @@
+"""The kinds of displays: which messages each shows, from which topic unless told, and its options."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a configuration may say of a display; options have RViz's names in small letters with underscores."""
+
+    type: str = ""
+    """The type of its messages, '' if it needs no topic"""
+    topic: str = ""
+    options: dict[str, Any] = field(default_factory=dict)
+    lasting: bool = False
+    """Whether it asks for the last message of before it came (transient local)"""
+
+
+_ARROW = {"color": [255, 25, 0], "alpha": 1.0, "shape": "Arrow", "shaft_length": 1.0, "head_length": 0.3,
+          "shaft_radius": 0.05, "head_radius": 0.1}  # fmt: skip
+_POINTS = {"size": 0.02, "alpha": 1.0, "color": [255, 255, 255], "color_transformer": "", "decay_time": 0.0}
+
+KINDS: dict[str, Kind] = {
+    "Grid": Kind(
+        options={"cell_size": 1.0, "plane_cell_count": 10, "color": [160, 160, 164], "alpha": 0.5, "reference_frame": ""}
+    ),
+    "RobotModel": Kind(
+        "std_msgs/msg/String",
+        "/robot_description",
+        {"tf_prefix": "", "visual_enabled": True, "collision_enabled": False, "alpha": 1.0},
+        lasting=True,
+    ),
+    "TF": Kind(
+        options={"marker_scale": 1.0, "show_names": True, "show_axes": True, "show_arrows": True, "frame_timeout": 15.0}
+    ),
+    "Map": Kind("nav_msgs/msg/OccupancyGrid", "/map", {"alpha": 0.7, "color_scheme": "map"}, lasting=True),
+    "LaserScan": Kind("sensor_msgs/msg/LaserScan", "/scan", {**_POINTS, "size": 0.03, "color": [230, 60, 40]}),
+    "Path": Kind("nav_msgs/msg/Path", "/plan", {"color": [25, 200, 60], "alpha": 1.0, "line_width": 0.03}),
+    "Pose": Kind("geometry_msgs/msg/PoseStamped", "/goal_pose", _ARROW),
+    "PoseArray": Kind(
+        "geometry_msgs/msg/PoseArray", "/particlecloud", {"color": [255, 25, 0], "alpha": 1.0, "arrow_length": 0.3}
+    ),
+    "Odometry": Kind(
+        "nav_msgs/msg/Odometry",
+        "/odom",
+        {**_ARROW, "keep": 100, "position_tolerance": 0.1, "angle_tolerance": 0.1, "shaft_length": 0.4,
+         "head_length": 0.12, "shaft_radius": 0.02, "head_radius": 0.05},
+    ),
+    "Marker": Kind("visualization_msgs/msg/Marker", "/visualization_marker"),
+    "MarkerArray": Kind("visualization_msgs/msg/MarkerArray", "/visualization_marker_array"),
+    "PointCloud2": Kind("sensor_msgs/msg/PointCloud2", "/points", _POINTS),
+    "Image": Kind("sensor_msgs/msg/Image", "/image"),
+}  # fmt: skip
+"""The kinds by RViz's names."""
+
+ALIASES = {"PoseStamped": "Pose", "OccupancyGrid": "Map", "Robot": "RobotModel", "Camera": "Image"}
+"""Other names that are understood: those of the messages."""
+
+
+def kind_name(name: str) -> str:
+    """RViz's name of a kind; ValueError, which names those that there are.
+
+    >>> kind_name("rviz_default_plugins/LaserScan"), kind_name("PoseStamped")
+    ('LaserScan', 'Pose')
+    """
+    short = name.rpartition("/")[2]
+    short = ALIASES.get(short, short)
+    if short not in KINDS:
+        import difflib
+
+        near = difflib.get_close_matches(short, KINDS, 1, 0.5)
+        hint = f"Did you mean '{near[0]}'? " if near else ""
+        raise ValueError(f"There is no display '{name}'. {hint}There are: {', '.join(KINDS)}.")
+    return short
+
+
+__all__ = ["ALIASES", "KINDS", "Kind", "kind_name"]

@@ -1,0 +1,109 @@
+"""`ros2 run rviz2 rviz2 -d FILE`: the viewer, in the notebook if there is one; else a node that tells what it would show."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
+
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+
+from . import windows
+from .config import Config, DisplayConfig, make_config, read
+from .kinds import KINDS
+
+LOOK_SECONDS = 2.0
+"""How long it waits before it says which topics nobody publishes."""
+
+
+class Rviz(Node):
+    """A window's node."""
+
+    def __init__(self, config: Config) -> None:
+        super().__init__("rviz2")
+        self.session = current()
+        self.config = config
+        self.running = True
+        self.full_name = self.get_fully_qualified_name()
+        for skipped in config.skipped:
+            self.get_logger().warning(f"Not known here, left out: {skipped}")
+        if windows.add(self):
+            self.get_logger().info("Shown in the notebook; in a cell, viewer() shows it too.")
+        else:
+            self._tell()
+            self._look = self.create_timer(LOOK_SECONDS, self._complain)
+
+    def _tell(self) -> None:
+        frame = self.config.fixed_frame or "the root of the tree"
+        self.get_logger().info(f"No notebook shows this window. Fixed frame: {frame}. Displays:")
+        for one in self.config.displays:
+            self.get_logger().info(f"  {describe(one)}")
+
+    def _complain(self) -> None:
+        self._look.cancel()
+        for one in self.config.displays:
+            if one.enabled and KINDS[one.kind].type and not self.count_publishers(one.topic):
+                self.get_logger().warning(f"{one.name}: nobody publishes {one.topic}")
+
+    def destroy_node(self) -> None:
+        """Close the window."""
+        self.running = False
+        windows.remove(self)
+        super().destroy_node()
+
+
+def describe(display: DisplayConfig) -> str:
+    """A display in a line.
+
+    >>> from coursekit.nodes.rviz.config import display_config
+    >>> describe(display_config("LaserScan /scan"))
+    'LaserScan: /scan [sensor_msgs/msg/LaserScan]'
+    """
+    kind = KINDS[display.kind]
+    name = display.name if display.name == display.kind else f"{display.name} ({display.kind})"
+    where = f": {display.topic} [{kind.type}]" if kind.type else ""
+    return f"{name}{where}{'' if display.enabled else ', off'}"
+
+
+def _config(argv: list[str]) -> Config:
+    parser = argparse.ArgumentParser(prog="rviz2", description="Shows robots, frames and messages")
+    parser.add_argument("-d", "--display-config", metavar="FILE", help="what to show: our YAML or an .rviz file")
+    parser.add_argument("-f", "--fixed-frame", default="", help="the frame that stands still")
+    parser.add_argument("-s", "--splash-screen", help=argparse.SUPPRESS)
+    args = parser.parse_args(argv)
+    config = make_config(displays=["Grid", "RobotModel", "TF"])
+    if args.display_config:
+        process = current_process()
+        folder = Path(process.cwd) if process is not None else Path()
+        config = read(folder / args.display_config)
+    config.fixed_frame = args.fixed_frame or config.fixed_frame
+    return config
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run until Ctrl-C."""
+    words = sys.argv if args is None else args
+    try:
+        config = _config(remove_ros_args(words)[1:])
+    except (OSError, ValueError) as error:
+        print(f"rviz2: {error}", file=sys.stderr)
+        return 1
+    rclpy.init(args=args)
+    node = Rviz(config)
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+__all__ = ["Rviz", "describe", "main"]

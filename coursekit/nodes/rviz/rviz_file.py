@@ -1,0 +1,86 @@
+"""Files that RViz 2 saved: the displays that are known here are taken over, the names of the others kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from .config import Config, DisplayConfig, display_config
+from .kinds import KINDS, kind_name
+
+_RENAMED = {"size_(m)": "size", "head_diameter": "head_radius", "shaft_diameter": "shaft_radius"}
+
+
+def from_rviz(data: Mapping[str, Any]) -> Config:
+    """The view of a parsed .rviz file."""
+    manager = data.get("Visualization Manager") or {}
+    config = Config(str((manager.get("Global Options") or {}).get("Fixed Frame", "") or ""))
+    for entry in _flat(manager.get("Displays") or []):
+        made = _display(entry)
+        if made is None:
+            config.skipped.append(f"{entry.get('Name', '?')} ({entry.get('Class', '?')})")
+        else:
+            config.displays.append(made)
+    config.view = _view((manager.get("Views") or {}).get("Current") or {})
+    return config
+
+
+def _flat(entries: Any) -> list[Mapping[str, Any]]:
+    """The displays, those in groups too."""
+    found: list[Mapping[str, Any]] = []
+    for entry in entries:
+        if isinstance(entry, Mapping):
+            group = str(entry.get("Class", "")).endswith("/Group")
+            found += _flat(entry.get("Displays") or []) if group else [entry]
+    return found
+
+
+def _display(entry: Mapping[str, Any]) -> DisplayConfig | None:
+    try:
+        kind = kind_name(str(entry.get("Class", "")))
+    except ValueError:
+        return None
+    given: dict[str, Any] = {"type": kind, "name": str(entry.get("Name", kind))}
+    given["enabled"] = bool(entry.get("Enabled", True))
+    topic = entry.get("Description Topic") if kind == "RobotModel" else entry.get("Topic")
+    topic = topic.get("Value") if isinstance(topic, Mapping) else topic
+    if topic:
+        given["topic"] = str(topic)
+    for key, value in entry.items():
+        _take(given, kind, str(key).lower().replace(" ", "_"), value)
+    return display_config(given)
+
+
+def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
+    """Take over an option, if it is known and can be read."""
+    key = _RENAMED.get(key, key)
+    like = KINDS[kind].options.get(key)
+    if like is None or key in ("color_transformer", "decay_time", "shape"):
+        return
+    if isinstance(like, list) and isinstance(value, str):
+        value = [int(one) for one in value.split(";") if one.strip().isdigit()]
+    if key == "reference_frame" and value == "<Fixed Frame>":
+        value = ""
+    try:
+        display_config({"type": kind, key: value})
+    except ValueError:
+        return
+    given[key] = value
+
+
+def _view(current: Mapping[str, Any]) -> dict[str, Any] | None:
+    try:
+        focus = current.get("Focal Point") or {}
+        target = [float(focus.get(axis, 0.0)) for axis in "XYZ"]
+        if str(current.get("Class", "")).endswith("/TopDownOrtho"):
+            target = [float(current.get(axis, 0.0)) for axis in "XY"] + [0.0]
+            distance = 600.0 / max(1e-3, float(current.get("Scale", 10.0)))
+            return {"distance": distance, "yaw": -math.pi / 2, "pitch": math.pi / 2, "target": target}
+        numbers = {key.lower(): float(current[key]) for key in ("Distance", "Yaw", "Pitch")}
+    except (KeyError, TypeError, ValueError, AttributeError):
+        return None
+    return {**numbers, "target": target}
+
+
+__all__ = ["from_rviz"]

@@ -39,14 +39,14 @@ def test_talker_and_listener_speak_stop_and_start_again(notebook, picture):
     talker.locator(".ck-stop").click()
     talker.locator(".ck-again").wait_for(timeout=20_000)
     assert talker.get_attribute("data-state") in ("ok", "failed")
-    assert opened.ask("print(terminal('talker').process.exit_code is None)").strip() == "False"
+    opened.eventually("print(terminal('talker').process.exit_code is None)", "False")
 
     talker.locator(".ck-again").click()
     page.wait_for_function(
         "() => [...document.querySelectorAll('.ck-terminal[data-state=\"running\"]')].length === 4", timeout=20_000
     )
     reads(page, ".ck-screen", 'Publishing: "Hello World: 1"')
-    assert opened.ask("print(terminal('talker').state)").strip() == "running"
+    opened.eventually("print(terminal('talker').state)", "running")
 
 
 def test_a_page_that_is_loaded_again_shows_what_was_printed(notebook):

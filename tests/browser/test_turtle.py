@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from tests.browser.pages import settled
+
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(180)]
 
 SETUP = (
@@ -11,11 +13,10 @@ SETUP = (
     "%ros2 run turtlesim turtlesim_node &",
     "window = turtlesim_window()\nwindow",
 )
-STATE = """
-import json
-_t = window.simulator.world.turtles[window.turtle]
-print(json.dumps({"x": _t.x, "y": _t.y, "theta": _t.theta, "speed": _t.speed, "turning": _t.turning}))
-"""
+TURTLE = "_t = window.simulator.world.turtles[window.turtle]; "
+STATE = TURTLE + "import json; print(json.dumps({'x': _t.x, 'y': _t.y, 'theta': _t.theta}))"
+SPEED = TURTLE + "print(_t.speed, _t.turning)"
+FAST = TURTLE + "print(_t.speed > 1.5)"
 
 
 def state(notebook):
@@ -36,24 +37,20 @@ def test_arrow_keys_drive_the_turtle_and_letting_go_stops_it(notebook, picture):
     page.keyboard.down("ArrowUp")
     page.keyboard.down("ArrowLeft")
     page.wait_for_timeout(1800)
-    driving = state(opened)
-    assert driving["speed"] == 2.0 and driving["turning"] == 2.0, "a held key drives on after a second"
+    opened.eventually(SPEED, "2.0 2.0")
     page.keyboard.up("ArrowLeft")
     page.wait_for_timeout(700)
     page.keyboard.up("ArrowUp")
-    page.wait_for_timeout(150)
-    stopped = state(opened)
-    assert stopped["speed"] == 0.0 and stopped["turning"] == 0.0, "letting go stops at once"
+    opened.eventually(SPEED, "0.0 0.0")
+    stopped = settled(page, lambda: state(opened))
     assert (stopped["x"], stopped["y"]) != (before["x"], before["y"])
-    page.wait_for_timeout(300)
     picture(page.locator(".ck-turtle"), "turtle")
     assert f"x {stopped['x']:.2f}" in page.locator(".ck-turtle .ck-pose").inner_text()
 
     page.keyboard.down("ArrowUp")
-    page.wait_for_timeout(300)
+    opened.eventually(SPEED, "2.0 0.0")
     page.evaluate("document.activeElement.blur()")
-    page.wait_for_timeout(200)
-    assert state(opened)["speed"] == 0.0, "losing the focus stops"
+    opened.eventually(SPEED, "0.0 0.0")
     page.keyboard.up("ArrowUp")
 
 
@@ -64,24 +61,22 @@ def test_the_stick_drives_and_another_turtle_can_be_picked(notebook, picture):
     page.locator('.ck-turtle[data-state="running"]').wait_for(timeout=30_000)
     spawn = "%ros2 service call /spawn turtlesim/srv/Spawn '{x: 2.0, y: 9.0, theta: 0.0, name: leo}'"
     opened.ask(spawn)
+    opened.eventually("print('leo' in window.simulator.world.turtles)", "True")
     page.wait_for_timeout(400)
     canvas = page.locator(".ck-turtle canvas")
     canvas.scroll_into_view_if_needed()
     side = canvas.bounding_box()["width"]
     canvas.click(position={"x": 2.0 / 11.09 * side, "y": (1 - 9.0 / 11.09) * side})
-    page.wait_for_timeout(300)
-    assert opened.ask("print(window.turtle)").strip() == "leo"
+    opened.eventually("print(window.turtle)", "leo")
     box = page.locator(".ck-turtle .ck-stick").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x, y - box["height"] / 2, steps=4)
-    page.wait_for_timeout(800)
-    assert state(opened)["speed"] > 1.5
+    opened.eventually(FAST, "True")
     picture(page.locator(".ck-turtle"), "turtle_stick")
     page.mouse.up()
-    page.wait_for_timeout(200)
-    assert state(opened)["speed"] == 0.0
+    opened.eventually(SPEED, "0.0 0.0")
 
 
 def test_the_pad_drives_any_twist_topic(notebook, picture):
@@ -96,11 +91,8 @@ def test_the_pad_drives_any_twist_topic(notebook, picture):
     field.click(position={"x": 300, "y": 20})
     page.keyboard.down("w")
     page.keyboard.down("a")
-    page.wait_for_timeout(500)
-    driving = state(opened)
+    opened.eventually(SPEED, "1.0 1.5")
     picture(page.locator(".ck-pad"), "pad")
-    assert (driving["speed"], driving["turning"]) == (1.0, 1.5)
     page.keyboard.up("w")
     page.keyboard.up("a")
-    page.wait_for_timeout(200)
-    assert state(opened)["speed"] == 0.0
+    opened.eventually(SPEED, "0.0 0.0")

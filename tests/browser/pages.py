@@ -1,0 +1,207 @@
+"""Servers and notebooks as the browser tests see them."""
+
+import os
+import secrets
+import signal
+import socket
+import subprocess
+import time
+import urllib.error
+import urllib.request
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+PATIENCE_MS = 60_000
+ALL_RAN = """() => {
+    const prompts = [...document.querySelectorAll('.jp-CodeCell .jp-InputArea-prompt')];
+    return prompts.length && prompts.every((one) => /\\[\\d+\\]/.test(one.textContent));
+}"""
+ANSWERS = """async () => {
+    const kernel = jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel;
+    const asked = async () => {
+        await kernel.info;
+        await kernel.requestExecute({ code: 'None', store_history: false }).done;
+        return kernel.connectionStatus === 'connected';
+    };
+    const late = new Promise((done) => setTimeout(() => done(false), 8000));
+    return kernel ? await Promise.race([asked(), late]) : await late;
+}"""
+ASK = """async (code) => {
+    const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
+    const future = kernel.requestExecute({ code, store_history: false });
+    let text = '';
+    future.onIOPub = (message) => {
+        if (message.header.msg_type === 'stream') text += message.content.text;
+        if (message.header.msg_type === 'error') text += message.content.traceback.join('\\n');
+    };
+    await future.done;
+    return text;
+}"""
+_TELLS_ITS_STACKS = """
+import faulthandler, os, signal
+faulthandler.register(signal.SIGUSR1, file=open({folder!r} + f"/stacks-{{os.getpid()}}.txt", "w"))
+"""
+
+
+class Lab:
+    """A JupyterLab server in a folder of its own."""
+
+    def __init__(self, folder: Path, url: str, token: str) -> None:
+        self.folder, self.url, self.token = folder, url, token
+
+    def address(self, notebook: str) -> str:
+        """Where a notebook of the folder is opened."""
+        return f"{self.url}/lab/tree/{notebook}?token={self.token}&reset"
+
+    def stacks(self) -> str:
+        """Where every thread of every kernel of this server is; for a failure's report."""
+        files = sorted(self.folder.glob("stacks-*.txt"))
+        for path in files:
+            try:
+                os.kill(int(path.stem.removeprefix("stacks-")), signal.SIGUSR1)
+            except OSError:
+                continue
+        time.sleep(1)
+        return "\n".join(path.read_text() for path in files)
+
+
+@contextmanager
+def serving(folder: Path, command: list[str], env: dict[str, str]) -> Iterator[Lab]:
+    """JupyterLab by this command on a free port of loopback, until the block ends."""
+    startup = folder / "ipython" / "profile_default" / "startup"
+    startup.mkdir(parents=True)
+    (startup / "00_stacks.py").write_text(_TELLS_ITS_STACKS.format(folder=str(folder)))
+    own = {"IPYTHONDIR": "ipython", "JUPYTER_CONFIG_DIR": "config", "JUPYTER_RUNTIME_DIR": "runtime"}
+    own = {name: str(folder / under) for name, under in own.items()}
+    own["COURSEKIT_RUNTIME_DIR"] = str(folder / "run")
+    port, token = _free_port(), secrets.token_hex(16)
+    command = [*command, f"--ServerApp.port={port}", "--ServerApp.port_retries=0"]
+    command += [f"--IdentityProvider.token={token}", "--expose-app-in-browser"]
+    with open(folder / "server.log", "w") as log:
+        server = subprocess.Popen(command, cwd=folder, env=env | own, stdout=log, stderr=log)
+        try:
+            _wait_for(f"http://127.0.0.1:{port}/api?token={token}", server)
+            yield Lab(folder, f"http://127.0.0.1:{port}", token)
+        finally:
+            server.terminate()
+            server.wait(30)
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def _wait_for(url: str, server: subprocess.Popen) -> None:
+    give_up = time.monotonic() + 120
+    while time.monotonic() < give_up and server.poll() is None:
+        try:
+            urllib.request.urlopen(url, timeout=2).close()
+            return
+        except (urllib.error.URLError, OSError):
+            time.sleep(0.2)
+    raise RuntimeError(f"JupyterLab did not start; see {server.args}")
+
+
+class Notebook:
+    """An open notebook: `page` is playwright's, `run()` runs all its cells."""
+
+    def __init__(self, page: Any, lab: Lab, name: str) -> None:
+        self.page, self.lab, self.name = page, lab, name
+        page.goto(lab.address(name), timeout=PATIENCE_MS)
+        self._wait_until_it_answers()
+
+    def run(self) -> None:
+        """Run all cells and wait until each has its number.
+
+        JupyterLab's web socket can lose a request on a busy machine and then waits for ever: the page is loaded
+        anew, once, and that is said.
+        """
+        if self._all_ran():
+            return
+        warnings.warn(f"{self.name}: not all cells ran, once more. {self._state()}", stacklevel=2)
+        self.load_again()
+        assert self._all_ran(), f"not all cells ran: {self._state()}"
+
+    def load_again(self) -> None:
+        """The page anew, with the same kernel."""
+        self.page.reload(timeout=PATIENCE_MS)
+        self._wait_until_it_answers()
+
+    def run_to(self, text: str) -> int:
+        """Run the cells one after the other up to the first that contains `text`, as Shift+Enter does."""
+        return self.page.evaluate(
+            """async (text) => {
+                const panel = jupyterapp.shell.currentWidget;
+                const until = panel.content.widgets.findIndex((cell) =>
+                  cell.model.type === 'code' && cell.model.sharedModel.getSource().includes(text));
+                for (let i = panel.courseRun ?? 0; i <= until; i++) {
+                    panel.content.activeCellIndex = i;
+                    panel.content.deselectAll();
+                    await jupyterapp.commands.execute('notebook:run-cell');
+                }
+                panel.courseRun = until + 1;
+                return until;
+            }""",
+            text,
+        )
+
+    def text(self) -> str:
+        """What the outputs say."""
+        return "\n".join(self.page.locator(".jp-OutputArea-output").all_inner_texts())
+
+    def ask(self, code: str) -> str:
+        """Run code in the notebook's kernel, beside its cells; what it prints."""
+        return self.page.evaluate(ASK, code)
+
+    def eventually(self, code: str, *wanted: str, patience: float = 30.0) -> None:
+        """Ask until the answer is one of these."""
+        give_up = time.monotonic() + patience
+        while (answer := self.ask(code).strip()) not in wanted:
+            assert time.monotonic() < give_up, f"{code}: {answer}, not {' or '.join(wanted)}"
+            self.page.wait_for_timeout(100)
+
+    def close(self) -> None:
+        """End the kernel and the page."""
+        self.page.evaluate("void window.jupyterapp?.shell.currentWidget?.sessionContext?.shutdown()")
+        self.page.wait_for_timeout(300)
+        self.page.close()
+
+    def _all_ran(self) -> bool:
+        from playwright.sync_api import TimeoutError as Late
+
+        self.page.evaluate("void window.jupyterapp.commands.execute('notebook:run-all-cells')")
+        try:
+            self.page.wait_for_function(ALL_RAN, timeout=PATIENCE_MS)
+        except Late:
+            return False
+        return True
+
+    def _state(self) -> str:
+        prompts = self.page.locator(".jp-CodeCell .jp-InputArea-prompt").all_inner_texts()
+        return f"{prompts}\n{self.lab.stacks()}"
+
+    def _wait_until_it_answers(self) -> None:
+        """A connection that is still being made loses requests: ask until one is answered."""
+        for _ in range(8):
+            self.page.wait_for_selector(".jp-NotebookPanel .jp-CodeCell", timeout=PATIENCE_MS)
+            if self.page.evaluate(ANSWERS):
+                return
+            self.page.reload(timeout=PATIENCE_MS)
+        raise RuntimeError(f"the kernel does not answer\n{self.lab.stacks()}")
+
+
+def settled(page: Any, read: Callable[[], Any], patience: float = 20.0) -> Any:
+    """What `read` gives once it has been the same for half a second."""
+    give_up = time.monotonic() + patience
+    last = read()
+    while time.monotonic() < give_up:
+        page.wait_for_timeout(500)
+        last, before = read(), last
+        if last == before:
+            return last
+    raise AssertionError(f"still changing: {last}")

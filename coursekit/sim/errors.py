@@ -1,0 +1,37 @@
+"""What is wrong with a world: the file, the place in it, and the cure."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class WorldError(ValueError):
+    """A world that cannot be simulated: `what`, the `file`, `line` and `element` where it is, and the `cure`.
+
+    >>> print(WorldError("has 2 points", file="a.yaml", line=3, element="polygon 'desk'", cure="Give it three."))
+    a.yaml:3: polygon 'desk': has 2 points
+    Give it three.
+    """
+
+    def __init__(self, what: str, *, file: str = "", line: int = 0, element: str = "", cure: str = "") -> None:
+        self.what, self.file, self.line, self.element, self.cure = what, file or "world", line, element, cure
+        place = f"{self.file}:{line}" if line else self.file
+        parts = [part for part in (place, element, what) if part]
+        super().__init__(": ".join(parts) + (f"\n{cure}" if cure else ""))
+
+
+def known(name: str, names: Iterable[str]) -> str:
+    """A hint with the nearest of some names, or all of them.
+
+    >>> known("hight", ["height", "name"])
+    "Did you mean 'height'?"
+    """
+    there = sorted(names)
+    near = difflib.get_close_matches(str(name), there, 1, 0.6)
+    if near:
+        return f"Did you mean '{near[0]}'?"
+    return f"There are: {', '.join(there[:20]) or 'none'}{' ...' if len(there) > 20 else ''}."
+
+
+__all__ = ["WorldError", "known"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from coursekit.core.session import current
-from coursekit.tf import FrameBuffer, TransformException
+from coursekit.tf import TransformException
+from coursekit.view.frame_listening import listen_to_frames
 from coursekit.view.frame_tree import FrameTree
 
 from .hidden import HiddenNode
@@ -25,33 +26,11 @@ def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool
         return FramesPanel(details=details)
     hidden = HiddenNode("frames")
     try:
-        buffer = listen_to_frames(hidden)
+        buffer = listen_to_frames(hidden.node)
         hidden.session.clock.sleep(seconds)
         return FrameTree(buffer, current().clock.now(), details=details)
     finally:
         hidden.close()
-
-
-def listen_to_frames(hidden: HiddenNode, heard: Any = None) -> FrameBuffer:
-    """A buffer that the hidden node fills; `heard()` is called after every message."""
-    from rclpy.qos import DurabilityPolicy, QoSProfile
-    from tf2_msgs.msg import TFMessage
-    from tf2_py._convert import nanoseconds, pose_of
-
-    buffer = FrameBuffer(report=lambda _level, _text: None)
-
-    def take(msg: TFMessage, fixed: bool) -> None:
-        for transform in msg.transforms:
-            pose = pose_of(transform.transform, ("", ""))
-            stamp = 0 if fixed else nanoseconds(transform.header.stamp)
-            buffer.set(transform.header.frame_id, transform.child_frame_id, stamp, pose, static=fixed)
-        if heard is not None:
-            heard()
-
-    lasting = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-    hidden.node.create_subscription(TFMessage, "/tf", lambda msg: take(msg, False), QoSProfile(depth=100))
-    hidden.node.create_subscription(TFMessage, "/tf_static", lambda msg: take(msg, True), lasting)
-    return buffer
 
 
 class FramesPanel(Panel):
@@ -64,7 +43,7 @@ class FramesPanel(Panel):
         super().__init__("frames")
         self._details = details
         self._chosen = ""
-        self._buffer = listen_to_frames(self.hidden, self.changed)
+        self._buffer = listen_to_frames(self.hidden.node, self.changed)
 
     def picture(self) -> FrameTree:
         """The tree as it is now."""
@@ -107,4 +86,4 @@ class FramesPanel(Panel):
         self._push()
 
 
-__all__ = ["FramesPanel", "frames", "listen_to_frames"]
+__all__ = ["FramesPanel", "frames"]

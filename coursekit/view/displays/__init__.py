@@ -1,0 +1,26 @@
+"""The displays of the viewer, each in the manner of RViz's display of that name."""
+
+from coursekit.nodes.rviz.config import DisplayConfig
+
+from .display import Display, NoTransform
+from .grid import Grid
+from .image import Image
+from .map import Map
+from .markers import Marker, MarkerArray
+from .points import LaserScan, PointCloud2
+from .poses import Odometry, Path, PoseArray, PoseStamped
+from .robot_model import RobotModel
+from .tf import TF
+
+_CLASSES: tuple[type[Display], ...] = (
+    Grid, RobotModel, TF, Map, LaserScan, Path, PoseStamped, PoseArray, Odometry, Marker, MarkerArray, PointCloud2, Image
+)  # fmt: skip
+BY_KIND: dict[str, type[Display]] = {one.kind: one for one in _CLASSES}
+
+
+def make_display(config: DisplayConfig, number: int) -> Display:
+    """The display of a configuration; `number` tells it from the others."""
+    return BY_KIND[config.kind](config, number)
+
+
+__all__ = ["BY_KIND", "Display", "NoTransform", "make_display"]

@@ -1,0 +1,193 @@
+"""The base of the displays: a topic, a status as RViz words it, and a part of the scene."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from coursekit.nodes.rviz.config import DisplayConfig
+from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.view.scene import Pose, Scene
+
+if TYPE_CHECKING:
+    from coursekit.view.scene_stage import Stage
+
+LEVELS = ("Ok", "Warn", "Error")
+WAITING = 5
+"""So many messages at most wait for their transform."""
+
+
+class NoTransform(Exception):
+    """A frame cannot be placed; the text names it and what there is."""
+
+
+class Display:
+    """One row of the list. A subclass gives `draw`, and `kind`, its name in `KINDS`.
+
+    Messages arrive in the node's thread and wait, a few at most; `update` draws in the thread that renders.
+    """
+
+    kind: ClassVar[str] = ""
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        self.config = config
+        self.key = f"{number}"
+        self.statuses: dict[str, tuple[str, str]] = {}
+        self.count = 0
+        self._waiting: deque[Any] = deque(maxlen=WAITING)
+        self._subscription: Any = None
+        self._lock = threading.Lock()
+
+    # -- the topic
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """The options, by their names in the configuration."""
+        return self.config.options
+
+    def connect(self, node: Any) -> None:
+        """Subscribe, if it is on and has a topic."""
+        kind = KINDS[self.kind]
+        if not kind.type or not self.config.enabled or self._subscription is not None:
+            return
+        from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+        from coursekit.interfaces import load
+
+        lasting = DurabilityPolicy.TRANSIENT_LOCAL if kind.lasting else DurabilityPolicy.VOLATILE
+        reliability = ReliabilityPolicy.RELIABLE if kind.lasting else ReliabilityPolicy.BEST_EFFORT
+        quality = QoSProfile(depth=WAITING, durability=lasting, reliability=reliability)
+        self._subscription = node.create_subscription(load(kind.type), self.config.topic, self._take, quality)
+
+    def disconnect(self, node: Any) -> None:
+        """Forget the topic and what came."""
+        if self._subscription is not None:
+            node.destroy_subscription(self._subscription)
+        self._subscription = None
+        with self._lock:
+            self._waiting.clear()
+        self.count = 0
+        self.statuses = {}
+        self.forget()
+
+    def _take(self, msg: Any) -> None:
+        with self._lock:
+            self.count += 1
+            self._waiting.append(msg)
+        self.heard(msg)
+
+    def taken(self) -> list[Any]:
+        """The messages that wait, oldest first; they wait no longer."""
+        with self._lock:
+            found = list(self._waiting)
+            self._waiting.clear()
+        return found
+
+    def put_back(self, messages: list[Any]) -> None:
+        """Let messages wait again, before those that came meanwhile."""
+        with self._lock:
+            room = WAITING - len(self._waiting)
+            self._waiting.extendleft(reversed(messages[max(0, len(messages) - room) :] if room > 0 else []))
+
+    # -- for a subclass
+
+    def heard(self, msg: Any) -> None:
+        """A message came, in the node's thread."""
+
+    def forget(self) -> None:
+        """Forget what was shown."""
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Bring the display's things in the scene up to date."""
+
+    # -- what it says
+
+    def update(self, stage: Stage) -> None:
+        """Draw, or take away what is off."""
+        if not self.config.enabled:
+            stage.scene.clear(self.key)
+            return
+        if KINDS[self.kind].type:
+            self._tell_topic(stage)
+        self.draw(stage, stage.scene)
+
+    def _tell_topic(self, stage: Stage) -> None:
+        if self.count:
+            plural = "" if self.count == 1 else "s"
+            self.say("Topic", "Ok", f"{self.count} message{plural} received")
+        else:
+            self.say("Topic", "Warn", f"No messages received. {stage.why_nothing(self)}".strip())
+
+    def say(self, what: str, level: str, text: str) -> None:
+        """One line of the status."""
+        self.statuses[what] = (level, text)
+
+    def unsay(self, what: str) -> None:
+        """Take a line back."""
+        self.statuses.pop(what, None)
+
+    @property
+    def level(self) -> str:
+        """The worst of its lines; 'Off' when it is off."""
+        if not self.config.enabled:
+            return "Off"
+        return max((level for level, _ in self.statuses.values()), key=LEVELS.index, default="Ok")
+
+    @property
+    def remark(self) -> str:
+        """The lines that matter: those of the worst level."""
+        worst = self.level
+        return "; ".join(f"{what}: {text}" for what, (level, text) in self.statuses.items() if level == worst)
+
+
+class StampedDisplay(Display):
+    """Shows the newest message whose header's frame can be placed at its time."""
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self.shown: Any = None
+
+    def forget(self) -> None:
+        """Nothing is shown any more."""
+        self.shown = None
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Show the newest message that can be placed; the newer ones wait for their transforms."""
+        messages = self.taken()
+        for index in range(len(messages) - 1, -1, -1):
+            msg = messages[index]
+            try:
+                pose = stage.pose_at(msg.header)
+            except NoTransform as error:
+                self.say("Transform", "Error", str(error))
+                continue
+            self.say("Transform", "Ok", "Transform OK")
+            self.put_back(messages[index + 1 :])
+            self.shown = msg
+            self.show(msg, pose, stage, scene)
+            return
+        self.put_back(messages)
+        self._stay(stage, scene)
+
+    def _stay(self, stage: Stage, scene: Scene) -> None:
+        """What is shown stays where its frame was at its time, also when the fixed frame is another now."""
+        if self.shown is None:
+            return
+        try:
+            self.move(stage.pose_at(self.shown.header), scene)
+        except NoTransform:
+            return
+
+    def move(self, pose: Pose, scene: Scene) -> None:
+        """Put what is shown to the pose of its frame."""
+        for display, name in list(scene.things):
+            if display == self.key:
+                scene.place(display, name, pose)
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """Show a message; `pose` is that of its frame in the fixed frame."""
+        raise TypeError(f"{type(self).__name__} has to say how a message is shown")
+
+
+__all__ = ["LEVELS", "Display", "NoTransform", "StampedDisplay"]

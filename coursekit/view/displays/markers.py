@@ -1,0 +1,116 @@
+"""Marker and MarkerArray: shapes that programs draw, by namespace and number, for as long as they live."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from coursekit.nodes.rviz.config import DisplayConfig
+from coursekit.tf import compose
+from coursekit.view.scene import Pose, Scene
+
+from .display import Display, NoTransform
+from .marker_shapes import shapes_of
+from .poses import finite, numbers
+
+if TYPE_CHECKING:
+    from coursekit.view.scene_stage import Stage
+
+ADD, DELETE, DELETE_ALL = 0, 2, 3
+MOST = 10_000
+"""Markers that are kept; a program that never deletes does not fill the memory."""
+
+
+@dataclass
+class _Living:
+    msg: Any
+    name: str
+    ends: int
+    """When its lifetime is over [ns], 0: never"""
+    drawn: bool = False
+
+
+class Marker(Display):
+    """Messages of one marker each."""
+
+    kind = "Marker"
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self._waiting = deque(maxlen=1000)
+        self.living: dict[str, _Living] = {}
+
+    def forget(self) -> None:
+        """No markers."""
+        self.living = {}
+
+    def markers(self, msg: Any) -> list[Any]:
+        """The markers of a message."""
+        return [msg]
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Take what came, end what is over, place the rest."""
+        now = stage.now()
+        for msg in self.taken():
+            for marker in self.markers(msg):
+                self._apply(marker, now)
+        for name, one in list(self.living.items()):
+            if one.ends and now >= one.ends:
+                del self.living[name]
+        self._place(stage, scene)
+        scene.keep_only(self.key, set(self.living))
+
+    def _apply(self, marker: Any, now: int) -> None:
+        name = f"{marker.ns}/{marker.id}"
+        if marker.action == DELETE_ALL:
+            self.living = {key: one for key, one in self.living.items() if marker.ns and one.msg.ns != marker.ns}
+        elif marker.action == DELETE:
+            self.living.pop(name, None)
+        else:
+            life = marker.lifetime.sec * 1_000_000_000 + marker.lifetime.nanosec
+            self.living.pop(name, None)
+            self.living[name] = _Living(marker, name, now + life if life > 0 else 0)
+            if len(self.living) > MOST:
+                self.living.pop(next(iter(self.living)))
+
+    def _place(self, stage: Stage, scene: Scene) -> None:
+        fault, missing = "", ""
+        for one in self.living.values():
+            try:
+                pose = self._pose(one.msg, stage)
+                if not one.drawn:
+                    scene.put(self.key, one.name, *shapes_of(one.msg), pose=pose)
+                    one.drawn = True
+                scene.place(self.key, one.name, pose)
+            except NoTransform as error:
+                missing = missing or f"{one.name}: {error}"
+            except ValueError as error:
+                fault = fault or f"{one.name}: {error}"
+                scene.remove(self.key, one.name)
+        self.unsay("Markers")
+        self.unsay("Transform")
+        if missing:
+            self.say("Transform", "Error", missing)
+        if fault:
+            self.say("Markers", "Error", fault)
+        elif self.count:
+            self.say("Markers", "Ok", f"{len(self.living)} markers")
+
+    def _pose(self, msg: Any, stage: Stage) -> Pose:
+        """Where it is: `frame_locked` ones follow their frame, others stay where it was at their time."""
+        frame = stage.pose(msg.header.frame_id) if msg.frame_locked else stage.pose_at(msg.header, newest=True)
+        own = numbers(msg.pose)
+        if not finite(own):
+            raise ValueError("its pose has invalid floating point values (nans or infs)")
+        return compose(frame, own)
+
+
+class MarkerArray(Marker):
+    """Messages of many markers."""
+
+    kind = "MarkerArray"
+
+    def markers(self, msg: Any) -> list[Any]:
+        """All of them."""
+        return list(msg.markers)

@@ -1,0 +1,144 @@
+"""Pose, PoseArray and Odometry: arrows; Path: a line. And what their messages say, as numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from coursekit.nodes.rviz.config import DisplayConfig
+from coursekit.tf import compose
+from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene_shapes import Shape, Triangles, arrow, colour_of, scattered, tube
+
+from .display import Display, NoTransform, StampedDisplay
+
+if TYPE_CHECKING:
+    from coursekit.view.scene_stage import Stage
+
+
+def numbers(pose: Any) -> Pose:
+    """The numbers of a geometry_msgs/Pose; a quaternion of zeros counts as no rotation, as in RViz."""
+    p, q = pose.position, pose.orientation
+    size = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
+    turn = (q.x / size, q.y / size, q.z / size, q.w / size) if size > 1e-9 else (0.0, 0.0, 0.0, 1.0)
+    return (p.x, p.y, p.z, *turn)
+
+
+def finite(pose: Pose) -> bool:
+    """Whether all numbers of a pose are numbers."""
+    return all(map(math.isfinite, pose))
+
+
+def arrow_of(o: dict[str, Any]) -> Shape:
+    """An arrow as a display's options say."""
+    colour = colour_of(o["color"], o["alpha"])
+    return arrow(o["shaft_length"], o["shaft_radius"], o["head_length"], o["head_radius"], colour)
+
+
+class PoseStamped(StampedDisplay):
+    """The newest pose."""
+
+    kind = "Pose"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """An arrow."""
+        if not finite(numbers(msg.pose)):
+            self.say("Topic", "Error", "Message contained invalid floating point values (nans or infs)")
+            return
+        if not scene.has(self.key, "pose"):
+            scene.put(self.key, "pose", arrow_of(self.options))
+        self.move(pose, scene)
+
+    def move(self, pose: Pose, scene: Scene) -> None:
+        """Put it to its place in its frame."""
+        if scene.has(self.key, "pose"):
+            scene.place(self.key, "pose", compose(pose, numbers(self.shown.pose)))
+
+
+class PoseArray(StampedDisplay):
+    """All poses of the newest message, as one shape."""
+
+    kind = "PoseArray"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """Arrows."""
+        poses = np.array([one for one in map(numbers, msg.poses) if finite(one)]).reshape(-1, 7)
+        self.say("Poses", "Ok", f"{len(poses)} poses")
+        colour, length = colour_of(self.options["color"], self.options["alpha"]), float(self.options["arrow_length"])
+        parts = [tube(0.0, 0.77 * length, 0.03 * length, sides=6), tube(0.77 * length, length, 0.1 * length, 0.0, sides=8)]
+        bodies = [scattered(body, poses[:, :3], poses[:, 3:]) for body in parts]
+        scene.put(self.key, "poses", *(Triangles(*body, colour) for body in bodies if len(poses)), pose=pose)
+
+
+class Odometry(Display):
+    """An arrow for each place passed; a new one when it moved or turned enough."""
+
+    kind = "Odometry"
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self.trail: list[tuple[Any, Pose]] = []
+        self._made = 0
+
+    def forget(self) -> None:
+        """No trail."""
+        self.trail = []
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Arrows for what came."""
+        messages = self.taken()
+        for index, msg in enumerate(messages):
+            here = numbers(msg.pose.pose)
+            if self.trail and not self._far(self.trail[-1][1], here):
+                continue
+            try:
+                pose = stage.pose_at(msg.header)
+            except NoTransform as error:
+                self.say("Transform", "Error", str(error))
+                self.put_back(messages[index:])
+                return
+            self.say("Transform", "Ok", "Transform OK")
+            self._add(msg, here, compose(pose, here), scene)
+
+    def _far(self, before: Pose, now: Pose) -> bool:
+        if math.dist(before[:3], now[:3]) > self.options["position_tolerance"]:
+            return True
+        same = min(1.0, abs(sum(a * b for a, b in zip(before[3:], now[3:], strict=True))))
+        return 2 * math.acos(same) > self.options["angle_tolerance"]
+
+    def _add(self, msg: Any, here: Pose, pose: Pose, scene: Scene) -> None:
+        self.trail.append((msg.header, here))
+        self._made += 1
+        scene.put(self.key, f"{self._made}", arrow_of(self.options), pose=pose)
+        if len(self.trail) > max(1, int(self.options["keep"])):
+            self.trail.pop(0)
+            scene.remove(self.key, f"{self._made - len(self.trail)}")
+
+
+class Path(StampedDisplay):
+    """The newest path as a ribbon of `line_width` metres."""
+
+    kind = "Path"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """A line through the poses."""
+        points = np.array([numbers(one.pose)[:3] for one in msg.poses]).reshape(-1, 3)
+        points = points[np.isfinite(points).all(axis=1)]
+        self.say("Path", "Ok", f"{len(points)} poses")
+        shapes = [ribbon(points, self.options["line_width"], colour_of(self.options["color"], self.options["alpha"]))]
+        scene.put(self.key, "path", *(shapes if len(points) > 1 else []), pose=pose)
+
+
+def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, float]) -> Triangles:
+    """A flat band along points (n, 3), `width` metres wide, a little above them."""
+    along = np.diff(points, axis=0)
+    size = np.maximum(np.linalg.norm(along[:, :2], axis=1, keepdims=True), 1e-12)
+    side = np.stack([-along[:, 1], along[:, 0], np.zeros(len(along))], axis=1) / size * width / 2
+    side[size[:, 0] < 1e-9] = (width / 2, 0.0, 0.0)
+    up = np.array([0.0, 0.0, 0.01])
+    corners = np.stack([points[:-1] - side, points[:-1] + side, points[1:] + side, points[1:] - side], axis=1) + up
+    first = np.arange(len(along))[:, None] * 4
+    faces = np.concatenate([first + np.array(corner) for corner in ([0, 2, 1], [0, 3, 2])])
+    return Triangles(corners.reshape(-1, 3), faces, colour)

@@ -1,0 +1,114 @@
+"""RobotModel: a robot's shapes from its description, each link where tf says that it is."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from coursekit.nodes.rviz.config import DisplayConfig
+from coursekit.urdf import MeshError, Robot, UrdfError, parse
+from coursekit.urdf.shapes import link_surfaces
+from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene_shapes import Triangles
+
+from .display import Display, NoTransform
+
+if TYPE_CHECKING:
+    from coursekit.view.scene_stage import Stage
+
+
+class RobotModel(Display):
+    """One robot."""
+
+    kind = "RobotModel"
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self.robot: Robot | None = None
+        self.poses: dict[str, Pose] = {}
+        """Where the links are that could be placed"""
+        self._text = ""
+        self._drawn: set[str] = set()
+
+    def forget(self) -> None:
+        """No robot."""
+        self.robot, self.poses, self._text, self._drawn = None, {}, "", set()
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Read a new description; place the links."""
+        for msg in self.taken()[-1:]:
+            if msg.data != self._text:
+                self._read(msg.data, scene)
+        if self.robot is not None:
+            self._place(stage, scene)
+
+    def _read(self, text: str, scene: Scene) -> None:
+        scene.clear(self.key)
+        self.forget()
+        self._text = text
+        try:
+            self.robot = parse(text, self.config.topic)
+        except UrdfError as error:
+            self.say("URDF", "Error", f"{error}")
+            self.unsay("Links")
+            return
+        self.say("URDF", "Ok", "URDF parsed OK")
+        faults = [fault for link in self.robot.links if (fault := self._shape(link, scene))]
+        if faults:
+            self.say("URDF", "Error", faults[0])
+
+    def _shape(self, link: str, scene: Scene) -> str:
+        assert self.robot is not None
+        fault = ""
+        kinds = [other for other in (False, True) if self.options["collision_enabled" if other else "visual_enabled"]]
+        shapes: list[Any] = []
+        for collision in kinds:
+            try:
+                surfaces = link_surfaces(self.robot, link, collision=collision)
+            except MeshError as error:
+                fault = str(error)
+                continue
+            for one in surfaces:
+                colour = (*one.colour[:3], one.colour[3] * self.options["alpha"])
+                shapes.append(Triangles(one.vertices, one.faces, colour))
+        self._shapes = getattr(self, "_shapes", {})
+        self._shapes[link] = tuple(shapes)
+        return fault
+
+    def prefix(self, stage: Stage) -> str:
+        """What stands before the links' names in tf: as told, else the topic's namespace where only that exists."""
+        assert self.robot is not None
+        told = self.options["tf_prefix"]
+        if told:
+            return told if told.endswith("/") else f"{told}/"
+        space = self.config.topic.rpartition("/")[0].strip("/")
+        root = self.robot.root
+        known = stage.buffer.frames
+        return f"{space}/" if space and root not in known and f"{space}/{root}" in known else ""
+
+    def _place(self, stage: Stage, scene: Scene) -> None:
+        assert self.robot is not None
+        prefix, missing = self.prefix(stage), {}
+        for link in self.robot.links:
+            try:
+                pose = stage.pose(prefix + link)
+            except NoTransform as error:
+                missing[prefix + link] = str(error)
+                self.poses.pop(link, None)
+                scene.remove(self.key, link)
+                continue
+            self.poses[link] = pose
+            if not scene.has(self.key, link):
+                scene.put(self.key, link, *self._shapes[link], pose=pose)
+            else:
+                scene.place(self.key, link, pose)
+        self._tell(missing)
+
+    def _tell(self, missing: dict[str, str]) -> None:
+        assert self.robot is not None
+        total = len(self.robot.links)
+        if not missing:
+            self.say("Links", "Ok", f"{self.robot.name}: {total} of {total} links placed")
+            return
+        first, text = next(iter(missing.items()))
+        more = f" And so for {len(missing) - 1} more links of {total}." if len(missing) > 1 else ""
+        self.say("Links", "Error", text + more if first else text)

@@ -1,0 +1,117 @@
+"""TF: axes and names of all frames, and arrows from each to its parent."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene_shapes import Label, Triangles, scattered, tube
+
+from .display import Display, NoTransform
+
+if TYPE_CHECKING:
+    from coursekit.view.scene_stage import Stage
+
+LENGTH, RADIUS = 0.12, 0.005
+"""An axis [m] at marker_scale 1"""
+_RED, _GREEN, _BLUE = (0.86, 0.2, 0.18, 1.0), (0.2, 0.68, 0.3, 1.0), (0.18, 0.42, 0.85, 1.0)
+_ARROW = (0.93, 0.72, 0.2, 1.0)
+OLD = "Grey"
+
+
+class TF(Display):
+    """All frames of the buffer."""
+
+    kind = "TF"
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Follow the frames."""
+        poses, lost, old = self._poses(stage)
+        self.poses = poses
+        names: set[str] = set()
+        for frame, pose in poses.items():
+            names |= self._frame(frame, pose, scene)
+            parent = stage.buffer.parent(frame)
+            if self.options["show_arrows"] and parent in poses:
+                names |= self._arrow(frame, pose, poses[parent], scene)
+        scene.keep_only(self.key, names)
+        self._tell(stage, poses, lost, old)
+
+    def _poses(self, stage: Stage) -> tuple[dict[str, Pose], list[str], list[str]]:
+        poses: dict[str, Pose] = {}
+        lost: list[str] = []
+        old: list[str] = []
+        for frame in sorted(stage.buffer.frames):
+            if stage.too_old(frame, self.options["frame_timeout"]):
+                old.append(frame)
+                continue
+            try:
+                poses[frame] = stage.pose(frame)
+            except NoTransform:
+                lost.append(frame)
+        return poses, lost, old
+
+    def _frame(self, frame: str, pose: Pose, scene: Scene) -> set[str]:
+        made = {f"axes {frame}"}
+        scale = float(self.options["marker_scale"])
+        if not scene.has(self.key, f"axes {frame}"):
+            axes = _axes(scale) if self.options["show_axes"] else ()
+            label = (Label(frame),) if self.options["show_names"] else ()
+            scene.put(self.key, f"axes {frame}", *axes, *label, pose=pose)
+        scene.place(self.key, f"axes {frame}", pose)
+        return made
+
+    def _arrow(self, frame: str, pose: Pose, parent: Pose, scene: Scene) -> set[str]:
+        """A unit arrow, stretched from the frame to its parent."""
+        dx, dy, dz = (b - a for a, b in zip(pose[:3], parent[:3], strict=True))
+        length = math.sqrt(dx * dx + dy * dy + dz * dz)
+        if length < 1e-6:
+            return set()
+        name = f"arrow {frame}"
+        if not scene.has(self.key, name):
+            scene.put(self.key, name, _unit_arrow(float(self.options["marker_scale"])))
+        turn = _turn_to(dx / length, dy / length, dz / length)
+        scene.place(self.key, name, (*pose[:3], *turn), (length, 1.0, 1.0))
+        return {name}
+
+    def _tell(self, stage: Stage, poses: dict[str, Pose], lost: list[str], old: list[str]) -> None:
+        self.statuses.clear()
+        if not poses and not lost and not old:
+            self.say("Frames", "Warn", "No tf data received. Does anybody publish /tf or /tf_static?")
+            return
+        self.say("Frames", "Ok", f"{len(poses)} frames")
+        if lost:
+            text = f"No transform from {_few(lost)} to [{stage.fixed_frame}]: another tree"
+            self.say("Frames", "Warn", text)
+        if old:
+            self.say("Age", "Warn", f"No new transform for {_few(old)} for {self.options['frame_timeout']:g} s")
+
+
+def _few(names: list[str]) -> str:
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+    return ", ".join(f"[{one}]" for one in names[:3]) + more
+
+
+def _axes(scale: float) -> tuple[Triangles, ...]:
+    length, radius = LENGTH * scale, RADIUS * scale
+    vertices, faces = tube(0.0, length, radius, sides=10)
+    around = {"x": [0, 1, 2], "y": [2, 0, 1], "z": [1, 2, 0]}
+    colours = (_RED, _GREEN, _BLUE)
+    return tuple(Triangles(vertices[:, order], faces, c) for order, c in zip(around.values(), colours, strict=True))
+
+
+def _unit_arrow(scale: float) -> Triangles:
+    """From the origin to x = 1."""
+    body = tube(0.0, 1.0, 0.0018 * scale, sides=6)
+    return Triangles(*scattered(body, np.zeros((1, 3))), _ARROW)
+
+
+def _turn_to(x: float, y: float, z: float) -> tuple[float, float, float, float]:
+    """The quaternion that turns the x axis to a unit vector."""
+    if x < -0.999999:
+        return 0.0, 0.0, 1.0, 0.0
+    w = math.sqrt((1.0 + x) / 2)
+    return 0.0, -z / (2 * w), y / (2 * w), w

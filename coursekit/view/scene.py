@@ -1,0 +1,137 @@
+"""A scene: things with shapes at poses, and what has changed in it since it was last sent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .scene_shapes import Label, Picture, Shape, rotation
+
+Pose = tuple[float, float, float, float, float, float, float]
+"""x, y, z [m] and a unit quaternion x, y, z, w"""
+Scale = tuple[float, float, float]
+Key = tuple[str, str]
+"""(the display that a thing belongs to, its own name)"""
+HERE: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+FULL: Scale = (1.0, 1.0, 1.0)
+_CLOSE = 1e-7
+
+
+@dataclass
+class Thing:
+    """Shapes that move together."""
+
+    number: int
+    shapes: tuple[Shape, ...]
+    pose: Pose = HERE
+    scale: Scale = FULL
+
+
+@dataclass
+class Changes:
+    """What a browser has to do to show the scene as it is now, in this order."""
+
+    gone: list[int] = field(default_factory=list)
+    made: list[Thing] = field(default_factory=list)
+    moved: list[Thing] = field(default_factory=list)
+
+    def __bool__(self) -> bool:
+        return bool(self.gone or self.made or self.moved)
+
+
+class Scene:
+    """Things by (display, name).
+
+    >>> scene = Scene()
+    >>> scene.put("tf", "laser", Label("laser"))
+    >>> len(scene.changes().made), bool(scene.changes())
+    (1, False)
+    >>> scene.place("tf", "laser", (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
+    >>> len(scene.changes().moved)
+    1
+    """
+
+    def __init__(self) -> None:
+        self.things: dict[Key, Thing] = {}
+        self._count = 0
+        self._gone: list[int] = []
+        self._made: dict[int, Thing] = {}
+        self._moved: dict[int, Thing] = {}
+
+    def put(self, display: str, name: str, *shapes: Shape, pose: Pose | None = None, scale: Scale = FULL) -> None:
+        """Give a thing these shapes, in place of those it had; `pose` in the fixed frame."""
+        old = self.things.get((display, name))
+        if old is not None:
+            self._forget(old)
+        self._count += 1
+        thing = Thing(self._count, shapes, pose or (old.pose if old is not None else HERE), scale)
+        self.things[display, name] = self._made[thing.number] = thing
+
+    def place(self, display: str, name: str, pose: Pose, scale: Scale = FULL) -> None:
+        """Move a thing that is there."""
+        thing = self.things[display, name]
+        if thing.scale == scale and all(abs(a - b) < _CLOSE for a, b in zip(thing.pose, pose, strict=True)):
+            return
+        thing.pose, thing.scale = pose, scale
+        if thing.number not in self._made:
+            self._moved[thing.number] = thing
+
+    def has(self, display: str, name: str) -> bool:
+        """Whether a thing is there."""
+        return (display, name) in self.things
+
+    def remove(self, display: str, name: str) -> None:
+        """Take a thing away; harmless when it is not there."""
+        thing = self.things.pop((display, name), None)
+        if thing is not None:
+            self._forget(thing)
+
+    def clear(self, display: str) -> None:
+        """Take all things of a display away."""
+        for key in [key for key in self.things if key[0] == display]:
+            self.remove(*key)
+
+    def keep_only(self, display: str, names: Sequence[str] | set[str]) -> None:
+        """Take away the things of a display that are not named."""
+        for key in [key for key in self.things if key[0] == display and key[1] not in names]:
+            self.remove(*key)
+
+    def _forget(self, thing: Thing) -> None:
+        self._moved.pop(thing.number, None)
+        if self._made.pop(thing.number, None) is None:
+            self._gone.append(thing.number)
+
+    def changes(self) -> Changes:
+        """What changed since the last call."""
+        found = Changes(self._gone, list(self._made.values()), list(self._moved.values()))
+        self._gone, self._made, self._moved = [], {}, {}
+        return found
+
+    def whole(self) -> Changes:
+        """All of it, for a page that shows nothing yet."""
+        self.changes()
+        return Changes([], list(self.things.values()), [])
+
+    def bounds(self, displays: Sequence[str] | None = None) -> tuple[np.ndarray, np.ndarray] | None:
+        """The least and the greatest corner of a box around what is shown [m]; None of an empty scene."""
+        things = [thing for key, thing in self.things.items() if displays is None or key[0] in displays]
+        corners = [corner for thing in things for corner in _corners(thing)]
+        return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
+
+
+def _corners(thing: Thing) -> Iterator[np.ndarray]:
+    turn = rotation(np.array(thing.pose[3:]))
+    for shape in thing.shapes:
+        if isinstance(shape, Label):
+            points = np.zeros((1, 3))
+        elif isinstance(shape, Picture):
+            points = np.array([[0.0, 0.0, 0.0], [shape.width, shape.height, 0.0]])
+        else:
+            points = shape.points if not hasattr(shape, "vertices") else shape.vertices
+        if len(points):
+            yield from (points * thing.scale) @ turn.T + thing.pose[:3]
+
+
+__all__ = ["FULL", "HERE", "Changes", "Key", "Pose", "Scale", "Scene", "Thing"]

@@ -1,0 +1,61 @@
+"""From where a scene is looked at."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .scene import Scene
+
+FIELD = math.radians(45)
+"""Height of what is seen, as an angle"""
+NEAR = 0.02
+
+
+@dataclass(frozen=True)
+class Camera:
+    """At `distance` [m] from `target`, turned by `yaw` and raised by `pitch` [rad], as RViz's Orbit view."""
+
+    distance: float = 5.0
+    yaw: float = 0.9
+    pitch: float = 0.5
+    target: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def eye(self) -> np.ndarray:
+        """Where it is."""
+        flat = math.cos(self.pitch)
+        way = [flat * math.cos(self.yaw), flat * math.sin(self.yaw), math.sin(self.pitch)]
+        return np.array(self.target) + self.distance * np.array(way)
+
+    def seen(self, points: np.ndarray) -> np.ndarray:
+        """Points (n, 3) as right, up and depth [m] seen from it."""
+        cy, sy, cp, sp = math.cos(self.yaw), math.sin(self.yaw), math.cos(self.pitch), math.sin(self.pitch)
+        right, up, ahead = (-sy, cy, 0.0), (-sp * cy, -sp * sy, cp), (-cp * cy, -cp * sy, -sp)
+        result: np.ndarray = (np.asarray(points, float) - self.eye()) @ np.array([right, up, ahead]).T
+        return result
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a configuration."""
+        return {"distance": self.distance, "yaw": self.yaw, "pitch": self.pitch, "target": list(self.target)}
+
+
+def camera_of(view: Mapping[str, Any] | None, scene: Scene, keys: list[str], weak: list[str]) -> Camera:
+    """The camera of a configuration; without one, one that shows the things of the displays `keys`, else of `weak`."""
+    if view:
+        x, y, z = view["target"]
+        return Camera(view["distance"], view["yaw"], view["pitch"], (x, y, z))
+    bounds = scene.bounds(keys) or scene.bounds(weak)
+    if bounds is None:
+        return Camera()
+    low, high = bounds
+    middle = (low + high) / 2
+    radius = float(np.linalg.norm(high - low)) / 2
+    distance = min(200.0, max(0.5, 1.1 * radius / math.sin(FIELD / 2)))
+    return Camera(distance, target=(float(middle[0]), float(middle[1]), float(middle[2])))
+
+
+__all__ = ["FIELD", "NEAR", "Camera", "camera_of"]

@@ -1,0 +1,186 @@
+"""What a scene is made of: triangles, lines, points, pictures and labels, as arrays."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+Colour = tuple[float, float, float, float]
+"""Red, green, blue, alpha from 0 to 1"""
+Body = tuple[np.ndarray, np.ndarray]
+"""Vertices (n, 3) and faces (m, 3)"""
+CREASE = math.cos(math.radians(40))
+"""Faces that meet at less than this angle look like one smooth surface."""
+
+
+@dataclass(frozen=True, eq=False)
+class Triangles:
+    """Filled triangles; `colours` (m, 4), one for each face, goes before `colour`."""
+
+    vertices: np.ndarray
+    """(n, 3) [m]"""
+    faces: np.ndarray
+    """(m, 3) indices"""
+    colour: Colour
+    colours: np.ndarray | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """Thin lines from each even point to the odd one after it; `colours` (2n, 3) goes before `colour`."""
+
+    points: np.ndarray
+    """(2n, 3) [m]"""
+    colour: Colour
+    colours: np.ndarray | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Dots of `size` metres; `colours` (n, 3) goes before `colour`."""
+
+    points: np.ndarray
+    """(n, 3) [m]"""
+    size: float
+    colour: Colour
+    colours: np.ndarray | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A picture that lies in the plane z = 0, its lower left corner at the origin."""
+
+    image: np.ndarray
+    """(rows, columns, 4) uint8, RGBA, the uppermost row first"""
+    width: float
+    """[m]"""
+    height: float
+    """[m]"""
+    alpha: float = 1.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """A text that faces whoever looks; `height` [m], 0: as small letters on the screen."""
+
+    text: str
+    colour: Colour = (0.15, 0.2, 0.25, 1.0)
+    height: float = 0.0
+
+
+Shape = Triangles | Lines | Points | Picture | Label
+
+
+def colour_of(rgb: list[int] | tuple[int, ...], alpha: float = 1.0) -> Colour:
+    """A colour from numbers of 0 to 255.
+
+    >>> colour_of([255, 0, 51])
+    (1.0, 0.0, 0.2, 1.0)
+    """
+    red, green, blue = (one / 255.0 for one in rgb)
+    return red, green, blue, alpha
+
+
+def rotation(quaternions: np.ndarray) -> np.ndarray:
+    """(n, 4) quaternions x, y, z, w as (n, 3, 3) matrices."""
+    x, y, z, w = np.moveaxis(np.asarray(quaternions, float), -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
+@lru_cache(maxsize=64)
+def box(x: float = 1.0, y: float = 1.0, z: float = 1.0) -> Body:
+    """Vertices and faces of a box around the origin."""
+    import trimesh
+
+    made = trimesh.creation.box(extents=(x, y, z))
+    return np.asarray(made.vertices), np.asarray(made.faces)
+
+
+@lru_cache(maxsize=8)
+def ball(fine: int = 2) -> Body:
+    """Vertices and faces of a ball of diameter 1."""
+    import trimesh
+
+    made = trimesh.creation.icosphere(subdivisions=fine, radius=0.5)
+    return np.asarray(made.vertices), np.asarray(made.faces)
+
+
+@lru_cache(maxsize=64)
+def tube(start: float, end: float, radius: float, tip: float | None = None, sides: int = 16) -> Body:
+    """Vertices and faces of a cylinder along x from `start` to `end`; its far end has the radius `tip`, 0 is a cone."""
+    turn = np.arange(sides) * (2 * np.pi / sides)
+    ring = np.stack([np.zeros(sides), np.cos(turn), np.sin(turn)], axis=1)
+    far = radius if tip is None else tip
+    near_ring, far_ring = ring * radius + [start, 0, 0], ring * far + [end, 0, 0]
+    vertices = np.concatenate([near_ring, far_ring, [[start, 0, 0], [end, 0, 0]]])
+    here, there = np.arange(sides), (np.arange(sides) + 1) % sides
+    faces = [(here, there, there + sides), (here, there + sides, here + sides)]
+    faces += [(there, here, np.full(sides, 2 * sides)), (here + sides, there + sides, np.full(sides, 2 * sides + 1))]
+    return vertices, np.concatenate([np.stack(one, axis=1) for one in faces])
+
+
+def arrow(length: float, radius: float, head: float, head_radius: float, colour: Colour) -> Triangles:
+    """An arrow along x: a shaft of `length` and a head after it [m]."""
+    return join([tube(0.0, length, radius), tube(length, length + head, head_radius, 0.0)], colour)
+
+
+def join(parts: list[Body], colour: Colour) -> Triangles:
+    """Several bodies as one shape."""
+    starts = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
+    faces = [one + start for (_, one), start in zip(parts, starts, strict=False)]
+    return Triangles(np.concatenate([one for one, _ in parts]), np.concatenate(faces), colour)
+
+
+def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -> Body:
+    """The same body at many places (n, 3), turned by quaternions (n, 4), as one."""
+    vertices, faces = body
+    turned = np.broadcast_to(vertices, (len(places), *vertices.shape))
+    if turns is not None:
+        turned = np.einsum("nij,vj->nvi", rotation(turns), vertices)
+    shifts = np.arange(len(places))[:, None, None] * len(vertices)
+    return (turned + places[:, None, :]).reshape(-1, 3), (faces[None] + shifts).reshape(-1, 3)
+
+
+def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(3m, 3): the normal of each corner of each face: smooth over flat edges, sharp over others."""
+    from scipy.sparse import csr_matrix
+
+    corners = vertices[faces]
+    area = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    flat = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-30)
+    _, place = np.unique(np.round(corners.reshape(-1, 3), 6), axis=0, return_inverse=True)
+    count = len(faces) * 3
+    held = csr_matrix((np.ones(count), (np.arange(count), place.ravel())))
+    pairs = (held @ held.T).tocoo()
+    mine, other = pairs.row // 3, pairs.col // 3
+    smooth = np.einsum("ij,ij->i", flat[mine], flat[other]) > CREASE
+    total = np.stack([np.bincount(pairs.row[smooth], area[other[smooth], axis], count) for axis in range(3)], axis=1)
+    return total / np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-30)
+
+
+__all__ = [
+    "Colour",
+    "Label",
+    "Lines",
+    "Picture",
+    "Points",
+    "Shape",
+    "Triangles",
+    "arrow",
+    "ball",
+    "box",
+    "colour_of",
+    "corner_normals",
+    "join",
+    "rotation",
+    "scattered",
+    "tube",
+]

@@ -1,0 +1,213 @@
+"""The stage: the displays of one view, the frames they are placed by, and what they say."""
+
+from __future__ import annotations
+
+import difflib
+import threading
+from typing import Any
+
+from coursekit.nodes.rviz.config import Config, DisplayConfig
+from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.tf import ExtrapolationException, FrameBuffer, Pose, TransformException
+
+from .displays import Display, NoTransform, make_display
+from .displays.image import Image
+from .displays.robot_model import RobotModel
+from .frame_listening import listen_to_frames
+from .scene import HERE, Scene
+from .scene_camera import Camera, camera_of
+from .scene_still import Still
+
+WORLD = ("map", "odom", "world")
+"""Frames that are a good fixed frame when they are there, the best first."""
+
+
+class Stage:
+    """What a viewer shows. `update()` brings the scene up to date; nothing is drawn between two calls."""
+
+    def __init__(self, node: Any, config: Config) -> None:
+        self.node = node
+        self.config = config
+        self.scene = Scene()
+        self.buffer: FrameBuffer = listen_to_frames(node)
+        self.displays: list[Display] = []
+        self.lock = threading.RLock()
+        self._guessed = ""
+        self._count = 0
+        for one in config.displays:
+            self.add(one)
+
+    # -- the displays
+
+    def add(self, config: DisplayConfig) -> Display:
+        """One more."""
+        self._count += 1
+        made = make_display(config, self._count)
+        made.connect(self.node)
+        self.displays.append(made)
+        return made
+
+    def find(self, name: str) -> Display:
+        """The display of that name; LookupError, which names those that there are."""
+        for one in self.displays:
+            if one.config.name == name:
+                return one
+        known = ", ".join(one.config.name for one in self.displays) or "none"
+        raise LookupError(f"There is no display '{name}'. There are: {known}")
+
+    def switch(self, display: Display, on: bool) -> None:
+        """Turn one on or off."""
+        with self.lock:
+            display.config.enabled = on
+            display.disconnect(self.node)
+            self.scene.clear(display.key)
+            display.connect(self.node)
+
+    def retopic(self, display: Display, topic: str) -> None:
+        """Have one listen to another topic."""
+        with self.lock:
+            display.config.topic = topic if topic.startswith("/") else f"/{topic}"
+            self.switch(display, display.config.enabled)
+
+    # -- frames
+
+    @property
+    def fixed_frame(self) -> str:
+        """The frame that stands still: as told, else guessed as soon as frames are known."""
+        return self.config.fixed_frame or self._guessed or "map"
+
+    def fix(self, frame: str) -> None:
+        """Look from another frame; '' guesses anew."""
+        with self.lock:
+            self.config.fixed_frame, self._guessed = frame, ""
+            for one in self.displays:
+                self.switch(one, one.config.enabled)
+
+    def _guess(self) -> None:
+        """A frame named as a world is, else the root of the largest tree."""
+        if self.config.fixed_frame or self._guessed or not self.buffer.frames:
+            return
+        below: dict[str, int] = {}
+        for frame in sorted(self.buffer.frames):
+            root = self.root(frame)
+            below[root] = below.get(root, 0) + 1
+        named = [one for one in WORLD if one in below]
+        self._guessed = named[0] if named else max(below, key=lambda one: below[one])
+
+    def root(self, frame: str) -> str:
+        """The uppermost frame above one."""
+        seen = {frame}
+        while (above := self.buffer.parent(frame)) is not None and above not in seen:
+            seen.add(above)
+            frame = above
+        return frame
+
+    def pose(self, frame: str, stamp: int = 0) -> Pose:
+        """A frame in the fixed frame, at a time [ns], 0: the newest. Raises NoTransform."""
+        fixed = self.fixed_frame
+        frame = frame.removeprefix("/")
+        if frame == fixed:
+            return HERE
+        try:
+            return self.buffer.lookup(fixed, frame, stamp).pose
+        except TransformException as error:
+            raise NoTransform(self._explain(frame, fixed, error)) from None
+
+    def pose_at(self, header: Any, newest: bool = False) -> Pose:
+        """The frame of a header at its time; with `newest`, the newest one where that time is not held."""
+        stamp = header.stamp.sec * 1_000_000_000 + header.stamp.nanosec
+        try:
+            return self.pose(header.frame_id, stamp)
+        except NoTransform:
+            if newest and stamp:
+                return self.pose(header.frame_id)
+            raise
+
+    def _explain(self, frame: str, fixed: str, error: TransformException) -> str:
+        known = sorted(self.buffer.frames)
+        if not frame:
+            return "The message names no frame: its header.frame_id is empty"
+        if isinstance(error, ExtrapolationException):
+            return f"For frame [{frame}]: no transform to [{fixed}] at its time. {error}"
+        for one in (frame, fixed):
+            if one not in known:
+                near = difflib.get_close_matches(one, known, 1, 0.7)
+                hint = f"Did you mean [{near[0]}]? " if near else ""
+                return f"No transform from [{frame}] to [{fixed}]: frame [{one}] does not exist. {hint}{_there(known)}"
+        return f"No transform from [{frame}] to [{fixed}]: they are in two trees, under [{self.root(frame)}] and " \
+               f"[{self.root(fixed)}]"  # fmt: skip
+
+    def too_old(self, frame: str, limit: float) -> bool:
+        """Whether the newest transform of a moving frame is older than `limit` seconds."""
+        cache = self.buffer.frames.get(frame)
+        newest = 0 if cache is None or cache.static else cache.newest
+        return bool(newest) and self.now() - newest > limit * 1e9
+
+    def now(self) -> int:
+        """The node's time [ns]."""
+        return int(self.node.get_clock().now().nanoseconds)
+
+    # -- what it says
+
+    def update(self) -> Scene:
+        """Bring the scene up to date."""
+        with self.lock:
+            self._guess()
+            for one in self.displays:
+                one.update(self)
+            return self.scene
+
+    def global_status(self) -> tuple[str, str]:
+        """RViz's Global Status: of the fixed frame."""
+        if not self.buffer.frames:
+            return "Warn", f"Fixed Frame: no tf data. Frame [{self.fixed_frame}] does not exist"
+        if self.fixed_frame not in self.buffer.frames:
+            return "Error", f"Fixed Frame: frame [{self.fixed_frame}] does not exist. {_there(sorted(self.buffer.frames))}"
+        return "Ok", ""
+
+    def why_nothing(self, display: Display) -> str:
+        """Why no message comes on a display's topic."""
+        topic, wanted = display.config.topic, KINDS[display.kind].type
+        resolved = dict(self.node.get_topic_names_and_types())
+        if self.node.count_publishers(topic):
+            types = [one for one in resolved.get(topic, []) if one != wanted]
+            if types:
+                return f"{topic} has the type {types[0]}, not {wanted}"
+            return f"{topic} has a publisher that has not published, or whose QoS does not fit"
+        others = sorted(name for name, kinds in resolved.items() if wanted in kinds and self.node.count_publishers(name))
+        return f"Nobody publishes {topic}." + (f" There is: {', '.join(others[:4])}" if others else "")
+
+    def robots(self) -> list[RobotModel]:
+        """The displays of robots that are on."""
+        return [one for one in self.displays if isinstance(one, RobotModel) and one.config.enabled]
+
+    def images(self) -> list[Image]:
+        """The displays of pictures that are on and have one."""
+        return [one for one in self.displays if isinstance(one, Image) and one.config.enabled and one.picture is not None]
+
+
+    # -- pictures
+
+    def keys(self, *kinds: str) -> list[str]:
+        """The keys of the displays of these kinds."""
+        return [one.key for one in self.displays if one.kind in kinds]
+
+    def camera(self) -> Camera:
+        """From where to look: as configured, else so that robots, else all but floors, are seen whole."""
+        rest = [one.key for one in self.displays if one.kind not in ("Grid", "Map")]
+        return camera_of(self.config.view, self.scene, self.keys("RobotModel"), rest)
+
+    def png(self, width: int = 640, height: int = 400) -> bytes:
+        """A still picture of what is shown now."""
+        with self.lock:
+            return Still(self.camera(), width, height).png(self.scene, self.keys("Grid", "Map"))
+
+
+def _there(known: list[str]) -> str:
+    if not known:
+        return "There are no frames yet"
+    more = f" and {len(known) - 8} more" if len(known) > 8 else ""
+    return f"There are: {', '.join(known[:8])}{more}"
+
+
+__all__ = ["Stage"]

@@ -1,0 +1,34 @@
+"""A view in lines: what is shown, from which topics, and what is wrong with it."""
+
+from __future__ import annotations
+
+from coursekit.nodes.rviz.kinds import KINDS
+
+from .displays import Display
+from .scene_stage import Stage
+
+
+def described(stage: Stage) -> str:
+    """The fixed frame and a line for each display; the same every time on the virtual clock."""
+    frame = stage.fixed_frame
+    guessed = "" if stage.config.fixed_frame or not stage.buffer.frames else " (guessed)"
+    lines = [f"viewer: fixed frame {frame}{guessed}"]
+    level, text = stage.global_status()
+    if level != "Ok":
+        lines.append(f"Global Status: {level}: {text}")
+    heads = [_head(one) for one in stage.displays]
+    width = max(map(len, heads), default=0)
+    for head, one in zip(heads, stage.displays, strict=True):
+        lines.append(f"{head:<{width}}  {one.level:<5}  {one.remark if one.config.enabled else ''}".rstrip())
+    lines += [f"not known here: {one}" for one in stage.config.skipped]
+    return "\n".join(lines)
+
+
+def _head(display: Display) -> str:
+    config = display.config
+    name = config.name if config.name == config.kind else f"{config.name} ({config.kind})"
+    topic = f" {config.topic}" if KINDS[config.kind].type else ""
+    return f"[{'x' if config.enabled else ' '}] {name}{topic}"
+
+
+__all__ = ["described"]

@@ -14,10 +14,22 @@ from .place import Array
 
 TURN = 2 * math.pi
 SLACK = 1e-9
-"""Beams this close [rad] to an edge's end are tried too; the exact test then decides with the same slack."""
+"""Beams this close [rad] to an edge's end are tried too."""
+NARROW = 0.5
+"""Between beams closer than this [rad] no edge can hide a half turn."""
 
 
-@numba.njit(cache=True, fastmath=False)
+@numba.njit(cache=True, inline="always")
+def _meet(ranges, beams, k, area, dx, dy, nx, ny):  # type: ignore[no-untyped-def]
+    """Shorten one beam by an edge; `nx`, `ny` is the edge's nearest point."""
+    slope = beams[k, 0] * dy - beams[k, 1] * dx
+    if area == 0.0:
+        ranges[k] = min(ranges[k], math.sqrt(nx * nx + ny * ny))
+    elif slope > 0.0 and area < ranges[k] * slope:
+        ranges[k] = area / slope
+
+
+@numba.njit(cache=True)
 def _edge(ranges, beams, first, step, x1, y1, x2, y2, reach):  # type: ignore[no-untyped-def]
     """Shorten the beams that one edge stops."""
     dx, dy = x2 - x1, y2 - y1
@@ -35,24 +47,21 @@ def _edge(ranges, beams, first, step, x1, y1, x2, y2, reach):  # type: ignore[no
         x1, y1 = nx, ny
     if area < 0.0:  # so that it goes counter-clockwise as seen from the sensor
         x1, y1, x2, y2, dx, dy, area = x2, y2, x1, y1, -dx, -dy, -area
-    start = math.atan2(y1, x1)
-    span = math.atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)
-    if span < 0.0:
-        span = -span
-    low = start - first
+    low = math.atan2(y1, x1) - first
     low -= TURN * math.floor(low / TURN)
+    k = max(0, math.ceil((low - SLACK) / step))
+    if step < NARROW:  # one bearing will do: go on until a beam has passed the other end
+        past = -SLACK * (abs(x2) + abs(y2))
+        while k < len(ranges) and beams[k, 0] * y2 - beams[k, 1] * x2 >= past:
+            _meet(ranges, beams, k, area, dx, dy, nx, ny)
+            k += 1
+        if k < len(ranges):
+            return
+    span = abs(math.atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2))
     for _turn in range(2):
-        begin = math.ceil((low - SLACK) / step)
-        end = math.floor((low + span + SLACK) / step)
-        for k in range(max(0, begin), min(len(ranges) - 1, end) + 1):
-            bx, by = beams[k, 0], beams[k, 1]
-            slope = bx * dy - by * dx
-            if area == 0.0:
-                ranges[k] = min(ranges[k], math.sqrt(nx * nx + ny * ny))
-            elif slope > 0.0:
-                distance = area / slope
-                if distance < ranges[k]:
-                    ranges[k] = distance
+        begin, end = math.ceil((low - SLACK) / step), math.floor((low + span + SLACK) / step)
+        for j in range(max(0, begin), min(len(ranges) - 1, end) + 1):
+            _meet(ranges, beams, j, area, dx, dy, nx, ny)
         low -= TURN
 
 

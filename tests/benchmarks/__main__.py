@@ -47,6 +47,13 @@ def transforms() -> None:
             print(f"| depth {depth}, {words[kind]} | {ours:.1f} µs | {theirs} | {goal} |")
 
 
+def lidar() -> None:
+    """Print the table of scans."""
+    print("\n| scan of 360 beams | coursekit | pymunk, ray by ray | ratio | goal |\n|---|---|---|---|---|")
+    for edges, times in json.loads(measure(sys.executable, "lidar.py")).items():
+        row(f"{edges} edges", times["ours"], times["peer"], {"50": "≤ 20 µs", "1000": "≤ 80 µs"}[edges])
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))
@@ -58,6 +65,7 @@ def main() -> None:
     row("640×480×3 image, publish → callback", ours["image"], peer.get("image"), "≤ 50 µs")
     speed = float(measure(sys.executable, "virtual_nodes.py"))
     print(f"| twelve nodes at 30 Hz, virtual clock | {speed:.0f} × real time | has none | | ≥ 100 × |")
+    lidar()
     link_poses()
     transforms()
     if not peer:

@@ -46,6 +46,9 @@ class Tracker:
         guess = self.pose @ motion
         if not self.submaps:
             return Refined(guess, np.eye(3), 1.0, 0.0), 1.0, True
+        if not self.params.matching:
+            self.pose = guess
+            return Refined(guess, np.eye(3), 1.0, 0.0), 1.0, True
         found, score = self._match(scan, guess, self._sigmas(motion, known))
         accepted = score >= self.params.minimum_score
         if not accepted and known:

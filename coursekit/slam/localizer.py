@@ -69,12 +69,12 @@ class Localizer:
         """Take the next scan."""
         found, score, accepted = self._tracker.track(scan, odometry)
         self.lost = 0 if accepted else self.lost + 1
-        return Result(self.pose, score, accepted, found.degeneracy)
+        return Result(self.pose, score, accepted, found.degeneracy, found.covariance)
 
     def find(
-        self, scan: Scan, near: Pose2 | None = None, distance: float | None = None
+        self, scan: Scan, near: Pose2 | None = None, distance: float | None = None, turn: float = math.pi
     ) -> tuple[Pose2, float]:
-        """Look for the robot in the whole map, or within `distance` [m] of a pose, with any heading.
+        """Look for the robot in the whole map, or within `distance` [m] and `turn` [rad] of a pose.
 
         Returns the pose and its score, and goes on from there; a score of 0 means that it was not found.
         """
@@ -86,7 +86,7 @@ class Localizer:
         guess = self._frame.to(near) if near is not None else middle
         reach = distance if distance is not None else float((high - low).max()) / 2
         pose, score = self._field.find(
-            sample(scan.points, 100), guess, reach, math.pi, p.loop_angle_step, p.minimum_score
+            sample(scan.points, 100), guess, reach, turn, p.loop_angle_step, p.minimum_score
         )
         if score > 0:
             found = refine(scan.points, self._submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)

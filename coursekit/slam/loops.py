@@ -51,7 +51,7 @@ class LoopSearch:
 
     def search(self, keyframe: Keyframe, graph: PoseGraph) -> list[Loop]:
         """The loops that this keyframe settles."""
-        if not self.submaps:
+        if not self.submaps or not self.params.matching or not self.params.loop_candidates:
             return []
         ways = _ways(graph, keyframe.number)
         found = []

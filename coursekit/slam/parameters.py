@@ -38,6 +38,8 @@ class SlamParameters:
     """How far a beam without return clears the map; 0: it says nothing (glass and black surfaces give none either)."""
 
     # submaps and matching
+    matching: bool = True
+    """False: the odometry is believed as it is, and no loop is sought; to see what it is worth."""
     cell: float = 0.05
     """Cell of the likelihood field."""
     field_sigma: float = 0.06

@@ -32,6 +32,12 @@ class Refined:
         return 1.0 - math.sqrt(max(middle - root, 0.0) / (middle + root)) if middle + root > 0 else 1.0
 
 
+    @property
+    def covariance(self) -> Array:
+        """(3, 3) in the pose's own frame [m², rad²]: neighbouring beams share errors, so ten count as one; 1 m where open."""
+        return np.asarray(np.linalg.inv(0.1 * self.information + np.eye(3)), dtype=np.float64)
+
+
 @njit(cache=True)
 def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gate, sigma, h, b):  # type: ignore[no-untyped-def]
     """Sum the normal equations in the pose's own frame; returns inliers and the weighted sums of squares and weights."""

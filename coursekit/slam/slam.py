@@ -31,6 +31,8 @@ class Result:
     """False: nothing fits, the pose comes from the odometry alone."""
     degeneracy: float
     """0: the walls hold every direction alike; towards 1: they leave one open, as in a bare corridor."""
+    covariance: Array
+    """(3, 3) of the pose, from this match alone [m², rad²]."""
     keyframe: bool = False
     loops: tuple[Loop, ...] = ()
     """Loops that this scan settled."""
@@ -87,7 +89,7 @@ class Slam:
         self.stamps.append(scan.stamp)
         self.bases.append(self.tracker.base)
         self.motions.append(self.tracker.from_keyframe())
-        return Result(self.pose, score, accepted, found.degeneracy, fresh, tuple(loops), corrected)
+        return Result(self.pose, score, accepted, found.degeneracy, found.covariance, fresh, tuple(loops), corrected)
 
     @property
     def pose(self) -> Pose2:

@@ -20,10 +20,11 @@ from coursekit.slam.submaps import around, cover
 FORMAT = 1
 LARGEST = 2 << 30
 """Bytes that a session may have when unpacked."""
+_ENDINGS = (".npz", ".posegraph")
 
 
 def save(slam: Slam, path: str | Path) -> Path:
-    """Write a session to PATH (.npz is added when missing); returns the full name. In ROS 2: serialize_map."""
+    """Write a session to PATH (.npz is added unless it ends in that or .posegraph); returns the full name. In ROS 2: serialize_map."""
     scans = [keyframe.scan for keyframe in slam.keyframes]
     edges = slam.graph.edges
     none = np.zeros((0, 2))
@@ -47,7 +48,7 @@ def save(slam: Slam, path: str | Path) -> Path:
         "now": np.array(tuple(slam.pose)),
     }
     file = Path(path)
-    file = file if file.suffix == ".npz" else file.with_name(file.name + ".npz")
+    file = file if file.suffix in _ENDINGS else file.with_name(file.name + ".npz")
     with file.open("wb") as stream:
         np.savez_compressed(stream, **arrays)
     return file.resolve()
@@ -59,8 +60,8 @@ def load(path: str | Path, at: Pose2 | None = None) -> Slam:
     Raises FileNotFoundError, or ValueError when the file is no saved session.
     """
     file = Path(path)
-    if not file.exists() and file.suffix != ".npz":
-        file = file.with_name(file.name + ".npz")
+    if not file.exists() and file.suffix not in _ENDINGS:
+        file = next((named for end in _ENDINGS if (named := file.with_name(file.name + end)).exists()), file)
     if not file.exists():
         raise FileNotFoundError(f"no file {file}: a session is saved with coursekit.slam.storage.save")
     try:

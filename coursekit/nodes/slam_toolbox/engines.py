@@ -1,0 +1,117 @@
+"""What a scan goes into: a session that maps, or one that localises in a finished map."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any, Protocol
+
+from coursekit.nav.map_file import GridMap, load_map
+from coursekit.nodes.slam_toolbox.map_topic import grid_map
+from coursekit.nodes.slam_toolbox.markers import graph_markers, status_markers
+from coursekit.slam import storage
+from coursekit.slam.localizer import Localizer
+from coursekit.slam.parameters import SlamParameters
+from coursekit.slam.pose import Pose2
+from coursekit.slam.scan import Scan
+from coursekit.slam.slam import Result, Slam
+
+NEAR, TURN = 1.5, 0.7
+"""A pose that someone gives is right within this much [m], [rad]."""
+
+
+class Engine(Protocol):
+    """Takes scans, knows the pose, has a map."""
+
+    @property
+    def pose(self) -> Pose2: ...
+    def add(self, scan: Scan, odometry: Pose2) -> Result: ...
+    def grid(self) -> GridMap | None: ...
+    def markers(self, last: Result | None, frame: str, stamp: Any) -> Any: ...
+
+
+class Mapping:
+    """Adds to a map."""
+
+    def __init__(self, slam: Slam) -> None:
+        self.slam = slam
+
+    @property
+    def pose(self) -> Pose2:
+        """In the map."""
+        return self.slam.pose
+
+    def add(self, scan: Scan, odometry: Pose2) -> Result:
+        """Take a scan."""
+        return self.slam.add(scan, odometry)
+
+    def grid(self) -> GridMap | None:
+        """The map so far, None before the first scan."""
+        grid = self.slam.map()
+        return grid_map(grid) if grid.log_odds.size else None
+
+    def markers(self, last: Result | None, frame: str, stamp: Any) -> Any:
+        """The pose graph."""
+        return graph_markers(self.slam, last, frame, stamp)
+
+
+class Localizing:
+    """Finds itself in a map that stays as it is; `near` None looks through the whole map first."""
+
+    def __init__(self, localizer: Localizer, cells: GridMap, near: Pose2 | None) -> None:
+        self.localizer, self._cells = localizer, cells
+        self._wanted, self._near = True, near
+
+    @property
+    def pose(self) -> Pose2:
+        """In the map."""
+        return self.localizer.pose
+
+    def look_near(self, pose: Pose2) -> None:
+        """Begin anew at a pose that someone gave."""
+        self._wanted, self._near = True, pose
+
+    def add(self, scan: Scan, odometry: Pose2) -> Result:
+        """Take a scan; after a new start, look around first."""
+        if self._wanted and len(scan.points):
+            self._find(scan)
+        return self.localizer.add(scan, odometry)
+
+    def _find(self, scan: Scan) -> None:
+        self._wanted, near = False, self._near
+        if near is not None:
+            self.localizer.set_pose(near)
+            self.localizer.find(scan, near, NEAR, TURN)
+        else:
+            self._wanted = self.localizer.find(scan, None, None, math.pi)[1] == 0.0
+
+    def grid(self) -> GridMap | None:
+        """The map."""
+        return self._cells
+
+    def markers(self, last: Result | None, frame: str, stamp: Any) -> Any:
+        """Words about the last match."""
+        return status_markers(last, self.pose, frame, stamp)
+
+
+def localizing(slam: Slam, near: Pose2 | None) -> Localizing:
+    """Localise in the map of a session."""
+    localizer = Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)
+    return Localizing(localizer, grid_map(slam.map()), near)
+
+
+def load_slam(name: str, at: Pose2 | None, params: SlamParameters) -> Slam:
+    """A kept session, to go on from its first pose, or from `at`; OSError or ValueError when there is none."""
+    slam = storage.load(name)
+    slam.params = slam.tracker.params = slam.search.params = params
+    if slam.keyframes:
+        storage.resume(slam, at if at is not None else slam.graph.pose(0))
+    return slam
+
+
+def load_localizing(name: str, near: Pose2 | None, params: SlamParameters) -> Localizing:
+    """Localise in a kept session, or in a map's .yaml; OSError or ValueError when there is none."""
+    if Path(name).suffix != ".yaml":
+        return localizing(load_slam(name, near, params), near)
+    cells = load_map(name)
+    return Localizing(Localizer.from_cells(cells.cells, cells.resolution, cells.origin[:2], params), cells, near)

@@ -1,0 +1,40 @@
+"""The map as topics and services give it."""
+
+from __future__ import annotations
+
+from array import array
+from typing import Any
+
+from nav_msgs.msg import MapMetaData, OccupancyGrid
+from rclpy.node import Node
+
+from coursekit.nav.map_file import GridMap
+from coursekit.nodes.nav2.map_message import MAP_QOS
+from coursekit.slam import grid as slam_grid
+
+
+class MapTopic:
+    """Publishes a grid on `name` and its size on `name`_metadata; late subscribers get the last one."""
+
+    def __init__(self, node: Node, name: str, frame: str) -> None:
+        self._grid_publisher = node.create_publisher(OccupancyGrid, name, MAP_QOS)
+        self._size_publisher = node.create_publisher(MapMetaData, f"{name}_metadata", MAP_QOS)
+        self._frame = frame
+        self.latest: OccupancyGrid | None = None
+
+    def publish(self, grid: GridMap, stamp: Any) -> None:
+        """Publish a map that is as of `stamp`."""
+        msg = OccupancyGrid()
+        msg.header.frame_id, msg.header.stamp = self._frame, stamp
+        msg.info.resolution = grid.resolution
+        msg.info.height, msg.info.width = grid.cells.shape
+        msg.info.origin.position.x, msg.info.origin.position.y = grid.origin[:2]
+        msg.data = array("b", grid.cells.tobytes())
+        self.latest = msg
+        self._grid_publisher.publish(msg)
+        self._size_publisher.publish(msg.info)
+
+
+def grid_map(grid: slam_grid.OccupancyGrid) -> GridMap:
+    """The library's grid as nav2 knows maps: -1 unknown, 0 free, 100 wall."""
+    return GridMap(grid.trinary(), grid.resolution, (*grid.origin, 0.0))

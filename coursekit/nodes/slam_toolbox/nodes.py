@@ -1,0 +1,145 @@
+"""slam_toolbox's executables: how each of them uses scans."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import rclpy
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from rclpy.executors import ExternalShutdownException
+from std_srvs.srv import Empty, SetBool
+
+from coursekit.nodes.slam_toolbox.engines import Localizing
+from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.nodes.slam_toolbox.services import Services
+from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox
+from coursekit.slam.pose import Pose2
+
+
+def start_pose(node: SlamToolbox) -> tuple[Pose2 | None, bool]:
+    """Where a loaded map is to be entered (None: at its first pose), and whether that was said at all."""
+    given = node.get_parameter("map_start_pose").value
+    if given is not None and len(given):
+        if len(given) == 3:
+            return Pose2.of(given), True
+        node.get_logger().error(
+            "LocalizationSlamToolbox: Incorrect number of arguments for map starting pose. Must be in format: "
+            "[x, y, theta]. Starting at the origin"
+        )
+        return Pose2(), True
+    return None, bool(node.get_parameter("map_start_at_dock").value)
+
+
+def load_by_parameters(node: SlamToolbox, services: Services, *, localize: bool) -> None:
+    """Load map_file_name, if one is given."""
+    name = str(node.get_parameter("map_file_name").value or "")
+    if not name:
+        if localize:
+            node.get_logger().warning(
+                "map_file_name is empty: mapping until slam_toolbox/deserialize_map loads a pose graph or a map's .yaml"
+            )
+        return
+    pose, said = start_pose(node)
+    if not said:
+        node.get_logger().error(
+            "LocalizationSlamToolbox: Map starting pose not specified. Set either map_start_pose or map_start_at_dock."
+        )
+    services.load(name, pose, localize=localize, anywhere=localize and not said)
+
+
+def make_async() -> SlamToolbox:
+    """Skips scans rather than lag behind."""
+    node = SlamToolbox()
+    load_by_parameters(node, Services(node), localize=False)
+    return node
+
+
+def make_sync() -> SlamToolbox:
+    """Uses every scan, even if that takes longer than the drive."""
+    node = SlamToolbox(keep_all=True)
+    load_by_parameters(node, Services(node, queue=True), localize=False)
+    return node
+
+
+def make_localization() -> SlamToolbox:
+    """Stays in the map of map_file_name; /initialpose moves the robot."""
+    node = SlamToolbox()
+    services = Services(node, localize=True)
+    _listen_for_poses(node)
+    node.create_service(Empty, "slam_toolbox/clear_localization_buffer", lambda _request, response: response)
+    load_by_parameters(node, services, localize=True)
+    return node
+
+
+def make_map_and_localization() -> SlamToolbox:
+    """Maps, and localises while slam_toolbox/set_localization_mode says so."""
+    node = SlamToolbox()
+    services = Services(node)
+    _listen_for_poses(node)
+
+    def switch(request: Any, response: Any) -> Any:
+        response.message = services.set_localization(request.data)
+        response.success = not response.message
+        mode = "localization" if isinstance(node.engine, Localizing) else "mapping"
+        node.get_logger().info(f"{'Now in' if response.success else 'Still in'} {mode} mode")
+        return response
+
+    node.create_service(SetBool, "slam_toolbox/set_localization_mode", switch)
+    load_by_parameters(node, services, localize=False)
+    return node
+
+
+def _listen_for_poses(node: SlamToolbox) -> None:
+    """Let /initialpose move the robot in a map."""
+
+    def move(msg: PoseWithCovarianceStamped) -> None:
+        if msg.header.frame_id not in ("", node.map_frame):
+            node.get_logger().error(
+                f"/initialpose came in frame '{msg.header.frame_id}', it must be '{node.map_frame}': left aside"
+            )
+        elif not isinstance(node.engine, Localizing):
+            node.get_logger().error("LocalizePoseCallback: Cannot process localization command if not in localization mode.")
+        else:
+            pose = plane(msg.pose.pose.position, msg.pose.pose.orientation)
+            where = f"({pose.x:.2f} {pose.y:.2f}), theta={pose.theta:.2f}"
+            node.get_logger().info(f"LocalizePoseCallback: Localizing to: {where}")
+            node.engine.look_near(pose)
+
+    node.create_subscription(PoseWithCovarianceStamped, "initialpose", move, 1)
+
+
+def _run(make: Callable[[], SlamToolbox], args: list[str] | None) -> int:
+    """Run a node until Ctrl-C."""
+    rclpy.init(args=args)
+    node = None
+    try:
+        node = make()
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        if node is not None:
+            node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+def main_async(args: list[str] | None = None) -> int:
+    """async_slam_toolbox_node."""
+    return _run(make_async, args)
+
+
+def main_sync(args: list[str] | None = None) -> int:
+    """sync_slam_toolbox_node."""
+    return _run(make_sync, args)
+
+
+def main_localization(args: list[str] | None = None) -> int:
+    """localization_slam_toolbox_node."""
+    return _run(make_localization, args)
+
+
+def main_map_and_localization(args: list[str] | None = None) -> int:
+    """map_and_localization_slam_toolbox_node."""
+    return _run(make_map_and_localization, args)

@@ -1,0 +1,120 @@
+"""Scans wait until their transform is known, as behind tf2_ros's MessageFilter; what is dropped is told, with the reason."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from rclpy.time import Time
+from sensor_msgs.msg import LaserScan
+from tf2_ros import Buffer
+
+FULL = "discarding message because the queue is full"
+EARLY = "the timestamp on the message is earlier than all the data in the transform cache"
+EMPTY_FRAME = "the frame id of the message is empty"
+QUIET_NS = 1_000_000_000
+"""The same reason is told at most once in this time."""
+
+
+class WakingBuffer(Buffer):
+    """A buffer that calls `wake()` after every transform."""
+
+    wake: Callable[[], None] | None = None
+
+    def set_transform(self, transform: TransformStamped, authority: str) -> None:
+        """Add a transform."""
+        super().set_transform(transform, authority)
+        if self.wake is not None:
+            self.wake()
+
+    def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
+        """Add a transform that holds for all times."""
+        super().set_transform_static(transform, authority)
+        if self.wake is not None:
+            self.wake()
+
+
+class ScanFilter:
+    """Hands scans on, in their order, once `buffer` can transform them to `target`; keeps at most `size` waiting."""
+
+    def __init__(
+        self, node: Node, buffer: WakingBuffer, target: str, size: int, callback: Callable[[LaserScan], None]
+    ) -> None:
+        self._node, self._buffer, self._target, self._size = node, buffer, target, max(size, 1)
+        self._callback = callback
+        self._waiting: deque[LaserScan] = deque()
+        self._told: dict[str, int] = {}
+        buffer.wake = self.try_waiting
+
+    def add(self, scan: LaserScan) -> None:
+        """Take a scan."""
+        if not scan.header.frame_id:
+            self._drop(scan, EMPTY_FRAME)
+            return
+        self.try_waiting()
+        if len(self._waiting) >= self._size:
+            self._drop(self._waiting.popleft(), FULL)
+        self._waiting.append(scan)
+        self.try_waiting()
+
+    def clear(self) -> bool:
+        """Forget those that wait; whether there were any."""
+        some = bool(self._waiting)
+        self._waiting.clear()
+        return some
+
+    def try_waiting(self) -> None:
+        """Hand on what can be transformed by now."""
+        while self._waiting:
+            scan = self._waiting[0]
+            ready, why = self._ask(scan)
+            if ready:
+                self._waiting.popleft()
+                self._callback(scan)
+            elif "extrapolation into the past" in why:
+                self._drop(self._waiting.popleft(), EARLY)
+            else:
+                return
+
+    def _ask(self, scan: LaserScan) -> tuple[bool, str]:
+        """Whether a scan's transform is known, and if not, why."""
+        stamp = Time.from_msg(scan.header.stamp, self._node.get_clock().clock_type)
+        ready, why = self._buffer.can_transform_core(self._target, scan.header.frame_id, stamp)
+        return bool(ready), why
+
+    def _drop(self, scan: LaserScan, reason: str) -> None:
+        """Tell that a scan is lost, and which transform is missing."""
+        frame = scan.header.frame_id
+        at = scan.header.stamp.sec + scan.header.stamp.nanosec * 1e-9
+        why = self._ask(scan)[1] if frame else "set header.frame_id in the node that publishes the scan"
+        if self._quiet(f"{frame}:{reason}"):
+            return
+        log = self._node.get_logger()
+        log.info(f"Message Filter dropping message: frame '{frame}' at time {at:.3f} for reason '{reason}'")
+        log.warning(f"{self._missing(frame, why)}")
+
+    def _missing(self, frame: str, why: str) -> str:
+        """What is missing, and how to look at it."""
+        if not frame:
+            return why
+        return (
+            f"No transform '{self._target}' -> '{frame}' for this scan: {why or 'not yet'}. "
+            f"Try: ros2 run tf2_ros tf2_echo {self._target} {frame}"
+        )
+
+    def _quiet(self, key: str) -> bool:
+        """Whether this has been told a moment ago."""
+        now = self._node.get_clock().now().nanoseconds
+        if key in self._told and 0 <= now - self._told[key] < QUIET_NS:
+            return True
+        self._told[key] = now
+        return False
+
+
+def lookup(buffer: Any, target: str, source: str, stamp: Any) -> TransformStamped:
+    """A transform at a message's stamp; raises TransformException."""
+    found: TransformStamped = buffer.lookup_transform_core(target, source, Time.from_msg(stamp))
+    return found

@@ -8,12 +8,15 @@
 
 from .errors import WorldError
 from .lidar import Lidar
+from .odometry import Drift
 from .parts import Ball, Cut, Disc, Prism, Skin
 from .place import Place
+from .robot import Drive, Robot, RobotModel
+from .simulation import Simulation
 from .world import Hinge, Thing, World
 from .world_file import load_world, read_world
 
 __all__ = [
-    "Ball", "Cut", "Disc", "Hinge", "Lidar", "Place", "Prism", "Skin", "Thing", "World", "WorldError", "load_world",
-    "read_world",
+    "Ball", "Cut", "Disc", "Drift", "Drive", "Hinge", "Lidar", "Place", "Prism", "Robot", "RobotModel", "Simulation", "Skin",
+    "Thing", "World", "WorldError", "load_world", "read_world",
 ]  # fmt: skip

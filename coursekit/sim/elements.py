@@ -175,7 +175,7 @@ def door(fields: Fields) -> Thing:
 
 def _weight(fields: Fields) -> dict[str, float | None]:
     mass = fields.number("mass", 0.0, 0.0)
-    return {"mass": mass or None, "friction": fields.number("friction", 0.5, 0.0, 10.0)}
+    return {"mass": mass or None, "friction": fields.number("friction", 0.3, 0.0, 10.0)}
 
 
 def _corners(points: np.ndarray) -> tuple[tuple[float, float], ...]:

@@ -31,7 +31,7 @@ class Thing:
     parts: tuple[Part, ...]
     place: Place = ORIGIN
     mass: float | None = None
-    friction: float = 0.5
+    friction: float = 0.3
     texture: str = "plain"
     colour: tuple[float, float, float] | None = None
     hinge: Hinge | None = None

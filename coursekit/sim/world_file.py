@@ -11,7 +11,7 @@ polygons:
 circles:
   - {name: post, center: [3, 1], radius: 0.1}
 boxes:                           # with a mass [kg] they can be pushed
-  - {name: crate, center: [2, 2], size: [0.4, 0.3], yaw: 0.2, mass: 4.0, friction: 0.5}
+  - {name: crate, center: [2, 2], size: [0.4, 0.3], yaw: 0.2, mass: 4.0, friction: 0.3}
 doors:                           # on a hinge; `yaw` is where the leaf points when shut, `open` how far it stands open
   - {name: door, hinge: [0, 1], width: 0.8, yaw: 1.57, open: 0.6, mass: 6.0}
 ```

@@ -1,0 +1,104 @@
+"""Things and robots as pymunk's bodies and shapes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+import pymunk
+from pymunk.autogeometry import convex_decomposition
+
+from .outlines import hull, signed_area
+from .parts import Ball, Disc, Part, Skin
+from .world import Thing
+
+FIXED, LOOSE, ROBOT = 1, 2, 3
+"""Kinds of shapes."""
+SKIN_HEIGHTS = (0.05, 0.15, 0.3)
+"""Where meshes that stand fast are cut for bumping [m]."""
+
+
+def shapes_of(parts: Iterable[Part], body: pymunk.Body, name: str, kind: int, friction: float = 0.6) -> list[Any]:
+    """The shapes of a thing's parts; each knows its thing's `name` and from where to where it reaches (`span`)."""
+    found = []
+    for part in parts:
+        for shape in _shapes(part, body, kind == FIXED):
+            shape.friction, shape.elasticity, shape.collision_type = friction, 0.0, kind
+            shape.name, shape.span = name, (part.low, part.high)
+            found.append(shape)
+    return found
+
+
+def _shapes(part: Part, body: pymunk.Body, fixed: bool) -> Iterator[Any]:
+    if isinstance(part, (Disc, Ball)):
+        yield pymunk.Circle(body, part.radius, (part.x, part.y))
+    elif isinstance(part, Skin):
+        yield from _skin(part, body, fixed)
+    elif part.closed:
+        for piece in convex(part.points):
+            yield pymunk.Poly(body, [(float(x), float(y)) for x, y in piece])
+    else:
+        for a, b in zip(part.points[:-1], part.points[1:], strict=True):
+            yield pymunk.Segment(body, a, b, 0.0)
+
+
+def _skin(part: Skin, body: pymunk.Body, fixed: bool) -> Iterator[Any]:
+    if not fixed:
+        yield pymunk.Poly(body, [(float(x), float(y)) for x, y in hull(part.corners())])
+        return
+    seen: set[tuple[float, float, float, float]] = set()
+    for height in SKIN_HEIGHTS:
+        for edge in np.round(part.cut(height).edges, 6):
+            x1, y1, x2, y2 = map(float, edge)
+            key = (x1, y1, x2, y2)
+            if key not in seen:
+                seen.add(key)
+                yield pymunk.Segment(body, (x1, y1), (x2, y2), 0.0)
+
+
+def convex(points: Iterable[tuple[float, float]]) -> list[Any]:
+    """A polygon as convex pieces, counter-clockwise.
+
+    >>> len(convex([(0, 0), (2, 0), (2, 2), (1, 0.5)]))
+    2
+    """
+    corners = [(float(x), float(y)) for x, y in points]
+    outline = hull(np.array(corners))
+    area = signed_area(np.array(corners))
+    if abs(abs(signed_area(outline)) - abs(area)) <= 1e-9 * max(1.0, abs(area)):
+        return [outline]
+    if area < 0:
+        corners.reverse()
+    pieces = convex_decomposition([*corners, corners[0]], 0.0)
+    return [[(p.x, p.y) for p in piece[:-1]] for piece in pieces] or [outline]
+
+
+def body_of(thing: Thing) -> pymunk.Body:
+    """The body of a thing that can be moved: pushed, on a hinge, or going its own way."""
+    if thing.mass == math.inf:
+        body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+        body.velocity, body.angular_velocity = thing.velocity[:2], thing.velocity[2]
+    else:
+        mass = thing.mass or 1.0
+        corners = np.concatenate([part.corners() for part in thing.parts])
+        body = pymunk.Body(mass, moment(corners, mass))
+        if thing.hinge is not None:
+            body.moment = mass * float((corners**2).sum(axis=1).max()) / 3
+    put(body, thing.place)
+    return body
+
+
+def moment(corners: Any, mass: float) -> float:
+    """The inertia of a block as large as those corners reach [kg m^2], about the origin."""
+    (x0, y0), (x1, y1) = np.min(corners, axis=0), np.max(corners, axis=0)
+    return float(mass * (((x1 - x0) ** 2 + (y1 - y0) ** 2) / 12 + ((x0 + x1) ** 2 + (y0 + y1) ** 2) / 4)) or 1e-6
+
+
+def put(body: pymunk.Body, place: tuple[float, float, float]) -> None:
+    """Put a body somewhere."""
+    body.position, body.angle = (place[0], place[1]), place[2]
+
+
+__all__ = ["FIXED", "LOOSE", "ROBOT", "body_of", "convex", "moment", "put", "shapes_of"]

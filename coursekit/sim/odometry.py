@@ -1,0 +1,93 @@
+"""Odometry that drifts: from what the wheels turned, with slip, bias and noise; seeded, so it can be repeated."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .place import Place
+
+
+@dataclass(frozen=True)
+class Drift:
+    """What is wrong with an odometer. All zeros: it is as exact as the wheels' grip.
+
+    `slip` is the share of each turn that wheels turn in vain (a turn is over-estimated by it), `bias` the error of the
+    wheels' size (a way is over-estimated by it), `curl` what it turns for each metre without knowing [rad/m]; `way_noise`
+    [m per root of m] and `turn_noise` [rad per root of rad], `way_turn_noise` [rad per root of m] are Gauss noise that grows
+    with the way.
+    """
+
+    slip: float = 0.0
+    bias: float = 0.0
+    curl: float = 0.0
+    way_noise: float = 0.0
+    turn_noise: float = 0.0
+    way_turn_noise: float = 0.0
+
+    @classmethod
+    def usual(cls, size: float = 1.0) -> Drift:
+        """What a small robot on a smooth floor has, times `size`.
+
+        >>> Drift.usual(0.0) == Drift()
+        True
+        """
+        return cls(0.02 * size, 0.01 * size, 0.004 * size, 0.01 * size, 0.02 * size, 0.01 * size)
+
+
+class Odometer:
+    """Adds up what wheels turned."""
+
+    def __init__(self, drift: Drift, seed: int) -> None:
+        self.drift, self._seed = drift, seed
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin anew at the origin, with the same chance."""
+        self._chance = np.random.default_rng(self._seed)
+        self._place = (0.0, 0.0, 0.0)
+        self._sum = [0.0, 0.0]
+
+    def roll(self, wheels: tuple[float, float, float], dt: float) -> None:
+        """The wheels turned for `dt` seconds: forward, to the left [m/s], turning [rad/s]."""
+        forward, left, turn = wheels
+        if not (forward or left or turn):
+            return
+        x, y, theta = self._place
+        drift = self.drift
+        way = math.hypot(forward, left) * dt
+        share = 1.0 + drift.bias
+        spin = turn * dt * (1.0 + drift.slip) + drift.curl * way
+        middle = theta + spin / 2
+        c, s = math.cos(middle), math.sin(middle)
+        x += (c * forward - s * left) * share * dt
+        y += (s * forward + c * left) * share * dt
+        self._place = (x, y, theta + spin)
+        self._sum[0] += way
+        self._sum[1] += abs(turn) * dt
+        if self._sum[0] > 0.05 or self._sum[1] > 0.1:
+            self._shake()
+
+    def _shake(self) -> None:
+        """Noise for the way since the last time."""
+        way, turned = self._sum
+        self._sum = [0.0, 0.0]
+        drift = self.drift
+        if not (drift.way_noise or drift.turn_noise or drift.way_turn_noise):
+            return
+        along, spin = self._chance.standard_normal(2)
+        spread = math.sqrt(drift.turn_noise**2 * turned + drift.way_turn_noise**2 * way)
+        x, y, theta = self._place
+        along *= drift.way_noise * math.sqrt(way)
+        self._place = (x + math.cos(theta) * along, y + math.sin(theta) * along, theta + spin * spread)
+
+    @property
+    def place(self) -> Place:
+        """Where the robot believes to be, seen from where it began."""
+        return Place(*self._place)
+
+
+EXACT = Drift()
+__all__ = ["EXACT", "Drift", "Odometer"]

@@ -1,0 +1,53 @@
+"""All outlines at one height, those that move carried along: what LiDARs are cast against."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from .lidar import Lidar
+from .parts import Cut, Part, join
+from .place import Array, Place
+from .rays import carry
+
+
+class OutlineScene:
+    """What stands fast, once; what moves, in the frames of its bodies."""
+
+    def __init__(self, fixed: Sequence[Cut], moving: Sequence[tuple[Any, Cut]]) -> None:
+        self.fixed = join(list(fixed))
+        self._bodies = [body for body, _ in moving]
+        self._local = join([cut for _, cut in moving])
+        edges, circles = [len(cut.edges) for _, cut in moving], [len(cut.circles) for _, cut in moving]
+        self._owners = tuple(np.repeat(np.arange(len(moving)), counts) for counts in (edges, circles))
+        self._ends = [tuple(np.cumsum([0, *counts])) for counts in (edges, circles)]
+        self._world = Cut(self._local.edges.copy(), self._local.circles.copy())
+
+    @staticmethod
+    def cut_of(parts: Iterable[Part], height: float) -> Cut:
+        """The outline of some parts."""
+        return join([part.cut(height) for part in parts])
+
+    def moving(self) -> Cut:
+        """The outline of what moves, where it is now."""
+        if self._bodies:
+            places = np.array([(*body.position, body.angle) for body in self._bodies])
+            (edges, circles), (edge_owners, circle_owners) = self._local, self._owners
+            carry(edges, circles, edge_owners, circle_owners, places, self._world.edges, self._world.circles)
+        return self._world
+
+    def look(self, lidar: Lidar, place: Place, without: Any = None) -> Array:
+        """True distances from a place, not to `without`: a LiDAR does not see the robot that it sits on."""
+        ranges = lidar.look(self.fixed, place)
+        cut = self.moving()
+        if without not in self._bodies:
+            return lidar.look(cut, place, ranges)
+        own = self._bodies.index(without)
+        (a, b), (c, d) = ((ends[own], ends[own + 1]) for ends in self._ends)
+        lidar.look(Cut(cut.edges[:a], cut.circles[:c]), place, ranges)
+        return lidar.look(Cut(cut.edges[b:], cut.circles[d:]), place, ranges)
+
+
+__all__ = ["OutlineScene"]

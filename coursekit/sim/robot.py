@@ -1,0 +1,140 @@
+"""Robots as data (`RobotModel`) and in a simulation (`Robot`)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+from .odometry import EXACT, Drift, Odometer
+from .parts import Part, Prism
+from .place import Place
+
+GRAVITY = 9.81
+
+
+@dataclass(frozen=True)
+class Drive:
+    """How a robot moves: `differential` (also skid-steer, with several pairs of wheels) or `planar` (any way it likes).
+
+    Speeds [m/s, rad/s] and accelerations [m/s^2, rad/s^2] are limits; after `watchdog` seconds without a command it stops,
+    0 for never. `left` and `right` are the joints of its wheels.
+    """
+
+    kind: str = "differential"
+    max_speed: float = math.inf
+    max_turn: float = math.inf
+    acceleration: float = 3.0
+    turn_acceleration: float = 12.0
+    watchdog: float = 0.0
+    separation: float = 0.3
+    radius: float = 0.05
+    left: tuple[str, ...] = ()
+    right: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class RobotModel:
+    """A robot: what bumps (in its base's frame), what it weighs [kg], how it drives, how badly it measures its way.
+
+    >>> RobotModel("cart").drive.kind
+    'differential'
+    """
+
+    name: str
+    parts: tuple[Part, ...] = (Prism(((-0.15, -0.12), (0.15, -0.12), (0.15, 0.12), (-0.15, 0.12)), 0.02, 0.2),)
+    mass: float = 3.0
+    drive: Drive | None = field(default_factory=Drive)
+    drift: Drift = EXACT
+    grip: float = 1.0
+    """Friction between its wheels and the floor."""
+
+
+class Robot:
+    """A robot in a simulation; `Simulation.spawn` makes it."""
+
+    def __init__(self, model: RobotModel, name: str, body: Any, seed: int) -> None:
+        self.model, self.name, self.body = model, name, body
+        self.wheels = (0.0, 0.0, 0.0)
+        """How fast its wheels would carry it: forward, to the left, turning."""
+        self.target = (0.0, 0.0, 0.0)
+        self.commanded_ns: int | None = None
+        self.angles: dict[str, float] = {}
+        """How far each wheel has turned [rad]."""
+        self.odometer = Odometer(model.drift, seed)
+        self.contacts: dict[str, int] = {}
+        """What it touches now, by name, and at how many places."""
+        self.speed_before = (0.0, 0.0)
+        self.restart()
+
+    def restart(self) -> None:
+        """Everything measured begins anew; it stands still."""
+        drive = self.model.drive
+        self.wheels = self.target = (0.0, 0.0, 0.0)
+        self.commanded_ns = None
+        self.angles = dict.fromkeys((*drive.left, *drive.right), 0.0) if drive else {}
+        self.odometer.restart()
+
+    @property
+    def place(self) -> Place:
+        """Where it really is."""
+        return Place(self.body.position.x, self.body.position.y, self.body.angle)
+
+    @property
+    def velocity(self) -> tuple[float, float, float]:
+        """How it really moves: forward and to the left [m/s], turning [rad/s]."""
+        along = self.body.velocity.rotated(-self.body.angle)
+        return along.x, along.y, self.body.angular_velocity
+
+    def command(self, forward: float, turn: float = 0.0, left: float = 0.0, *, now_ns: int | None = None) -> None:
+        """Drive like this from now on; what is no number is ignored, what is too fast is cut."""
+        drive = self.model.drive
+        if drive is None or not all(math.isfinite(part) for part in (forward, turn, left)):
+            return
+        speed = math.hypot(forward, left if drive.kind == "planar" else 0.0)
+        share = min(1.0, drive.max_speed / speed) if speed else 1.0
+        side = left * share if drive.kind == "planar" else 0.0
+        self.target = (forward * share, side, max(-drive.max_turn, min(drive.max_turn, turn)))
+        self.commanded_ns = now_ns
+
+    def before_step(self, dt: float, now_ns: int) -> None:
+        """Wheels follow the command as fast as they may, and push the body as hard as they grip."""
+        drive = self.model.drive
+        if drive is None:
+            return
+        if drive.watchdog and self.commanded_ns is not None and now_ns - self.commanded_ns > drive.watchdog * 1e9:
+            self.target = (0.0, 0.0, 0.0)
+        limits = (drive.acceleration, drive.acceleration, drive.turn_acceleration)
+        self.wheels = tuple(  # type: ignore[assignment]
+            was + max(-most * dt, min(most * dt, goal - was))
+            for was, goal, most in zip(self.wheels, self.target, limits, strict=True)
+        )
+        self._push(dt)
+        self.odometer.roll(self.wheels, dt)
+        self._turn_wheels(drive, dt)
+
+    def _push(self, dt: float) -> None:
+        body, (forward, left, turn) = self.body, self.wheels
+        if self.target == (0.0, 0.0, 0.0) == self.wheels and not body.angular_velocity and not body.velocity.length:
+            return
+        most = self.model.grip * GRAVITY * dt
+        u, w, turning = self.velocity
+        wish = (forward - u, left - w)
+        size = math.hypot(*wish)
+        share = min(1.0, most / size) if size else 0.0
+        along, aside = wish[0] * share, wish[1] * share
+        c, s = math.cos(body.angle), math.sin(body.angle)
+        vx, vy = body.velocity
+        body.velocity = vx + c * along - s * aside, vy + s * along + c * aside
+        swing = most * body.mass * 0.15 / body.moment * 2
+        body.angular_velocity = turning + max(-swing, min(swing, turn - turning))
+
+    def _turn_wheels(self, drive: Drive, dt: float) -> None:
+        forward, _, turn = self.wheels
+        half = turn * drive.separation / 2
+        for names, speed in ((drive.left, forward - half), (drive.right, forward + half)):
+            for name in names:
+                self.angles[name] += speed / drive.radius * dt
+
+
+__all__ = ["GRAVITY", "Drive", "Robot", "RobotModel"]

@@ -1,0 +1,256 @@
+"""A world in motion: robots drive, push and bump; the same commands give the same run."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pymunk
+
+from .bodies import FIXED, LOOSE, ROBOT, body_of, moment, put, shapes_of
+from .errors import WorldError, known
+from .lidar import Lidar
+from .outline_scene import OutlineScene
+from .place import Array, Place
+from .robot import GRAVITY, Robot, RobotModel
+from .world import Thing, World
+
+STEP_NS = 5_000_000
+"""One step of the physics [ns]."""
+_DT = STEP_NS * 1e-9
+
+
+class Simulation:
+    """Robots in a world.
+
+    >>> from coursekit.sim import RobotModel, World
+    >>> simulation = Simulation(World("plain"))
+    >>> cart = simulation.spawn(RobotModel("cart"))
+    >>> cart.command(0.5); simulation.advance(2.0)
+    >>> round(cart.place.x, 2)
+    0.96
+    """
+
+    def __init__(self, world: World, seed: int = 0) -> None:
+        self.world, self.seed = world, seed
+        self.now_ns = 0
+        """The time that the physics has reached; `advance_to` may ask for up to one step more."""
+        self.robots: dict[str, Robot] = {}
+        self.things: dict[str, tuple[Thing, pymunk.Body]] = {}
+        self.space = pymunk.Space()
+        self.space.iterations = 12
+        self.space.collision_slop = 1e-3  # m; the library's own 0.1 is meant for pixels
+        self._starts: dict[str, Place] = {}
+        self._doors: dict[str, list[Any]] = {}
+        self._fixed: dict[str, Thing] = {}
+        self._scenes: dict[float, OutlineScene] = {}
+        self.space.on_collision(ROBOT, None, begin=self._touch, separate=self._part)
+        self.space.on_collision(LOOSE, None, begin=_pass)
+        for thing in world.things:
+            self.add(thing)
+
+    # -- what is there
+
+    def add(self, thing: Thing) -> None:
+        """Put a thing into the world; WorldError if its name is taken."""
+        self._free(thing.name)
+        if thing.moves:
+            body = body_of(thing)
+            self.space.add(body, *shapes_of(thing.parts, body, thing.name, LOOSE))
+            self.things[thing.name] = (thing, body)
+            if thing.hinge is not None:
+                self._hang(thing, body)
+        else:
+            self._fixed[thing.name] = thing
+            body = pymunk.Body(body_type=pymunk.Body.STATIC)
+            put(body, thing.place)
+            self.space.add(body, *shapes_of(thing.parts, body, thing.name, FIXED))
+        self._starts[thing.name] = thing.place
+        self._scenes.clear()
+
+    def _hang(self, thing: Thing, body: pymunk.Body) -> None:
+        ground, hinge = self.space.static_body, thing.hinge
+        assert hinge is not None
+        angle = thing.place.theta
+        limit = pymunk.RotaryLimitJoint(ground, body, angle + hinge.lower, angle + hinge.upper)
+        self._doors[thing.name] = [pymunk.PivotJoint(ground, body, thing.place[:2]), limit]
+        self.space.add(*self._doors[thing.name])
+
+    def spawn(self, model: RobotModel, name: str = "", place: Place | None = None) -> Robot:
+        """A robot, at the world's start unless told. WorldError if the name is taken or something is in its way."""
+        name = name or model.name
+        self._free(name)
+        at = self.world.start if place is None else Place(*place)
+        if not all(math.isfinite(part) for part in at):
+            raise WorldError(f"cannot stand at {tuple(at)}", element=f"robot '{name}'", cure="Give numbers for x, y, yaw.")
+        body = pymunk.Body(model.mass, moment(np.concatenate([part.corners() for part in model.parts]), model.mass))
+        put(body, at)
+        shapes = shapes_of(model.parts, body, name, ROBOT)
+        self._check_room(name, shapes, at)
+        robot = Robot(model, name, body, self.seed * 1000 + len(self.robots))
+        body.robot = robot
+        self.space.add(body, *shapes)
+        self.robots[name] = robot
+        self._starts[name] = at
+        self._scenes.clear()
+        return robot
+
+    def _free(self, name: str) -> None:
+        if name in self.robots or name in self.things or name in self._fixed:
+            raise WorldError(f"there is a '{name}' already", file=self.world.file, cure="Give it another name.")
+
+    def _check_room(self, name: str, shapes: list[Any], at: Place) -> None:
+        self.space.reindex_static()
+        for shape in shapes:
+            shape.cache_bb()
+            for hit in self.space.shape_query(shape):
+                depth = min((point.distance for point in hit.contact_point_set.points), default=0.0)
+                if depth < -1e-3 and hit.shape is not None and _overlap(shape, hit.shape):
+                    where = f"x {at.x:.2f}, y {at.y:.2f}"
+                    raise WorldError(
+                        f"'{hit.shape.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
+                        cure=f"Spawn it somewhere free, for example at {self.world.start.x:g}, {self.world.start.y:g}.",
+                    )  # fmt: skip
+
+    def remove(self, name: str) -> None:
+        """Take a robot or thing out; LookupError names near ones."""
+        body = self._body(name)
+        self.space.remove(*self._doors.pop(name, []), *body.shapes, body)
+        for table in (self.robots, self.things, self._fixed, self._starts):
+            table.pop(name, None)  # type: ignore[attr-defined]
+        for robot in self.robots.values():
+            robot.contacts.pop(name, None)
+        self._scenes.clear()
+
+    def names(self) -> list[str]:
+        """All that is there: what stands, what can be moved, robots."""
+        return [*self._fixed, *self.things, *self.robots]
+
+    def _body(self, name: str) -> pymunk.Body:
+        if name in self.robots:
+            body: pymunk.Body = self.robots[name].body
+            return body
+        if name in self.things:
+            return self.things[name][1]
+        for shape in self.space.shapes:
+            if shape.name == name and shape.body is not None:
+                return shape.body
+        raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
+
+    def place_of(self, name: str) -> Place:
+        """Where a robot or thing is now; LookupError names near ones."""
+        if name in self._fixed:
+            return self._fixed[name].place
+        body = self._body(name)
+        return Place(body.position.x, body.position.y, body.angle)
+
+    def velocity_of(self, name: str) -> tuple[float, float, float]:
+        """How it moves in the world's frame: m/s, m/s, rad/s."""
+        body = self._body(name)
+        return body.velocity.x, body.velocity.y, body.angular_velocity
+
+    def put(self, name: str, place: Place, velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
+        """Put a robot or thing elsewhere, moving like that; LookupError names near ones."""
+        body = self._body(name)
+        put(body, place)
+        if name in self._fixed:
+            thing = self._fixed[name]
+            self._fixed[name] = Thing(thing.name, thing.parts, place, texture=thing.texture, colour=thing.colour)
+            self._scenes.clear()
+        else:
+            body.velocity, body.angular_velocity = velocity[:2], velocity[2]
+        self.space.reindex_shapes_for_body(body)
+
+    def reset(self, time: bool = True) -> None:
+        """Everything back to where it began; with `time` the clock too."""
+        for name, place in self._starts.items():
+            thing = self.things[name][0] if name in self.things else None
+            if name not in self._fixed:
+                self.put(name, place, thing.velocity if thing else (0.0, 0.0, 0.0))
+        for robot in self.robots.values():
+            robot.restart()
+        if time:
+            self.now_ns = 0
+
+    # -- time
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass."""
+        self.advance_to(self.now_ns + round(seconds * 1e9))
+
+    def advance_to(self, time_ns: int) -> None:
+        """Make whole steps until less than one is left."""
+        while time_ns - self.now_ns >= STEP_NS:
+            self._step()
+
+    def _step(self) -> None:
+        for robot in self.robots.values():
+            robot.speed_before = robot.velocity[:2]
+            robot.before_step(_DT, self.now_ns)
+        for thing, body in self.things.values():
+            if thing.mass != math.inf and (body.velocity.length or body.angular_velocity):
+                _drag(body, thing.friction if thing.hinge is None else 0.1)
+        self.space.step(_DT)
+        self.now_ns += STEP_NS
+
+    # -- what is sensed
+
+    def scan(self, lidar: Lidar, robot: Robot | str | None = None, place: Place | None = None) -> Array:
+        """True distances that a LiDAR on a robot (or at a `place` of the world) sees, robots and loose things included."""
+        one = self.robots[robot] if isinstance(robot, str) else robot
+        at = place if place is not None else (one.place if one is not None else Place()) @ lidar.mount
+        return self.scene(lidar.height).look(lidar, at, one.body if one is not None else None)
+
+    def scene(self, height: float) -> OutlineScene:
+        """What is there at a height, kept until something comes or goes."""
+        if height not in self._scenes:
+            fixed = [thing.cut(height).moved(thing.place) for thing in self._fixed.values()]
+            loose = [(body, thing.cut(height)) for thing, body in self.things.values()]
+            loose += [(one.body, OutlineScene.cut_of(one.model.parts, height)) for one in self.robots.values()]
+            self._scenes[height] = OutlineScene(fixed, loose)
+        return self._scenes[height]
+
+    # -- contacts
+
+    def _touch(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
+        if not _meet(arbiter, space, data):
+            return
+        for one, other in (arbiter.shapes, arbiter.shapes[::-1]):
+            robot = getattr(one.body, "robot", None)
+            if robot is not None:
+                robot.contacts[other.name] = robot.contacts.get(other.name, 0) + 1
+
+    def _part(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
+        for one, other in (arbiter.shapes, arbiter.shapes[::-1]):
+            robot = getattr(one.body, "robot", None)
+            if robot is not None and other.name in robot.contacts and _overlap(one, other):
+                robot.contacts[other.name] -= 1
+                if robot.contacts[other.name] <= 0:
+                    del robot.contacts[other.name]
+
+
+def _overlap(one: Any, other: Any) -> bool:
+    return bool(one.span[0] <= other.span[1] and other.span[0] <= one.span[1])
+
+
+def _meet(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> bool:
+    """Shapes at different heights pass each other."""
+    arbiter.process_collision = _overlap(*arbiter.shapes)
+    return arbiter.process_collision
+
+
+def _pass(arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
+    _meet(arbiter, space, data)
+
+
+def _drag(body: pymunk.Body, friction: float) -> None:
+    """What the floor takes from a thing that slides on it."""
+    speed, most = body.velocity.length, friction * GRAVITY * _DT
+    body.velocity = body.velocity * max(0.0, 1.0 - most / speed) if speed else (0.0, 0.0)
+    turn = body.angular_velocity
+    brake = most * 0.15 * body.mass / body.moment
+    body.angular_velocity = math.copysign(max(0.0, abs(turn) - brake), turn)
+
+
+__all__ = ["STEP_NS", "Simulation"]

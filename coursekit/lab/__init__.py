@@ -16,6 +16,8 @@ from .parameter_panel import parameter_panel
 from .service_panel import service_caller
 from .topic_panel import topic_panel
 from .turtle import turtlesim_window
+from .viewer import viewer
+from .viewer_windows import show_rviz_windows
 from .windows import show_new_windows, windows
 
 __all__ = [
@@ -37,6 +39,7 @@ __all__ = [
     "terminals",
     "topic_panel",
     "turtlesim_window",
+    "viewer",
     "wait",
     "windows",
     "workspace",
@@ -44,3 +47,4 @@ __all__ = [
 
 start()
 show_new_windows()
+show_rviz_windows()

@@ -117,7 +117,7 @@ class Cells:
     def _note_nodes(self) -> None:
         nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
         seen = [node for node in nodes if not node.name.startswith("_")]  # hidden ones belong to panels
-        for one in [*seen, *open_panels()]:
+        for one in [*seen, *(panel for panel in open_panels() if panel.of_cell)]:
             if not any(one is known for made in self.made.values() for known in made):
                 self.made.setdefault(self.cell, []).append(one)
 

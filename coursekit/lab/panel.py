@@ -47,6 +47,8 @@ class Panel(anywidget.AnyWidget):
 
     closed = True
     """Until it is open, and after `close`."""
+    of_cell = True
+    """Whether it ends when the cell that made it is run again."""
 
     def __init__(self, node_name: str = "") -> None:
         super().__init__()

@@ -1,0 +1,257 @@
+// The viewer: MeshCat draws what Python sends; this adds the list of displays, labels, RViz's tools and the camera.
+const TOOLS = { goal: "2D Goal Pose", estimate: "2D Pose Estimate", point: "Publish Point" };
+const FIELD = 45;
+
+// MeshCat's own code, once per page: Python sends it, it is not part of any widget's state.
+function meshcat(model) {
+  globalThis.coursekitMeshcat ??= new Promise((resolve) => {
+    const hear = async (message, buffers) => {
+      if (message.type !== "library") return;
+      model.off("msg:custom", hear);
+      const parts = ["const module = { exports: {} }; const exports = module.exports; (function (define) {\n", buffers[0],
+        "\n}).call(globalThis, undefined);\nexport default module.exports;"];
+      const address = URL.createObjectURL(new Blob(parts, { type: "text/javascript" }));
+      resolve((await import(/* webpackIgnore: true */ address)).default);
+      URL.revokeObjectURL(address);
+    };
+    model.on("msg:custom", hear);
+    model.send({ type: "library" });
+  });
+  return globalThis.coursekitMeshcat;
+}
+
+class Scene {
+  constructor(library, pane, labels) {
+    this.labels = labels;
+    this.texts = new Map();
+    this.touched = false;
+    const view = this.view = new library.Viewer(pane);
+    view.gui.domElement.style.display = "none";
+    for (const name of ["Grid", "Axes"]) view.scene_tree.find([name]).object.visible = false;
+    Object.assign(view.scene_tree.find(["Background"]).object, { top_color: [245, 247, 250], bottom_color: [221, 226, 232] });
+    view.show_background();
+    view.camera.fov = FIELD;
+    view.camera.far = 500;
+    const resize = view.set_3d_pane_size.bind(view);
+    view.set_3d_pane_size = () => pane.clientWidth && resize(pane.clientWidth, pane.clientHeight);
+    this.watcher = new ResizeObserver(() => view.set_3d_pane_size());
+    this.watcher.observe(pane);
+    const render = view.render.bind(view);
+    view.render = () => { render(); this.placeTexts(); };
+    view.controls.addEventListener("start", () => { this.touched = true; });
+    this.vector = () => view.camera.position.clone();
+  }
+
+  node(number) { return this.view.scene_tree.find(["scene", String(number)]); }
+
+  apply(message, poses, commands) {
+    if (message.whole) {
+      this.view.delete_path(["scene"]);
+      this.texts.forEach((text) => text.element.remove());
+      this.texts.clear();
+    }
+    for (const number of message.gone) {
+      this.view.delete_path(["scene", String(number)]);
+      for (const [key, text] of this.texts) if (text.of === number) { text.element.remove(); this.texts.delete(key); }
+    }
+    for (const command of commands) this.view.handle_command_bytearray(command);
+    for (let at = 0; at < poses.length; at += 11) {
+      const object = this.node(poses[at]).object;
+      object.position.set(poses[at + 1], poses[at + 2], poses[at + 3]);
+      object.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 7]);
+      object.scale.set(poses[at + 8], poses[at + 9], poses[at + 10]);
+    }
+    message.labels.forEach((label, index) => {
+      const element = make("span", { className: label.height ? "ck-text ck-big" : "ck-text", textContent: label.text });
+      if (label.height) element.style.color = label.colour;
+      this.labels.append(element);
+      this.texts.set(`${label.of} ${index} ${message.n}`, { element, of: label.of, height: label.height });
+    });
+    this.view.set_dirty();
+  }
+
+  placeTexts() {
+    const { camera, dom_element: pane } = this.view;
+    const zoom = pane.clientHeight / 2 / Math.tan((FIELD * Math.PI) / 360);
+    for (const { element, of, height } of this.texts.values()) {
+      const place = this.node(of).object.getWorldPosition(this.vector());
+      const depth = -place.clone().applyMatrix4(camera.matrixWorldInverse).z;
+      place.project(camera);
+      const seen = depth > 0.02 && Math.abs(place.x) < 1.2 && Math.abs(place.y) < 1.2;
+      element.style.display = seen ? "" : "none";
+      if (!seen) continue;
+      if (height) element.style.fontSize = `${Math.min(200, (height / depth) * zoom)}px`;
+      const x = ((place.x + 1) / 2) * pane.clientWidth, y = ((1 - place.y) / 2) * pane.clientHeight;
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    }
+  }
+
+  // MeshCat's world has y up: (x, y, z) of ROS is (x, z, -y) there.
+  look({ distance, yaw, pitch, target: [x, y, z] }) {
+    const flat = Math.cos(Math.min(pitch, Math.PI / 2 - 1e-3)), high = Math.sin(pitch);
+    const { camera, controls } = this.view;
+    controls.target.set(x, z, -y);
+    camera.position.set(x + distance * flat * Math.cos(yaw), z + distance * high, -(y + distance * flat * Math.sin(yaw)));
+    camera.updateProjectionMatrix();
+    controls.update();
+    this.view.set_3d_pane_size();
+    this.view.set_dirty();
+  }
+
+  // Where the floor, z = 0 of the fixed frame, is under the pointer; null above the horizon.
+  floor(event) {
+    const { camera, dom_element: pane } = this.view;
+    const box = pane.getBoundingClientRect();
+    const far = this.vector().set(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2, 0.5);
+    camera.updateMatrixWorld();
+    far.unproject(camera);
+    const eye = camera.getWorldPosition(this.vector());
+    const part = eye.y / (eye.y - far.y);
+    return part > 0 ? { x: eye.x + (far.x - eye.x) * part, y: -(eye.z + (far.z - eye.z) * part) } : null;
+  }
+
+  close() {
+    this.watcher.disconnect();
+    this.view.animate = () => {};
+    this.view.renderer.dispose();
+    this.view.renderer.forceContextLoss();
+  }
+}
+
+// A tool in use: press where, drag whither; Python publishes.
+function useTools(stage, scene, buttons, model) {
+  let tool = null, start = null;
+  const line = stage.querySelector("line");
+  const choose = (name) => {
+    tool = tool === name ? null : name;
+    for (const [key, button] of Object.entries(buttons)) button.setAttribute("aria-pressed", String(key === tool));
+    scene.view.controls.enabled = tool === null;
+    stage.classList.toggle("ck-aiming", tool !== null);
+  };
+  const inside = (event) => { const box = stage.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };
+  const draw = (event) => {
+    const [x, y] = inside(event);
+    line.setAttribute("x2", x); line.setAttribute("y2", y);
+  };
+  const cover = stage.querySelector("svg");
+  cover.addEventListener("pointerdown", (event) => {
+    const place = tool && scene.floor(event);
+    if (!place) return;
+    event.preventDefault();
+    cover.setPointerCapture(event.pointerId);
+    if (tool === "point") { model.send({ type: "tool", tool, ...place, z: 0 }); choose(tool); return; }
+    start = place;
+    const [x, y] = inside(event);
+    line.setAttribute("x1", x); line.setAttribute("y1", y);
+    draw(event);
+    line.style.display = "";
+  });
+  cover.addEventListener("pointermove", (event) => start && draw(event));
+  cover.addEventListener("pointerup", (event) => {
+    if (!start) return;
+    const end = scene.floor(event) ?? start;
+    const yaw = Math.atan2(end.y - start.y, end.x - start.x);
+    model.send({ type: "tool", tool, ...start, yaw });
+    start = null;
+    line.style.display = "none";
+    choose(tool);
+  });
+  return choose;
+}
+
+function rowOf(row, model) {
+  const box = make("input", { type: "checkbox", checked: row.on, onchange: () => model.send({ type: "switch", row: row.row, on: box.checked }) });
+  const dot = make("span", { className: `ck-dot ck-${row.level}`, title: row.level });
+  const parts = [make("label", {}, box, make("b", { textContent: row.name })), dot];
+  if (row.topic !== null) {
+    const topic = make("input", { type: "text", value: row.topic, className: "ck-topic", spellcheck: false,
+      onchange: () => model.send({ type: "topic", row: row.row, topic: topic.value }) });
+    topic.setAttribute("aria-label", `topic of ${row.name}`);
+    parts.push(topic);
+  }
+  const lines = row.lines.filter((line) => line.level === row.level && (row.level !== "Ok" || line.what !== "Transform"));
+  for (const line of lines) parts.push(make("div", { className: `ck-say ck-${line.level}`, textContent: line.text, title: `${line.what}: ${line.level}` }));
+  return make("div", { className: "ck-row" }, ...parts);
+}
+
+export default {
+  render({ model, el }) {
+    const { panel, head, body } = frame(el, "viewer", "Viewer");
+    const fixed = make("select", { onchange: () => model.send({ type: "fix", frame: fixed.value }) });
+    const buttons = Object.fromEntries(Object.entries(TOOLS).map(([name, text]) => [name, make("button", { textContent: text })]));
+    const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
+    head.append(make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons), home, top);
+    const list = make("div", { className: "ck-list" }), pane = make("div", { className: "ck-pane" });
+    const labels = make("div", { className: "ck-labels" }), pictures = make("div", { className: "ck-pictures" });
+    const aim = make("div", { className: "ck-aim" });
+    aim.innerHTML = '<svg width="100%" height="100%"><defs><marker id="ck-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs><line style="display:none" marker-end="url(#ck-tip)"/></svg>';
+    const told = make("div", { className: "ck-told" });
+    const stage = make("div", { className: "ck-stage" }, pane, labels, aim, pictures, told);
+    body.append(list, stage);
+    const images = new Map();
+    const early = [];
+    let scene = null, view = null, rows = "";
+
+    const showImages = (names, buffers) => names.forEach((name, index) => {
+      let shown = images.get(name);
+      if (!shown) {
+        const image = make("img", { alt: name, draggable: false });
+        shown = { image, card: make("figure", {}, image, make("figcaption", { textContent: name })) };
+        images.set(name, shown);
+        pictures.append(shown.card);
+      }
+      if (shown.address) URL.revokeObjectURL(shown.address);
+      shown.image.src = shown.address = URL.createObjectURL(new Blob([buffers[index]], { type: "image/jpeg" }));
+    });
+    const bytes = (buffer) => new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength);
+    const hear = (message, buffers) => {
+      if (message.type === "shown") {
+        stage.style.height = list.style.maxHeight = `${message.height}px`;
+        const frames = message.frames.includes(message.fixed) ? message.frames : [message.fixed, ...message.frames];
+        if (fixed.dataset.frames !== frames.join()) {
+          fixed.replaceChildren(...frames.map((name) => make("option", { value: name, textContent: name })));
+          fixed.dataset.frames = frames.join();
+        }
+        fixed.value = message.fixed;
+        told.textContent = message.told;
+        const text = JSON.stringify([message.rows, message.level, message.remark, message.skipped]);
+        if (text === rows || list.contains(document.activeElement) && document.activeElement.matches(".ck-topic")) return;
+        rows = text;
+        const wrong = message.remark ? [make("div", { className: `ck-say ck-${message.level}`, textContent: message.remark })] : [];
+        const skipped = message.skipped.map((name) => make("div", { className: "ck-say", textContent: `not known here: ${name}` }));
+        list.replaceChildren(...wrong, ...message.rows.map((row) => rowOf(row, model)), ...skipped);
+        const on = new Set(message.rows.filter((row) => row.on).map((row) => row.name));
+        for (const [name, { card }] of images) card.hidden = !on.has(name);
+      } else if (message.type === "scene") {
+        if (!scene) { early.push([message, buffers]); return; }
+        const data = bytes(buffers[0]).slice().buffer;
+        const count = buffers.length - message.images.length;
+        scene.apply(message, new Float64Array(data), buffers.slice(1, count).map(bytes));
+        showImages(message.images, buffers.slice(count));
+        if (message.view) { view = message.view; if (!scene.touched) scene.look(view); }
+        panel.dataset.messages = message.n;
+        requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
+      }
+    };
+    model.on("msg:custom", hear);
+    model.send({ type: "ready" });
+    let closed = false;
+    meshcat(model).then((library) => {
+      if (closed) return;
+      scene = new Scene(library, pane, labels);
+      panel.viewer = scene;
+      const choose = useTools(stage, scene, buttons, model);
+      for (const name of Object.keys(buttons)) buttons[name].addEventListener("click", () => choose(name));
+      home.addEventListener("click", () => { scene.touched = false; if (view) scene.look(view); });
+      top.addEventListener("click", () => { scene.touched = true; if (view) scene.look({ ...view, pitch: Math.PI / 2, yaw: -Math.PI / 2 }); });
+      for (const [message, buffers] of early.splice(0)) hear(message, buffers);
+      model.send({ type: "open" });
+    });
+    return () => {
+      closed = true;
+      model.off("msg:custom", hear);
+      scene?.close();
+      for (const { address } of images.values()) URL.revokeObjectURL(address);
+    };
+  },
+};

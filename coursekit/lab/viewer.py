@@ -1,0 +1,234 @@
+"""The viewer in a notebook: robots, frames and messages in 3D, as RViz shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from coursekit.nodes.rviz.config import Config, DisplayConfig, make_config, read, save
+from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.view.displays import Display
+from coursekit.view.scene_stage import Stage
+from coursekit.view.scene_text import described
+
+from .hidden import HiddenNode
+from .panel import Panel, static
+from .viewer_stream import Stream
+from .viewer_tools import Tools
+
+SETTLE_SECONDS = 1.0
+"""A new viewer waits so long at most until all that it shows has come."""
+_ROBOT = "robot_description"
+
+
+class Viewer(Panel):
+    """See `viewer`."""
+
+    _esm = static("viewer.js")
+    _css = static("viewer.css")
+
+    def __init__(self, config: Config | None = None, height: int = 420) -> None:
+        super().__init__("viewer")
+        self.height_px = height
+        if config is None:
+            self._settle(lambda: bool(robot_topics(self.hidden)))
+            config = bare_config(self.hidden)
+        self.stage = Stage(self.hidden.node, config)
+        self.tools = Tools(self.hidden.node, self.stage)
+        self._stream = Stream(self)
+        self._settle(self._complete)
+
+    def _settle(self, done: Any) -> None:
+        clock = self.session.clock
+        give_up = clock.steady() + round(SETTLE_SECONDS * 1e9)
+        while not done() and clock.steady() < give_up:
+            clock.sleep(0.05)
+
+    def _complete(self) -> bool:
+        waits = [one for one in self.stage.displays if one.config.enabled and KINDS[one.kind].type and not one.count]
+        return not waits and bool(self.stage.buffer.frames) and not self.session.clock.virtual
+
+    # -- from code
+
+    @property
+    def fixed_frame(self) -> str:
+        """The frame that stands still; can be set, '' guesses it."""
+        self.stage.update()
+        return self.stage.fixed_frame
+
+    @fixed_frame.setter
+    def fixed_frame(self, frame: str) -> None:
+        self.stage.fix(frame)
+
+    @property
+    def displays(self) -> list[str]:
+        """The names of the displays."""
+        return [one.config.name for one in self.stage.displays]
+
+    def add(self, display: str | Mapping[str, Any], **options: Any) -> None:
+        """One more display: `add("LaserScan", topic="/scan", size=0.05)`; ValueError if there is no such thing."""
+        given = {"type": display, **options} if isinstance(display, str) and options else display
+        self.stage.add(make_config(displays=[given]).displays[0])
+
+    def switch(self, name: str, on: bool) -> None:
+        """Turn a display on or off; LookupError if there is none of that name."""
+        self.stage.switch(self.stage.find(name), on)
+
+    def status(self, name: str) -> str:
+        """What a display says: 'Ok: ...', 'Warn: ...', 'Error: ...'."""
+        self.stage.update()
+        one = self.stage.find(name)
+        return f"{one.level}: {one.remark}"
+
+    def save(self, path: str | Path) -> None:
+        """Write what is shown to a YAML file, for `viewer(path)` and `rviz2 -d path`."""
+        config = self.stage.config
+        shown = [one.config for one in self.stage.displays]
+        save(Config(self.fixed_frame, shown, config.view), path)
+
+    def goal_pose(self, x: float, y: float, yaw: float = 0.0) -> None:
+        """What the tool 2D Goal Pose publishes on /goal_pose [m, m, rad]."""
+        self.tools.goal_pose(x, y, yaw)
+
+    def pose_estimate(self, x: float, y: float, yaw: float = 0.0) -> None:
+        """What the tool 2D Pose Estimate publishes on /initialpose [m, m, rad]."""
+        self.tools.pose_estimate(x, y, yaw)
+
+    def publish_point(self, x: float, y: float, z: float = 0.0) -> None:
+        """What the tool Publish Point publishes on /clicked_point [m]."""
+        self.tools.publish_point(x, y, z)
+
+    def png(self, width: int = 640, height: int = 400) -> bytes:
+        """A still picture of what is shown now."""
+        self.stage.update()
+        return self.stage.png(width, height)
+
+    # -- without the browser
+
+    def text(self) -> str:
+        """What is shown, in lines."""
+        self.stage.update()
+        return described(self.stage)
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**options)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            from base64 import b64encode
+
+            data["image/png"] = b64encode(self.stage.png()).decode()
+        return bundle
+
+    # -- with the browser
+
+    def shown(self) -> dict[str, Any]:
+        """The list beside the picture."""
+        level, text = self.stage.global_status()
+        frames = sorted(self.stage.buffer.frames)
+        head = {"height": self.height_px, "fixed": self.stage.fixed_frame, "frames": frames, "told": self.tools.told}
+        rows = [_row(index, one) for index, one in enumerate(self.stage.displays)]
+        return {**head, "level": level, "remark": text, "rows": rows, "skipped": self.stage.config.skipped}
+
+    def on_library(self, _message: dict[str, Any]) -> None:
+        """The page has no MeshCat yet."""
+        import meshcat
+
+        code = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
+        self.send({"type": "library"}, buffers=[code.read_bytes()])
+
+    def on_open(self, _message: dict[str, Any]) -> None:
+        """A page is ready to draw."""
+        self._stream.open()
+
+    def on_drawn(self, message: dict[str, Any]) -> None:
+        """A page has drawn."""
+        self._stream.drawn(int(message.get("n", 0)))
+
+    def on_switch(self, message: dict[str, Any]) -> None:
+        """A box was ticked."""
+        one = self._row_of(message)
+        if one is not None:
+            self.stage.switch(one, bool(message.get("on")))
+
+    def on_topic(self, message: dict[str, Any]) -> None:
+        """A topic was typed."""
+        one, topic = self._row_of(message), str(message.get("topic", "")).strip()
+        if one is not None and topic:
+            self.stage.retopic(one, topic)
+
+    def on_fix(self, message: dict[str, Any]) -> None:
+        """A fixed frame was chosen."""
+        self.stage.fix(str(message.get("frame", "")))
+
+    def on_tool(self, message: dict[str, Any]) -> None:
+        """A tool was used."""
+        self.tools.use(message)
+
+    def _row_of(self, message: dict[str, Any]) -> Display | None:
+        index = message.get("row")
+        return self.stage.displays[index] if isinstance(index, int) and 0 <= index < len(self.stage.displays) else None
+
+    def leave(self) -> None:
+        """Send no more."""
+        self._stream.close()
+
+
+def _row(index: int, one: Display) -> dict[str, Any]:
+    lines = [{"what": what, "level": level, "text": text} for what, (level, text) in one.statuses.items()]
+    config, kind = one.config, KINDS[one.kind]
+    shown = {"row": index, "name": config.name, "kind": config.kind, "topic": config.topic if kind.type else None}
+    return {**shown, "on": config.enabled, "level": one.level, "lines": lines if config.enabled else []}
+
+
+def robot_topics(hidden: HiddenNode) -> list[str]:
+    """The topics on which descriptions of robots are published."""
+    found = hidden.node.get_topic_names_and_types()
+    ends = [name for name, kinds in found if name.endswith(f"/{_ROBOT}") and "std_msgs/msg/String" in kinds]
+    return sorted(name for name in ends if hidden.node.count_publishers(name))
+
+
+def bare_config(hidden: HiddenNode) -> Config:
+    """What is shown when nobody says what: the grid, all robots, the frames."""
+    topics = robot_topics(hidden) or [f"/{_ROBOT}"]
+    robots: list[dict[str, Any]] = [{"type": "RobotModel", "topic": topic} for topic in topics]
+    if len(robots) > 1:
+        for one in robots:
+            one["name"] = one["topic"].rpartition("/")[0].strip("/") or "RobotModel"
+    return make_config("", ["Grid", *robots, {"type": "TF", "show_names": len(robots) < 2}])
+
+
+def viewer(
+    file: str | Path | None = None,
+    *,
+    fixed_frame: str = "",
+    displays: Iterable[str | Mapping[str, Any] | DisplayConfig] | None = None,
+    view: Mapping[str, Any] | None = None,
+    height: int = 420,
+) -> Viewer:
+    """Robots, frames and messages in 3D: what a file says (our YAML or an .rviz file), or these displays.
+
+    A display is 'LaserScan', 'LaserScan /scan' or {'type': 'LaserScan', 'topic': '/scan', 'size': 0.05}. Bare, it shows
+    what the running rviz2 shows, else grid, robots and frames. `view` may set distance [m], yaw, pitch [rad] and target.
+    ValueError names what there is when a display or option is not known; OSError: there is no such file.
+
+    In ROS 2: `rviz2 -d FILE`.
+    """
+    from .viewer_windows import newest
+
+    if file is not None:
+        config: Config | None = read(file)
+    elif displays is not None:
+        config = make_config(fixed_frame, displays, view)
+    else:
+        config = newest() if not fixed_frame and not view else None
+    made = Viewer(config, height)
+    if file is not None or displays is None:
+        if fixed_frame:
+            made.fixed_frame = fixed_frame
+        if view:
+            made.stage.config.view = make_config(view=view).view
+    return made
+
+
+__all__ = ["Viewer", "viewer"]

@@ -1,0 +1,114 @@
+"""What goes to the browser, at most thirty times a second, and only when it has drawn what it got before."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+import cv2
+
+from coursekit.view.scene_wire import packed
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
+FRAME_SECONDS = 1 / 30
+LIST_SECONDS = 0.25
+"""The list of displays is compared so often."""
+JPEG_QUALITY = 80
+
+
+class Stream:
+    """The lane of a viewer that sends. Nothing queues: while a page draws, or none is there, changes only add up."""
+
+    def __init__(self, panel: Viewer) -> None:
+        self.panel = panel
+        self._lock = threading.Lock()
+        self._running = False
+        self._closed = False
+        self._sent = self._acknowledged = 0
+        self._whole = True
+        self._fitted = False
+        self._list: Any = None
+        self._list_due = 0
+        self._pictures: dict[str, int] = {}
+
+    def open(self) -> None:
+        """A page shows nothing yet: send it all."""
+        with self._lock:
+            self._whole, self._fitted, self._list, self._pictures = True, False, None, {}
+            self._acknowledged = self._sent
+            start, self._running = not self._running, True
+        if start:
+            self.panel.session.spawn(self._run)
+
+    def drawn(self, number: int) -> None:
+        """The page has drawn this message."""
+        self._acknowledged = max(self._acknowledged, min(number, self._sent))
+
+    def close(self) -> None:
+        """No more."""
+        self._closed = True
+
+    def _run(self) -> None:
+        clock = self.panel.session.clock
+        due = clock.steady()
+        while not self._closed:
+            if self._acknowledged == self._sent:
+                self.step()
+            due = max(due + round(FRAME_SECONDS * 1e9), clock.steady())
+            clock.sleep(max(0.001, (due - clock.steady()) * 1e-9))
+
+    def step(self) -> None:
+        """Send what has changed, if anything has."""
+        stage = self.panel.stage
+        with self._lock:
+            whole, self._whole = self._whole, False
+        with stage.lock:
+            scene = stage.update()
+            changes = scene.whole() if whole else scene.changes()
+            view = self._view(whole)
+        self._tell_list()
+        pictures, images = self._images()
+        if not (changes or whole or view or pictures):
+            return
+        message, buffers = packed(changes)
+        self._sent += 1
+        message |= {"type": "scene", "n": self._sent, "whole": whole, "view": view, "images": pictures}
+        if not self._closed:
+            self.panel.send(message, buffers=[*buffers, *images])
+
+    def _view(self, whole: bool) -> dict[str, Any] | None:
+        """From where to look: at the start, and once more when the first robot is there."""
+        stage = self.panel.stage
+        if self._fitted and not whole:
+            return None
+        there = bool(stage.config.view) or any(one.poses for one in stage.robots()) or not stage.robots()
+        self._fitted = there and stage.scene.bounds() is not None
+        return stage.camera().as_dict() if self._fitted or whole else None
+
+    def _tell_list(self) -> None:
+        now = self.panel.session.clock.steady()
+        if self._list is not None and now < self._list_due:
+            return
+        self._list_due = now + round(LIST_SECONDS * 1e9)
+        shown = self.panel.shown()
+        if shown != self._list:
+            self._list = shown
+            self.panel.tell(type="shown", **shown)
+
+    def _images(self) -> tuple[list[str], list[bytes]]:
+        """The names of pictures that are new, and as JPEG."""
+        names, data = [], []
+        for one in self.panel.stage.images():
+            if self._pictures.get(one.key) == one.drawn:
+                continue
+            self._pictures[one.key] = one.drawn
+            good, jpeg = cv2.imencode(".jpg", one.picture, (cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY))
+            if good:
+                names.append(one.config.name)
+                data.append(jpeg.tobytes())
+        return names, data
+
+
+__all__ = ["Stream"]

@@ -1,0 +1,142 @@
+"""The viewer in a real JupyterLab: a robot that circles, sliders, RViz's tools, a reload, a kernel restart."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
+
+ROBOT = Path(__file__).parents[2] / "robots" / "urdf" / "rdk_x3_robot.urdf"
+LAB = "from coursekit.lab import *"
+PUBLISHERS = f"""
+%ros2 run robot_state_publisher robot_state_publisher {ROBOT} &
+"""
+JOINTS = "%ros2 run joint_state_publisher joint_state_publisher &"
+CIRCLE = '''
+%%write circle.py
+import math, rclpy
+from geometry_msgs.msg import PoseStamped, TransformStamped
+from nav_msgs.msg import Odometry, Path
+from rclpy.node import Node
+from sensor_msgs.msg import LaserScan
+from tf2_ros import TransformBroadcaster
+from visualization_msgs.msg import Marker, MarkerArray
+
+class Circle(Node):
+    def __init__(self):
+        super().__init__("circle")
+        self.tf, self.angle, self.trail = TransformBroadcaster(self), 0.0, []
+        self.scan = self.create_publisher(LaserScan, "/scan", 5)
+        self.path = self.create_publisher(Path, "/plan", 5)
+        self.odom = self.create_publisher(Odometry, "/odom", 5)
+        self.markers = self.create_publisher(MarkerArray, "/visualization_marker_array", 5)
+        self.create_timer(1 / 30, self.step)
+        self.create_timer(0.1, self.sense)
+
+    def step(self):
+        self.angle += 0.4 / 30
+        msg = TransformStamped(child_frame_id="base_footprint")
+        msg.header.frame_id, msg.header.stamp = "odom", self.get_clock().now().to_msg()
+        msg.transform.translation.x = 0.6 * math.sin(self.angle)
+        msg.transform.translation.y = 0.6 - 0.6 * math.cos(self.angle)
+        msg.transform.rotation.z, msg.transform.rotation.w = math.sin(self.angle / 2), math.cos(self.angle / 2)
+        self.tf.sendTransform(msg)
+
+    def sense(self):
+        x, y, now = 0.6 * math.sin(self.angle), 0.6 - 0.6 * math.cos(self.angle), self.get_clock().now().to_msg()
+        scan = LaserScan(angle_min=-math.pi, angle_max=math.pi, angle_increment=2 * math.pi / 360, range_max=8.0)
+        scan.header.frame_id, scan.header.stamp = "base_footprint", now
+        for beam in range(360):
+            a = -math.pi + beam * 2 * math.pi / 360 + self.angle
+            c, s = math.cos(a), math.sin(a)
+            tx = (1.5 - x) / c if c > 1e-6 else (-1.5 - x) / c if c < -1e-6 else 99.0
+            ty = (2.1 - y) / s if s > 1e-6 else (-0.9 - y) / s if s < -1e-6 else 99.0
+            scan.ranges.append(min(tx, ty))
+        self.scan.publish(scan)
+        pose = PoseStamped()
+        pose.pose.position.x, pose.pose.position.y = x, y
+        self.trail = (self.trail + [pose])[-100:]
+        path = Path(poses=self.trail)
+        path.header.frame_id, path.header.stamp = "odom", now
+        self.path.publish(path)
+        sign = Marker(ns="shop", id=1, type=Marker.CYLINDER)
+        sign.header.frame_id, sign.pose.position.y, sign.pose.position.z = "odom", 0.6, 0.1
+        sign.scale.x = sign.scale.y = sign.scale.z = 0.2
+        sign.color.r, sign.color.g, sign.color.b, sign.color.a = 0.25, 0.55, 0.75, 1.0
+        text = Marker(ns="shop", id=2, type=Marker.TEXT_VIEW_FACING, text="centre")
+        text.header.frame_id, text.pose.position.y, text.pose.position.z, text.scale.z = "odom", 0.6, 0.3, 0.1
+        text.color.r, text.color.g, text.color.b, text.color.a = 0.1, 0.3, 0.5, 1.0
+        self.markers.publish(MarkerArray(markers=[sign, text]))
+
+def main():
+    rclpy.init()
+    rclpy.spin(Circle())
+
+if __name__ == "__main__":
+    main()
+'''.strip()
+START = """
+import runpy
+from coursekit.core.session import current
+circle = current().start(lambda: runpy.run_path(str(workspace() / "circle.py"), run_name="__main__"), name="circle")
+"""
+VIEWER = "shown = viewer(fixed_frame='odom', displays=['Grid', 'RobotModel', {'type': 'TF', 'marker_scale': 0.6,\
+ 'show_names': False}, 'LaserScan', 'Path', 'MarkerArray'])\nshown"
+DRAWN = "() => Number(document.querySelector('.ck-viewer')?.dataset.messages ?? 0)"
+OBJECTS = """() => { const scene = document.querySelector('.ck-viewer')?.viewer;
+  const node = scene?.view.scene_tree.find(['scene']); return node ? Object.keys(node.children).length : 0; }"""
+
+
+def drawn(page, more=10, timeout=60_000):
+    """Wait until so many more messages were drawn."""
+    before = page.evaluate(DRAWN)
+    page.wait_for_function(f"() => ({DRAWN})() >= {before + more}", timeout=timeout)
+
+
+def test_a_robot_circles_and_survives_a_reload(notebook, picture):
+    opened = notebook(LAB, PUBLISHERS.strip(), JOINTS, CIRCLE, START, VIEWER, height=1200)
+    opened.run()
+    page = opened.page
+    drawn(page)
+    page.wait_for_function(f"() => ({OBJECTS})() > 30", timeout=60_000)
+    page.wait_for_timeout(6000)
+    panel = page.locator(".ck-viewer").first
+    panel.scroll_into_view_if_needed()
+    picture(panel, "viewer")
+    levels = panel.locator(".ck-row .ck-dot").evaluate_all("dots => dots.map((dot) => dot.title)")
+    assert levels == ["Ok"] * 6
+
+    count = page.evaluate(OBJECTS)
+    page.evaluate("window.jupyterapp.commands.execute('docmanager:save')")
+    page.wait_for_timeout(1000)
+    page.reload()
+    page.wait_for_function(f"() => ({OBJECTS})() >= {count}", timeout=60_000)
+    drawn(page)
+
+
+def test_a_goal_is_dragged_and_a_display_switched_off(notebook, picture):
+    bare = "shown = viewer(fixed_frame='map', displays=['Grid', 'Pose /goal_pose'], view={'distance': 8.0})\nshown"
+    opened = notebook(LAB, bare)
+    opened.run()
+    page = opened.page
+    drawn(page, 1)
+    panel = page.locator(".ck-viewer").first
+    panel.get_by_role("button", name="2D Goal Pose").click()
+    box = page.locator(".ck-viewer .ck-aim svg").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y - 30, steps=4)
+    page.mouse.up()
+    page.locator(".ck-viewer .ck-told", has_text="/goal_pose").wait_for(timeout=20_000)
+    page.wait_for_timeout(1000)
+    picture(panel, "viewer_goal")
+    seen = json.loads(opened.ask(
+        "import json; p = shown.stage.displays[1].shown.pose; print(json.dumps([p.position.x, p.position.y, p.orientation.w]))"
+    ))
+    assert abs(seen[0]) < 0.05 and abs(seen[1]) < 0.05, "the middle of the view is its target, the origin"
+
+    before = page.evaluate(OBJECTS)
+    panel.locator(".ck-row input[type=checkbox]").nth(1).uncheck()
+    page.wait_for_function(f"() => ({OBJECTS})() === {before - 1}", timeout=20_000)

@@ -1,0 +1,139 @@
+"""The base of all executors: the nodes that it serves, and spinning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rclpy._executor_work import TimeoutObject, Work, deadline_of, never
+from rclpy.task import Future, Task
+
+
+class Executor(Work):
+    """The base of all executors; a subclass says in `spin_once` how a ready callback is run."""
+
+    def __init__(self, *, context: Any = None) -> None:
+        super().__init__(context)
+        self._nodes: list[Any] = []
+        self._working = 0
+        self._idle = self._clock.new_event()
+        self._context.on_shutdown(self.wake)
+
+    @property
+    def context(self) -> Any:
+        """The context it belongs to."""
+        return self._context
+
+    # -- nodes
+
+    def add_node(self, node: Any) -> bool:
+        """Serve this node; False if it did already. A node is served by one executor, the last that took it."""
+        with self._lock:
+            if node in self._nodes:
+                return False
+            self._nodes.append(node)
+            node.executor = self
+        node._attach(self)
+        self.wake()
+        return True
+
+    def remove_node(self, node: Any) -> None:
+        """Serve this node no more."""
+        with self._lock:
+            if node not in self._nodes:
+                return
+            self._nodes.remove(node)
+        if node.executor is self:
+            node.executor = None
+        self.wake()
+
+    def get_nodes(self) -> list[Any]:
+        """The nodes that it serves."""
+        return list(self._nodes)
+
+    def _attach(self, entity: Any) -> None:
+        """Serve an entity of one of the nodes."""
+        for source in entity._sources():
+            source.attach(self._queue, entity)
+
+    def wait_for_ready_callbacks(
+        self,
+        timeout_sec: Any = None,
+        nodes: list[Any] | None = None,
+        condition: Callable[[], bool] = never,
+    ) -> tuple[Task, Any, Any]:
+        """Wait for a callback; a task that runs it when called, its entity and its node.
+
+        For executors of your own. Raises TimeoutException, ShutdownException, ExternalShutdownException and
+        ConditionReachedException.
+        """
+        entity, work = self._next_work(deadline_of(timeout_sec), condition)
+        if entity is None:
+            return work, None, None
+        task = _Handler(self, entity, work)
+        return task, entity, self._node_of(entity)
+
+    def _node_of(self, entity: Any) -> Any:
+        for node in self._nodes:
+            if entity in node._entities():
+                return node
+        return None
+
+    # -- spinning
+
+    def spin(self) -> None:
+        """Run callbacks until the context or the executor is shut down."""
+        while self._context.ok() and not self._is_shutdown:
+            self.spin_once()
+
+    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
+        """Run callbacks until `future` is done, at most `timeout_sec` (None or negative: without end)."""
+        future.add_done_callback(lambda _: self.wake())
+        timeout = TimeoutObject(timeout_sec if timeout_sec is None or timeout_sec >= 0 else None)
+        while self._context.ok() and not future.done() and not self._is_shutdown:
+            self.spin_once_until_future_complete(future, timeout)
+            left = timeout.timeout
+            if left is not None and left <= 0:
+                return
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Wait for one callback and run it, at most `timeout_sec`."""
+        raise NotImplementedError()
+
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
+        """Like `spin_once`, and returns when `future` is done."""
+        raise NotImplementedError()
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """Stop; True if no callback was left running after `timeout_sec`."""
+        self._is_shutdown = True
+        self.wake()
+        deadline = deadline_of(timeout_sec)
+        while self._working:
+            left = None if deadline is None else (deadline - self._clock.steady()) * 1e-9
+            if left is not None and left <= 0:
+                return False
+            self._idle.clear()
+            if self._working:
+                self._idle.wait(left)
+        with self._lock:
+            for node in list(self._nodes):
+                self.remove_node(node)
+        return True
+
+    def __enter__(self) -> Executor:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self.shutdown()
+
+
+class _Handler(Task):
+    """Runs an entity's callback when called; the executor is told of its coroutine and its end."""
+
+    def __init__(self, executor: Executor, entity: Any, work: Any) -> None:
+        super().__init__(self._run_work, executor=executor)
+        self._owner, self._entity, self._work = executor, entity, work
+
+    def _run_work(self) -> None:
+        self._owner._run(self._entity, self._work)

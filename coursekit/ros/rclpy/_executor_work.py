@@ -1,0 +1,254 @@
+"""What an executor does next: ready entities and tasks, and the waiting for them.
+
+Ready entities stand in a queue (`coursekit.core.ready`), so a wake-up costs the same with two nodes and with two
+hundred; real rclpy asks every entity in every cycle.
+"""
+
+from __future__ import annotations
+
+import inspect
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.core.ready import ReadyQueue
+from coursekit.core.session import current
+from rclpy.task import Future, Task
+from rclpy.utilities import get_default_context, timeout_sec_to_nsec
+
+_POLL_WEIGHT = 100
+"""A spin that may not wait and finds nothing counts as that many questions to the virtual clock."""
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Call `callback`, and await what it returns if it is a coroutine function."""
+    result = callback(*args)
+    return await result if inspect.iscoroutine(result) else result
+
+
+class TimeoutException(Exception):
+    """Nothing became ready in time."""
+
+    __module__ = "rclpy.executors"
+
+
+class ShutdownException(Exception):
+    """The executor was shut down."""
+
+    __module__ = "rclpy.executors"
+
+
+class ExternalShutdownException(Exception):
+    """The context was shut down while the executor waited."""
+
+    __module__ = "rclpy.executors"
+
+
+class ConditionReachedException(Exception):
+    """What the caller waited for has come true."""
+
+    __module__ = "rclpy.executors"
+
+
+class TimeoutObject:
+    """A timeout that later calls share: the time left shrinks."""
+
+    def __init__(self, timeout: float | None) -> None:
+        self._clock = current().clock
+        self._deadline = deadline_of(timeout)
+
+    @property
+    def timeout(self) -> float | None:
+        """Seconds left, None for 'without end'."""
+        return None if self._deadline is None else max(0.0, (self._deadline - self._clock.steady()) * 1e-9)
+
+
+def deadline_of(timeout_sec: Any) -> int | None:
+    """When a timeout [s] ends, in ns of the steady clock; None for never."""
+    if isinstance(timeout_sec, TimeoutObject):
+        timeout_sec = timeout_sec.timeout
+    nanoseconds = timeout_sec_to_nsec(timeout_sec)
+    return None if nanoseconds < 0 else current().clock.steady() + nanoseconds
+
+
+def never() -> bool:
+    """The condition of a spin that waits for nothing special."""
+    return False
+
+
+class Work:
+    """The queue of ready entities and the tasks of one executor."""
+
+    def __init__(self, context: Any) -> None:
+        self._context = get_default_context() if context is None else context
+        self._clock = current().clock
+        self._queue = ReadyQueue(self._clock)
+        self._lock = threading.RLock()
+        self._is_shutdown = False
+        self._tasks: list[Task] = []
+        self._waiting_tasks: list[Task] = []
+        self._parked: list[Any] = []
+        self._overrides_can_execute = type(self).can_execute is not Work.can_execute
+
+    def wake(self) -> None:
+        """Have a blocked spin look again."""
+        self._queue.wake()
+
+    # -- tasks
+
+    def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
+        """Run a function or coroutine in this executor; the task is a future for its result."""
+        task = Task(callback, args, kwargs, executor=self)
+        self._add_task(task)
+        return task
+
+    def _add_task(self, task: Task) -> None:
+        with self._lock:
+            self._tasks.append(task)
+        self.wake()
+
+    def _resume(self, task: Task) -> Callable[[Any], None]:
+        return lambda _future: self._add_task(task)
+
+    def _next_task(self) -> Task | None:
+        with self._lock:
+            while self._tasks:
+                task = self._tasks.pop()
+                if not task.done() and not task.cancelled():
+                    return task
+        return None
+
+    def _after_step(self, task: Task) -> None:
+        """A task that is not done waits: for a future, or for the next thing that happens."""
+        if task.done() or task.cancelled():
+            return
+        awaited = task.awaits
+        if isinstance(awaited, Future):
+            awaited_callback = self._resume(task)
+            if awaited.done():
+                awaited_callback(awaited)
+            else:
+                with awaited._lock:
+                    awaited._callbacks.append(_Direct(awaited_callback))
+        else:
+            with self._lock:
+                self._waiting_tasks.append(task)
+
+    def _poll_waiting(self) -> None:
+        if self._waiting_tasks:
+            with self._lock:
+                self._tasks.extend(self._waiting_tasks)
+                self._waiting_tasks.clear()
+
+    # -- waiting
+
+    def can_execute(self, entity: Any) -> bool:
+        """Whether the entity's callback may begin; a subclass may be stricter."""
+        return entity.callback_group.can_execute(entity)
+
+    def _next_work(self, deadline: int | None, condition: Callable[[], bool]) -> tuple[Any, Any]:
+        """Wait for something to do: (entity, function) or (None, task). The entity's group has begun execution."""
+        queue = self._queue
+        context = self._context
+        waited = False
+        while True:
+            if self._is_shutdown:
+                raise ShutdownException()
+            if not context.ok():
+                raise ExternalShutdownException()
+            if self._tasks:
+                task = self._next_task()
+                if task is not None:
+                    return None, task
+            entity = queue.pop()
+            if entity is not None:
+                work = self._begin(entity)
+                if work is not None:
+                    return entity, work
+                continue
+            if condition():
+                raise ConditionReachedException()
+            if deadline is not None and self._clock.steady() >= deadline:
+                if not waited:
+                    self._clock.poll(_POLL_WEIGHT)
+                raise TimeoutException()
+            waited = True
+            queue.wait(deadline)
+            self._poll_waiting()
+
+    def _begin(self, entity: Any) -> Any:
+        """Take an entity's data if its group lets it begin; None if there is nothing to do now."""
+        sources = entity._sources()
+        for source in sources:
+            source.queued = False
+        if not any(source.sink is self._queue for source in sources) or not self._serves(entity):
+            return None
+        group = entity.callback_group
+        if self._overrides_can_execute and not self.can_execute(entity):
+            self._parked.append(entity)
+            return None
+        if not group.beginning_execution(entity):
+            for source in sources:
+                source.queued = True
+            self._parked.append(entity)
+            return None
+        try:
+            work = entity._take()
+        except BaseException:
+            self._ended(entity)
+            raise
+        if work is None:
+            self._ended(entity)
+        for source in sources:
+            if not source.queued and source.has_work():
+                source.signal()
+        return work
+
+    def _serves(self, entity: Any) -> bool:
+        return True
+
+    def _ended(self, entity: Any) -> None:
+        """The entity's callback has ended: its group is free for others."""
+        entity.callback_group.ending_execution(entity)
+        if self._parked:
+            with self._lock:
+                parked, self._parked = self._parked, []
+            for other in parked:
+                self._queue.put(other)
+
+    def _run(self, entity: Any, work: Any) -> None:
+        """Run work here and now; what it raises is raised."""
+        if entity is None:
+            work()
+            self._after_step(work)
+            if work.done() and work._exception is not None:
+                raise work.exception()
+            return
+        try:
+            result = work()
+        except BaseException:
+            self._ended(entity)
+            raise
+        if result is not None and inspect.iscoroutine(result):
+            task = Task(_finish(self, entity, result), executor=self)
+            self._run(None, task)
+        else:
+            self._ended(entity)
+
+
+class _Direct:
+    """A done callback that only puts a task back: it is not a task of its own."""
+
+    def __init__(self, call: Callable[[Any], None]) -> None:
+        self.call = call
+
+    def __call__(self, future: Any) -> None:
+        self.call(future)
+
+
+async def _finish(executor: Work, entity: Any, coroutine: Any) -> Any:
+    """Await an entity's coroutine; its group stays taken until it ends."""
+    try:
+        return await coroutine
+    finally:
+        executor._ended(entity)

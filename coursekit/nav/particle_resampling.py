@@ -1,0 +1,75 @@
+"""How many particles are needed, and which ones belong together."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+
+import numpy as np
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import connected_components
+
+BIN = np.array([0.5, 0.5, math.radians(10)])
+"""Size of the bins that particles are counted in [m, m, rad]."""
+TURNS = 36
+"""Bins of heading."""
+_HALF = [step for step in product((-1, 0, 1), repeat=3) if step > (0, 0, 0)]
+"""Steps to half of the bins around; the other half see this one."""
+
+
+def bins_of(particles: np.ndarray) -> np.ndarray:
+    """(n, 3) whole numbers of each particle's bin."""
+    bins = np.floor(particles / BIN).astype(np.int64)
+    bins[:, 2] %= TURNS
+    return bins
+
+
+def enough(bins: np.ndarray, error: float, z: float) -> np.ndarray:
+    """Particles that `bins` occupied bins need (Fox, 2003): the sampled distribution then errs by less than `error`.
+
+    >>> enough(np.array([1, 2, 100]), 0.05, 0.99).tolist()
+    [1, 20, 1129]
+    """
+    many = np.maximum(bins - 1, 1).astype(float)
+    b = 2 / (9 * many)
+    return np.where(bins < 2, 1, np.ceil(many / (2 * error) * (1 - b + np.sqrt(b) * z) ** 3)).astype(np.int64)
+
+
+def draw(
+    weights: np.ndarray, particles: np.ndarray, least: int, most: int, error: float, z: float, rng: np.random.Generator
+) -> np.ndarray:
+    """Indices drawn by weight: so many as the bins that they fill call for, between `least` and `most`."""
+    total = np.cumsum(weights)
+    chosen = np.searchsorted(total, rng.random(most) * total[-1]).clip(0, len(weights) - 1)
+    _, first = np.unique(bins_of(particles[chosen]), axis=0, return_index=True)
+    filled = np.zeros(most, dtype=np.int64)
+    filled[first] = 1
+    wanted = enough(np.cumsum(filled), error, z)
+    done = np.nonzero(np.arange(1, most + 1) >= np.maximum(wanted, least))[0]
+    return chosen[: int(done[0]) + 1] if len(done) else chosen
+
+
+def clusters(particles: np.ndarray) -> np.ndarray:
+    """(n,) the cluster of each particle: those in bins that touch."""
+    cells, inverse = np.unique(bins_of(particles), axis=0, return_inverse=True)
+    low, width = cells[:, :2].min(axis=0) - 1, cells[:, 1].max() - cells[:, 1].min() + 3
+    keys = _keys(cells, low, width)
+    order = np.argsort(keys)
+    pairs = [_neighbours(keys, order, _keys(cells + np.array(step), low, width)) for step in _HALF]
+    one, other = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
+    links = csr_matrix((np.ones(len(one)), (one, other)), shape=(len(cells), len(cells)))
+    label = connected_components(links, directed=False)[1]
+    return np.asarray(label[inverse.reshape(-1)])
+
+
+def _keys(cells: np.ndarray, low: np.ndarray, width: int) -> np.ndarray:
+    """One whole number for each bin."""
+    place = (cells[:, 0] - low[0]) * width + cells[:, 1] - low[1]
+    return np.asarray(place * TURNS + cells[:, 2] % TURNS)
+
+
+def _neighbours(keys: np.ndarray, order: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Which bins have a neighbour of key `wanted`, and which one."""
+    at = order[np.searchsorted(keys, wanted, sorter=order).clip(0, len(keys) - 1)]
+    there = np.nonzero(keys[at] == wanted)[0]
+    return there, at[there]

@@ -18,6 +18,8 @@ from tf2_ros.transform_listener import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC
 from coursekit.core.process import current_process
 from coursekit.core.session import current
 
+from .frame_tree import FrameTree
+
 
 def generate_dot(data: dict[str, Any], recorded_time: tuple[int, int]) -> str:
     """The tree in Graphviz's language, from what the service tf2_frames says."""
@@ -94,8 +96,6 @@ def _ask(node: Any) -> Any:
 
 
 def _write(node: Any, buffer: Buffer, answer: Any, name: str) -> None:
-    from coursekit.view.frame_tree import FrameTree
-
     now = node.get_clock().now()
     node.get_logger().info(f"Exporting graph in {name}.pdf file...")
     dot = generate_dot(yaml.safe_load(answer.frame_yaml) or {}, now.seconds_nanoseconds())

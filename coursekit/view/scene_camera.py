@@ -43,18 +43,18 @@ class Camera:
         return {"distance": self.distance, "yaw": self.yaw, "pitch": self.pitch, "target": list(self.target)}
 
 
-def camera_of(view: Mapping[str, Any] | None, scene: Scene, keys: list[str], weak: list[str]) -> Camera:
-    """The camera of a configuration; without one, one that shows the things of the displays `keys`, else of `weak`."""
+def camera_of(view: Mapping[str, Any] | None, scene: Scene, keys: list[str], nearest: float = 0.5) -> Camera:
+    """The camera of a configuration; without one, one that shows the things of these displays from not too near [m]."""
     if view:
         x, y, z = view["target"]
         return Camera(view["distance"], view["yaw"], view["pitch"], (x, y, z))
-    bounds = scene.bounds(keys) or scene.bounds(weak)
+    bounds = scene.bounds(keys)
     if bounds is None:
         return Camera()
     low, high = bounds
     middle = (low + high) / 2
     radius = float(np.linalg.norm(high - low)) / 2
-    distance = min(200.0, max(0.5, 1.1 * radius / math.sin(FIELD / 2)))
+    distance = min(200.0, max(nearest, 1.1 * radius / math.sin(FIELD / 2)))
     return Camera(distance, target=(float(middle[0]), float(middle[1]), float(middle[2])))
 
 

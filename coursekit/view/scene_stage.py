@@ -21,6 +21,9 @@ from .scene_still import Still
 WORLD = ("map", "odom", "world")
 """Frames that are a good fixed frame when they are there, the best first."""
 
+ROOM = 3.0
+"""From so far [m] at least one looks at robots that may drive around."""
+
 
 class Stage:
     """What a viewer shows. `update()` brings the scene up to date; nothing is drawn between two calls."""
@@ -193,9 +196,11 @@ class Stage:
         return [one.key for one in self.displays if one.kind in kinds]
 
     def camera(self) -> Camera:
-        """From where to look: as configured, else so that robots, else all but floors, are seen whole."""
-        rest = [one.key for one in self.displays if one.kind not in ("Grid", "Map")]
-        return camera_of(self.config.view, self.scene, self.keys("RobotModel"), rest)
+        """From where to look: as configured, else so that all but floors and clouds is seen; far enough if robots move."""
+        at_home = any(one.robot is not None and self.fixed_frame in one.robot.links for one in self.robots())
+        wide = ("Grid", "Map", "LaserScan", "PointCloud2")
+        keys = self.keys("RobotModel") if at_home else [one.key for one in self.displays if one.kind not in wide]
+        return camera_of(self.config.view, self.scene, keys, 0.5 if at_home else ROOM)
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
         """A still picture of what is shown now."""

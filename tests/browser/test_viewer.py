@@ -132,11 +132,42 @@ def test_a_goal_is_dragged_and_a_display_switched_off(notebook, picture):
     page.locator(".ck-viewer .ck-told", has_text="/goal_pose").wait_for(timeout=20_000)
     page.wait_for_timeout(1000)
     picture(panel, "viewer_goal")
-    seen = json.loads(opened.ask(
-        "import json; p = shown.stage.displays[1].shown.pose; print(json.dumps([p.position.x, p.position.y, p.orientation.w]))"
-    ))
+    seen = json.loads(opened.ask("at = shown.stage.displays[1].shown.pose.position\nprint([at.x, at.y])"))
     assert abs(seen[0]) < 0.05 and abs(seen[1]) < 0.05, "the middle of the view is its target, the origin"
 
     before = page.evaluate(OBJECTS)
     panel.locator(".ck-row input[type=checkbox]").nth(1).uncheck()
     page.wait_for_function(f"() => ({OBJECTS})() === {before - 1}", timeout=20_000)
+
+
+def test_after_a_kernel_restart_the_cells_show_it_again(notebook):
+    opened = notebook(LAB, "shown = viewer(fixed_frame='map', displays=['Grid'])\nshown")
+    opened.run()
+    page = opened.page
+    drawn(page, 1)
+    page.evaluate("() => jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()")
+    opened.wait_until_it_answers()
+    opened.run()
+    page.wait_for_function(f"() => ({OBJECTS})() === 1", timeout=60_000)
+
+
+def test_the_window_of_rviz2_appears_below_the_cell_that_launched_it(notebook, picture):
+    opened = notebook(LAB, "%ros2 launch urdf_tutorial display.launch.py gui:=false &", "print('done')")
+    opened.run()
+    page = opened.page
+    page.wait_for_function(f"() => ({OBJECTS})() > 1", timeout=60_000)
+    picture(page.locator(".jp-Notebook"), "viewer_launched")
+    assert page.locator(".jp-CodeCell").nth(1).locator(".ck-viewer").count() == 1
+    page.locator(".ck-terminal .ck-stop").first.click()
+    page.locator(".ck-viewer").first.wait_for(state="detached", timeout=20_000)
+
+
+def test_the_live_tree_of_frames_is_drawn_and_tells_where_a_frame_is(notebook, picture):
+    opened = notebook(LAB, PUBLISHERS.strip(), JOINTS, "frames(live=True)")
+    opened.run()
+    page = opened.page
+    part = page.locator(".ck-frames .ck-part[data-name=base_link]").first
+    part.wait_for(timeout=30_000)
+    part.click()
+    page.locator(".ck-frames .ck-details pre", has_text="position").wait_for(timeout=20_000)
+    picture(page.locator(".ck-frames").first, "frames")

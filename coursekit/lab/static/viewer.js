@@ -169,7 +169,8 @@ function rowOf(row, model) {
     topic.setAttribute("aria-label", `topic of ${row.name}`);
     parts.push(topic);
   }
-  const lines = row.lines.filter((line) => line.level === row.level && (row.level !== "Ok" || line.what !== "Transform"));
+  const worst = row.lines.filter((line) => line.level === row.level);
+  const lines = row.level === "Ok" ? worst.filter((line) => !line.text.endsWith(" OK")).slice(-1) : worst;
   for (const line of lines) parts.push(make("div", { className: `ck-say ck-${line.level}`, textContent: line.text, title: `${line.what}: ${line.level}` }));
   return make("div", { className: "ck-row" }, ...parts);
 }
@@ -180,13 +181,14 @@ export default {
     const fixed = make("select", { onchange: () => model.send({ type: "fix", frame: fixed.value }) });
     const buttons = Object.fromEntries(Object.entries(TOOLS).map(([name, text]) => [name, make("button", { textContent: text })]));
     const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
-    head.append(make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons), home, top);
+    head.append(make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons));
     const list = make("div", { className: "ck-list" }), pane = make("div", { className: "ck-pane" });
     const labels = make("div", { className: "ck-labels" }), pictures = make("div", { className: "ck-pictures" });
     const aim = make("div", { className: "ck-aim" });
     aim.innerHTML = '<svg width="100%" height="100%"><defs><marker id="ck-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs><line style="display:none" marker-end="url(#ck-tip)"/></svg>';
     const told = make("div", { className: "ck-told" });
-    const stage = make("div", { className: "ck-stage" }, pane, labels, aim, pictures, told);
+    const corner = make("div", { className: "ck-corner" }, home, top);
+    const stage = make("div", { className: "ck-stage" }, pane, labels, aim, pictures, told, corner);
     body.append(list, stage);
     const images = new Map();
     const early = [];

@@ -37,7 +37,7 @@ KINDS: dict[str, Kind] = {
     ),
     "Map": Kind("nav_msgs/msg/OccupancyGrid", "/map", {"alpha": 0.7, "color_scheme": "map"}, lasting=True),
     "LaserScan": Kind("sensor_msgs/msg/LaserScan", "/scan", {**_POINTS, "size": 0.03, "color": [230, 60, 40]}),
-    "Path": Kind("nav_msgs/msg/Path", "/plan", {"color": [25, 200, 60], "alpha": 1.0, "line_width": 0.03}),
+    "Path": Kind("nav_msgs/msg/Path", "/plan", {"color": [40, 160, 90], "alpha": 1.0, "line_width": 0.02}),
     "Pose": Kind("geometry_msgs/msg/PoseStamped", "/goal_pose", _ARROW),
     "PoseArray": Kind(
         "geometry_msgs/msg/PoseArray", "/particlecloud", {"color": [255, 25, 0], "alpha": 1.0, "arrow_length": 0.3}

@@ -136,8 +136,10 @@ class Display:
 
     @property
     def remark(self) -> str:
-        """The lines that matter: those of the worst level."""
+        """The lines that matter: those of the worst level; of good ones only what is news."""
         worst = self.level
+        if worst == "Ok":
+            return "; ".join(text for _, text in self.statuses.values() if not text.endswith(" OK"))
         return "; ".join(f"{what}: {text}" for what, (level, text) in self.statuses.items() if level == worst)
 
 

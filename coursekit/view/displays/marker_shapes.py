@@ -88,6 +88,8 @@ def _line(msg: Any, pairs: bool) -> list[Shape]:
     starts, ends = (points[0::2], points[1::2]) if pairs else (points[:-1], points[1:])
     if not len(starts):
         return []
+    if not pairs and colours is None:
+        return [ribbon(points, msg.scale.x, _colour(msg))]
     bands = [ribbon(np.stack([a, b]), msg.scale.x, _colour(msg)) for a, b in zip(starts, ends, strict=True)]
     shifts = np.arange(len(bands))[:, None, None] * 4
     faces = (np.stack([one.faces for one in bands]) + shifts).reshape(-1, 3)

@@ -134,11 +134,12 @@ class Path(StampedDisplay):
 def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, float]) -> Triangles:
     """A flat band along points (n, 3), `width` metres wide, a little above them."""
     along = np.diff(points, axis=0)
-    size = np.maximum(np.linalg.norm(along[:, :2], axis=1, keepdims=True), 1e-12)
-    side = np.stack([-along[:, 1], along[:, 0], np.zeros(len(along))], axis=1) / size * width / 2
-    side[size[:, 0] < 1e-9] = (width / 2, 0.0, 0.0)
-    up = np.array([0.0, 0.0, 0.01])
-    corners = np.stack([points[:-1] - side, points[:-1] + side, points[1:] + side, points[1:] - side], axis=1) + up
-    first = np.arange(len(along))[:, None] * 4
-    faces = np.concatenate([first + np.array(corner) for corner in ([0, 2, 1], [0, 3, 2])])
-    return Triangles(corners.reshape(-1, 3), faces, colour)
+    along = along / np.maximum(np.linalg.norm(along[:, :2], axis=1, keepdims=True), 1e-9)
+    bent = np.concatenate([along[:1], along[:-1] + along[1:], along[-1:]])
+    size = np.linalg.norm(bent[:, :2], axis=1, keepdims=True)
+    side = np.where(size > 1e-6, np.stack([-bent[:, 1], bent[:, 0], 0 * bent[:, 0]], axis=1), (1.0, 0.0, 0.0))
+    side *= width / 2 / np.where(size > 1e-6, size, 1.0)
+    vertices = np.stack([points - side, points + side], axis=1).reshape(-1, 3) + np.array([0.0, 0.0, 0.01])
+    first = np.arange(len(along))[:, None] * 2
+    faces = np.concatenate([first + np.array(corner) for corner in ([0, 2, 1], [1, 2, 3])])
+    return Triangles(vertices, faces, colour)

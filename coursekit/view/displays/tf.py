@@ -19,7 +19,6 @@ LENGTH, RADIUS = 0.12, 0.005
 """An axis [m] at marker_scale 1"""
 _RED, _GREEN, _BLUE = (0.86, 0.2, 0.18, 1.0), (0.2, 0.68, 0.3, 1.0), (0.18, 0.42, 0.85, 1.0)
 _ARROW = (0.93, 0.72, 0.2, 1.0)
-OLD = "Grey"
 
 
 class TF(Display):

@@ -1,0 +1,1 @@
+"""Helpers that navigation's launch files share."""

@@ -41,7 +41,8 @@ def draw(
     """Indices drawn by weight: so many as the bins that they fill call for, between `least` and `most`."""
     total = np.cumsum(weights)
     chosen = np.searchsorted(total, rng.random(most) * total[-1]).clip(0, len(weights) - 1)
-    _, first = np.unique(bins_of(particles[chosen]), axis=0, return_index=True)
+    bins = bins_of(particles)
+    _, first = np.unique(_keys(bins, *_frame(bins))[chosen], return_index=True)
     filled = np.zeros(most, dtype=np.int64)
     filled[first] = 1
     wanted = enough(np.cumsum(filled), error, z)
@@ -51,15 +52,20 @@ def draw(
 
 def clusters(particles: np.ndarray) -> np.ndarray:
     """(n,) the cluster of each particle: those in bins that touch."""
-    cells, inverse = np.unique(bins_of(particles), axis=0, return_inverse=True)
-    low, width = cells[:, :2].min(axis=0) - 1, cells[:, 1].max() - cells[:, 1].min() + 3
-    keys = _keys(cells, low, width)
-    order = np.argsort(keys)
-    pairs = [_neighbours(keys, order, _keys(cells + np.array(step), low, width)) for step in _HALF]
+    bins = bins_of(particles)
+    low, width = _frame(bins)
+    keys, first, inverse = np.unique(_keys(bins, low, width), return_index=True, return_inverse=True)
+    cells = bins[first]
+    pairs = [_neighbours(keys, _keys(cells + np.array(step), low, width)) for step in _HALF]
     one, other = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
     links = csr_matrix((np.ones(len(one)), (one, other)), shape=(len(cells), len(cells)))
     label = connected_components(links, directed=False)[1]
     return np.asarray(label[inverse.reshape(-1)])
+
+
+def _frame(bins: np.ndarray) -> tuple[np.ndarray, int]:
+    """The lower left of all bins, and how many rows there are, one more on each side."""
+    return bins[:, :2].min(axis=0) - 1, int(bins[:, 1].max() - bins[:, 1].min()) + 3
 
 
 def _keys(cells: np.ndarray, low: np.ndarray, width: int) -> np.ndarray:
@@ -68,8 +74,8 @@ def _keys(cells: np.ndarray, low: np.ndarray, width: int) -> np.ndarray:
     return np.asarray(place * TURNS + cells[:, 2] % TURNS)
 
 
-def _neighbours(keys: np.ndarray, order: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Which bins have a neighbour of key `wanted`, and which one."""
-    at = order[np.searchsorted(keys, wanted, sorter=order).clip(0, len(keys) - 1)]
+def _neighbours(keys: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Which bins have a neighbour of key `wanted`, and which one; `keys` are sorted."""
+    at = np.searchsorted(keys, wanted).clip(0, len(keys) - 1)
     there = np.nonzero(keys[at] == wanted)[0]
     return there, at[there]

@@ -28,3 +28,28 @@ def test_the_blackboard_takes_parameters_that_nobody_declared():
         assert answers[0] == "Set parameter successful\n"
         assert "  colour\n" in answers[1] and "  wheels\n" in answers[1]
         assert "ready, and serving '6' services already!" in board.output
+
+
+def test_the_parameter_client_sets_loads_and_deletes():
+    with Session(virtual=True).use() as session:
+        session.start_executable(find("demo_nodes_cpp", "parameter_blackboard"))
+        client = session.start_executable(find("demo_nodes_py", "async_param_client"))
+        assert client.wait(20) == 0
+        said = [line.split("]: ", 1)[1] for line in client.output.splitlines()]
+        assert said.count("        successful: True") == 3 + 5 + 3
+        assert "    - int_parameter: 10" in said and "        value: 12" in said
+
+
+def test_the_parameter_client_says_what_it_waits_for():
+    with Session(virtual=True).use() as session:
+        client = session.start_executable(find("demo_nodes_py", "async_param_client"))
+        assert client.wait(20) == 1
+        assert "ros2 run demo_nodes_cpp parameter_blackboard" in client.output
+
+
+def test_a_raw_listener_gets_the_bytes():
+    with Session(virtual=True).use() as session:
+        listener = session.start_executable(find("demo_nodes_py", "listener_serialized"))
+        session.start_executable(find("demo_nodes_py", "talker"))
+        session.clock.sleep(2)
+        assert r'I heard: "b' in listener.output and r"\x00\x01\x00\x00\x0f\x00\x00\x00Hello World: 0\x00" in listener.output

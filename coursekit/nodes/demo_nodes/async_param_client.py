@@ -35,7 +35,7 @@ class Asker:
         """Set three parameters."""
         self.logger.info("Setting parameters:")
         if answer := self._answer(self.client.set_parameters(WANTED), "setting"):
-            for name, result in zip(NAMES, answer.results):
+            for name, result in zip(NAMES, answer.results, strict=True):
                 self.logger.info(f"    {name}:")
                 self.logger.info(f"        successful: {result.successful}")
 
@@ -50,7 +50,7 @@ class Asker:
         """Read them back."""
         self.logger.info("Getting parameters:")
         if answer := self._answer(self.client.get_parameters(NAMES), "getting"):
-            for name, value in zip(NAMES, answer.values):
+            for name, value in zip(NAMES, answer.values, strict=True):
                 self.logger.info(f"    - {name}: {parameter_value_to_python(value)}")
 
     def load(self) -> None:
@@ -59,7 +59,7 @@ class Asker:
         path = os.path.join(get_package_share_directory("demo_nodes_py"), "params.yaml")
         if answer := self._answer(self.client.load_parameter_file(path), "loading"):
             loaded = parameter_dict_from_yaml_file(path, False, target_nodes=[TARGET])
-            for (name, parameter), result in zip(loaded.items(), answer.results):
+            for (name, parameter), result in zip(loaded.items(), answer.results, strict=True):
                 self.logger.info(f"    {name}:")
                 self.logger.info(f"        successful: {result.successful}")
                 self.logger.info(f"        value: {parameter_value_to_python(parameter.value)}")
@@ -68,7 +68,7 @@ class Asker:
         """Delete some; one that was declared with a type stays."""
         self.logger.info("Deleting parameters: ")
         if answer := self._answer(self.client.delete_parameters(UNWANTED), "deleting"):
-            for name, result in zip(UNWANTED, answer.results):
+            for name, result in zip(UNWANTED, answer.results, strict=True):
                 self.logger.info(f"    {name}:")
                 self.logger.info(f"        successful: {result.successful}")
                 self.logger.info(f"        reason: {result.reason}")

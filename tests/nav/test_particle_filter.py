@@ -14,24 +14,11 @@ from coursekit.nav.particle_motion import move_differential, move_omni
 from coursekit.nav.particle_resampling import clusters, draw
 from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
-from tests.slam.building import Wheels, drive, look, office
+from tests.slam.building import Wheels, drawn, drive, look, office
 
 LASER = Laser(-math.pi, math.radians(6), range_max=10.0)
 WALLS = office(3)
 WAY = [(3.0, 5.0), (20.5, 5.0), (20.5, 9.0)]
-
-
-def drawn(walls: np.ndarray, cell: float = 0.05) -> GridMap:
-    """Walls as a map: cells that a wall runs through."""
-    size = (np.ceil(walls[:, [1, 3]].max() / cell) + 20, np.ceil(walls[:, [0, 2]].max() / cell) + 20)
-    cells = np.zeros([int(one) for one in size], dtype=np.int8)
-    for x1, y1, x2, y2 in walls:
-        parts = np.linspace(0, 1, 2 + int(math.hypot(x2 - x1, y2 - y1) / cell * 3))
-        columns, rows = ((a + parts * (b - a)) / cell + 10 for a, b in ((x1, x2), (y1, y2)))
-        cells[rows.astype(int), columns.astype(int)] = 100
-    return GridMap(cells, cell, (-10 * cell, -10 * cell, 0.0))
-
-
 OFFICE = ParticleMap(drawn(WALLS))
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from coursekit.nav.map_file import GridMap
 from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 
@@ -56,6 +57,17 @@ def cast(walls: np.ndarray, origin: Pose2, angles: np.ndarray) -> np.ndarray:
         part = (ax * dy - ay * dx) / cross
     hit = (np.abs(cross) > 1e-12) & (away > 0) & (part >= 0) & (part <= 1)
     return np.where(hit, away, np.inf).min(axis=1)
+
+
+def drawn(walls: np.ndarray, cell: float = 0.05) -> GridMap:
+    """Walls as a map: cells that a wall runs through."""
+    size = (np.ceil(walls[:, [1, 3]].max() / cell) + 20, np.ceil(walls[:, [0, 2]].max() / cell) + 20)
+    cells = np.zeros([int(one) for one in size], dtype=np.int8)
+    for x1, y1, x2, y2 in walls:
+        parts = np.linspace(0, 1, 2 + int(math.hypot(x2 - x1, y2 - y1) / cell * 3))
+        columns, rows = ((a + parts * (b - a)) / cell + 10 for a, b in ((x1, x2), (y1, y2)))
+        cells[rows.astype(int), columns.astype(int)] = 100
+    return GridMap(cells, cell, (-10 * cell, -10 * cell, 0.0))
 
 
 def look(

@@ -1,0 +1,66 @@
+"""What amcl tells, as messages, and what it hears, as numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from nav2_msgs.msg import Particle, ParticleCloud
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import LaserScan
+
+from coursekit.nav.particle_filter import Estimate, ParticleFilter
+from coursekit.nodes.slam_toolbox.geometry import plane, put
+from coursekit.slam.pose import Pose2
+from coursekit.slam.scan import Laser
+
+POSE_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+SHOWN = 2000
+"""Particles in a message, at the most."""
+_PLANE = np.ix_((0, 1, 5), (0, 1, 5))
+
+
+def pose_message(estimate: Estimate, frame: str, stamp: Any) -> PoseWithCovarianceStamped:
+    """The estimate."""
+    msg = PoseWithCovarianceStamped()
+    msg.header.frame_id, msg.header.stamp = frame, stamp
+    put(Pose2.of(estimate.pose), msg.pose.pose.position, msg.pose.pose.orientation)
+    covariance = np.zeros((6, 6))
+    covariance[_PLANE] = estimate.covariance
+    msg.pose.covariance = covariance.ravel()
+    return msg
+
+
+def cloud_message(particles: ParticleFilter, frame: str, stamp: Any) -> ParticleCloud:
+    """The particles; of very many an even choice."""
+    msg = ParticleCloud()
+    msg.header.frame_id, msg.header.stamp = frame, stamp
+    step = -(-len(particles.particles) // SHOWN)
+    for row, weight in zip(particles.particles[::step].tolist(), particles.weights[::step].tolist(), strict=True):
+        one = Particle(weight=weight * step)
+        put(Pose2(*row), one.pose.position, one.pose.orientation)
+        msg.particles.append(one)
+    return msg
+
+
+def pose_of(msg: PoseWithCovarianceStamped) -> tuple[Pose2, np.ndarray]:
+    """A pose of the plane and its covariance (3, 3); ValueError when they are no numbers."""
+    pose = plane(msg.pose.pose.position, msg.pose.pose.orientation)
+    covariance = np.asarray(msg.pose.covariance, dtype=float).reshape(6, 6)[_PLANE]
+    if not np.isfinite([*pose]).all() or not np.isfinite(covariance).all():
+        raise ValueError("Received initialpose message is malformed. Rejecting.")
+    return pose, covariance
+
+
+def beam_ends(scan: LaserScan, laser: Laser, beams: int) -> np.ndarray:
+    """(m, 2) where evenly chosen beams of a scan ended, in the robot's frame [m]; those without return are left out."""
+    ranges = np.asarray(scan.ranges, dtype=np.float64)
+    step = max((len(ranges) - 1) // max(beams - 1, 1), 1)
+    chosen = np.arange(0, len(ranges), step)
+    ranges, angles = ranges[chosen], laser.angles(len(ranges))[chosen]
+    with np.errstate(invalid="ignore"):
+        good = np.isfinite(ranges) & (ranges > laser.range_min) & (ranges < laser.range_max)
+    ranges, angles = ranges[good], angles[good]
+    ends = np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])
+    return laser.offset.transform(ends)

@@ -109,7 +109,7 @@ class Still:
         if seen[:, 2].min() <= NEAR:
             return
         rows, columns = shape.image.shape[:2]
-        source = np.array([[0, 0], [columns, 0], [columns, rows], [0, rows]], np.float32)
+        source = np.array([[0, 0], [columns, 0], [columns, rows], [0, rows]], np.float32) - 0.5
         warp = cv2.getPerspectiveTransform(source, self._pixels(seen).astype(np.float32))
         flat = cv2.warpPerspective(shape.image, warp, (self.width, self.height), flags=cv2.INTER_NEAREST)
         cover = flat[:, :, 3:].astype(float) / 255 * shape.alpha

@@ -146,7 +146,7 @@ def test_after_a_kernel_restart_the_cells_show_it_again(notebook):
     page = opened.page
     drawn(page, 1)
     page.evaluate("() => jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()")
-    opened.wait_until_it_answers()
+    opened.eventually("print('shown' in globals())", "False")
     opened.run()
     page.wait_for_function(f"() => ({OBJECTS})() === 1", timeout=60_000)
 

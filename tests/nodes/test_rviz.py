@@ -1,0 +1,102 @@
+"""rviz2: its configuration files, and the node without a notebook."""
+
+import pytest
+
+from coursekit.core.executables import find
+from coursekit.core.session import Session
+from coursekit.nodes.rviz.config import Config, display_config, make_config, read, save
+
+RVIZ = """
+Visualization Manager:
+  Displays:
+    - {Class: rviz_default_plugins/Grid, Name: Floor, Enabled: false, Cell Size: 0.5, Color: 10; 20; 30}
+    - Class: rviz_common/Group
+      Name: Sensors
+      Displays:
+        - {Class: rviz_default_plugins/LaserScan, Name: Front, Topic: {Value: /front/scan}, Size (m): 0.05}
+    - {Class: rviz_default_plugins/RobotModel, Name: R1, TF Prefix: r1, Description Topic: {Value: /r1/robot_description}}
+    - {Class: rviz_default_plugins/FluidPressure, Name: Weather}
+  Global Options: {Fixed Frame: odom}
+  Views: {Current: {Class: rviz_default_plugins/Orbit, Distance: 4, Yaw: 1, Pitch: 0.5, Focal Point: {X: 1, Y: 2, Z: 0}}}
+"""
+
+
+def test_an_rviz_file_gives_the_displays_that_are_known_and_lists_the_others(tmp_path):
+    file = tmp_path / "saved.rviz"
+    file.write_text(RVIZ)
+    config = read(file)
+    assert config.fixed_frame == "odom"
+    floor, front, robot = config.displays
+    assert (floor.kind, floor.name, floor.enabled, floor.options["cell_size"]) == ("Grid", "Floor", False, 0.5)
+    assert floor.options["color"] == [10, 20, 30]
+    assert (front.topic, front.options["size"]) == ("/front/scan", 0.05)
+    assert (robot.topic, robot.options["tf_prefix"]) == ("/r1/robot_description", "r1")
+    assert config.skipped == ["Weather (rviz_default_plugins/FluidPressure)"]
+    assert config.view == {"distance": 4.0, "yaw": 1.0, "pitch": 0.5, "target": [1.0, 2.0, 0.0]}
+
+
+def test_what_is_saved_is_read_back_and_is_small(tmp_path):
+    config = make_config("map", ["Grid", {"type": "LaserScan", "topic": "/s", "size": 0.1}], {"distance": 3})
+    config.displays[0].enabled = False
+    save(config, tmp_path / "v.yaml")
+    assert read(tmp_path / "v.yaml") == config
+    assert "- {type: LaserScan, topic: /s, size: 0.1}" in (tmp_path / "v.yaml").read_text().splitlines()
+
+
+@pytest.mark.parametrize(
+    "given, text",
+    [
+        ("LaserScn", "Did you mean 'LaserScan'"),
+        ({"type": "Grid", "cellsize": 1.0}, "Did you mean 'cell_size'"),
+        ({"type": "Grid", "cell_size": "big"}, "cannot be 'big'"),
+        ({"type": "Grid", "color": [1, 2]}, "'color' cannot be"),
+        ({"topic": "/scan"}, "is no display"),
+    ],
+)
+def test_what_is_not_known_is_refused_with_what_there_is(given, text):
+    with pytest.raises(ValueError, match=text):
+        display_config(given)
+
+
+@pytest.mark.parametrize("text", ["- a list", "{{", "displays: 3", "fixed: odom", "view: 4"])
+def test_a_file_that_is_no_configuration_is_named(tmp_path, text):
+    file = tmp_path / "bad.yaml"
+    file.write_text(text)
+    with pytest.raises(ValueError, match=r"bad\.yaml cannot be read"):
+        read(file)
+
+
+def test_an_empty_configuration_shows_nothing():
+    assert make_config() == Config()
+
+
+def test_without_a_notebook_it_tells_what_it_would_show_and_what_is_missing(tmp_path):
+    save(make_config("odom", ["Grid", "LaserScan /front"]), tmp_path / "v.yaml")
+    with Session(virtual=True).use() as session:
+        process = session.start_executable(find("rviz2", "rviz2"), ["-d", str(tmp_path / "v.yaml")], name="rviz2")
+        session.clock.sleep(3.0)
+        process.interrupt()
+        assert process.wait(2.0) == 0
+    assert "Fixed frame: odom" in process.output
+    assert "LaserScan: /front [sensor_msgs/msg/LaserScan]" in process.output
+    assert "LaserScan: nobody publishes /front" in process.output
+
+
+def test_a_missing_file_ends_it_with_its_name():
+    with Session(virtual=True).use() as session:
+        process = session.start_executable(find("rviz2", "rviz2"), ["-d", "no/such.rviz"], name="rviz2")
+        assert process.wait(2.0) == 1
+    assert "no/such.rviz" in process.output
+
+
+def test_display_launch_of_urdf_tutorial_runs_to_the_end():
+    from coursekit.cli.parser import run
+
+    with Session(virtual=True).use() as session:
+        argv = ["launch", "urdf_tutorial", "display.launch.py", "gui:=false"]
+        process = session.start(lambda: run(argv), name="ros2", argv=argv)
+        session.clock.sleep(3.0)
+        process.interrupt()
+        process.wait(10.0)
+    assert "No notebook shows this window. Fixed frame: base_link" in process.output
+    assert "rviz2-3]: process has finished cleanly" in process.output

@@ -36,6 +36,8 @@ class Simulation:
         self.world, self.seed = world, seed
         self.now_ns = 0
         """The time that the physics has reached; `advance_to` may ask for up to one step more."""
+        self.changes = 0
+        """How often something came, went, or was put elsewhere while it stood fast."""
         self.robots: dict[str, Robot] = {}
         self.things: dict[str, tuple[Thing, pymunk.Body]] = {}
         self.space = pymunk.Space()
@@ -67,7 +69,7 @@ class Simulation:
             put(body, thing.place)
             self.space.add(body, *shapes_of(thing.parts, body, thing.name, FIXED))
         self._starts[thing.name] = thing.place
-        self._scenes.clear()
+        self._changed()
 
     def _hang(self, thing: Thing, body: pymunk.Body) -> None:
         ground, hinge = self.space.static_body, thing.hinge
@@ -93,7 +95,7 @@ class Simulation:
         self.space.add(body, *shapes)
         self.robots[name] = robot
         self._starts[name] = at
-        self._scenes.clear()
+        self._changed()
         return robot
 
     def _free(self, name: str) -> None:
@@ -121,7 +123,7 @@ class Simulation:
             table.pop(name, None)  # type: ignore[attr-defined]
         for robot in self.robots.values():
             robot.contacts.pop(name, None)
-        self._scenes.clear()
+        self._changed()
 
     def names(self) -> list[str]:
         """All that is there: what stands, what can be moved, robots."""
@@ -157,7 +159,7 @@ class Simulation:
         if name in self._fixed:
             thing = self._fixed[name]
             self._fixed[name] = Thing(thing.name, thing.parts, place, texture=thing.texture, colour=thing.colour)
-            self._scenes.clear()
+            self._changed()
         else:
             body.velocity, body.angular_velocity = velocity[:2], velocity[2]
         self.space.reindex_shapes_for_body(body)
@@ -172,6 +174,14 @@ class Simulation:
             robot.restart()
         if time:
             self.now_ns = 0
+
+    def fixed_things(self) -> list[Thing]:
+        """What stands fast, where it stands now."""
+        return list(self._fixed.values())
+
+    def _changed(self) -> None:
+        self.changes += 1
+        self._scenes.clear()
 
     # -- time
 

@@ -1,0 +1,131 @@
+"""Blueprints as what the simulation wants: a robot with its devices, or a thing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from coursekit.sim.errors import WorldError
+from coursekit.sim.odometry import EXACT
+from coursekit.sim.parts import Disc, Part, Prism
+from coursekit.sim.place import ORIGIN, Array, Place
+from coursekit.sim.robot import Drive, RobotModel
+from coursekit.sim.world import Thing
+
+from .blueprint import Blueprint
+from .devices import Device, OdometryDevice
+from .moved import moved
+from .plugins import drift_of, read_plugin
+from .sensors import device_of
+from .solids import raised
+from .values import yaw_of
+
+LIGHTEST = 0.05
+"""A robot whose file gives no masses weighs at least this [kg]."""
+
+
+@dataclass
+class Assembly:
+    """A model ready to be put into a simulation: a `robot` with `devices`, or `things`."""
+
+    name: str
+    robot: RobotModel | None = None
+    devices: list[Device] = field(default_factory=list)
+    things: list[Thing] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    joints: tuple[str, ...] = ()
+    """Joints that turn."""
+    frames: dict[str, Array] = field(default_factory=dict)
+    """Where its links are in the model, joints at 0."""
+    place: Place = ORIGIN
+
+
+def assemble(made: Blueprint, namespace: str = "") -> Assembly:
+    """A robot where something of the model drives or senses, else a thing. Raises UrdfError and WorldError."""
+    drive, devices = _read_plugins(made, namespace)
+    parts = made.parts()
+    floor = min((part.low for part in parts), default=0.0)
+    for link in made.links.values():
+        for sensor in link.sensors:
+            device = device_of(sensor, link, made, namespace, floor)
+            devices += [device] if device is not None else []
+    place = Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
+    done = Assembly(made.name, None, devices, [], made.notes, place=place)
+    done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
+    done.frames = {name: link.pose for name, link in made.links.items()}
+    if made.static or not (drive or devices):
+        done.things = _things(made)
+        return done
+    done.robot = _robot(made, drive, devices, [raised(part, -floor) for part in parts])
+    return done
+
+
+def _read_plugins(made: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
+    drive, devices = None, []
+    for plugin in made.plugins:
+        one, more = read_plugin(plugin, made, namespace)
+        if one is not None and drive is not None:
+            made.note(plugin, "is a second drive; the first one drives")
+            continue
+        drive = one or drive
+        devices += more
+    return drive, devices
+
+
+def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: list[Part]) -> RobotModel:
+    if not parts:
+        made.notes.append(f"{made.name} has no <collision> that can be met: it is simulated as a disc of 0.1 m")
+        parts = [Disc(0.0, 0.0, 0.1, 0.0, 0.2)]
+    source = next((one for one in made.plugins if "drive" in (one.get("filename") or "")), None)
+    odometer = next((one for one in devices if isinstance(one, OdometryDevice)), None)
+    encoder = odometer is not None and not odometer.exact
+    drift = drift_of(source, encoder) if source is not None else EXACT
+    return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift)
+
+
+def _things(made: Blueprint) -> list[Thing]:
+    """One thing, its parts in the frame of the model seen from above."""
+    parts = made.parts()
+    if not parts:
+        return []
+    place = Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
+    level = _lean(made.pose, place)
+    turned = [moved(part, level) for part in parts]
+    for part in turned:
+        _check(part, made.name)
+    mass = None if made.static else max(made.mass(), 1e-3)
+    low = min(part.low for part in turned)
+    if mass is not None:  # what is loose has fallen to the floor
+        turned = [raised(part, -low) for part in turned]
+    return [Thing(made.name, tuple(turned), place, mass, model=made.name)]
+
+
+def _lean(pose: Array, place: Place) -> Array:
+    """What of a pose remains without its place and heading."""
+    c, s = math.cos(place.theta), math.sin(place.theta)
+    turn = np.array([[c, s, 0, 0], [-s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+    flat = pose.copy()
+    flat[:2, 3] = 0.0
+    rest: Array = turn @ flat
+    return rest
+
+
+def _check(part: Part, name: str) -> None:
+    corners = part.corners()
+    if not np.isfinite(corners).all() or np.abs(corners).max(initial=0.0) > 1e6:
+        raise WorldError("reaches to infinity", element=f"model '{name}'", cure="Check its sizes and poses.")
+    if isinstance(part, Prism) and len(part.points) < 2:
+        raise WorldError("has an open polygon", element=f"model '{name}'", cure="Give it at least three points.")
+
+
+def renamed(done: Assembly, name: str, place: Place) -> Assembly:
+    """The same under another name, its model's own pose shifted by `place`."""
+    at = Place(place.x + done.place.x, place.y + done.place.y, place.theta + done.place.theta)
+    things = [replace(thing, name=name, place=at, model=name) for thing in done.things]
+    robot = replace(done.robot, name=name) if done.robot is not None else None
+    return replace(done, name=name, place=at, things=things, robot=robot)
+
+
+__all__ = ["Assembly", "assemble", "renamed"]

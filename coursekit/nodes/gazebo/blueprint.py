@@ -1,0 +1,56 @@
+"""A model of a file, URDF or SDF, before it becomes a robot or a thing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from coursekit.sim.parts import Part
+from coursekit.sim.place import Array
+from coursekit.urdf.xml_tree import Element
+
+
+@dataclass
+class BlueLink:
+    """A link: where it is in the model, what bumps, what it weighs, its sensors."""
+
+    name: str
+    pose: Array
+    parts: list[Part] = field(default_factory=list)
+    mass: float = 0.0
+    sensors: list[Element] = field(default_factory=list)
+
+
+@dataclass
+class Blueprint:
+    """A model: links, plugins, joints that turn, and what of it is not simulated."""
+
+    name: str
+    links: dict[str, BlueLink] = field(default_factory=dict)
+    joints: dict[str, str] = field(default_factory=dict)
+    """Joints with their types."""
+    plugins: list[Element] = field(default_factory=list)
+    static: bool = False
+    notes: list[str] = field(default_factory=list)
+    pose: Array = field(default_factory=lambda: np.eye(4))
+    file: Path | None = None
+    root: str = ""
+    """The link at the model's origin."""
+
+    def note(self, element: Element, what: str) -> None:
+        """List something that is not simulated, with its place."""
+        place = f"{element.file}:{element.line}: " if element.file else f"line {element.line}: "
+        self.notes.append(f"{place}{element.label()} {what}")
+
+    def parts(self) -> list[Part]:
+        """All that bumps, in the model's frame."""
+        return [part for link in self.links.values() for part in link.parts]
+
+    def mass(self) -> float:
+        """What it weighs [kg]."""
+        return sum(link.mass for link in self.links.values())
+
+
+__all__ = ["BlueLink", "Blueprint"]

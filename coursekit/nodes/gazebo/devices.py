@@ -1,0 +1,87 @@
+"""What a model does in ROS: sensors and drives with their topics, frames and rates, as data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from coursekit.sim.lidar import Lidar
+from coursekit.sim.place import Array
+
+
+@dataclass(frozen=True)
+class Device:
+    """Anything that publishes `rate` times a second on `topic`, in `frame`."""
+
+    topic: str
+    frame: str
+    rate: float
+    node: str = ""
+
+
+@dataclass(frozen=True)
+class RayDevice(Device):
+    """A LiDAR."""
+
+    lidar: Lidar = field(default_factory=Lidar)
+
+
+@dataclass(frozen=True)
+class ImuDevice(Device):
+    """An inertial unit; `turn_noise` [rad/s] and `push_noise` [m/s^2] are standard deviations, biases are added."""
+
+    turn_noise: float = 0.0
+    turn_bias: float = 0.0
+    push_noise: float = 0.0
+    push_bias: float = 0.0
+
+
+@dataclass(frozen=True)
+class CameraDevice(Device):
+    """A camera: pictures on `topic`, calibration on `info_topic`; its pose in the model looks along x."""
+
+    info_topic: str = ""
+    width: int = 640
+    height: int = 480
+    fov: float = 1.3
+    far: float = 30.0
+    pose: Array | None = None
+
+
+@dataclass(frozen=True)
+class OdometryDevice(Device):
+    """Commands and odometry of a drive; `topic` is that of the odometry, `frame` its frame."""
+
+    command_topic: str = "/cmd_vel"
+    base_frame: str = "base_footprint"
+    publish_odom: bool = True
+    publish_tf: bool = True
+    wheel_tf: bool = False
+    exact: bool = True
+    """Whether it tells where the robot really is (Gazebo's odometry_source WORLD) or what wheels turned (ENCODER)."""
+    covariance: tuple[float, float, float] = (1e-5, 1e-5, 1e-3)
+
+
+@dataclass(frozen=True)
+class JointDevice(Device):
+    """Joint states."""
+
+    joints: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class TruthDevice(Device):
+    """Where a robot really is (Gazebo's p3d)."""
+
+    body: str = ""
+
+
+@dataclass(frozen=True)
+class BumpDevice(Device):
+    """What a robot touches (Gazebo's bumper)."""
+
+    link: str = ""
+
+
+__all__ = [
+    "BumpDevice", "CameraDevice", "Device", "ImuDevice", "JointDevice", "OdometryDevice", "RayDevice", "TruthDevice",
+]  # fmt: skip

@@ -1,0 +1,69 @@
+"""`model://NAME`: where models of Gazebo are looked for."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from urllib.parse import unquote
+
+from coursekit.urdf import MeshError
+from coursekit.urdf.errors import close
+from coursekit.urdf.resources import find_file
+from coursekit.urdf.xml_tree import read
+
+PATH = "GAZEBO_MODEL_PATH"
+SCENERY = ("sun", "ground_plane")
+"""Models that a flat world with light has by itself."""
+
+
+def model_paths(near: Path | None = None) -> list[Path]:
+    """The folders: GAZEBO_MODEL_PATH, then `models` beside and above the file that asks."""
+    told = [Path(one).expanduser() for one in os.environ.get(PATH, "").split(os.pathsep) if one]
+    above = list(near.resolve().parents)[:4] if near is not None else []
+    return [*told, *above[1:3], *(folder / "models" for folder in above)]
+
+
+def find_model(uri: str, near: Path | None = None) -> Path:
+    """The SDF file of a `model://NAME` (or a folder or file); MeshError names the folders that were searched."""
+    name = unquote(uri.removeprefix("model://").removeprefix("file://"))
+    folders = model_paths(near)
+    for place in [folder / name for folder in folders] if not Path(name).is_absolute() else [Path(name)]:
+        if place.is_file():
+            return place
+        if place.is_dir():
+            return _sdf_in(place)
+    there = sorted({one.parent.name for folder in folders if folder.is_dir() for one in folder.glob("*/model.config")})
+    searched = "\n".join(f"  {folder}" for folder in folders) or "  (none)"
+    raise MeshError(
+        f"model '{uri}' not found", file=str(near or "SDF"),
+        cure=f"{close(name, there)} Searched were:\n{searched}\nAdd its folder: export {PATH}=/folder/of/models:${PATH}",
+    )  # fmt: skip
+
+
+def _sdf_in(folder: Path) -> Path:
+    config = folder / "model.config"
+    if config.is_file():
+        rows = [one.text.strip() for one in read(config.read_text("utf-8"), str(config)).all("sdf")]
+        for name in reversed(rows):
+            if (folder / name).is_file():
+                return folder / name
+    if (folder / "model.sdf").is_file():
+        return folder / "model.sdf"
+    raise MeshError("has no model.sdf", file=str(folder), cure="Name its file in model.config: <sdf>model.sdf</sdf>.")
+
+
+def find_mesh(uri: str, near: Path | None = None) -> Path:
+    """The file of a mesh's uri: model://, package://, file:// or a path. Raises MeshError."""
+    if not uri.startswith("model://"):
+        return find_file(uri, near)
+    rest = unquote(uri.removeprefix("model://"))
+    for folder in model_paths(near):
+        if (folder / rest).is_file():
+            return folder / rest
+    try:
+        return find_file("package://" + rest, near)
+    except MeshError:
+        raise MeshError(f"'{uri}' not found", file=str(near or "SDF"), cure=f"Is its model's folder in {PATH}?") from None
+
+
+__all__ = ["SCENERY", "find_mesh", "find_model"]

@@ -1,0 +1,240 @@
+"""Devices at work: each makes its messages for a moment of simulated time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from builtin_interfaces.msg import Time
+from gazebo_msgs.msg import ContactsState, ContactState
+from geometry_msgs.msg import Quaternion, TransformStamped
+from nav_msgs.msg import Odometry
+from rclpy.qos import QoSProfile
+from sensor_msgs.msg import Imu, JointState, LaserScan
+from tf2_msgs.msg import TFMessage
+
+from coursekit.sim.place import Place
+from coursekit.sim.robot import GRAVITY, Robot
+from coursekit.sim.simulation import Simulation
+
+from .devices import BumpDevice, Device, ImuDevice, JointDevice, OdometryDevice, RayDevice, TruthDevice
+
+SENSOR = QoSProfile(depth=5)
+"""Reliable, so that everybody can listen."""
+
+
+def stamp_of(time_ns: int) -> Time:
+    """Nanoseconds as a message."""
+    return Time(sec=time_ns // 1_000_000_000, nanosec=time_ns % 1_000_000_000)
+
+
+def heading(theta: float) -> Quaternion:
+    """A heading as a quaternion."""
+    return Quaternion(z=math.sin(theta / 2), w=math.cos(theta / 2))
+
+
+def place_at(simulation: Simulation, robot: Robot, time_ns: int) -> Place:
+    """Where a robot is at a time up to one step after the physics."""
+    rest = (time_ns - simulation.now_ns) * 1e-9
+    x, y, theta = robot.place
+    speed = robot.body.velocity
+    return Place(x + speed.x * rest, y + speed.y * rest, theta + robot.body.angular_velocity * rest)
+
+
+class Outlet:
+    """A device of a robot at work; the k-th message is for the time `begin + k / rate`."""
+
+    def __init__(self, node: Any, simulation: Simulation, robot: Robot, device: Device, seed: int, begin_ns: int) -> None:
+        self.node, self.simulation, self.robot, self.device = node, simulation, robot, device
+        self.chance = np.random.default_rng(seed)
+        self.publishers: list[Any] = []
+        self._begin, self._count = begin_ns, 0
+        self.open()
+
+    @property
+    def due_ns(self) -> int:
+        """When the next message is due."""
+        return self._begin + round(self._count * 1e9 / self.device.rate)
+
+    def work(self) -> None:
+        """Make the message that is due, if anybody wants it."""
+        due = self.due_ns
+        self._count += 1
+        self.publish(due)
+
+    def restart(self, begin_ns: int) -> None:
+        """Begin again at a time."""
+        self._begin, self._count = begin_ns, 0
+
+    def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
+        """A publisher that is closed with the outlet."""
+        made = self.node.create_publisher(kind, topic, qos)
+        self.publishers.append(made)
+        return made
+
+    def open(self) -> None:
+        """Make publishers and subscriptions."""
+
+    def publish(self, time_ns: int) -> None:
+        """Make the message for a time."""
+
+    def close(self) -> None:
+        """Take publishers and subscriptions back."""
+        for one in self.publishers:
+            self.node.destroy_publisher(one)
+
+
+class ScanOutlet(Outlet):
+    """A LiDAR at work."""
+
+    device: RayDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(LaserScan, self.device.topic, SENSOR)
+
+    def publish(self, time_ns: int) -> None:
+        if not self._out.get_subscription_count():
+            return
+        lidar = self.device.lidar
+        place = place_at(self.simulation, self.robot, time_ns) @ lidar.mount
+        ranges = lidar.measure(self.simulation.scan(lidar, self.robot, place), self.chance)
+        msg = LaserScan(range_min=lidar.range_min, range_max=lidar.range_max)
+        msg.angle_min, msg.angle_max, msg.angle_increment = lidar.angle_min, lidar.angle_max, lidar.step
+        msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
+        msg.ranges = ranges.astype(np.float32).tolist()
+        msg.intensities = [0.0] * lidar.beams
+        self._out.publish(msg)
+
+
+class OdometryOutlet(Outlet):
+    """Odometry at work; commands come in at `command_topic`."""
+
+    device: OdometryDevice
+
+    def open(self) -> None:
+        device = self.device
+        self._out = self.publisher(Odometry, device.topic, 50) if device.publish_odom else None
+        self._tf = self.publisher(TFMessage, "/tf", 100) if device.publish_tf or device.wheel_tf else None
+
+    def publish(self, time_ns: int) -> None:
+        device, robot = self.device, self.robot
+        place = place_at(self.simulation, robot, time_ns) if device.exact else robot.odometer.place
+        forward, left, turn = robot.velocity if device.exact else robot.wheels
+        stamp = stamp_of(time_ns)
+        if self._tf is not None and device.publish_tf:
+            one = TransformStamped(child_frame_id=device.base_frame)
+            one.header.stamp, one.header.frame_id = stamp, device.frame
+            one.transform.translation.x, one.transform.translation.y = place.x, place.y
+            one.transform.rotation = heading(place.theta)
+            self._tf.publish(TFMessage(transforms=[one]))
+        if self._out is not None and self._out.get_subscription_count():
+            msg = odometry(place, (forward, left, turn), device.covariance)
+            msg.header.stamp, msg.header.frame_id, msg.child_frame_id = stamp, device.frame, device.base_frame
+            self._out.publish(msg)
+
+
+def odometry(place: Place, speed: tuple[float, float, float], covariance: Iterable[float] = (0, 0, 0)) -> Odometry:
+    """A place and a velocity in the robot's frame as a message without header."""
+    msg = Odometry()
+    msg.pose.pose.position.x, msg.pose.pose.position.y = place.x, place.y
+    msg.pose.pose.orientation = heading(place.theta)
+    msg.twist.twist.linear.x, msg.twist.twist.linear.y, msg.twist.twist.angular.z = speed
+    x, y, yaw = covariance
+    for part in (msg.pose, msg.twist):
+        numbers = np.zeros(36)
+        numbers[[0, 7, 14, 21, 28, 35]] = x, y, 1e12, 1e12, 1e12, yaw
+        part.covariance = numbers
+    return msg
+
+
+class JointOutlet(Outlet):
+    """Wheels' angles at work; other joints stand at 0."""
+
+    device: JointDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(JointState, self.device.topic, 10)
+
+    def publish(self, time_ns: int) -> None:
+        joints, robot, drive = self.device.joints, self.robot, self.robot.model.drive
+        forward, _, turn = robot.wheels
+        speeds = {}
+        if drive is not None:
+            half = turn * drive.separation / 2
+            speeds = dict.fromkeys(drive.left, (forward - half) / drive.radius)
+            speeds |= dict.fromkeys(drive.right, (forward + half) / drive.radius)
+        msg = JointState(name=list(joints))
+        msg.header.stamp = stamp_of(time_ns)
+        msg.position = [robot.angles.get(name, 0.0) for name in joints]
+        msg.velocity = [speeds.get(name, 0.0) for name in joints]
+        self._out.publish(msg)
+
+
+class ImuOutlet(Outlet):
+    """An inertial unit at work."""
+
+    device: ImuDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(Imu, self.device.topic, SENSOR)
+        self._last: tuple[int, tuple[float, float]] | None = None
+
+    def publish(self, time_ns: int) -> None:
+        forward, left, turn = self.robot.velocity
+        last, self._last = self._last, (time_ns, (forward, left))
+        if not self._out.get_subscription_count():
+            return
+        device = self.device
+        seconds = (time_ns - last[0]) * 1e-9 if last else 0.0
+        ahead, aside = ((now - was) / seconds for now, was in zip((forward, left), last[1], strict=True)) if (
+            last and seconds > 0) else (0.0, 0.0)  # fmt: skip
+        noise = self.chance.standard_normal(3) * (device.turn_noise, device.push_noise, device.push_noise)
+        msg = Imu(orientation=heading(place_at(self.simulation, self.robot, time_ns).theta))
+        msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), device.frame
+        msg.angular_velocity.z = turn + device.turn_bias + float(noise[0])
+        push = msg.linear_acceleration
+        push.x = ahead - turn * left + device.push_bias + float(noise[1])
+        push.y = aside + turn * forward + device.push_bias + float(noise[2])
+        push.z = GRAVITY
+        self._out.publish(msg)
+
+
+class TruthOutlet(Outlet):
+    """Ground truth at work."""
+
+    device: TruthDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(Odometry, self.device.topic, 10)
+
+    def publish(self, time_ns: int) -> None:
+        if self._out.get_subscription_count():
+            msg = odometry(place_at(self.simulation, self.robot, time_ns), self.robot.velocity)
+            msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
+            msg.child_frame_id = self.device.body
+            self._out.publish(msg)
+
+
+class BumpOutlet(Outlet):
+    """A bumper at work."""
+
+    device: BumpDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(ContactsState, self.device.topic, SENSOR)
+
+    def publish(self, time_ns: int) -> None:
+        own = f"{self.robot.name}::{self.device.link}"
+        msg = ContactsState()
+        msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
+        msg.states = [ContactState(collision1_name=own, collision2_name=name) for name in self.robot.contacts]
+        self._out.publish(msg)
+
+
+OUTLETS: dict[type, type[Outlet]] = {
+    RayDevice: ScanOutlet, OdometryDevice: OdometryOutlet, JointDevice: JointOutlet, ImuDevice: ImuOutlet,
+    TruthDevice: TruthOutlet, BumpDevice: BumpOutlet,
+}  # fmt: skip
+__all__ = ["OUTLETS", "Outlet", "heading", "odometry", "place_at", "stamp_of"]

@@ -1,0 +1,58 @@
+"""Cameras at work."""
+
+from __future__ import annotations
+
+import numpy as np
+from sensor_msgs.msg import CameraInfo, Image
+
+from coursekit.sim.view import View
+
+from .devices import CameraDevice
+from .outlets import SENSOR, Outlet, place_at, stamp_of
+
+
+class CameraOutlet(Outlet):
+    """A camera at work: rgb8 pictures and their calibration, drawn only for those who listen."""
+
+    device: CameraDevice
+
+    def open(self) -> None:
+        device = self.device
+        self._image = self.publisher(Image, device.topic, SENSOR)
+        self._info = self.publisher(CameraInfo, device.info_topic, SENSOR)
+        self._view = view_of(device)
+
+    def publish(self, time_ns: int) -> None:
+        device = self.device
+        if self._info.get_subscription_count():
+            self._info.publish(self._calibration(time_ns))
+        if self._image.get_subscription_count():
+            place = place_at(self.simulation, self.robot, time_ns)
+            picture = self._view.render(self.simulation, place, without=self.robot)[:, :, ::-1]
+            msg = Image(height=device.height, width=device.width, encoding="rgb8", step=3 * device.width)
+            msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), device.frame
+            msg.data = np.ascontiguousarray(picture).tobytes()
+            self._image.publish(msg)
+
+    def _calibration(self, time_ns: int) -> CameraInfo:
+        device, view = self.device, self._view
+        msg = CameraInfo(height=device.height, width=device.width, distortion_model="plumb_bob", d=[0.0] * 5)
+        msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), device.frame
+        f, cx, cy = view.focal, (device.width + 1) / 2, (device.height + 1) / 2
+        msg.k = [f, 0.0, cx, 0.0, f, cy, 0.0, 0.0, 1.0]
+        msg.r = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+        msg.p = [f, 0.0, cx, 0.0, 0.0, f, cy, 0.0, 0.0, 0.0, 1.0, 0.0]
+        return msg
+
+
+def view_of(device: CameraDevice, width: int = 0, height: int = 0) -> View:
+    """The view of a camera, in its own or another size."""
+    assert device.pose is not None
+    made = device.pose
+    turn = float(np.arctan2(made[1, 0], made[0, 0]))
+    tilt = float(np.arcsin(np.clip(-made[2, 0], -1.0, 1.0)))
+    x, y, z = (float(one) for one in made[:3, 3])
+    return View((x, y, turn), max(z, 0.02), tilt, device.fov, width or device.width, height or device.height, device.far)
+
+
+__all__ = ["CameraOutlet", "view_of"]

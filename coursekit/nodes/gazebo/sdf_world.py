@@ -1,0 +1,144 @@
+"""SDF files as worlds: models, includes, saved states; and texts of single models."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from coursekit.sim.errors import WorldError
+from coursekit.sim.parts import Part
+from coursekit.sim.place import Place
+from coursekit.sim.world import Thing, World
+from coursekit.urdf import parse
+from coursekit.urdf.xml_tree import Element, read
+
+from .assembly import Assembly, assemble
+from .blueprint import Blueprint
+from .model_paths import SCENERY
+from .moved import moved
+from .sdf_model import include, read_model
+from .urdf_model import blueprint_of
+from .values import pose, yaw_of
+
+VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10")
+QUIET = {
+    "model", "include", "state", "light", "scene", "gui", "physics", "gravity", "magnetic_field", "atmosphere", "audio",
+    "wind", "spherical_coordinates",
+}  # fmt: skip
+
+
+@dataclass
+class SdfWorld:
+    """A world and the robots that its file has in it."""
+
+    world: World
+    robots: list[Assembly]
+
+
+def load_sdf(path: str | Path) -> SdfWorld:
+    """The world of an SDF file. Raises UrdfError (with line) and WorldError; OSError becomes a WorldError."""
+    file = Path(path)
+    try:
+        text = file.read_text("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise WorldError(f"cannot be read: {error}", file=str(file), cure="Check the path of the world.") from None
+    root = _root(text, str(file))
+    world = root.first("world")
+    if world is None:
+        raise root.error("holds no <world>", "Begin with <sdf version='1.6'><world name='default'>.")
+    return _read_world(world, file)
+
+
+def _root(text: str, file: str) -> Element:
+    root = read(text, file)
+    if root.tag not in ("sdf", "gazebo"):
+        raise root.error(f"is <{root.tag}>, no SDF", "Begin with <sdf version='1.6'>.")
+    if root.get("version") not in VERSIONS:
+        raise root.error(f"has version '{root.get('version')}'", f"Versions that can be read: {', '.join(VERSIONS)}.")
+    return root
+
+
+def _read_world(element: Element, file: Path) -> SdfWorld:
+    notes: list[str] = []
+    blueprints = list(_models(element, file))
+    state = element.first("state")
+    if state is not None:
+        _restore(state, blueprints)
+    for child in element.children:
+        if child.tag not in QUIET:
+            notes.append(f"{file}:{child.line}: {child.label()} is not simulated")
+    robots, things = [], []
+    names: dict[str, int] = {}
+    for made in blueprints:
+        count = names[made.name] = names.get(made.name, -1) + 1
+        if count:
+            made.name = f"{made.name}_{count - 1}"
+        done = assemble(made)
+        notes += done.notes
+        things += done.things
+        robots += [done] if done.robot is not None else []
+    places = {one.name: one.place for one in map(_placed, blueprints)}
+    world = World(element.get("name") or file.stem, tuple(things), file=str(file), notes=tuple(notes), models=places)
+    return SdfWorld(world, robots)
+
+
+def _placed(made: Blueprint) -> Thing:
+
+    return Thing(made.name, (), Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose)))
+
+
+def _models(element: Element, file: Path) -> Iterator[Blueprint]:
+    for child in element.children:
+        if child.tag == "model":
+            yield read_model(child, file)
+        elif child.tag == "include":
+            name = child.tell("uri").removeprefix("model://")
+            if name not in SCENERY:
+                yield include(child, file)
+            else:
+                yield Blueprint(child.tell("name") or name, static=True)
+
+
+def _restore(state: Element, blueprints: list[Blueprint]) -> None:
+    """Models stand where a saved state says; links that moved inside them too."""
+    saved = {one.get("name"): one for one in state.all("model")}
+    for made in blueprints:
+        one = saved.get(made.name)
+        if one is None or one.first("pose") is None:
+            continue
+        made.pose = pose(one)
+        inverse = np.linalg.inv(made.pose)
+        for link in one.all("link"):
+            blue = made.links.get(link.get("name") or "")
+            if blue is not None and link.first("pose") is not None:
+                new = inverse @ pose(link)
+                shift = new @ np.linalg.inv(blue.pose)
+                blue.parts = [_kept(part, shift) for part in blue.parts]
+                blue.pose = new
+
+
+def _kept(part: Part, shift: np.ndarray) -> Part:
+    return part if np.allclose(shift, np.eye(4), atol=1e-5) else moved(part, shift)
+
+
+def read_entity(text: str, namespace: str = "", file: Path | None = None) -> Assembly:
+    """A single model as text, URDF or SDF. Raises UrdfError and WorldError."""
+    root = read(text, str(file) if file else "")
+    if root.tag == "robot":
+        return assemble(blueprint_of(parse(text, file or "")), namespace)
+    root = _root(text, str(file) if file else "")
+    within = root.first("world") or root
+    for child in within.children:
+        if child.tag == "model":
+            return assemble(read_model(child, file), namespace)
+        if child.tag == "include":
+            return assemble(include(child, file), namespace)
+        if child.tag == "light":
+            return Assembly(child.get("name") or "light", notes=["a light is not simulated"])
+    raise root.error("Failed to find a model or light on SDF", "Put a <model> into it.")
+
+
+__all__ = ["SdfWorld", "load_sdf", "read_entity"]

@@ -1,0 +1,209 @@
+"""`ros2 run gazebo_ros gzserver WORLD`: the simulator."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import Any
+
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from rclpy.utilities import remove_ros_args
+from rosgraph_msgs.msg import Clock
+
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+from coursekit.sim import Simulation, WorldError
+from coursekit.urdf import UrdfError
+
+from . import simulators
+from .assembly import Assembly
+from .devices import CameraDevice, OdometryDevice
+from .outlets import OUTLETS, Outlet, stamp_of
+from .pictures import CameraOutlet
+from .services import Services
+from .sim_time import SimTime
+from .world_of import open_world
+
+
+class Gazebo(Node):
+    """The simulator: a world in motion, its clock, and the devices of its robots."""
+
+    def __init__(self, world: str = "", *, paused: bool = False, seed: int = 0, verbose: bool = False) -> None:
+        super().__init__("gazebo")
+        self.session = current()
+        self.verbose = verbose
+        made, robots = open_world(world)
+        self.simulation = Simulation(made, seed)
+        self.time = SimTime(self.session.clock, paused)
+        self.assemblies: dict[str, Assembly] = {}
+        self.outlets: dict[str, list[Outlet]] = {}
+        self.executor_ = SingleThreadedExecutor(context=self.context)
+        self.executor_.add_node(self)
+        self._nodes: dict[str, Any] = {}
+        self._commands: dict[str, list[Any]] = {}
+        self._rate = float(self.declare_parameter("publish_rate", 100.0).value) or 100.0
+        self._clock_out = self.create_publisher(Clock, "/clock", QoSProfile(depth=10))
+        self._clock_count = 0
+        self._api = Services(self)
+        self.tell(list(made.notes))
+        for robot in robots:
+            self.put(robot)
+        self.get_logger().info(f"World '{made.name}' with {len(self.models())} models")
+        simulators.add(self)
+
+    # -- models
+
+    def models(self) -> list[str]:
+        """The names of all models, as they came."""
+        world = self.simulation.world
+        names = list(world.models) or [thing.name for thing in world.things]
+        there = set(self.simulation.names()) | {name for name in world.models if name not in self.simulation.names()}
+        gone = self._api.deleted
+        return [name for name in names if name in there and name not in gone] + [
+            name for name in self.assemblies if name not in names or name in gone
+        ]
+
+    def put(self, model: Assembly) -> None:
+        """Put a model into the world and its devices to work. Raises WorldError."""
+        self.advance()
+        for thing in model.things:
+            self.simulation.add(thing)
+        if model.robot is not None:
+            robot = self.simulation.spawn(model.robot, model.name, model.place)
+            self._equip(model, robot)
+        self.assemblies[model.name] = model
+        self.tell(model.notes)
+
+    def _equip(self, model: Assembly, robot: Any) -> None:
+        begin = self.time.now()
+        outlets = self.outlets[model.name] = []
+        for number, device in enumerate(model.devices):
+            node = self.node_of(device.node)
+            kind = CameraOutlet if isinstance(device, CameraDevice) else OUTLETS[type(device)]
+            seed = (self.simulation.seed * 1000 + len(self.assemblies)) * 100 + number
+            outlets.append(kind(node, self.simulation, robot, device, seed, begin))
+            if isinstance(device, OdometryDevice):
+                heard = node.create_subscription(Twist, device.command_topic, lambda msg: self._command(robot, msg), 10)
+                self._commands.setdefault(model.name, []).append((node, heard))
+
+    def _command(self, robot: Any, msg: Twist) -> None:
+        self.advance()
+        robot.command(msg.linear.x, msg.angular.z, msg.linear.y, now_ns=self.simulation.now_ns)
+
+    def node_of(self, full_name: str) -> Any:
+        """The node of a plugin, made when first asked for."""
+        if full_name not in self._nodes:
+            space, _, name = full_name.rpartition("/")
+            node = rclpy.create_node(name or "plugin", namespace=space or "/", context=self.context)
+            self.executor_.add_node(node)
+            self._nodes[full_name] = node
+        return self._nodes[full_name]
+
+    def take_out(self, name: str) -> None:
+        """Take a model out; LookupError if there is none."""
+        self.simulation.remove(name)
+        self.assemblies.pop(name, None)
+        for outlet in self.outlets.pop(name, []):
+            outlet.close()
+        for node, heard in self._commands.pop(name, []):
+            node.destroy_subscription(heard)
+
+    def tell(self, notes: list[str]) -> None:
+        """List what of a file is not simulated."""
+        if notes and not self.verbose and len(notes) > 8:
+            notes = [*notes[:8], f"... and {len(notes) - 8} more; verbose:=true lists all"]
+        for note in notes:
+            self.get_logger().warning(f"Not simulated: {note}")
+
+    # -- time
+
+    def advance(self) -> int:
+        """Bring the physics to the present; the simulated time [ns]."""
+        self.time.keep_up(self.simulation.now_ns)
+        now = self.time.now()
+        self.simulation.advance_to(now)
+        return now
+
+    def restart(self, time: bool) -> None:
+        """Everything back to its place, and time to 0 if asked."""
+        self.advance()
+        self.simulation.reset(time)
+        if time:
+            self.time.set(0)
+            self._clock_count = 0
+            for outlet in self._all():
+                outlet.restart(0)
+
+    def _all(self) -> list[Outlet]:
+        return [outlet for outlets in self.outlets.values() for outlet in outlets]
+
+    def work(self) -> float:
+        """Do all that is due; seconds until something is due again."""
+        if self.time.paused:
+            return 0.1
+        now = self.advance()
+        while (clock := self._clock_due()) <= now:
+            self._clock_count = max(self._clock_count + 1, int((now - 20_000_000) * 1e-9 * self._rate))
+            self._clock_out.publish(Clock(clock=stamp_of(clock)))
+        outlets = self._all()
+        for outlet in outlets:
+            while outlet.due_ns <= now:
+                if now - outlet.due_ns > 200_000_000:
+                    outlet.restart(now)
+                outlet.work()
+        due = min([self._clock_due(), *(outlet.due_ns for outlet in outlets)])
+        return max(0.0, (due - self.time.now()) * 1e-9)
+
+    def _clock_due(self) -> int:
+        return round(self._clock_count * 1e9 / self._rate)
+
+    def spin(self) -> None:
+        """Simulate until the context ends."""
+        while self.context.ok():
+            wait = self.work()
+            self.executor_.spin_once(timeout_sec=wait)
+
+    def close(self) -> None:
+        """It ends: tell those who draw it."""
+        simulators.remove(self)
+
+
+def _arguments(argv: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="gzserver", description="Simulate a world.")
+    parser.add_argument("world", nargs="?", default="", help="a world file (yaml, SDF, a map) or one of the course's")
+    parser.add_argument("-u", "--pause", action="store_true", help="start paused")
+    parser.add_argument("--play", action="store_true", help="start at once (the default)")
+    parser.add_argument("--seed", type=int, default=0, help="seed of noise and drift")
+    parser.add_argument("--verbose", action="store_true", help="list all that is not simulated")
+    parser.add_argument("--brief", action="store_true", help="list some of it (the default)")
+    parser.add_argument("-s", dest="plugins", action="append", default=[], help="accepted: a system plugin")
+    return parser.parse_args(argv)
+
+
+def main(args: list[str] | None = None) -> Any:
+    """Run the simulator until Ctrl-C."""
+    told = _arguments(remove_ros_args(args if args is not None else sys.argv)[1:])
+    rclpy.init(args=args)
+    try:
+        node = Gazebo(told.world, paused=told.pause, seed=told.seed, verbose=told.verbose)
+    except (WorldError, UrdfError) as error:
+        print(f"[Err] {error}", file=sys.stderr)
+        rclpy.try_shutdown()
+        return 255
+    process = current_process()
+    if process is not None:
+        process.cleanups.append(node.close)
+    try:
+        node.spin()
+    except KeyboardInterrupt:
+        pass
+    except ExternalShutdownException:
+        sys.exit(0)
+    finally:
+        node.close()
+        rclpy.try_shutdown()
+    return 0

@@ -1,0 +1,39 @@
+"""Which simulators run in a session, for whoever draws them or looks through their cameras."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from coursekit.sim.simulation import Simulation
+
+
+class Simulator(Protocol):
+    """A running simulator: `simulation` is the world in motion, `assemblies` the models in it by name."""
+
+    simulation: Simulation
+    assemblies: dict[str, Any]
+    session: Any
+
+    def advance(self) -> int: ...
+
+
+_running: list[Simulator] = []
+
+
+def running(session: Any) -> list[Simulator]:
+    """The simulators of a session, in the order of their start."""
+    return [one for one in list(_running) if one.session is session]
+
+
+def add(simulator: Simulator) -> None:
+    """Enter one that has started."""
+    _running.append(simulator)
+
+
+def remove(simulator: Simulator) -> None:
+    """Take one out that has ended; harmless when it is out."""
+    if simulator in _running:
+        _running.remove(simulator)
+
+
+__all__ = ["Simulator", "add", "remove", "running"]

@@ -1,0 +1,58 @@
+"""URDF with `<gazebo>` blocks as a blueprint."""
+
+from __future__ import annotations
+
+from coursekit.urdf import MeshError, Robot
+from coursekit.urdf.kinematics import Kinematics
+from coursekit.urdf.shapes import matrix_of
+from coursekit.urdf.xml_tree import Element
+
+from .blueprint import BlueLink, Blueprint
+from .solids import part_of
+from .values import matrix
+
+QUIET = {
+    "material", "mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "fdir1", "selfCollide", "turnGravityOff", "gravity",
+    "dampingFactor", "maxContacts", "laserRetro", "visual", "self_collide", "max_contacts", "min_depth", "max_vel",
+    "disableFixedJointLumping", "preserveFixedJoint", "implicitSpringDamper", "provideFeedback", "stopCfm", "stopErp",
+    "springStiffness", "springReference", "kinematic",
+}  # fmt: skip
+"""Children that say how Gazebo's engine shall reckon and draw; a world seen from above needs none of them."""
+
+
+def blueprint_of(robot: Robot) -> Blueprint:
+    """The blueprint of a robot. Raises UrdfError for numbers that are none; a mesh that is not there becomes a note."""
+    made = Blueprint(robot.name, file=robot.file, root=robot.root)
+    made.joints = {name: joint.type for name, joint in robot.joints.items()}
+    for name, pose in Kinematics(robot).poses().items():
+        link = robot.links[name]
+        made.links[name] = blue = BlueLink(name, matrix(pose), mass=link.inertial.mass if link.inertial else 0.0)
+        for collision in link.collisions:
+            try:
+                where = blue.pose @ matrix_of(collision.origin)
+                blue.parts.append(part_of(collision.geometry, where, robot.file))
+            except MeshError as error:
+                made.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
+    for block in robot.gazebo:
+        _read_block(block, robot, made)
+    return made
+
+
+def _read_block(block: Element, robot: Robot, made: Blueprint) -> None:
+    reference = block.get("reference")
+    for child in block.children:
+        if child.tag == "plugin":
+            made.plugins.append(child)
+        elif child.tag == "sensor" and reference in made.links:
+            made.links[reference].sensors.append(child)
+        elif child.tag == "sensor":
+            raise child.error(f"sits on link '{reference}', which does not exist", f"Links are: {', '.join(made.links)}.")
+        elif child.tag == "static":
+            made.static = child.text.strip() in ("true", "1")
+        elif child.tag not in QUIET:
+            made.note(child, "is not simulated")
+    if reference and reference not in robot.links and reference not in robot.joints:
+        made.note(block, f"refers to '{reference}', which does not exist")
+
+
+__all__ = ["blueprint_of"]

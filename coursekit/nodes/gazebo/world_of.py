@@ -1,0 +1,62 @@
+"""The world that a user names: a file of ours, of Gazebo, of nav2, or one of the course's by its name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import yaml
+
+from coursekit.nav.map_error import MapError
+from coursekit.nav.map_file import load_map
+from coursekit.sim import World, WorldError, load_world
+from coursekit.sim.errors import known
+from coursekit.sim.world_map import world_from_grid
+
+from .assembly import Assembly
+from .sdf_world import load_sdf
+
+COURSE = Path(__file__).parents[2] / "share" / "coursekit_maps" / "worlds"
+
+
+def find_world(name: str) -> Path:
+    """The file of a world: a path, or the name of one of the course's. WorldError names those."""
+    path = Path(name).expanduser()
+    if path.is_file():
+        return path
+    ours = COURSE / f"{path.stem}.yaml"
+    if path.parent == Path(".") and ours.is_file():
+        return ours
+    worlds = [one.stem for one in COURSE.glob("*.yaml")]
+    cure = f"Give a file, or a name. {known(path.stem, worlds)}"
+    raise WorldError(f"there is no world '{name}'", file=str(path), cure=cure)
+
+
+def open_world(name: str) -> tuple[World, list[Assembly]]:
+    """The world of a file or name, and the robots in it; '' is an empty one. Raises WorldError and UrdfError."""
+    if not name:
+        return World("default"), []
+    path = find_world(name)
+    if path.suffix in (".yaml", ".yml"):
+        return (_of_map(path) if _is_map(path) else load_world(path)), []
+    found = load_sdf(path)
+    return found.world, found.robots
+
+
+def _is_map(path: Path) -> bool:
+    try:
+        data = yaml.safe_load(path.read_text("utf-8"))
+    except (OSError, ValueError, yaml.YAMLError):
+        return False
+    return isinstance(data, dict) and "image" in data
+
+
+def _of_map(path: Path) -> World:
+    try:
+        grid = load_map(path)
+    except MapError as error:
+        raise WorldError(str(error), file=str(path), cure="Mend the map, or give another world.") from None
+    x, y, yaw = grid.origin
+    return world_from_grid(grid.cells, grid.resolution, (x, y, yaw), path.stem, str(path))
+
+
+__all__ = ["find_world", "open_world"]

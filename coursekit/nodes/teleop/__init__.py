@@ -1,0 +1,1 @@
+"""Driving by keys: the node of teleop_twist_keyboard."""

@@ -1,0 +1,1 @@
+"""Interfaces: entities of a simulated world."""

@@ -1,0 +1,84 @@
+"""A world from an occupancy grid, as navigation's maps have it: occupied cells become walls."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import WorldError
+from .parts import Part, Prism
+from .place import Place
+from .world import Thing, World
+
+OCCUPIED = 65
+"""Cells from this value on are walls."""
+MOST_BLOCKS = 50_000
+
+
+def world_from_grid(
+    cells: NDArray[np.int8], resolution: float, origin: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    name: str = "map", file: str = "",
+) -> World:  # fmt: skip
+    """A world of the occupied cells; row 0 is that of smallest y, `origin` is the pose of its corner. Raises WorldError.
+
+    >>> import numpy as np
+    >>> world = world_from_grid(np.array([[0, 100, 100]], np.int8), 0.5)
+    >>> world.bounds()
+    (0.5, 0.0, 1.5, 0.5)
+    """
+    grid = np.asarray(cells)
+    if grid.ndim != 2 or not resolution > 0:
+        raise WorldError("is no grid with cells of some size", file=file, cure="Give rows of cells and a resolution > 0.")
+    blocks = _blocks(grid >= OCCUPIED)
+    if len(blocks) > MOST_BLOCKS:
+        raise WorldError(f"has {len(blocks)} blocks of walls", file=file, cure=f"At most {MOST_BLOCKS} can be simulated.")
+    parts: list[Part] = [_prism(*block, resolution) for block in blocks]
+    things = (Thing("map", tuple(parts), Place(*origin), texture="concrete"),) if parts else ()
+    return World(name, things, _free_place(grid, resolution, origin), file=file)
+
+
+def _blocks(walls: NDArray[np.bool_]) -> list[tuple[int, int, int, int]]:
+    """Rectangles (row, column, end row, end column) that cover the true cells once."""
+    open_: dict[tuple[int, int], int] = {}
+    done = []
+    for row in range(len(walls) + 1):
+        runs = _runs(walls[row]) if row < len(walls) else []
+        kept = set(runs)
+        for run in [run for run in open_ if run not in kept]:
+            done.append((open_.pop(run), run[0], row, run[1]))
+        for run in runs:
+            open_.setdefault(run, row)
+    return done
+
+
+def _runs(row: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], row.astype(np.int8), [0]))))
+    return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def _prism(row: int, column: int, row_end: int, column_end: int, size: float) -> Prism:
+    x0, y0, x1, y1 = column * size, row * size, column_end * size, row_end * size
+    return Prism(((x0, y0), (x1, y0), (x1, y1), (x0, y1)), 0.0, 2.0)
+
+
+def _free_place(grid: NDArray[np.int8], size: float, origin: tuple[float, float, float]) -> Place:
+    """The free cell that is farthest from what is not free, roughly: where a robot can begin."""
+    free = grid == 0
+    if not free.any():
+        return Place(*origin)
+    depth = np.zeros(grid.shape, int)
+    inner = free.copy()
+    for _ in range(40):
+        depth += inner
+        shrunk = np.zeros_like(inner)
+        shrunk[1:-1, 1:-1] = (
+            inner[1:-1, 1:-1] & inner[:-2, 1:-1] & inner[2:, 1:-1] & inner[1:-1, :-2] & inner[1:-1, 2:]
+        )
+        if not shrunk.any():
+            break
+        inner = shrunk
+    row, column = np.unravel_index(int(depth.argmax()), depth.shape)
+    return Place(*origin) @ Place((float(column) + 0.5) * size, (float(row) + 0.5) * size)
+
+
+__all__ = ["world_from_grid"]

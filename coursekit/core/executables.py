@@ -158,7 +158,8 @@ def _program(path: Path) -> Callable[[], Any]:
 class ChildProcess:
     """A real child process behind the interface of `Process`.
 
-    On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all.
+    On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all. With
+    `one_stream` its errors come among its other output in the order in which it wrote them, as in a terminal.
     """
 
     def __init__(
@@ -170,9 +171,11 @@ class ChildProcess:
         env: Mapping[str, str] | None = None,
         cwd: str | os.PathLike[str] | None = None,
         takes_time: bool = True,
+        one_stream: bool = False,
     ) -> None:
         self.session = session
         self.name = name
+        self._one_stream = one_stream
         self.takes_time = takes_time
         self.argv = list(command)
         self.pid = session.new_pid()
@@ -201,7 +204,7 @@ class ChildProcess:
             self.argv,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
+            stderr=subprocess.STDOUT if self._one_stream else subprocess.PIPE,
             text=True,
             errors="replace",
             bufsize=1,
@@ -213,6 +216,7 @@ class ChildProcess:
         readers = [
             threading.Thread(target=self._read, args=(stream, pipe), daemon=True)
             for stream, pipe in (("stdout", self._child.stdout), ("stderr", self._child.stderr))
+            if pipe is not None
         ]
         for thread in readers:
             _start_outside(thread)

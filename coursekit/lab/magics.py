@@ -89,7 +89,7 @@ class CourseMagics(Magics):
         env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn of it in every build
 
         def begin() -> Any:
-            process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False)
+            process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False, one_stream=True)
             return current().launch(process, _to_cell(background, _without_durations if virtual else str))
 
         return _attend(begin, options.get("name") or "colcon", options.get("stop-after"), background)

@@ -126,3 +126,13 @@ def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(prefi
         assert len(ticks) == 0
         session.clock.sleep(0.0105)
         assert len(ticks) == 10
+
+
+def test_errors_of_a_child_stand_where_it_wrote_them(tmp_path):
+    from coursekit.core.executables import ChildProcess
+
+    code = "import sys\nfor i in range(300): print(i, file=(sys.stdout, sys.stderr)[i % 2], flush=True)"
+    with Session(virtual=True).use() as session:
+        child = session.launch(ChildProcess(session, [sys.executable, "-c", code], name="both", one_stream=True))
+        assert child.wait(60) == 0
+        assert child.output == "".join(f"{i}\n" for i in range(300))

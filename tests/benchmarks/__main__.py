@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.slam.data import MISSING, folder
+
 HERE = Path(__file__).parent
 PEER = HERE.parents[1] / ".venv-ros" / "bin" / "python"
 
@@ -54,6 +56,33 @@ def lidar() -> None:
         row(f"{edges} edges", times["ours"], times["peer"], {"50": "≤ 20 µs", "1000": "≤ 80 µs"}[edges])
 
 
+def scans() -> None:
+    """Print the table of the grid and of matching."""
+    print("\n| what | coursekit | numpy | OpenCV | goal |\n|---|---|---|---|---|")
+    for name, times in json.loads(measure(sys.executable, "scans.py")).items():
+        cells = [f"{times[who]:.0f} µs" if times[who] else "" for who in ("ours", "numpy", "OpenCV")]
+        print(f"| {name} | {' | '.join(cells)} | {times['goal']} |")
+
+
+def slam() -> None:
+    """Print the table of the SLAM benchmark, if its logs are here."""
+    place = folder()
+    if place is None:
+        print(f"\nSLAM: skipped, {MISSING}.")
+        return
+    others = {
+        "fr079": ("≤ 0.047 m", "Cartographer 0.0452 m, GMapping 0.061 m, MRPT icp-slam 0.092 m"),
+        "Intel": ("≤ 0.025 m", "Cartographer 0.0229 m, GMapping 0.070 m, MRPT rbpf-slam 0.168 m"),
+    }
+    print("\n| SLAM, median of five perturbed runs | coursekit | each run | × real time | others, not run here | goal |")
+    print("|---|---|---|---|---|---|")
+    for name, found in json.loads(measure(sys.executable, "slam_logs.py", str(place))).items():
+        ours = f"{found['median']:.4f} m, {found['rotation']:.2f}°"
+        runs = " ".join(f"{one:.4f}" for one in found["translation"])
+        goal, known = others[name]
+        print(f"| {name} | {ours} | {runs} | {found['speed']:.0f} | {known} | {goal}, ≥ 100 × |")
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))
@@ -68,6 +97,8 @@ def main() -> None:
     lidar()
     link_poses()
     transforms()
+    scans()
+    slam()
     if not peer:
         print("\nThe real rclpy is not here to compare with: `make conformance` installs it (Linux x86-64).")
 

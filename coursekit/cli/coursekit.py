@@ -20,11 +20,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     lab = commands.add_parser("lab", help="open the course in JupyterLab")
     lab.add_argument("--folder", default="course", help="your copy of the course (default: course)")
+    lab.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
     lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     lab.add_argument("jupyter", nargs=argparse.REMAINDER, help="further options for jupyter lab, after --")
     lab.set_defaults(main=open_lab)
     copy = commands.add_parser("course", help="make or update your copy of the course, without opening it")
     copy.add_argument("--folder", default="course")
+    copy.add_argument("--language", default="en")
     copy.set_defaults(main=update_course)
     doctor = commands.add_parser("doctor", help="check the set-up and say what cures each fault")
     doctor.set_defaults(main=run_doctor)
@@ -51,7 +53,11 @@ def update_course(args: argparse.Namespace) -> int:
     from coursekit.grade.copy import Course
 
     folder = Path(args.folder).resolve()
-    for sentence in Course(folder).update(notebooks_folder()):
+    try:
+        said = Course(folder).update(notebooks_folder(), args.language)
+    except ValueError as error:
+        raise SystemExit(str(error)) from None
+    for sentence in said:
         print(f"  {sentence}")
     print(f"Your copy of the course: {folder}")
     return 0

@@ -14,6 +14,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("chapters", nargs="*", help="which, such as 02 or 02_topics (default: all)")
     release.add_argument("--out", type=Path, default=Path("release"), help="the folder (default: release)")
     release.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
+    release.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
     release.set_defaults(main=run_release)
     grade = commands.add_parser("grade", help="mark a folder of submissions in sandboxes, and write a table")
     grade.add_argument("folder", type=Path, help="a folder, notebook or zip for each student in it")
@@ -26,12 +27,16 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 def run_release(args: argparse.Namespace) -> int:
     """Release, and say what was written."""
+    from coursekit.grade.editions import chapters
     from coursekit.grade.release import release
 
     from .coursekit import notebooks_folder
 
     folder = args.notebooks or notebooks_folder()
-    known = sorted(folder.glob("*.ipynb"))
+    try:
+        known = chapters(folder, args.language)
+    except ValueError as error:
+        raise SystemExit(str(error)) from None
     chosen = [one for one in known if not args.chapters or any(one.name.startswith(word) for word in args.chapters)]
     if not chosen:
         raise SystemExit(f"No chapter begins with {', '.join(args.chapters)}. There are: {', '.join(p.stem for p in known)}")

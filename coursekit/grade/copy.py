@@ -8,6 +8,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from .editions import ENGLISH, chapters
+
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
 _SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
 _HIDDEN = re.compile(r"^[ \t]*### BEGIN HIDDEN TESTS.*?### END HIDDEN TESTS[ \t]*\n?", re.S | re.M)
@@ -59,7 +61,7 @@ class Course:
         self.folder = folder
         self._manifest = folder / ".coursekit" / "manifest.json"
 
-    def update(self, notebooks: Path) -> list[str]:
+    def update(self, notebooks: Path, language: str = ENGLISH) -> list[str]:
         """Bring in new and changed chapters; a sentence for each thing that was done.
 
         A chapter that the student has changed stays as it is; a new edition of it is put beside it as `NAME.new.ipynb`.
@@ -68,7 +70,7 @@ class Course:
         (self.folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         given = self._read_manifest()
         said = []
-        for source in sorted(notebooks.glob("*.ipynb")):
+        for source in chapters(notebooks, language):
             text = json.dumps(student_notebook(json.loads(source.read_text(encoding="utf-8"))), indent=1) + "\n"
             sentence = self._bring(source.name, text, given)
             if sentence:

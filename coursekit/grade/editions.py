@@ -1,0 +1,30 @@
+"""The course's notebooks, in English and in the languages that somebody has translated them into.
+
+A translated chapter has the name of the English one and lies in a folder with the language's code: `es/02_topics.ipynb`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+ENGLISH = "en"
+
+
+def languages(notebooks: Path) -> list[str]:
+    """The languages that there is at least one chapter in."""
+    return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if any(path.glob("*.ipynb")))]
+
+
+def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
+    """The file of every chapter: in that language where it is translated, else in English.
+
+    Raises:
+        ValueError: when there is no chapter in that language; it names those that there are.
+    """
+    known = languages(notebooks)
+    if language not in known:
+        raise ValueError(f"No chapter is translated into '{language}'. There are: {', '.join(known)}.")
+    found = sorted(notebooks.glob("*.ipynb"))
+    if language == ENGLISH:
+        return found
+    return [other if (other := notebooks / language / one.name).exists() else one for one in found]

@@ -1,0 +1,47 @@
+"""Chapters in other languages."""
+
+import json
+
+import pytest
+
+from coursekit.cli.coursekit import main
+from coursekit.grade.copy import Course
+from coursekit.grade.editions import chapters, languages
+
+
+@pytest.fixture
+def notebooks(tmp_path):
+    """Two chapters, of which the first is translated."""
+    folder = tmp_path / "notebooks"
+    for name, text in (("01_a.ipynb", "Hello"), ("02_b.ipynb", "Bye"), ("es/01_a.ipynb", "Hola")):
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        cell = {"cell_type": "markdown", "metadata": {}, "source": [text]}
+        path.write_text(json.dumps({"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}))
+    return folder
+
+
+def texts(folder):
+    return ["".join(json.loads(path.read_text())["cells"][0]["source"]) for path in sorted(folder.glob("*.ipynb"))]
+
+
+def test_a_translated_chapter_stands_for_the_english_one(notebooks, tmp_path):
+    assert languages(notebooks) == ["en", "es"]
+    assert [path.parent.name for path in chapters(notebooks, "es")] == ["es", "notebooks"]
+    Course(tmp_path / "course").update(notebooks, "es")
+    assert texts(tmp_path / "course") == ["Hola", "Bye"]
+    Course(tmp_path / "english").update(notebooks)
+    assert texts(tmp_path / "english") == ["Hello", "Bye"]
+
+
+def test_a_language_that_is_not_there_is_said_with_those_that_are(notebooks, tmp_path):
+    with pytest.raises(ValueError, match="'fr'. There are: en, es."):
+        chapters(notebooks, "fr")
+    with pytest.raises(SystemExit, match="There are: en"):
+        main(["course", "--language", "fr", "--folder", str(tmp_path / "course")])
+
+
+def test_a_release_takes_a_language(notebooks, tmp_path):
+    out = tmp_path / "week1"
+    assert main(["release", "01", "--language", "es", "--notebooks", str(notebooks), "--out", str(out)]) == 0
+    assert texts(out) == ["Hola"]

@@ -1,7 +1,11 @@
-"""`cv2.VideoCapture(0)` where there is no webcam: the virtual camera, 30 pictures a second of session time."""
+"""`cv2.VideoCapture(0)` where there is no webcam: the virtual camera, 30 pictures a second of session time.
+
+While a simulator runs it sees the simulated world, through the first camera of a robot; else a scene of its own.
+"""
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import cv2
@@ -60,7 +64,7 @@ class VirtualCapture:
         if not self._open:
             return False, None
         width, height = (int(self._size[one]) for one in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT))
-        picture = _scene.render(self._seen * 1e-9, width, height)
+        picture = _picture(self._seen * 1e-9, width, height)
         if image is not None and image.shape == picture.shape:
             image[:] = picture
             picture = image
@@ -91,3 +95,17 @@ class VirtualCapture:
     def release(self) -> None:
         """End."""
         self._open = False
+
+
+def _picture(seconds: float, width: int, height: int) -> Any:
+    """What there is to see: the simulated world, or the scene at a time."""
+    if "coursekit.nodes.gazebo.simulators" not in sys.modules:  # no simulator ever ran: spare its import
+        return _scene.render(seconds, width, height)
+    from coursekit.nodes.gazebo import simulators
+    from coursekit.nodes.gazebo.eyes import picture_of
+
+    for simulator in simulators.running(current()):
+        picture = picture_of(simulator, width, height)
+        if picture is not None:
+            return picture
+    return _scene.render(seconds, width, height)

@@ -19,6 +19,8 @@ def test_the_course_s_worlds_are_closed_and_have_room_for_a_robot(path):
     seen = Lidar(range_max=100.0).look(world.cut(0.18), world.start)
     if world.things:
         assert np.isfinite(seen).all() and seen.min() > 0.25
+    for place in (Place(0.0, 0.0), Place(0.5, 0.5)):  # where spawn_entity.py and the course put robots
+        assert world.name == "empty" or Lidar().look(world.cut(0.18), place).min() > 0.2
 
 
 def test_walls_have_their_thickness_and_meet_at_corners():

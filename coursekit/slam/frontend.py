@@ -7,11 +7,15 @@ import math
 import numpy as np
 
 from coursekit.slam.matcher import match
+from coursekit.slam.odometry import Calibration
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.refine import Refined, precision_of, refine
 from coursekit.slam.scan import Scan
 from coursekit.slam.submap import Submap
+
+LEARN_WITHIN = 2.0
+"""The odometry's faults are learnt from matches that are so many sigmas from the guess at the most."""
 
 
 class Tracker:
@@ -31,6 +35,7 @@ class Tracker:
         """and where it is in the frame of the first submap."""
         self._odometry: Pose2 | None = None
         self._speed = Pose2()
+        self._wheels, self._told = Calibration(), Pose2()
         self._usual = 0.8
         """Running mean of the scores."""
 
@@ -54,6 +59,8 @@ class Tracker:
         if not accepted and known:
             found = Refined(guess, found.information * 0.0, found.inliers, found.spread)
         self._speed = self.pose.to(found.pose)
+        if accepted and known and self._plausible(guess.to(found.pose), motion):
+            self._wheels.learn(self._told, self._speed)
         self.pose = found.pose
         return found, score, accepted
 
@@ -79,7 +86,8 @@ class Tracker:
         if odometry is not None and before is not None:
             motion = before.to(odometry)
             if all(map(math.isfinite, motion)) and math.hypot(motion.x, motion.y) < self.params.odometry_jump:
-                return motion, True
+                self._told = motion
+                return (self._wheels.correct(motion) if self.params.matching else motion), True
             return Pose2(), False
         return (self._speed if self.submaps else Pose2()), False
 
@@ -90,6 +98,11 @@ class Tracker:
             return p.blind_sigma, p.blind_sigma
         (still, going), (straight, turning) = p.odometry_distance_sigma, p.odometry_angle_sigma
         return still + going * math.hypot(motion.x, motion.y), straight + turning * abs(motion.theta)
+
+    def _plausible(self, off: Pose2, motion: Pose2) -> bool:
+        """Whether a match is near enough to the guess to learn from: farther ones are found or lost by luck."""
+        distance, angle = self._sigmas(motion, True)
+        return math.hypot(off.x, off.y) < LEARN_WITHIN * distance and abs(off.theta) < LEARN_WITHIN * angle
 
     def moved_enough(self) -> bool:
         """Whether it is time for a keyframe."""

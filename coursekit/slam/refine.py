@@ -34,7 +34,7 @@ class Refined:
 
     @property
     def covariance(self) -> Array:
-        """(3, 3) in the pose's own frame [m², rad²]: neighbouring beams share errors, so ten count as one; 1 m where open."""
+        """(3, 3) in the pose's own frame [m², rad²]: ten beams count as one, for they share errors; 1 m where open."""
         return np.asarray(np.linalg.inv(0.1 * self.information + np.eye(3)), dtype=np.float64)
 
 

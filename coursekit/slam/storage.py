@@ -24,7 +24,10 @@ _ENDINGS = (".npz", ".posegraph")
 
 
 def save(slam: Slam, path: str | Path) -> Path:
-    """Write a session to PATH (.npz is added unless it ends in that or .posegraph); returns the full name. In ROS 2: serialize_map."""
+    """Write a session to PATH (.npz is added unless it ends in that or .posegraph); returns the full name.
+
+    In ROS 2: serialize_map.
+    """
     scans = [keyframe.scan for keyframe in slam.keyframes]
     edges = slam.graph.edges
     none = np.zeros((0, 2))

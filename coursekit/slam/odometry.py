@@ -1,0 +1,58 @@
+"""Learning on the way what the wheels get wrong: their scale, and a pull to one side."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from coursekit.slam.pose import Pose2
+
+MEMORY = 10.0
+"""What was learnt is forgotten over this way [m]; a turn of a radian counts as a metre."""
+RIDGE = 0.2
+"""How much motion [m², rad²] it takes until what is learnt outweighs that the odometry may be right as it is."""
+MOST = 2.0
+"""Scales between 1 / MOST and MOST, pulls up to 1 rad/m are believed."""
+
+
+class Calibration:
+    """Corrects motions of the odometry by what matching has made of the motions before.
+
+    >>> wheels = Calibration()
+    >>> for _ in range(500):
+    ...     wheels.learn(Pose2(0.12, 0.0, 0.0), Pose2(0.1, 0.0, 0.01))
+    >>> right = wheels.correct(Pose2(0.12, 0.0, 0.0))
+    >>> round(right.x, 2), round(right.theta, 3)
+    (0.1, 0.009)
+    """
+
+    def __init__(self) -> None:
+        self._way = np.zeros(2)
+        """Sums of odometry times truth and of odometry squared."""
+        self._turn, self._square = np.zeros(2), np.zeros((2, 2))
+        """Normal equations of: the true turn = scale * turn + pull * way."""
+        self.scale, self.turn_scale, self.pull = 1.0, 1.0, 0.0
+
+    def correct(self, motion: Pose2) -> Pose2:
+        """The motion that was meant."""
+        turn = self.turn_scale * motion.theta + self.pull * motion.x
+        return Pose2(self.scale * motion.x, self.scale * motion.y, turn)
+
+    def learn(self, motion: Pose2, found: Pose2) -> None:
+        """A motion by the odometry, and what matching says that it was."""
+        way = math.hypot(motion.x, motion.y)
+        keep = math.exp(-(way + abs(motion.theta)) / MEMORY)
+        along = motion.x * found.x + motion.y * found.y
+        self._way = keep * self._way + np.array([along, way * way])
+        told = np.array([motion.theta, motion.x])
+        self._turn, self._square = keep * self._turn + told * found.theta, keep * self._square + np.outer(told, told)
+        self._solve()
+
+    def _solve(self) -> None:
+        """Least squares, drawn to scale 1 and pull 0."""
+        scale = (self._way[0] + RIDGE) / (self._way[1] + RIDGE)
+        turn, pull = np.linalg.solve(self._square + RIDGE * np.eye(2), self._turn + np.array([RIDGE, 0.0]))
+        self.scale = min(max(float(scale), 1 / MOST), MOST)
+        self.turn_scale = min(max(float(turn), 1 / MOST), MOST)
+        self.pull = min(max(float(pull), -1.0), 1.0)

@@ -1,0 +1,44 @@
+"""What the wheels get wrong is learnt, and never more than can be."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from coursekit.slam.odometry import Calibration
+from coursekit.slam.pose import Pose2
+from coursekit.slam.scan import Laser
+from coursekit.slam.slam import Slam
+from tests.slam.building import ROUND, Wheels, drive, look, office
+
+
+@pytest.mark.parametrize(("scale", "turn", "pull"), [(1.0, 1.0, 0.0), (0.8, 1.1, 0.1), (1.3, 0.9, -0.15)])
+def test_most_of_what_is_wrong_is_learnt_on_the_way(scale: float, turn: float, pull: float) -> None:
+    rng, wheels = np.random.default_rng(0), Calibration()
+    for _ in range(600):
+        told = Pose2(0.1, 0.0, rng.normal(0, 0.15))
+        true = Pose2(scale * told.x, 0.0, turn * told.theta + pull * told.x)
+        wheels.learn(told, Pose2(true.x + rng.normal(0, 0.003), 0.0, true.theta + rng.normal(0, 0.003)))
+    for found, true, plain in ((wheels.scale, scale, 1), (wheels.turn_scale, turn, 1), (wheels.pull, pull, 0)):
+        assert abs(found - true) < 0.35 * abs(plain - true) + 0.02
+
+
+def test_a_standing_robot_and_absurd_motions_teach_nothing_absurd() -> None:
+    wheels = Calibration()
+    wheels.learn(Pose2(), Pose2(0.1, 0.0, 0.2))
+    assert wheels.correct(Pose2(1.0, 0.0, 0.1)) == pytest.approx(Pose2(1.0, 0.0, 0.1))
+    wheels.learn(Pose2(3.0, 0.0, 3.0), Pose2(-3.0, 0.0, -3.0))
+    assert 0.5 <= wheels.scale <= 2.0 and 0.5 <= wheels.turn_scale <= 2.0 and abs(wheels.pull) <= 1.0
+
+
+def test_wheels_that_are_far_off_still_bring_the_robot_home() -> None:
+    laser, rng = Laser(-math.pi / 2, math.radians(1), range_max=10.0), np.random.default_rng(3)
+    wheels, slam, way = Wheels(rng, scale=1.3, pull=0.15, noise=0.1), Slam(), list(drive(ROUND))
+    for number, pose in enumerate(way):
+        slam.add_ranges(0.1 * number, look(office(3), pose, laser, 181, rng), laser, wheels.roll(pose))
+    slam.finish()
+    truth = np.array([way[0].to(pose) for pose in way])
+    assert wheels.pose.distance(way[0].to(way[-1])) > 10
+    assert np.hypot(*(slam.trajectory()[:, 1:3] - truth[:, :2]).T).max() < 0.1

@@ -26,6 +26,7 @@ from .outlets import OUTLETS, Outlet, stamp_of
 from .pictures import CameraOutlet
 from .services import Services
 from .sim_time import SimTime
+from .warm_up import warm_up
 from .world_of import open_world
 
 
@@ -47,8 +48,9 @@ class Gazebo(Node):
         self._commands: dict[str, list[Any]] = {}
         self._rate = float(self.declare_parameter("publish_rate", 100.0).value) or 100.0
         self._clock_out = self.create_publisher(Clock, "/clock", QoSProfile(depth=10))
-        self._clock_count = 0
+        self._clock_count = self._planned = 0
         self._api = Services(self)
+        warm_up()
         self.tell(list(made.notes))
         for robot in robots:
             self.put(robot)
@@ -123,7 +125,7 @@ class Gazebo(Node):
 
     def advance(self) -> int:
         """Bring the physics to the present; the simulated time [ns]."""
-        self.time.keep_up(self.simulation.now_ns)
+        self.time.keep_up(self._planned)
         now = self.time.now()
         self.simulation.advance_to(now)
         return now
@@ -134,7 +136,7 @@ class Gazebo(Node):
         self.simulation.reset(time)
         if time:
             self.time.set(0)
-            self._clock_count = 0
+            self._clock_count = self._planned = 0
             for outlet in self._all():
                 outlet.restart(0)
 
@@ -156,6 +158,7 @@ class Gazebo(Node):
                     outlet.restart(now)
                 outlet.work()
         due = min([self._clock_due(), *(outlet.due_ns for outlet in outlets)])
+        self._planned = due
         return max(0.0, (due - self.time.now()) * 1e-9)
 
     def _clock_due(self) -> int:
@@ -163,6 +166,8 @@ class Gazebo(Node):
 
     def spin(self) -> None:
         """Simulate until the context ends."""
+        if not self.time.paused:
+            self.time.set(0)  # loading took its time
         while self.context.ok():
             wait = self.work()
             self.executor_.spin_once(timeout_sec=wait)

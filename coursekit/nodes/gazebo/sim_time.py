@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-MOST_BEHIND_NS = 250_000_000
+MOST_BEHIND_NS = 50_000_000
 """A computer that falls behind by more makes the simulation slower instead of jerking."""
 
 
@@ -34,10 +34,10 @@ class SimTime:
         """It is this time now."""
         self._held, self._zero = time_ns, self._clock.steady() - time_ns
 
-    def keep_up(self, reached_ns: int) -> None:
-        """Forget time that the simulation could not keep up with."""
-        if not self.paused and self.now() - reached_ns > MOST_BEHIND_NS:
-            self.set(reached_ns + MOST_BEHIND_NS)
+    def keep_up(self, planned_ns: int) -> None:
+        """Forget time that the simulation could not keep up with; work was planned for `planned_ns`."""
+        if not (self.paused or self._clock.virtual) and self.now() - planned_ns > MOST_BEHIND_NS:
+            self.set(planned_ns + MOST_BEHIND_NS)
 
 
 __all__ = ["SimTime"]

@@ -1,0 +1,20 @@
+"""The compiled loops are loaded before time begins, so that the first scan is no stumble."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from coursekit.sim import Disc, Lidar, Place, Prism, RobotModel, Simulation, Thing, World
+
+
+@lru_cache(maxsize=1)
+def warm_up() -> None:
+    """Use each loop of the LiDAR once."""
+    block = Prism(((1.0, -1.0), (1.5, -1.0), (1.5, 1.0)))
+    simulation = Simulation(World("small", (Thing("wall", (block, Disc(0.0, 3.0, 0.5))),)))
+    robot = simulation.spawn(RobotModel("robot"))
+    simulation.scan(Lidar(beams=8, height=0.1), robot)
+    simulation.scan(Lidar(beams=90, height=0.1), None, Place())
+
+
+__all__ = ["warm_up"]

@@ -77,7 +77,7 @@ class Odometer:
         drift = self.drift
         if not (drift.way_noise or drift.turn_noise or drift.way_turn_noise):
             return
-        along, spin = self._chance.standard_normal(2)
+        along, spin = map(float, self._chance.standard_normal(2))  # messages want Python's own numbers
         spread = math.sqrt(drift.turn_noise**2 * turned + drift.way_turn_noise**2 * way)
         x, y, theta = self._place
         along *= drift.way_noise * math.sqrt(way)

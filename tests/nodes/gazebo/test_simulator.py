@@ -210,3 +210,19 @@ def test_two_runs_say_the_same(run, spawn, friend):
 def test_the_launch_file_starts_a_world(ros2):
     output = ros2("launch", "gazebo_ros", "gazebo.launch.py", "world:=office", seconds=1.0)
     assert "World 'office'" in output
+
+
+def test_a_robot_is_spawned_from_its_description_on_a_topic_into_a_map(run, friend, tmp_path):
+    cells = np.full((40, 40), 254, np.uint8)
+    cells[:, 30:] = 0
+    cv2.imwrite(str(tmp_path / "hall.pgm"), cells)
+    (tmp_path / "hall.yaml").write_text(
+        "image: hall.pgm\nresolution: 0.1\norigin: [-2.0, -2.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n"
+    )
+    run("gazebo_ros", "gzserver", str(tmp_path / "hall.yaml"))
+    run("robot_state_publisher", "robot_state_publisher", str(ROBOT))
+    process = run("gazebo_ros", "spawn_entity.py", "-topic", "robot_description", "-entity", "rdk", "-Y", "0.0")
+    assert process.wait(5) == 0 and "Loading entity published on topic robot_description" in process.output
+    scans = friend.hear(LaserScan, "scan")
+    friend.spin(0.5)
+    assert scans[-1].ranges[0] == pytest.approx(1.0 - 0.042, abs=0.05)

@@ -83,6 +83,14 @@ def slam() -> None:
         print(f"| {name} | {ours} | {runs} | {found['speed']:.0f} | {known} | {goal}, ≥ 100 × |")
 
 
+def viewer() -> None:
+    """Print the row of the viewer."""
+    ours, peer = (json.loads(measure(sys.executable, "viewer_load.py", who)) for who in ("ours", "peer"))
+    theirs = "not installed" if peer is None else f"{peer:.1f} %"
+    print("\n| what | coursekit, publishing and /tf included | meshcat-python and its server | goal |\n|---|---|---|---|")
+    print(f"| viewer: 15 links at 30 Hz, CPU % of one core | {ours:.1f} % | {theirs} | ≤ 5 % |")
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))

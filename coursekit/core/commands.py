@@ -9,7 +9,12 @@ import importlib
 from collections.abc import Callable, Sequence
 from typing import Any
 
-INSIDE = {"ros2": "coursekit.cli.parser:run"}
+INSIDE = {
+    "ros2": "coursekit.cli.parser:run",
+    "gazebo": "coursekit.cli.gazebo_commands:run_server",
+    "gzserver": "coursekit.cli.gazebo_commands:run_server",
+    "gzclient": "coursekit.cli.gazebo_commands:run_client",
+}
 """Command: the function that takes its words and returns its exit code."""
 
 JOIN = "coursekit.cli.attach:attach_script"

@@ -29,8 +29,6 @@ class Loop:
     motion: Pose2
     precision: Array
     score: float
-    surprise: float = 0.0
-    """How far it is from where the graph had it, as a part of how far was searched."""
 
 
 class LoopSearch:
@@ -106,7 +104,6 @@ class LoopSearch:
             submap.members[first].to(found.pose),
             loop_precision(found.information),
             score,
-            found.pose.distance(guess) / distance,
         )
 
     def _field(self, submap: Submap) -> LoopField:
@@ -125,7 +122,7 @@ class LoopSearch:
         settled: list[Loop] = []
         for loop in found:
             friends = [other for other in self._pending if _agree(loop, other, graph)]
-            if len(friends) >= self._needed(loop):
+            if friends:
                 settled += [loop, *friends]
                 self._pending = [other for other in self._pending if other not in friends]
             else:
@@ -136,11 +133,6 @@ class LoopSearch:
             self.rejected += len(old)
             self._pending = [loop for loop in self._pending if loop not in old]
         return settled
-
-
-    def _needed(self, loop: Loop) -> int:
-        """How many others must agree: rooms that look alike lie far from where the robot is thought to be."""
-        return 1 if loop.surprise < self.params.loop_surprise else self.params.loop_witnesses
 
 
 def _ways(graph: PoseGraph, number: int) -> Array:

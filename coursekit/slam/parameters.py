@@ -100,10 +100,6 @@ class SlamParameters:
     """The graph is optimized at once when a loop is off by this much,"""
     loop_batch: int = 20
     """and else after so many loops."""
-    loop_surprise: float = 0.4
-    """A loop that is farther from the estimate than this part of the search needs"""
-    loop_witnesses: int = 3
-    """so many others that agree, instead of one."""
     loop_patience: int = 15
     """A loop that no other confirms is dropped after this many keyframes."""
 

@@ -82,6 +82,17 @@ def test_without_a_notebook_it_tells_what_it_would_show_and_what_is_missing(tmp_
     assert "LaserScan: nobody publishes /front" in process.output
 
 
+@pytest.mark.parametrize(("words", "node"), [([], "/rviz"), (["--ros-args", "-r", "__node:=eyes"], "/eyes")])
+def test_it_logs_as_rviz2_whatever_its_node_is_called(words, node):
+    with Session(virtual=True).use() as session:
+        process = session.start_executable(find("rviz2", "rviz2"), words, name="rviz2")
+        session.clock.sleep(1.0)
+        assert [one.full_name for one in session.graph(0).nodes] == [node]
+        process.interrupt()
+        process.wait(2.0)
+    assert "] [rviz2]: No notebook shows this window." in process.output
+
+
 def test_a_missing_file_ends_it_with_its_name():
     with Session(virtual=True).use() as session:
         process = session.start_executable(find("rviz2", "rviz2"), ["-d", "no/such.rviz"], name="rviz2")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
+from rclpy.logging import get_logger
 from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 
@@ -20,36 +21,38 @@ from .kinds import KINDS
 
 LOOK_SECONDS = 2.0
 """How long it waits before it says which topics nobody publishes."""
+LOG = get_logger("rviz2")
+"""RViz logs under this name, whatever its node (of itself `rviz`) is called."""
 
 
 class Rviz(Node):
     """A window's node."""
 
     def __init__(self, config: Config) -> None:
-        super().__init__("rviz2")
+        super().__init__("rviz")
         self.session = current()
         self.config = config
         self.running = True
         self.full_name = self.get_fully_qualified_name()
         for skipped in config.skipped:
-            self.get_logger().warning(f"Not known here, left out: {skipped}")
+            LOG.warning(f"Not known here, left out: {skipped}")
         if windows.add(self):
-            self.get_logger().info("Shown in the notebook; in a cell, viewer() shows it too.")
+            LOG.info("Shown in the notebook; in a cell, viewer() shows it too.")
         else:
             self._tell()
             self._look = self.create_timer(LOOK_SECONDS, self._complain)
 
     def _tell(self) -> None:
         frame = self.config.fixed_frame or "the root of the tree"
-        self.get_logger().info(f"No notebook shows this window. Fixed frame: {frame}. Displays:")
+        LOG.info(f"No notebook shows this window. Fixed frame: {frame}. Displays:")
         for one in self.config.displays:
-            self.get_logger().info(f"  {describe(one)}")
+            LOG.info(f"  {describe(one)}")
 
     def _complain(self) -> None:
         self._look.cancel()
         for one in self.config.displays:
             if one.enabled and KINDS[one.kind].type and not self.count_publishers(one.topic):
-                self.get_logger().warning(f"{one.name}: nobody publishes {one.topic}")
+                LOG.warning(f"{one.name}: nobody publishes {one.topic}")
 
     def destroy_node(self) -> None:
         """Close the window."""

@@ -1,0 +1,165 @@
+"""Following a path in a local costmap: sampled speeds, driven ahead and scored, as DWB does."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from coursekit.nav.controller_kernels import score, touches
+from coursekit.nav.costmap import Costmap
+from coursekit.nav.footprint import Footprint
+from coursekit.nav.inflation import cost_at
+
+Pose = tuple[float, float, float]
+Speeds = tuple[float, float]
+"""Forward [m/s] and turning [rad/s]."""
+
+
+class ControlError(Exception):
+    """No command, and why."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Speeds [m/s, rad/s] and accelerations [m/s², rad/s²] of a robot."""
+
+    min_speed: float = 0.0
+    max_speed: float = 0.26
+    max_turn: float = 1.0
+    acceleration: float = 2.5
+    deceleration: float = 2.5
+    turn_acceleration: float = 3.2
+
+    def toward(self, now: Speeds, wish: Speeds, seconds: float) -> Speeds:
+        """The speeds after `seconds` on the way to others.
+
+        >>> Limits().toward((0.0, 0.0), (0.2, 1.0), 0.04)
+        (0.1, 0.128)
+        """
+        rate = self.acceleration if abs(wish[0]) > abs(now[0]) else self.deceleration
+        return _near(now[0], wish[0], rate * seconds), _near(now[1], wish[1], self.turn_acceleration * seconds)
+
+
+def _near(now: float, wish: float, most: float) -> float:
+    return round(now + max(-most, min(most, wish - now)), 9)
+
+
+@dataclass
+class Controller:
+    """Drives a robot along a path; all in the frame of the costmap.
+
+    `horizon` seconds are looked ahead. A robot that looks away from its way by more than `turn_first` [rad] turns first.
+    """
+
+    limits: Limits = field(default_factory=Limits)
+    footprint: Footprint = field(default_factory=lambda: Footprint.disc(0.22))
+    horizon: float = 1.7
+    speeds: int = 20
+    turns: int = 20
+    turn_first: float = 0.785
+    period: float = 0.05
+    weights: tuple[float, float, float, float, float, float] = (16.0, 12.0, 16.0, 12.0, 0.02, 0.325)
+    scaling: tuple[float, float] = (0.55, 3.0)
+    """Radius [m] and factor of the costmap's inflation: they tell from which cost on the outline may touch something."""
+    _turning: bool = False
+
+    def command(self, costs: Costmap, pose: Pose, now: Speeds, path: np.ndarray, speed: float = 0.0) -> Speeds:
+        """The speeds to drive next; ControlError when every way ahead touches something. `speed` limits further if not 0.
+
+        >>> room = Costmap.of_size(4.0, 4.0, 0.05, -2.0, -2.0)
+        >>> way = np.column_stack([np.arange(0, 2, 0.05), np.zeros(40), np.zeros(40)])
+        >>> Controller().command(room, (0.0, 0.0, 0.0), (0.2, 0.0), way)
+        (0.26, 0.0)
+        """
+        ahead = self._ahead(pose, path)
+        top = min(self.limits.max_speed, speed) if speed > 0 else self.limits.max_speed
+        carrot = self._carrot(ahead, max(top * self.horizon, 0.3))
+        bearing = _wrap(math.atan2(carrot[1] - pose[1], carrot[0] - pose[0]) - pose[2])
+        far = math.hypot(carrot[0] - pose[0], carrot[1] - pose[1]) > 0.1
+        limit = self.turn_first * (0.4 if self._turning else 1.0)
+        self._turning = far and abs(bearing) > limit
+        if self._turning:
+            try:
+                return self.turn(costs, pose, now, bearing)
+            except ControlError:
+                pass  # no room to turn here: perhaps there is while driving
+        return self._best(costs, pose, now, ahead, carrot, top)
+
+    def turn(self, costs: Costmap, pose: Pose, now: Speeds, angle: float) -> Speeds:
+        """The speeds that turn the robot on the spot by `angle` [rad]; ControlError when it would touch something."""
+        rate = min(self.limits.max_turn, math.sqrt(2 * 0.6 * self.limits.turn_acceleration * abs(angle)), 3.0 * abs(angle))
+        for way in np.linspace(0, min(abs(angle), 0.6), 8)[1:]:
+            if self.blocked(costs, (pose[0], pose[1], pose[2] + math.copysign(float(way), angle))):
+                if self.blocked(costs, pose):
+                    break  # it is in something already: turning is a way out
+                raise ControlError("Turning on the spot would touch an obstacle")
+        return self.limits.toward(now, (0.0, math.copysign(rate, angle)), self.period)
+
+    def blocked(self, costs: Costmap, pose: Pose) -> bool:
+        """Whether the robot would touch something there."""
+        cost = touches(costs.cells, costs.x, costs.y, costs.resolution, *pose, self._outline(costs), self._near())
+        return bool(cost == 255)
+
+    def _outline(self, costs: Costmap) -> np.ndarray:
+        return self.footprint.outline(costs.resolution * 0.7)
+
+    def _near(self) -> int:
+        """From this cost on the outline may touch something."""
+        radius, factor = self.scaling
+        if self.footprint.circumscribed >= radius:
+            return 0
+        return max(cost_at(self.footprint.circumscribed + 0.05, self.footprint.inscribed, factor), 0)
+
+    def _ahead(self, pose: Pose, path: np.ndarray) -> np.ndarray:
+        """The path (n, 2) from where the robot is on it."""
+        gaps = np.hypot(path[:, 0] - pose[0], path[:, 1] - pose[1])
+        steps = np.hypot(*np.diff(path[:, :2], axis=0).T) if len(path) > 1 else np.zeros(0)
+        gone = np.concatenate([[0.0], np.cumsum(steps)])
+        near = gone <= 3.0  # what comes back to here much later is not meant
+        return np.ascontiguousarray(path[int(np.argmin(np.where(near, gaps, np.inf))) :, :2], dtype=float)
+
+    @staticmethod
+    def _carrot(ahead: np.ndarray, reach: float) -> Speeds:
+        """The place `reach` metres ahead on the path."""
+        if len(ahead) < 2:
+            return float(ahead[0, 0]), float(ahead[0, 1])
+        gone = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ahead, axis=0).T))])
+        index = min(int(np.searchsorted(gone, reach)), len(ahead) - 1)
+        return float(ahead[index, 0]), float(ahead[index, 1])
+
+    def _best(
+        self, costs: Costmap, pose: Pose, now: Speeds,
+        ahead: np.ndarray, carrot: tuple[float, float], top: float,
+    ) -> Speeds:  # fmt: skip
+        speeds = np.linspace(min(self.limits.min_speed, top), top, self.speeds)
+        turns = np.append(np.linspace(-self.limits.max_turn, self.limits.max_turn, self.turns), 0.0)
+        gap = math.hypot(carrot[0] - pose[0], carrot[1] - pose[1])
+        ux, uy = ((carrot[0] - pose[0]) / gap, (carrot[1] - pose[1]) / gap) if gap > 1e-3 else (0.0, 0.0)
+        target = np.array([*carrot, carrot[0] + ux * self.weights[5], carrot[1] + uy * self.weights[5]])
+        path = _extended(ahead, self.weights[5], ux, uy)
+        gains = np.array([self.limits.acceleration, self.limits.turn_acceleration])
+        found = score(
+            costs.cells, costs.x, costs.y, costs.resolution, self._outline(costs), self._near(), np.array(pose, dtype=float),
+            speeds, turns, np.array(now, dtype=float), gains, self.horizon, 0.05, path, target, np.array(self.weights),
+        )  # fmt: skip
+        a, b = divmod(int(found.argmin()), len(turns))
+        if not math.isfinite(found[a, b]):
+            raise ControlError(f"No valid trajectories out of {found.size}!")
+        return self.limits.toward(now, (float(speeds[a]), float(turns[b])), self.period)
+
+
+def _extended(path: np.ndarray, by: float, ux: float, uy: float) -> np.ndarray:
+    """The next two metres or so of a path, and at its end a straight piece on."""
+    near = path[:80]
+    if len(path) > 80:
+        return near
+    along = np.arange(0.05, by + 0.05, 0.05)[:, None]
+    end = near[-1] - near[-2] if len(near) > 1 else np.array([ux, uy])
+    size = float(np.hypot(*end))
+    return np.vstack([near, near[-1] + along * (end / size if size > 1e-9 else 0.0)])
+
+
+def _wrap(angle: float) -> float:
+    return (angle + math.pi) % (2 * math.pi) - math.pi

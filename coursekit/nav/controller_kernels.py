@@ -1,0 +1,82 @@
+"""The inner loop of the controller: drive every sampled pair of speeds ahead, and score where that leads."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit
+
+
+@njit(cache=True)
+def touches(cells, x0, y0, cell, x, y, yaw, outline, near):  # type: ignore[no-untyped-def]
+    """Cost of the robot's centre there; 255 where the robot would touch something.
+
+    Without an outline (m, 2) a centre from 253 on touches; with one, its points are looked at where the centre costs
+    at least `near`. Outside of the map nothing is known to be in the way.
+    """
+    rows, columns = cells.shape
+    i, j = math.floor((y - y0) / cell), math.floor((x - x0) / cell)
+    if not (0 <= i < rows and 0 <= j < columns):
+        return 0
+    cost = cells[i, j]
+    if cost == 255:
+        return 0
+    if cost == 254 or (len(outline) == 0 and cost == 253):
+        return 255
+    if cost < near:
+        return cost
+    c, s = math.cos(yaw), math.sin(yaw)
+    for k in range(len(outline)):
+        i = math.floor((y + s * outline[k, 0] + c * outline[k, 1] - y0) / cell)
+        j = math.floor((x + c * outline[k, 0] - s * outline[k, 1] - x0) / cell)
+        if 0 <= i < rows and 0 <= j < columns and cells[i, j] == 254:
+            return 255
+    return cost
+
+
+@njit(cache=True)
+def gap_to(path, x, y):  # type: ignore[no-untyped-def]
+    """Distance from a place to a path (n, 2)."""
+    least = np.inf
+    for k in range(len(path)):
+        d = (path[k, 0] - x) ** 2 + (path[k, 1] - y) ** 2
+        if d < least:
+            least = d
+    return math.sqrt(least)
+
+
+@njit(cache=True)
+def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, horizon, dt, path, carrot, weights):  # type: ignore[no-untyped-def]
+    """(speeds, turns) how bad each pair is; infinite where it touches something within `horizon` seconds.
+
+    `now` are the present speeds, `gains` how much they may change a second; `weights` are those of the distance to the
+    path, to the carrot, of both for a point ahead, of the worst cost, and of how far ahead that point is [m].
+    """
+    found = np.full((len(speeds), len(turns)), np.inf)
+    steps = max(round(horizon / dt), 1)
+    for a in range(len(speeds)):
+        for b in range(len(turns)):
+            x, y, yaw, v, w, worst, free = pose[0], pose[1], pose[2], now[0], now[1], 0, True
+            for _ in range(steps):
+                v += min(max(speeds[a] - v, -gains[0] * dt), gains[0] * dt)
+                w += min(max(turns[b] - w, -gains[1] * dt), gains[1] * dt)
+                x += v * math.cos(yaw + w * dt / 2) * dt
+                y += v * math.sin(yaw + w * dt / 2) * dt
+                yaw += w * dt
+                cost = touches(cells, x0, y0, cell, x, y, yaw, outline, near)
+                if cost == 255:
+                    free = False
+                    break
+                worst = max(worst, cost)
+            if not free:
+                continue
+            ax, ay = x + weights[5] * math.cos(yaw), y + weights[5] * math.sin(yaw)
+            found[a, b] = (
+                weights[0] * gap_to(path, x, y)
+                + weights[1] * math.hypot(carrot[0] - x, carrot[1] - y)
+                + weights[2] * gap_to(path, ax, ay)
+                + weights[3] * math.hypot(carrot[2] - ax, carrot[3] - ay)
+                + weights[4] * worst
+            )
+    return found

@@ -1,0 +1,109 @@
+"""Paths through costmaps: the cheapest way for the robot's centre, kept away from obstacles by their inflation."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
+from coursekit.nav.planner_kernels import search, smooth
+
+
+class PlanError(Exception):
+    """No path, and why."""
+
+
+@dataclass(frozen=True)
+class Planner:
+    """A* over eight neighbours; near a closed goal the nearest cell within `tolerance` [m] will do.
+
+    `factor` weighs costs against distance.
+
+    >>> room = Costmap.of_size(3.0, 3.0, 0.1)
+    >>> path = Planner().plan(room, (0.25, 0.25, 0.0), (2.25, 0.25, 0.0))
+    >>> path[0].tolist(), path[-1].tolist(), round(length(path), 6)
+    ([0.25, 0.25, 0.0], [2.25, 0.25, 0.0], 2.0)
+    """
+
+    tolerance: float = 0.5
+    unknown: bool = True
+    factor: float = 0.8
+
+    def plan(self, costs: Costmap, start: tuple[float, float, float], goal: tuple[float, float, float]) -> np.ndarray:
+        """Poses (n, 3) from start to goal [m, rad]; PlanError when there is no way."""
+        self._check(costs, start, "start")
+        self._check(costs, goal, "goal")
+        begin, end = self._flat(costs, start), self._flat(costs, goal)
+        parents, _ = search(costs.cells, begin, end, self.unknown, self.factor)
+        reached = end if parents[end] >= 0 else self._nearby(costs, parents, goal)
+        path = self._walk(costs, parents, begin, reached)
+        path[0] = start[:2]
+        if reached == end:
+            path = np.vstack([path[:-1] if len(path) > 1 else path, [goal[:2]]])
+        smooth(path, costs.cells, costs.x, costs.y, costs.resolution, 300, 0.1, 0.3)
+        return with_headings(path, goal[2])
+
+    def _check(self, costs: Costmap, place: tuple[float, float, float], what: str) -> None:
+        if not all(map(math.isfinite, place)):
+            raise PlanError(f"The {what} is not made of finite numbers: {place}")
+        if not costs.inside(place[0], place[1]):
+            height, width = (cells * costs.resolution for cells in costs.cells.shape)
+            raise PlanError(
+                f"The {what} ({place[0]:.2f}, {place[1]:.2f}) is off the global costmap, which reaches from "
+                f"({costs.x:.2f}, {costs.y:.2f}) to ({costs.x + width:.2f}, {costs.y + height:.2f})"
+            )
+
+    @staticmethod
+    def _flat(costs: Costmap, place: tuple[float, float, float]) -> int:
+        row, column = costs.cell(place[0], place[1])
+        return row * costs.cells.shape[1] + column
+
+    def _nearby(self, costs: Costmap, parents: np.ndarray, goal: tuple[float, float, float]) -> int:
+        """The reached cell nearest to the goal, if one is within the tolerance."""
+        reached = np.flatnonzero((parents >= 0) & (costs.cells.ravel() < INSCRIBED))
+        rows, columns = np.divmod(reached, costs.cells.shape[1])
+        gaps = np.hypot(
+            costs.x + (columns + 0.5) * costs.resolution - goal[0], costs.y + (rows + 0.5) * costs.resolution - goal[1]
+        )
+        if len(gaps) and gaps.min() <= self.tolerance:
+            return int(reached[gaps.argmin()])
+        cost = costs.cost(goal[0], goal[1])
+        why = "the goal is inside or beside an obstacle" if INSCRIBED <= cost < UNKNOWN else "no way leads there"
+        near = f"; the nearest place that can be reached is {gaps.min():.2f} m away" if len(gaps) else ""
+        raise PlanError(f"{why} (cost {cost}){near}, farther than the tolerance of {self.tolerance:.2f} m")
+
+    @staticmethod
+    def _walk(costs: Costmap, parents: np.ndarray, begin: int, end: int) -> np.ndarray:
+        """The middles of the cells on the way."""
+        way = [end]
+        while way[-1] != begin:
+            way.append(int(parents[way[-1]]))
+        rows, columns = np.divmod(np.array(way[::-1]), costs.cells.shape[1])
+        return np.column_stack([costs.x + (columns + 0.5) * costs.resolution, costs.y + (rows + 0.5) * costs.resolution])
+
+
+def with_headings(points: np.ndarray, last: float) -> np.ndarray:
+    """Points (n, 2) as poses (n, 3) that look along the way; the last one looks to `last` [rad].
+
+    >>> with_headings(np.array([[0.0, 0.0], [0.0, 1.0], [0.0, 2.0]]), 3.0).round(3).tolist()
+    [[0.0, 0.0, 1.571], [0.0, 1.0, 1.571], [0.0, 2.0, 3.0]]
+    """
+    if len(points) < 2:
+        return np.column_stack([points, np.full(len(points), last)])
+    steps = np.diff(points, axis=0)
+    headings = np.append(np.arctan2(steps[:, 1], steps[:, 0]), last)
+    return np.column_stack([points, headings])
+
+
+def length(path: np.ndarray) -> float:
+    """How long a path (n, 2 or more) is [m]."""
+    return float(np.hypot(*np.diff(path[:, :2], axis=0).T).sum()) if len(path) > 1 else 0.0
+
+
+def smoothed(costs: Costmap, path: np.ndarray, rounds: int = 1000) -> np.ndarray:
+    """The path (n, 3) pulled straight without coming nearer to obstacles."""
+    points = np.ascontiguousarray(path[:, :2], dtype=float).copy()
+    smooth(points, costs.cells, costs.x, costs.y, costs.resolution, rounds, 0.2, 0.3)
+    return with_headings(points, float(path[-1, 2]))

@@ -1,9 +1,12 @@
 """The viewer in a real JupyterLab: a robot that circles, sliders, RViz's tools, a reload, a kernel restart."""
 
 import json
+import math
 from pathlib import Path
 
 import pytest
+
+from .pages import settled
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 
@@ -13,7 +16,7 @@ PUBLISHERS = f"""
 %ros2 run robot_state_publisher robot_state_publisher {ROBOT} &
 """
 JOINTS = "%ros2 run joint_state_publisher joint_state_publisher &"
-CIRCLE = '''
+CIRCLE = """
 %%write circle.py
 import math, rclpy
 from geometry_msgs.msg import PoseStamped, TransformStamped
@@ -75,7 +78,7 @@ def main():
 
 if __name__ == "__main__":
     main()
-'''.strip()
+""".strip()
 START = """
 import runpy
 from coursekit.core.session import current
@@ -84,6 +87,15 @@ circle = current().start(lambda: runpy.run_path(str(workspace() / "circle.py"), 
 VIEWER = "shown = viewer(fixed_frame='odom', displays=['Grid', 'RobotModel', {'type': 'TF', 'marker_scale': 0.6,\
  'show_names': False}, 'LaserScan', 'Path', 'MarkerArray'])\nshown"
 DRAWN = "() => Number(document.querySelector('.ck-viewer')?.dataset.messages ?? 0)"
+JOINT = "base_joint"
+WHEEL = Path(__file__).parents[2] / "robots" / "urdf" / "wheel.urdf"
+TURNS = """() => { const found = []; const scene = document.querySelector('.ck-viewer')?.viewer;
+  scene?.view.scene_tree.object.traverse((one) => {
+    if (!one.isMesh) return;
+    one.updateWorldMatrix(true, false);
+    found.push(one.matrixWorld.elements.map((x) => x.toFixed(3)).join(' '));
+  });
+  return found.sort().join('; '); }"""
 OBJECTS = """() => { const scene = document.querySelector('.ck-viewer')?.viewer;
   const node = scene?.view.scene_tree.find(['scene']); return node ? Object.keys(node.children).length : 0; }"""
 
@@ -113,6 +125,32 @@ def test_a_robot_circles_and_survives_a_reload(notebook, picture):
     page.reload()
     page.wait_for_function(f"() => ({OBJECTS})() >= {count}", timeout=60_000)
     drawn(page)
+
+
+def test_the_robot_follows_a_slider(notebook, picture):
+    sliders = "%ros2 run joint_state_publisher_gui joint_state_publisher_gui &"
+    shown = "shown = viewer(displays=['RobotModel'])\nshown"
+    opened = notebook(
+        LAB, PUBLISHERS.replace(str(ROBOT), str(WHEEL)).strip(), sliders, "hand = joint_sliders()\nhand", shown, height=1200
+    )
+    opened.run()
+    page = opened.page
+    page.wait_for_function(f"() => ({OBJECTS})() > 0", timeout=60_000)
+    slider = page.get_by_role("slider", name=JOINT)
+    before = settled(page, lambda: page.evaluate(TURNS))
+    assert before, "the wheel is drawn"
+    box = slider.bounding_box()
+    middle = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] / 2, middle)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.8 * box["width"], middle, steps=5)
+    page.mouse.up()
+    page.wait_for_function(f"(before) => ({TURNS})() !== before", arg=before, timeout=20_000)
+    after = settled(page, lambda: page.evaluate(TURNS))
+    at = json.loads(opened.ask(f"print(hand.positions['{JOINT}'])"))
+    assert at > 1.0
+    picture(page.locator(".jp-Notebook"), "viewer_slider")
+    assert f"{math.cos(at):.3f} {math.sin(at):.3f}" in after, "what is drawn has turned as far as the slider says"
 
 
 def test_a_goal_is_dragged_and_a_display_switched_off(notebook, picture):

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
 
+from coursekit.slam.contradiction import Usual, contradiction
 from coursekit.slam.graph import PoseGraph
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.loop_field import LoopField
@@ -18,6 +19,9 @@ from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.refine import refine
 from coursekit.slam.submap import Submap
+
+WITNESSES = 4
+"""Keyframes of a submap that a loop is compared with."""
 
 
 @dataclass(frozen=True)
@@ -32,10 +36,15 @@ class Loop:
 
 
 class LoopSearch:
-    """Looks for loops among finished submaps; a loop counts once a second one agrees with it."""
+    """Looks for loops among finished submaps; a loop counts once a second one agrees with it.
 
-    def __init__(self, params: SlamParameters) -> None:
+    `keyframes` is SLAM's own list: scans that look through each other's walls are no loop.
+    """
+
+    def __init__(self, params: SlamParameters, keyframes: list[Keyframe]) -> None:
         self.params = params
+        self._keyframes = keyframes
+        self._usual = Usual()
         self.submaps: list[Submap] = []
         self._fields: OrderedDict[int, tuple[LoopField, Submap]] = OrderedDict()
         self._pending: list[Loop] = []
@@ -54,6 +63,7 @@ class LoopSearch:
         if not self.submaps or not self.params.matching or not self.params.loop_candidates:
             return []
         ways = _ways(graph, keyframe.number)
+        self._usual.learn(self._keyframes, graph.poses)
         found = []
         for submap, near in self._candidates(keyframe.number, graph, ways):
             loop = self._try(keyframe, submap, near, graph, float(ways[near]))
@@ -77,27 +87,25 @@ class LoopSearch:
     def _window(self, way: float) -> tuple[float, float]:
         """How far off the estimate may be after so long a way [m], [rad]."""
         p = self.params
-        return min(0.5 + p.loop_drift * way, p.loop_distance), min(
-            0.2 + 0.3 * p.loop_drift * way, p.loop_angle
-        )
+        return min(0.5 + p.loop_drift * way, p.loop_distance), min(0.2 + 0.3 * p.loop_drift * way, p.loop_angle)
 
-    def _try(
-        self, keyframe: Keyframe, submap: Submap, near: int, graph: PoseGraph, way: float
-    ) -> Loop | None:
+    def _try(self, keyframe: Keyframe, submap: Submap, near: int, graph: PoseGraph, way: float) -> Loop | None:
         """Search one submap."""
         p = self.params
         guess = submap.members[near] @ graph.pose(near).to(graph.pose(keyframe.number))
         distance, angle = self._window(way)
         points = keyframe.scan.points
-        pose, score = self._field(submap).find(
-            sample(points, 100), guess, distance, angle, p.loop_angle_step, p.loop_score
-        )
+        pose, score = self._field(submap).find(sample(points, 100), guess, distance, angle, p.loop_angle_step, p.loop_score)
         if score <= p.loop_score:
             return None
         found = refine(points, submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
         if found.inliers < p.loop_inliers or found.pose.distance(pose) > 0.4:
             return None
-        first = min(submap.members, key=lambda m: (submap.members[m].distance(found.pose), m))
+        nearest = sorted(submap.members, key=lambda m: (submap.members[m].distance(found.pose), m))
+        if self._contradicts(keyframe, submap, nearest[:WITNESSES], found.pose):
+            self.rejected += 1
+            return None
+        first = nearest[0]
         return Loop(
             first,
             keyframe.number,
@@ -105,6 +113,11 @@ class LoopSearch:
             loop_precision(found.information),
             score,
         )
+
+    def _contradicts(self, keyframe: Keyframe, submap: Submap, members: list[int], pose: Pose2) -> bool:
+        """Whether the keyframe at a pose in a submap sees through walls, or the submap's keyframes through its walls."""
+        pairs = [(self._keyframes[m].scan, keyframe.scan, submap.members[m].to(pose)) for m in members]
+        return contradiction(pairs) > self._usual.limit
 
     def _field(self, submap: Submap) -> LoopField:
         """The fields of a submap; those of the latest few are kept."""
@@ -148,18 +161,9 @@ def _agree(one: Loop, other: Loop, graph: PoseGraph) -> bool:
     if one.second == other.second and abs(one.first - other.first) < 3:
         return False
     out, back = graph.pose(one.second), graph.pose(one.first)
-    circle = (
-        one.motion
-        @ out.to(graph.pose(other.second))
-        @ other.motion.inverse()
-        @ graph.pose(other.first).to(back)
-    )
+    circle = one.motion @ out.to(graph.pose(other.second)) @ other.motion.inverse() @ graph.pose(other.first).to(back)
     way = out.distance(graph.pose(other.second)) + back.distance(graph.pose(other.first))
-    return (
-        math.hypot(circle.x, circle.y) < 0.1 + 0.03 * way
-        and abs(circle.theta) < 0.05 + 0.01 * way
-        and way < 15.0
-    )
+    return math.hypot(circle.x, circle.y) < 0.1 + 0.03 * way and abs(circle.theta) < 0.05 + 0.01 * way and way < 15.0
 
 
 def loop_precision(information: Array) -> Array:

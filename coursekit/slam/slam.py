@@ -56,7 +56,7 @@ class Slam:
         self.graph = PoseGraph()
         self.keyframes: list[Keyframe] = []
         self.tracker = Tracker(self.params)
-        self.search = LoopSearch(self.params)
+        self.search = LoopSearch(self.params, self.keyframes)
         self.loops: list[Loop] = []
         """All that were accepted."""
         self.lost = 0

@@ -1,0 +1,97 @@
+"""Whether two scans can be of one place: no beam of one may pass through a wall that the other has seen.
+
+Rooms that look alike fit each other's walls; what gives a false loop away is that one scan looks through the other's walls.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+from numba import njit
+
+from coursekit.slam.keyframe import Keyframe
+from coursekit.slam.pose import Array, Pose2
+from coursekit.slam.scan import Scan
+
+TOLERANCE, TOLERANCE_PER_METRE = 0.2, 0.03
+"""A point so far in front of where the other's beam ended stands in its way [m]: poses err, and edges are hit or missed."""
+WIDEST = 3.0
+"""Beams count as neighbours up to so many usual gaps between beams."""
+
+
+@njit(cache=True)
+def _count(points: Array, bearings: Array, ranges: Array, widest: float, fixed: float, growing: float) -> tuple[int, int]:
+    """How many points stand where the beams beside them ended, and how many in front of it."""
+    agreeing = standing = 0
+    last = len(bearings)
+    for k in range(len(points)):
+        bearing, distance = math.atan2(points[k, 1], points[k, 0]), math.hypot(points[k, 0], points[k, 1])
+        above = np.searchsorted(bearings, bearing)
+        low, high = (above - 1) % last, above % last
+        if (
+            abs((bearing - bearings[low] + math.pi) % (2 * math.pi) - math.pi) > widest
+            or abs((bearing - bearings[high] + math.pi) % (2 * math.pi) - math.pi) > widest
+        ):
+            continue
+        slack = fixed + growing * distance
+        if distance < min(ranges[low], ranges[high]) - slack:
+            standing += 1
+        elif distance <= max(ranges[low], ranges[high]) + slack:
+            agreeing += 1
+    return agreeing, standing
+
+
+def _one_way(viewer: Scan, seen: Scan, motion: Pose2) -> tuple[int, int]:
+    centre = np.array([viewer.origin.x, viewer.origin.y])
+    relative = viewer.hits - centre
+    bearings, ranges = np.arctan2(relative[:, 1], relative[:, 0]), np.hypot(relative[:, 0], relative[:, 1])
+    widest = max(WIDEST * float(np.median(np.diff(bearings))), 0.03)
+    return _count(motion.transform(seen.hits) - centre, bearings, ranges, widest, TOLERANCE, TOLERANCE_PER_METRE)
+
+
+def contradiction(pairs: Iterable[tuple[Scan, Scan, Pose2]]) -> float:
+    """The part of what two scans can tell of each other that cannot be true: 0 to 1; of several pairs, all together.
+
+    A pair is one scan, another, and the motion from the first one's robot to the second one's.
+
+    >>> from coursekit.slam.parameters import SlamParameters
+    >>> wall = Scan.from_points(np.column_stack([np.full(50, 2.0), np.linspace(-1, 1, 50)]), SlamParameters())
+    >>> contradiction([(wall, wall, Pose2())])
+    0.0
+    >>> contradiction([(wall, wall, Pose2(1.0, 0.0, 0.0))]) > 0.4  # a metre on, the wall would be a metre nearer
+    True
+    """
+    agreeing = standing = 0
+    for one, other, motion in pairs:
+        if len(one.hits) < 3 or len(other.hits) < 3:
+            continue
+        for viewer, seen, way in ((one, other, motion), (other, one, motion.inverse())):
+            good, bad = _one_way(viewer, seen, way)
+            agreeing, standing = agreeing + good, standing + bad
+    return standing / max(agreeing + standing, 1)
+
+
+class Usual:
+    """How much keyframes contradict each other here that are known to belong together: people walk, edges are missed."""
+
+    APART = 10
+    """Keyframes between the two that are compared."""
+    RATE = 0.1
+
+    def __init__(self) -> None:
+        self._mean = 0.02
+
+    def learn(self, keyframes: list[Keyframe], poses: Array) -> None:
+        """Compare the newest keyframe with one a few metres before it."""
+        new, old = len(keyframes) - 1, len(keyframes) - 1 - self.APART
+        if old >= 0:
+            motion = Pose2.of(poses[old]).to(Pose2.of(poses[new]))
+            told = contradiction([(keyframes[old].scan, keyframes[new].scan, motion)])
+            self._mean += self.RATE * (told - self._mean)
+
+    @property
+    def limit(self) -> float:
+        """A loop that contradicts more than this is false."""
+        return 0.02 + 4.0 * self._mean

@@ -16,8 +16,10 @@ from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
-from .wire import pack, unpack
+from .wire import pack, refresh, unpack
 
+WAIT_SECONDS = 600.0
+"""Virtual seconds that a cell may take."""
 NOT_NEEDED = ("%ros2 run", "%ros2 launch", "%ros2 topic", "%ros2 node", "%ros2 service", "%ros2 param", "%ros2 action")
 
 
@@ -42,6 +44,29 @@ def _alarm(seconds: float) -> Iterator[None]:
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 
+@contextlib.contextmanager
+def _silence() -> Iterator[None]:
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        yield
+
+
+@contextlib.contextmanager
+def _virtual_alarm(seconds: float) -> Iterator[None]:
+    """End what waits on the session's clock for something that never comes; no real time is lost."""
+    from coursekit.core.session import current
+
+    clock = current().clock
+
+    def ring() -> None:
+        raise TookTooLong(f"the cell waited for {seconds:g} s")
+
+    alarm = clock.call_at(clock.steady() + round(seconds * 1e9), lambda: clock.main.post(ring))
+    try:
+        yield
+    finally:
+        alarm.cancel()
+
+
 class Runner:
     """A shell like the notebook's, without a kernel."""
 
@@ -54,15 +79,16 @@ class Runner:
         shell.kernel = SimpleNamespace()  # the lab's magics want one
         self.shell.colors = "NoColor"
         self.build: list[str] = []
+        self.moments: dict[str, dict[str, Any]] = {}
 
     def run(self, source: str, seconds: float) -> dict[str, Any]:
         """Run a cell; what went wrong is told, what it prints is not."""
         source = self._without_builds(source)
         try:
-            with _alarm(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            with _alarm(seconds), _virtual_alarm(WAIT_SECONDS), _silence():
                 done = self.shell.run_cell(source, store_history=False)
-        except TookTooLong:
-            return {"error": f"TookTooLong: it ran for more than {seconds:g} s"}
+        except TookTooLong as late:
+            return {"error": f"TookTooLong: {late}"}
         error = done.error_before_exec or done.error_in_exec
         return {"error": f"{type(error).__name__}: {error}"[:500] if error is not None else ""}
 
@@ -79,21 +105,30 @@ class Runner:
         if kind == "run":
             return self.run(str(question["source"]), float(question["seconds"]))
         if kind == "value":
-            names = self.shell.user_ns
+            names = self._variables(question)
             return {"value": pack(names[question["name"]])} if question["name"] in names else {"missing": True}
+        if kind == "keep":
+            self.moments[str(question["moment"])] = dict(self.shell.user_ns)
+            return {}
         if kind == "call":
             return self._call(question)
         if kind == "build":
             return self._build(float(question["seconds"]))
         return {"error": f"there is no question {kind!r}"}
 
+    def _variables(self, question: dict[str, Any]) -> dict[str, Any]:
+        """The notebook's variables at the moment that the judge asks about."""
+        found: dict[str, Any] = self.moments.get(str(question.get("moment")), self.shell.user_ns)
+        return found
+
     def _call(self, question: dict[str, Any]) -> dict[str, Any]:
-        function = self.shell.user_ns.get(question["name"])
+        names = self._variables(question)
+        function = names.get(question["name"])
         if not callable(function):
             return {"missing": True}
         try:
             with _alarm(float(question["seconds"])), contextlib.redirect_stdout(io.StringIO()):
-                return {"value": pack(function(*[unpack(one) for one in question["args"]]))}
+                return _called(function, question, names)
         except BaseException as error:
             where = traceback.extract_tb(error.__traceback__)[-1]
             return {"error": f"{type(error).__name__}: {error} (line {where.lineno})"[:500]}
@@ -114,6 +149,22 @@ class Runner:
         with _alarm(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(TookTooLong):
             self.shell.run_line_magic("colcon", f"build{select}")
         return {"error": ""}
+
+
+def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> dict[str, Any]:
+    """Call it with the judge's arguments and variables, and tell what it returned and changed."""
+    given = dict(question.get("variables") or {})
+    for name, packed in given.items():
+        if pack(names.get(name)) != packed:
+            refresh(names.get(name), unpack(packed))
+    args = [unpack(one) for one in question["args"]]
+    value = function(*args)
+    after = [pack(one) for one in args]
+    changed = {place: one for place, one in enumerate(after) if one != question["args"][place]}
+    variables = {name: now for name in given if (now := pack(names.get(name))) != given[name]}
+    told = {"args": changed, "variables": variables}
+    same = [place for place, one in enumerate(args) if one is value and type(one) not in (bool, int, str)]
+    return {"argument": same[0], **told} if same else {"value": pack(value), **told}
 
 
 def main() -> int:

@@ -22,6 +22,8 @@ from .submissions import Submission, read_notebook
 from .verdict import Verdict
 
 CELL_SECONDS = 20.0
+_SHOWS = (*NOT_NEEDED, "wait(", "graph(", "print(graph(", "terminal", "progress(", "print(terminal", "frames(",
+          "%ros2 --")  # fmt: skip
 
 
 @dataclass
@@ -130,25 +132,30 @@ def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str,
     try:
         for step in repaired.steps:
             if step.exercise in exercises:
+                work.judge_from_here(step.exercise)
                 try:
                     verdicts.append(judge_work(exercises[step.exercise], work))
                 except NeedsWorkspace:
                     later.append(step.exercise)
-            elif _needed(step):
-                work.run(step.source, CELL_SECONDS)
+            elif source := _needed(step):
+                work.run(source, CELL_SECONDS)
         work.build(BUILD_SECONDS)
-        verdicts += [judge_work(exercises[name], work) for name in later]
+        for name in later:
+            work.judge_from_here(name)
+            verdicts.append(judge_work(exercises[name], work))
     except Gone as gone:
         judged = {verdict.name for verdict in verdicts}
         verdicts += [_unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
     return verdicts
 
 
-def _needed(step: Step) -> bool:
-    """Cells of the course that only show something are left out."""
-    lines = [line.strip() for line in step.source.splitlines() if line.strip()]
-    shows = (*NOT_NEEDED, "wait(", "graph(", "terminal", "reset(", "progress(", "print(terminal", "frames(", "%ros2 --")
-    return step.solution or not all(line.startswith(shows) for line in lines)
+def _needed(step: Step) -> str:
+    """What is run of a cell: of the course's own not the lines that only show something."""
+    if step.solution:
+        return step.source
+    lines = step.source.splitlines()
+    kept = [line for line in lines if not line.startswith(_SHOWS) or line.count("(") != line.count(")")]
+    return "\n".join(kept).strip()
 
 
 def _unjudged(exercise: Exercise, why: str) -> Verdict:

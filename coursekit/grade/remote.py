@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import select
 import sys
@@ -15,7 +16,7 @@ from . import sandbox
 from .interruptions import Gone, NeedsWorkspace
 from .trial import Plan, Seen, TrialFailed
 from .verdict import Wrong
-from .wire import pack, unpack
+from .wire import pack, refresh, unpack
 from .work import Work, _words
 
 CALL_SECONDS = 10.0
@@ -75,6 +76,8 @@ class RemoteWork(Work):
         self._line = line
         self._environment = environment
         self._limits = limits
+        self._moment = ""
+        self._given: dict[str, Any] = {}
         self.complete = False
         """Whether all cells have run and the packages are built."""
 
@@ -87,24 +90,45 @@ class RemoteWork(Work):
         self._line.ask({"ask": "build", "seconds": seconds}, seconds + 10)
         self.complete = True
 
+    def judge_from_here(self, exercise: str) -> None:
+        """The work is judged as it is now: whoever judges `exercise` later still sees the variables of this moment."""
+        self._moment = exercise
+        self._given = {}
+        if not self.complete:
+            self._line.ask({"ask": "keep", "moment": exercise}, CALL_SECONDS)
+
     def value(self, name: str, kind: type[Any]) -> Any:
-        answer = self._line.ask({"ask": "value", "name": name}, CALL_SECONDS)
+        answer = self._line.ask({"ask": "value", "name": name, "moment": self._moment}, CALL_SECONDS)
         self.variables = {} if answer.get("missing") else {name: _unpacked(answer)}
-        return super().value(name, kind)
+        found = self._given[name] = super().value(name, kind)
+        return found
 
     def function(self, name: str) -> Any:
-        answer = self._line.ask({"ask": "value", "name": name}, CALL_SECONDS)
+        answer = self._line.ask({"ask": "value", "name": name, "moment": self._moment}, CALL_SECONDS)
         if answer.get("missing"):
             raise Wrong(f"a function named `{name}`", "there is none", "Was the cell above run?")
+        return lambda *args: self._call(name, args)
 
-        def call(*args: Any) -> Any:
-            question = {"ask": "call", "name": name, "args": [pack(one) for one in args], "seconds": CALL_SECONDS}
-            said = self._line.ask(question, CALL_SECONDS + 5)
-            if said.get("missing") or said.get("error"):
-                raise RuntimeError(str(said.get("error") or f"`{name}` cannot be called"))
-            return _unpacked(said)
-
-        return call
+    def _call(self, name: str, args: Sequence[Any]) -> Any:
+        """Call the student's function; what it and the judge change in arguments and variables, both see."""
+        question = {
+            "ask": "call",
+            "name": name,
+            "moment": self._moment,
+            "args": [pack(one) for one in args],
+            "variables": {known: pack(one) for known, one in self._given.items()},
+            "seconds": CALL_SECONDS,
+        }
+        said = self._line.ask(question, CALL_SECONDS + 5)
+        if said.get("missing") or said.get("error"):
+            raise RuntimeError(str(said.get("error") or f"`{name}` cannot be called"))
+        with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing
+            for place, changed in dict(said.get("args") or {}).items():
+                refresh(args[int(place)], unpack(changed))
+            for known, changed in dict(said.get("variables") or {}).items():
+                refresh(self._given[known], unpack(changed))
+        returned = said.get("argument")
+        return args[returned] if type(returned) is int and 0 <= returned < len(args) else _unpacked(said)
 
     def file(self, path: str) -> Path:
         self._need()

@@ -96,6 +96,30 @@ def _message(inner: Any) -> Any:
     return cdr.deserialize(base64.b64decode(data), load(str(name)))
 
 
+def refresh(old: Any, new: Any) -> bool:
+    """Make the mutable `old` hold what `new` holds, in place; whether it could.
+
+    >>> mine = {"holding": False}
+    >>> refresh(mine, {"holding": True}), mine
+    (True, {'holding': True})
+    """
+    if type(old) is not type(new):
+        return False
+    if type(old) in (dict, set):
+        old.clear()
+        old.update(new)
+    elif type(old) is list:
+        old[:] = new
+    elif hasattr(type(old), "_TYPE_NAME"):
+        for name in old.get_fields_and_field_types():
+            setattr(old, name, getattr(new, name))
+    elif type(old).__module__ == "numpy" and getattr(old, "shape", ()) == getattr(new, "shape", None) != ():
+        old[...] = new
+    else:
+        return False
+    return True
+
+
 _READERS: dict[str, Any] = {
     "int": lambda inner: int(str(inner)),
     "float": lambda inner: float(str(inner)),

@@ -11,7 +11,10 @@ from typing import Any
 from .editions import ENGLISH, chapters
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
+MARKUP_STUB = "<!-- YOUR CODE HERE -->"
+"""The stub in files of XML: URDF, xacro, launch files"""
 _SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
+_MARKUP = re.compile(r"%%write [^\n]*\.(urdf|xacro|xml|sdf)\s*\n")
 _HIDDEN = re.compile(r"^[ \t]*### BEGIN HIDDEN TESTS.*?### END HIDDEN TESTS[ \t]*\n?", re.S | re.M)
 
 
@@ -23,9 +26,10 @@ def without_solution(source: str) -> str:
     # YOUR CODE HERE
     raise NotImplementedError()
     """
+    text = MARKUP_STUB if _MARKUP.match(source) else STUB
 
     def stub(found: re.Match[str]) -> str:
-        return "\n".join(found[1] + line for line in STUB.splitlines())
+        return "\n".join(found[1] + line for line in text.splitlines())
 
     return _HIDDEN.sub("", _SOLUTION.sub(stub, source))
 

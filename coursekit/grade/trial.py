@@ -19,6 +19,9 @@ TIME_LIMIT = 60.0
 MESSAGES = 5000
 """Messages that are kept of each topic."""
 
+NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
+"""What a student's environment may have set, and a trial does without."""
+
 
 @dataclass
 class Plan:
@@ -62,7 +65,7 @@ class TrialFailed(Exception):
 
 def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = None) -> Seen:
     """Carry out `plan` and tell what was seen; TrialFailed when it does not end in time."""
-    variables = {key: value for key, value in (env or os.environ).items() if key != "COURSEKIT_STOP_AFTER"}
+    variables = {key: value for key, value in (env or os.environ).items() if key not in NOT_FOR_TRIALS}
     done = subprocess.run(  # without a time limit: waiting for one would sleep on the session's clock
         [sys.executable, "-m", "coursekit.grade.trial", str(TIME_LIMIT)],
         input=json.dumps(asdict(plan)),

@@ -15,6 +15,13 @@ def test_a_trial_takes_no_time_of_the_session():
         assert session.clock.steady() == before
 
 
+def test_a_trial_does_not_care_for_the_domain_of_the_student_s_graph(monkeypatch):
+    monkeypatch.setenv("ROS_DOMAIN_ID", "61")
+    plan = Plan(run=[["run", "demo_nodes_py", "talker"]], seconds=1.5, record=["/chatter"])
+    seen = try_out(plan)
+    assert seen.nodes == ["/talker"] and len(seen.messages["/chatter"]) == 1
+
+
 def test_later_commands_find_what_was_started_before():
     talker, question = ["run", "demo_nodes_py", "talker"], ["topic", "type", "/chatter"]
     seen = try_out(Plan(run=[talker], seconds=1.5, later=[(0.5, ["node", "list"]), (1.0, question)]))

@@ -1,0 +1,19 @@
+"""The student's copy: what stands where the solution was."""
+
+import pytest
+
+from coursekit.grade.copy import without_solution
+
+SOLVED = "{head}\n  ### BEGIN SOLUTION\n  secret\n  ### END SOLUTION\nend"
+
+
+@pytest.mark.parametrize("file", ["src/p/urdf/cart.urdf", "robot.urdf.xacro", "a.launch.xml"])
+def test_in_xml_the_stub_is_a_comment(file):
+    text = without_solution(SOLVED.format(head=f"%%write {file}"))
+    assert text == f"%%write {file}\n  <!-- YOUR CODE HERE -->\nend"
+
+
+@pytest.mark.parametrize("head", ["import math", "%%write src/p/p/node.py", "%%write src/p/config/a.yaml"])
+def test_elsewhere_the_stub_raises(head):
+    text = without_solution(SOLVED.format(head=head))
+    assert text == f"{head}\n  # YOUR CODE HERE\n  raise NotImplementedError()\nend"

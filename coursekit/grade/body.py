@@ -1,0 +1,90 @@
+"""What judges measure of a robot's body: where it is, how large, what it weighs, and whether it stands."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .verdict import Wrong
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from coursekit.urdf import Robot
+
+FLOOR = 0.002
+"""What counts as touching the floor [m]."""
+
+
+def poses(robot: Robot, positions: dict[str, float]) -> dict[str, Any]:
+    """Each link's pose in the root, as x, y, z [m] and a quaternion."""
+    from coursekit.urdf.kinematics import Kinematics
+
+    return Kinematics(robot).poses(positions)
+
+
+def solids(robot: Robot, positions: dict[str, float]) -> list[np.ndarray]:
+    """The corners of all collision shapes, in the root's frame [m]; Wrong if there are none."""
+    from coursekit.urdf.shapes import robot_surfaces
+
+    found = [surface.vertices for _, surface in robot_surfaces(robot, positions, collision=True)]
+    if not found:
+        raise Wrong("links with <collision>", "there is none")
+    return found
+
+
+def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float, ...]:
+    """How long, wide and high a link looks, along the axes of the root [m]."""
+    import numpy as np
+
+    from coursekit.urdf.shapes import robot_surfaces
+
+    parts = [surface.vertices for name, surface in robot_surfaces(robot, positions) if name == link]
+    if not parts:
+        raise Wrong(f"{link} with a <visual>", "it has none", share=0.25)
+    points = np.concatenate(parts)
+    return tuple(float(one) for one in points.max(axis=0) - points.min(axis=0))
+
+
+def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:
+    """The whole robot's, in the root's frame [m]."""
+    import numpy as np
+
+    from coursekit.urdf import inertia
+    from coursekit.urdf.kinematics import Kinematics
+
+    kinematics = Kinematics(robot)
+    total, moment = 0.0, np.zeros(3)
+    for name, matrix in zip(kinematics.links, kinematics.matrices(positions), strict=True):
+        link = robot.links[name]
+        if link.inertial is not None:
+            total += link.inertial.mass
+            moment += link.inertial.mass * (matrix[:3, :3] @ inertia.centre_of_mass(link) + matrix[:3, 3])
+    return moment / max(total, 1e-9)
+
+
+def turned(pose: Any, vector: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A direction of a link, as seen from the root."""
+    from coursekit.urdf.kinematics import compose
+
+    x, y, z, *_ = compose((0.0, 0.0, 0.0, *pose[3:]), (*vector, 0.0, 0.0, 0.0, 1.0))
+    return x, y, z
+
+
+def inverse(pose: Any) -> tuple[float, ...]:
+    """The turn back."""
+    return (0.0, 0.0, 0.0, -pose[3], -pose[4], -pose[5], pose[6])
+
+
+def outside(robot: Robot, positions: dict[str, float]) -> float:
+    """How far the centre of mass is outside of the contacts' area [m]; negative inside."""
+    import numpy as np
+    from scipy.spatial import ConvexHull, QhullError
+
+    points = np.concatenate(solids(robot, positions))
+    feet = points[points[:, 2] < points[:, 2].min() + FLOOR][:, :2]
+    centre = centre_of_mass(robot, positions)
+    try:
+        hull = ConvexHull(feet)
+    except (QhullError, ValueError):
+        return float(np.linalg.norm(feet - centre[:2], axis=1).min())
+    return float((hull.equations[:, :2] @ centre[:2] + hull.equations[:, 2]).max())

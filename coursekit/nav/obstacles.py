@@ -26,11 +26,13 @@ class ObstacleLayer:
         self.map = like.like(UNKNOWN)
         self.mark_within, self.clear_within = mark_within, clear_within
 
-    def see(self, origin: tuple[float, float], ends: np.ndarray, hits: np.ndarray) -> None:
+    def see(self, origin: tuple[float, float], ends: np.ndarray, hits: np.ndarray, *, clearing: bool = True) -> None:
         """Take in a scan from `origin`: ends (n, 2) of its beams [m], and which of them hit something."""
         grid = self.map
-        clear(grid.cells, (origin[0] - grid.x) / grid.resolution, (origin[1] - grid.y) / grid.resolution,
-              (ends - (grid.x, grid.y)) / grid.resolution, hits, min(self.clear_within, 1e9) / grid.resolution)  # fmt: skip
+        if clearing:
+            begin = (np.array(origin) - (grid.x, grid.y)) / grid.resolution
+            reach = min(self.clear_within, 1e9) / grid.resolution
+            clear(grid.cells, begin[0], begin[1], (ends - (grid.x, grid.y)) / grid.resolution, hits, reach)
         near = hits & (np.hypot(ends[:, 0] - origin[0], ends[:, 1] - origin[1]) <= self.mark_within)
         cells = np.floor((ends[near] - (grid.x, grid.y)) / grid.resolution).astype(np.int64)
         rows, columns = cells[:, 1], cells[:, 0]

@@ -1,0 +1,145 @@
+"""`ros2 run nav2_bt_navigator bt_navigator`: takes the robot to a pose, by the servers that plan, drive and recover."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from geometry_msgs.msg import PoseStamped
+from nav2_msgs.action import NavigateThroughPoses, NavigateToPose
+from nav_msgs.msg import Odometry
+from rclpy.action import ActionClient
+from rclpy.duration import Duration
+from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
+from tf2_ros import TransformException
+
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.trip import Helpers, Trip
+from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
+from coursekit.slam.pose import Pose2
+
+_SERVER: dict[str, Any] = {
+    "global_frame": "map",
+    "robot_base_frame": "base_link",
+    "odom_topic": "odom",
+    "transform_tolerance": 0.1,
+    "bt_loop_duration": 10,
+    "default_server_timeout": 20,
+    "default_nav_to_pose_bt_xml": "",
+    "default_nav_through_poses_bt_xml": "",
+}
+
+
+class BtNavigator(Server):
+    """The actions navigate_to_pose and navigate_through_poses, and the topic goal_pose."""
+
+    def __init__(self) -> None:
+        super().__init__("bt_navigator")
+        declare(self, _SERVER)
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Offer the actions; FAILURE when a parameter cannot work."""
+        self.get_logger().info("Configuring")
+        try:
+            given = declare(self, _SERVER)
+        except ValueError as fault:
+            self.get_logger().error(str(fault))
+            return TransitionCallbackReturn.FAILURE
+        self._frame, self._speed = given["global_frame"], 0.0
+        self._where = Whereabouts(self, given["robot_base_frame"])
+        self._helpers = Helpers(self)
+        self._to_pose = self.serve(NavigateToPose, "navigate_to_pose", self._go_to)
+        self._through = self.serve(NavigateThroughPoses, "navigate_through_poses", self._go_through)
+        self._self_client = ActionClient(self, NavigateToPose, "navigate_to_pose")
+        self._heard = [
+            self.create_subscription(PoseStamped, "goal_pose", self._clicked, 10),
+            self.create_subscription(Odometry, given["odom_topic"], self._take_odometry, 10),
+        ]
+        return super().on_configure(state)
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Offer nothing any more."""
+        for heard in self._heard:
+            self.destroy_subscription(heard)
+        self._self_client.destroy()
+        self._helpers.destroy()
+        self._where.close()
+        return super().on_cleanup(state)
+
+    def _take_odometry(self, msg: Odometry) -> None:
+        self._speed = msg.twist.twist.linear.x
+
+    def _clicked(self, msg: PoseStamped) -> None:
+        """A goal that someone clicked."""
+        self._self_client.send_goal_async(NavigateToPose.Goal(pose=msg))
+
+    def _pose(self) -> Pose2 | None:
+        try:
+            return self._where.robot(self._frame)
+        except TransformException:
+            return None
+
+    async def _go_to(self, handle: Any) -> Any:
+        return await self._go(handle, NavigateToPose, [handle.request.pose], self._to_pose)
+
+    async def _go_through(self, handle: Any) -> Any:
+        return await self._go(handle, NavigateThroughPoses, list(handle.request.poses), self._through)
+
+    async def _go(self, handle: Any, kind: Any, goals: list[PoseStamped], action: Any) -> Any:
+        """Do a goal, whichever action it came by."""
+        log, here = self.get_logger(), self._pose()
+        if not goals or here is None:
+            log.error("There are no poses to go to" if not goals else "Initial robot pose is not available.")
+            handle.abort()
+            return kind.Result()
+        other = self._through if action is self._to_pose else self._to_pose
+        other.current = None  # a goal of either kind takes the place of one of the other
+        to = goals[-1].pose.position
+        log.info(f"Begin navigating from current location ({here.x:.2f}, {here.y:.2f}) to ({to.x:.2f}, {to.y:.2f})")
+        begin = self.get_clock().now()
+
+        def tell(trip: Trip) -> None:
+            handle.publish_feedback(self._feedback(kind.Feedback(), trip, begin))
+
+        trip = Trip(self._helpers, goals, self._pose, lambda: handle.is_cancel_requested or action.replaced(handle), tell)
+        end = await trip.run()
+        await self._finish(handle, action, end)
+        return kind.Result()
+
+    async def _finish(self, handle: Any, action: Any, end: str) -> None:
+        """Say how a goal ended; the robot stops unless a newer goal drives it on."""
+        log = self.get_logger()
+        if end == "stopped" and handle.is_cancel_requested:
+            await self._helpers.follow.cancel()
+            log.info("Goal canceled")
+            handle.canceled()
+        elif end == "stopped":
+            if not action.active:
+                await self._helpers.follow.cancel()
+            log.info("Goal preempted by a newer one" if action.active else "Deactivated: the goal is given up")
+            handle.abort()
+        elif end == "succeeded":
+            log.info("Goal succeeded")
+            handle.succeed()
+        else:
+            log.error("Goal failed")
+            handle.abort()
+
+    def _feedback(self, feedback: Any, trip: Trip, begin: Any) -> Any:
+        here, now = self._pose(), self.get_clock().now()
+        if here is not None:
+            feedback.current_pose = stamped(here, self._frame, now.to_msg())
+        feedback.navigation_time = (now - begin).to_msg()
+        feedback.distance_remaining = trip.distance
+        speed = abs(self._speed)
+        if speed > 0.01:
+            feedback.estimated_time_remaining = Duration(seconds=trip.distance / speed).to_msg()
+        feedback.number_of_recoveries = trip.recoveries
+        if hasattr(feedback, "number_of_poses_remaining"):
+            feedback.number_of_poses_remaining = len(trip.goals)
+        return feedback
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C."""
+    return run(BtNavigator, args)

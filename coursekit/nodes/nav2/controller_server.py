@@ -1,0 +1,246 @@
+"""`ros2 run nav2_controller controller_server`: drives along paths, around what the local costmap shows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from geometry_msgs.msg import Twist
+from nav2_msgs.action import FollowPath
+from nav2_msgs.msg import SpeedLimit
+from nav_msgs.msg import Odometry, Path
+from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
+from tf2_ros import TransformException
+
+from coursekit.nav.checkers import GoalChecker
+from coursekit.nav.controller import ControlError, Controller
+from coursekit.nav.planner import length
+from coursekit.nodes.nav2.controller_parameters import SERVER, controller, goal_checkers, progress_checker
+from coursekit.nodes.nav2.costmap_node import CostmapNode
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.running import Beat, Server, run
+from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.slam.pose import Pose2, wrap
+
+
+class ControllerServer(Server):
+    """The action follow_path; publishes cmd_vel."""
+
+    def __init__(self) -> None:
+        super().__init__("controller_server")
+        declare(self, SERVER)
+        self.costmap = CostmapNode("local_costmap", self)
+
+    # -- states
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Bring the costmap up, make the plugins; FAILURE when a parameter cannot work."""
+        self.get_logger().info("Configuring controller interface")
+        if self.costmap.trigger_configure() != TransitionCallbackReturn.SUCCESS:
+            return TransitionCallbackReturn.FAILURE
+        try:
+            self._make_plugins(declare(self, SERVER))
+        except ValueError as fault:
+            self.get_logger().error(str(fault))
+            self.costmap.trigger_cleanup()
+            return TransitionCallbackReturn.FAILURE
+        self._make_topics()
+        self.serve(FollowPath, "follow_path", self._follow)
+        return super().on_configure(state)
+
+    def _make_plugins(self, given: dict[str, Any]) -> None:
+        frequency = given["controller_frequency"]
+        if not frequency > 0:
+            raise ValueError(f"controller_frequency is {frequency}: give Hz, for example 20.0")
+        self._period, self._patience = 1.0 / frequency, given["failure_tolerance"]
+        self.get_logger().info(f"Controller frequency set to {frequency:.4f}Hz")
+        self._progress = progress_checker(self, given["progress_checker_plugin"])
+        self._goals = goal_checkers(self, given["goal_checker_plugins"])
+        self._controllers = {
+            name: controller(self, name, self.costmap, self._period) for name in given["controller_plugins"]
+        }
+        self.get_logger().info(f"Controller Server has {' '.join(self._controllers)} controllers available.")
+
+    def _make_topics(self) -> None:
+        self._speeds, self._limit, self._limit_share = (0.0, 0.0), 0.0, 0.0
+        self._cmd_out = self.create_lifecycle_publisher(Twist, "cmd_vel", 1)
+        self._plan_out = self.create_lifecycle_publisher(Path, "received_global_plan", 1)
+        self._heard = [
+            self.create_subscription(Odometry, self.text("odom_topic"), self._take_odometry, 10),
+            self.create_subscription(SpeedLimit, self.text("speed_limit_topic"), self._take_limit, 10),
+        ]
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Drive when asked."""
+        self.costmap.trigger_activate()
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Stop."""
+        self._stop()
+        self.costmap.trigger_deactivate()
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Forget plugins and costmap."""
+        self.costmap.trigger_cleanup()
+        for heard in self._heard:
+            self.destroy_subscription(heard)
+        for publisher in (self._cmd_out, self._plan_out):
+            self.destroy_lifecycle_publisher(publisher)
+        return super().on_cleanup(state)
+
+    # -- what is heard
+
+    def _take_odometry(self, msg: Odometry) -> None:
+        self._speeds = msg.twist.twist.linear.x, msg.twist.twist.angular.z
+
+    def _take_limit(self, msg: SpeedLimit) -> None:
+        """A limit in m/s, or in percent of the greatest speed; 0 is none."""
+        self._limit, self._limit_share = (0.0, msg.speed_limit / 100) if msg.percentage else (msg.speed_limit, 0.0)
+
+    def _top(self, one: Controller) -> float:
+        return self._limit or self._limit_share * one.limits.max_speed
+
+    # -- following
+
+    async def _follow(self, handle: Any) -> Any:
+        """Drive until the goal is reached, or cannot be, or someone says stop."""
+        result, request = FollowPath.Result(), handle.request
+        fault = self._unknown(request)
+        if fault:
+            self.get_logger().error(fault)
+            handle.abort()
+            self._stop()
+            return result
+        self.get_logger().info("Received a goal, begin computing control effort.")
+        self._plan_out.publish(request.path)
+        drive = _Drive(self, handle, self._controllers[request.controller_id or next(iter(self._controllers))])
+        beat = Beat(self, self._period)
+        try:
+            while not drive.step():
+                await beat.next()
+        finally:
+            beat.stop()
+        return result
+
+    def _unknown(self, request: Any) -> str:
+        """What is wrong with a goal; empty when nothing is."""
+        if request.controller_id and request.controller_id not in self._controllers:
+            known = ", ".join(self._controllers)
+            return f"FollowPath called with controller name {request.controller_id}, which does not exist. Known: {known}"
+        if request.goal_checker_id and request.goal_checker_id not in self._goals:
+            known = ", ".join(self._goals)
+            return (
+                f"FollowPath called with goal_checker name {request.goal_checker_id}, which does not exist. Known: {known}"
+            )
+        return "" if request.path.poses else "Invalid path, Path is empty."
+
+    def goal_checker(self, name: str) -> GoalChecker:
+        """A goal checker by its name, or the first."""
+        return self._goals[name or next(iter(self._goals))]
+
+    def drive(self, speeds: tuple[float, float]) -> None:
+        """Tell the wheels."""
+        msg = Twist()
+        msg.linear.x, msg.angular.z = speeds
+        self._cmd_out.publish(msg)
+
+    def _stop(self) -> None:
+        self.drive((0.0, 0.0))
+
+
+class _Drive:
+    """One goal of follow_path, step by step."""
+
+    def __init__(self, server: ControllerServer, handle: Any, one: Controller) -> None:
+        self.server, self.handle, self.controller = server, handle, one
+        self.path = handle.request.path
+        self.frame = self.path.header.frame_id or server.costmap.frame
+        poses = [plane(pose.pose.position, pose.pose.orientation) for pose in self.path.poses]
+        self.poses = np.array(poses, dtype=float)
+        self.checker = server.goal_checker(handle.request.goal_checker_id)
+        self.checker.reset()
+        if server.actions[0].fresh:
+            server._progress.reset()
+        self.since_ns: int | None = None
+
+    def step(self) -> bool:
+        """One command; whether that was the last."""
+        server, handle = self.server, self.handle
+        if server.actions[0].replaced(handle):
+            handle.abort()
+            if not server.actions[0].active:
+                server._stop()
+            return True
+        if handle.is_cancel_requested:
+            server.get_logger().info("Goal was canceled. Stopping the robot.")
+            server._stop()
+            handle.canceled()
+            return True
+        try:
+            return self._drive_on()
+        except (ControlError, TransformException) as fault:
+            return self._failed(str(fault))
+
+    def _drive_on(self) -> bool:
+        server = self.server
+        costs = server.costmap.latest or server.costmap.fresh()
+        if costs is None:
+            raise ControlError("The local costmap does not know where the robot is")
+        frame = server.costmap.frame
+        here = server.costmap.pose()
+        shift = server.costmap.where.between(frame, self.frame)
+        points = shift.transform(self.poses[:, :2])
+        goal = shift @ Pose2.of(self.poses[-1])
+        if self.checker.reached(tuple(here), tuple(goal)):
+            return self._arrived()
+        now = server.get_clock().now().nanoseconds * 1e-9
+        if not server._progress.gets_on(here.x, here.y, now):
+            server.get_logger().error("Failed to make progress")
+            return self._end()
+        server.drive(self._speeds(costs, here, goal, points))
+        self.since_ns = None
+        self._feed_back(here, points)
+        return False
+
+    def _speeds(self, costs: Any, here: Pose2, goal: Pose2, points: np.ndarray) -> tuple[float, float]:
+        now = self.server._speeds
+        if self.checker.near(tuple(here), tuple(goal)):
+            return self.controller.turn(costs, tuple(here), now, wrap(goal.theta - here.theta))
+        return self.controller.command(costs, tuple(here), now, points, self.server._top(self.controller))
+
+    def _arrived(self) -> bool:
+        self.server.get_logger().info("Reached the goal!")
+        self.server._stop()
+        self.handle.succeed()
+        return True
+
+    def _failed(self, why: str) -> bool:
+        """Stand still; give up when it has lasted too long."""
+        server = self.server
+        now = server.get_clock().now().nanoseconds
+        server._stop()
+        server.get_logger().warning(why, throttle_duration_sec=2.0)
+        self.since_ns = now if self.since_ns is None else self.since_ns
+        if 0 <= server._patience < (now - self.since_ns) * 1e-9 or server._patience == 0:
+            server.get_logger().error("Controller patience exceeded")
+            return self._end()
+        return False
+
+    def _end(self) -> bool:
+        self.server._stop()
+        self.handle.abort()
+        return True
+
+    def _feed_back(self, here: Pose2, points: np.ndarray) -> None:
+        feedback = FollowPath.Feedback()
+        nearest = int(np.hypot(points[:, 0] - here.x, points[:, 1] - here.y).argmin())
+        feedback.distance_to_goal = length(points[nearest:])
+        feedback.speed = float(np.hypot(*self.server._speeds[:1], 0.0))
+        self.handle.publish_feedback(feedback)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C."""
+    return run(ControllerServer, args)

@@ -1,0 +1,155 @@
+"""The layers of a costmap node, laid over each other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from nav_msgs.msg import OccupancyGrid
+
+from coursekit.nav.costmap import FREE, UNKNOWN, Costmap, combine, static_costs
+from coursekit.nav.footprint import Footprint
+from coursekit.nav.inflation import Inflation
+from coursekit.nav.obstacles import ObstacleLayer
+from coursekit.nodes.nav2.costmap_parameters import layers, sources
+from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+from coursekit.nodes.nav2.scan_source import ScanSource, layer_of
+from coursekit.nodes.nav2.whereabouts import Whereabouts
+
+
+class Layers:
+    """Map, obstacles and inflation of a costmap node; `costmap` is the last one made."""
+
+    def __init__(self, node: Any, where: Whereabouts, given: dict[str, Any], robot: Footprint) -> None:
+        self.node, self.given, self.robot = node, given, robot
+        size = given["width"], given["height"], given["resolution"], given["origin_x"], given["origin_y"]
+        self.empty = UNKNOWN if given["track_unknown_space"] else FREE
+        self.costmap = Costmap.of_size(*size, fill=self.empty)
+        self._static: Costmap | None = None
+        self._map: OccupancyGrid | None = None
+        self.obstacles: list[tuple[ObstacleLayer, dict[str, Any]]] = []
+        self._sources: list[ScanSource] = []
+        self._heard: list[Any] = []
+        self.inflation: dict[str, Any] | None = None
+        self.has_static = False
+        for name, kind, layer in layers(node, given["plugins"]):
+            if layer["enabled"]:
+                getattr(self, f"_add_{kind}")(name, layer, where)
+        where.buffer.wake = self._wake
+
+    def _add_static(self, _name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
+        self.has_static = True
+        topic = layer["map_topic"] or self.given["map_topic"]
+        space = self.node.get_namespace().rpartition("/")[0]  # the server's, not the costmap's own
+        topic = topic if topic.startswith("/") else f"{space}/{topic}"
+        self._heard.append(self.node.create_subscription(OccupancyGrid, topic, self._take_map, MAP_QOS))
+
+    def _add_obstacles(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
+        given = sources(self.node, name, layer["observation_sources"])
+        made = layer_of(self.costmap, given)
+        self.obstacles.append((made, layer))
+        frame = self.given["global_frame"]
+        self._sources += [ScanSource(self.node, where, frame, made, source) for source in given]
+
+    def _add_inflation(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
+        self.inflation = layer
+        if layer["inflation_radius"] < self.robot.inscribed:
+            self.node.get_logger().error(
+                f"The configured inflation radius ({layer['inflation_radius']:.3f}) is smaller than the computed inscribed "
+                f"radius ({self.robot.inscribed:.3f}) of your footprint, it is highly recommended to set inflation radius "
+                "to be at least as big as the inscribed radius to avoid collisions"
+            )
+        self._spread = Inflation(
+            layer["inflation_radius"], layer["cost_scaling_factor"], self.robot.inscribed, self.given["resolution"]
+        )
+
+    def close(self) -> None:
+        """Listen no more."""
+        for heard in self._heard:
+            self.node.destroy_subscription(heard)
+        for source in self._sources:
+            source.close()
+
+    def _wake(self) -> None:
+        for source in self._sources:
+            source.filter.try_waiting()
+
+    @property
+    def ready(self) -> bool:
+        """Whether the map, if there is to be one, has come."""
+        return self._static is not None or not self.has_static
+
+    def _take_map(self, msg: OccupancyGrid) -> None:
+        """A map: the costmap takes its size, and what scans saw elsewhere is kept where it overlaps."""
+        if self._map is not None and self._map.header == msg.header and self._map.data == msg.data:
+            return
+        try:
+            grid = from_message(msg)
+        except ValueError as fault:
+            self.node.get_logger().error(f"Received map message is malformed. Rejecting. ({fault})")
+            return
+        self._map = msg
+        costs = static_costs(
+            grid.cells, lethal=self.given["lethal_cost_threshold"], unknown=self.given["track_unknown_space"],
+            trinary=self.given["trinary_costmap"],
+        )  # fmt: skip
+        self._static = Costmap(np.ascontiguousarray(costs), grid.resolution, grid.origin[0], grid.origin[1])
+        self.node.get_logger().info(
+            f"StaticLayer: Resizing costmap to {costs.shape[1]} X {costs.shape[0]} at {grid.resolution:f} m/pix", once=True
+        )
+        if not self.given["rolling_window"]:
+            self._resize(self._static)
+
+    def _resize(self, like: Costmap) -> None:
+        changed = (like.cells.shape, like.resolution, like.x, like.y) != _shape(self.costmap)
+        self.costmap = like.like(self.empty)
+        if not changed:
+            return
+        for layer, _ in self.obstacles:
+            layer.map = like.like(UNKNOWN)
+        if self.inflation is not None:
+            scaling = self.inflation["cost_scaling_factor"]
+            self._spread = Inflation(self.inflation["inflation_radius"], scaling, self.robot.inscribed, like.resolution)
+
+    def update(self, x: float, y: float, yaw: float) -> Costmap:
+        """The costs now, for a robot that stands there."""
+        if self.given["rolling_window"]:
+            self._roll(x, y)
+        made = self.costmap.like(self.empty)
+        if self._static is not None:
+            self._lay_static(made)
+        outline = self.robot.at(x, y, yaw)
+        for layer, given in self.obstacles:
+            if given["footprint_clearing_enabled"]:
+                layer.free(outline)
+            combine(made.cells, layer.map.cells)
+        if self.inflation is not None:
+            self._spread.spread(made.cells, self.inflation["inflate_unknown"])
+        self.costmap = made
+        return made
+
+    def _roll(self, x: float, y: float) -> None:
+        rows, columns = self.costmap.cells.shape
+        half_x, half_y = columns * self.costmap.resolution / 2, rows * self.costmap.resolution / 2
+        self.costmap = self.costmap.moved_to(x - half_x, y - half_y, self.empty)
+        for layer, _ in self.obstacles:
+            layer.map = layer.map.moved_to(x - half_x, y - half_y, UNKNOWN)
+
+    def _lay_static(self, made: Costmap) -> None:
+        static = self._static
+        assert static is not None
+        if static.cells.shape == made.cells.shape and not self.given["rolling_window"]:
+            made.cells[:] = static.cells
+            return
+        rows = np.floor((made.y + (np.arange(made.cells.shape[0]) + 0.5) * made.resolution - static.y) / static.resolution)
+        columns = np.floor(
+            (made.x + (np.arange(made.cells.shape[1]) + 0.5) * made.resolution - static.x) / static.resolution
+        )
+        good_rows = (rows >= 0) & (rows < static.cells.shape[0])
+        good_columns = (columns >= 0) & (columns < static.cells.shape[1])
+        part = static.cells[np.ix_(rows[good_rows].astype(int), columns[good_columns].astype(int))]
+        made.cells[np.ix_(good_rows, good_columns)] = part
+
+
+def _shape(one: Costmap) -> tuple[tuple[int, ...], float, float, float]:
+    return one.cells.shape, one.resolution, one.x, one.y

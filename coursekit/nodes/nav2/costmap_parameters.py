@@ -1,0 +1,93 @@
+"""A costmap's parameters and those of its layers, with nav2's names and defaults."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.node import Node
+
+from coursekit.nav.footprint import Footprint
+from coursekit.nodes.nav2.parameters import declare
+
+COSTMAP: dict[str, Any] = {
+    "always_send_full_costmap": False,
+    "footprint": "[]",
+    "footprint_padding": 0.01,
+    "global_frame": "map",
+    "height": 5,
+    "width": 5,
+    "lethal_cost_threshold": 100,
+    "map_topic": "map",
+    "origin_x": 0.0,
+    "origin_y": 0.0,
+    "plugins": ["static_layer", "obstacle_layer", "inflation_layer"],
+    "publish_frequency": 1.0,
+    "resolution": 0.1,
+    "robot_base_frame": "base_link",
+    "robot_radius": 0.1,
+    "rolling_window": False,
+    "track_unknown_space": False,
+    "transform_tolerance": 0.3,
+    "trinary_costmap": True,
+    "update_frequency": 5.0,
+}
+STATIC = {"enabled": True, "map_subscribe_transient_local": True, "map_topic": ""}
+OBSTACLES = {"enabled": True, "footprint_clearing_enabled": True, "observation_sources": ""}
+INFLATION = {
+    "enabled": True, "cost_scaling_factor": 10.0, "inflation_radius": 0.55, "inflate_unknown": False,
+}  # fmt: skip
+SOURCE = {
+    "topic": "",
+    "data_type": "LaserScan",
+    "clearing": False,
+    "marking": True,
+    "inf_is_valid": False,
+    "obstacle_max_range": 2.5,
+    "obstacle_min_range": 0.0,
+    "raytrace_max_range": 3.0,
+    "raytrace_min_range": 0.0,
+}
+_KINDS = {
+    "nav2_costmap_2d::StaticLayer": ("static", STATIC),
+    "nav2_costmap_2d::ObstacleLayer": ("obstacles", OBSTACLES),
+    "nav2_costmap_2d::VoxelLayer": ("obstacles", OBSTACLES),
+    "nav2_costmap_2d::InflationLayer": ("inflation", INFLATION),
+}
+_USUAL = {
+    "static_layer": "nav2_costmap_2d::StaticLayer",
+    "obstacle_layer": "nav2_costmap_2d::ObstacleLayer",
+    "voxel_layer": "nav2_costmap_2d::VoxelLayer",
+    "inflation_layer": "nav2_costmap_2d::InflationLayer",
+}
+
+
+def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]]:
+    """(name, 'static' | 'obstacles' | 'inflation', parameters) of each layer; ValueError for kinds that are not known."""
+    found = []
+    for name in names:
+        kind = declare(node, {"plugin": _USUAL.get(name, "")}, name)["plugin"]
+        if kind not in _KINDS:
+            raise ValueError(f"{name}.plugin is '{kind}': use one of {', '.join(_KINDS)}")
+        what, defaults = _KINDS[kind]
+        found.append((name, what, declare(node, defaults, name)))
+    return found
+
+
+def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
+    """The scans of an obstacle layer."""
+    found = []
+    for name in names.split():
+        source = declare(node, SOURCE, f"{layer}.{name}")
+        source["topic"] = source["topic"] or name
+        if source["data_type"] == "LaserScan":
+            found.append(source)
+        else:
+            node.get_logger().warning(f"{layer}.{name} is a {source['data_type']}: only LaserScan is taken in here")
+    return found
+
+
+def footprint(given: dict[str, Any]) -> Footprint:
+    """The robot: its footprint if that is given, else a disc; ValueError when neither can be."""
+    text = given["footprint"].strip()
+    made = Footprint.parse(text) if text not in ("", "[]") else Footprint.disc(given["robot_radius"])
+    return made.padded(given["footprint_padding"])

@@ -1,0 +1,84 @@
+"""Goals that a coroutine gives to other servers, and services that it calls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from action_msgs.msg import GoalStatus
+from rclpy.action import ActionClient
+
+from coursekit.nodes.nav2.running import Beat
+
+
+class Errand:
+    """An action of another server, one goal after the other."""
+
+    def __init__(self, node: Any, kind: Any, name: str) -> None:
+        self.node, self.name = node, name
+        self.client = ActionClient(node, kind, name)
+        self._handle: Any = None
+        self._result: Any = None
+
+    def destroy(self) -> None:
+        """Ask no more."""
+        self.client.destroy()
+
+    async def begin(self, goal: Any) -> bool:
+        """Give a goal; whether it was taken."""
+        self._result = None
+        if not self.client.server_is_ready():
+            self.node.get_logger().error(f'"{self.name}" action server not available: is its node running and active?')
+            return False
+        handle = await self.client.send_goal_async(goal)
+        if not handle.accepted:
+            self.node.get_logger().error(f'Goal was rejected by the action server "{self.name}"')
+            return False
+        self._handle, self._result = handle, handle.get_result_async()
+        return True
+
+    @property
+    def ended(self) -> bool:
+        """Whether the last goal has ended, or was not taken."""
+        return self._result is None or self._result.done()
+
+    @property
+    def succeeded(self) -> bool:
+        """Whether the last goal has ended well."""
+        done = self._result is not None and self._result.done()
+        return bool(done and self._result.result().status == GoalStatus.STATUS_SUCCEEDED)
+
+    @property
+    def result(self) -> Any:
+        """The last goal's result, once it has ended."""
+        return self._result.result().result
+
+    async def cancel(self) -> None:
+        """Stop the present goal, if there is one, and wait until it has stopped."""
+        if not self.ended:
+            await self._handle.cancel_goal_async()
+            await self._result
+
+    async def do(self, goal: Any, stop: Callable[[], bool] = lambda: False) -> bool:
+        """Give a goal and wait for its end; whether that was a good one. It is cancelled when `stop()` says so."""
+        if not await self.begin(goal):
+            return False
+        beat = Beat(self.node, 0.05)
+        try:
+            while not self.ended:
+                if stop():
+                    await self.cancel()
+                    return False
+                await beat.next()
+        finally:
+            beat.stop()
+        return self.succeeded
+
+
+async def call(node: Any, client: Any) -> bool:
+    """Call a service without arguments, if it is there."""
+    if not client.service_is_ready():
+        node.get_logger().warning(f"{client.srv_name} is not available")
+        return False
+    await client.call_async(client.srv_type.Request())
+    return True

@@ -1,0 +1,157 @@
+"""`ros2 run nav2_planner planner_server`: finds paths through the global costmap."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import numpy as np
+from nav2_msgs.action import ComputePathThroughPoses, ComputePathToPose
+from nav2_msgs.srv import IsPathValid
+from nav_msgs.msg import Path
+from rclpy.duration import Duration
+from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
+from tf2_ros import TransformException
+
+from coursekit.nav.costmap import Costmap
+from coursekit.nav.planner import PlanError, Planner
+from coursekit.nodes.nav2.costmap_node import CostmapNode
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.whereabouts import path_message
+from coursekit.nodes.slam_toolbox.geometry import plane
+
+_SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
+_USUAL = "nav2_navfn_planner/NavfnPlanner"
+_PLUGIN = {"tolerance": 0.5, "allow_unknown": True, "use_astar": False, "cost_factor": 0.8}
+
+
+class PlannerServer(Server):
+    """The actions compute_path_to_pose and compute_path_through_poses, the service is_path_valid."""
+
+    def __init__(self) -> None:
+        super().__init__("planner_server")
+        declare(self, _SERVER)
+        self.costmap = CostmapNode("global_costmap", self)
+        self._planners: dict[str, Planner] = {}
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Bring the costmap up, make the planners; FAILURE when a parameter cannot work."""
+        self.get_logger().info("Configuring")
+        if self.costmap.trigger_configure() != TransitionCallbackReturn.SUCCESS:
+            return TransitionCallbackReturn.FAILURE
+        try:
+            for name in declare(self, _SERVER)["planner_plugins"]:
+                self._planners[name] = self._make(name)
+        except ValueError as fault:
+            self.get_logger().error(str(fault))
+            self.costmap.trigger_cleanup()
+            return TransitionCallbackReturn.FAILURE
+        self._plan_out = self.create_lifecycle_publisher(Path, "plan", 1)
+        self.serve(ComputePathToPose, "compute_path_to_pose", self._to_pose)
+        self.serve(ComputePathThroughPoses, "compute_path_through_poses", self._through_poses)
+        self._valid = self.create_service(IsPathValid, "is_path_valid", self._is_valid)
+        return super().on_configure(state)
+
+    def _make(self, name: str) -> Planner:
+        kind = declare(self, {"plugin": _USUAL}, name)["plugin"]
+        given = declare(self, _PLUGIN, name)
+        self.get_logger().info(f"Created global planner plugin {name} of type {kind}")
+        return Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Plan."""
+        self.costmap.trigger_activate()
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Plan no more."""
+        self.costmap.trigger_deactivate()
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Forget planners and costmap."""
+        self.costmap.trigger_cleanup()
+        self._planners.clear()
+        self.destroy_service(self._valid)
+        self.destroy_lifecycle_publisher(self._plan_out)
+        return super().on_cleanup(state)
+
+    # -- planning
+
+    async def _to_pose(self, handle: Any) -> Any:
+        return self._answer(handle, ComputePathToPose.Result(), [handle.request.goal])
+
+    async def _through_poses(self, handle: Any) -> Any:
+        return self._answer(handle, ComputePathThroughPoses.Result(), handle.request.goals)
+
+    def _answer(self, handle: Any, result: Any, goals: list[Any]) -> Any:
+        """Plan through the goals, and tell."""
+        begin, stopwatch = self.get_clock().now(), time.perf_counter()
+        if handle.is_cancel_requested:
+            handle.canceled()
+            return result
+        try:
+            poses = self._plan(handle.request, goals)
+        except (PlanError, TransformException) as fault:
+            self.get_logger().warning(str(fault))
+            handle.abort()
+            return result
+        result.path = path_message(poses, self.costmap.frame, begin.to_msg())
+        result.planning_time = Duration(nanoseconds=(self.get_clock().now() - begin).nanoseconds).to_msg()
+        self._plan_out.publish(result.path)
+        self._complain(time.perf_counter() - stopwatch)
+        handle.succeed()
+        return result
+
+    def _complain(self, seconds: float) -> None:
+        wanted = self.number("expected_planner_frequency")
+        if wanted > 0 and seconds > 1 / wanted:
+            self.get_logger().warning(
+                f"Planner loop missed its desired rate of {wanted:.4f} Hz. Current loop rate is {1 / seconds:.4f} Hz"
+            )
+
+    def _plan(self, request: Any, goals: list[Any]) -> np.ndarray:
+        """Poses (n, 3) of the whole way; PlanError or TransformException."""
+        name = request.planner_id or next(iter(self._planners))
+        if name not in self._planners:
+            known = ", ".join(self._planners)
+            raise PlanError(f"planner {name} is not a valid planner. Planner names are: {known}")
+        if not goals:
+            raise PlanError("Compute path through poses requested a plan with no viapoint poses, returning.")
+        costs = self._costs()
+        frame, where = self.costmap.frame, self.costmap.where
+        at = where.pose_in(frame, request.start) if request.use_start else where.robot(frame)
+        pieces = []
+        for goal in goals:
+            to = where.pose_in(frame, goal)
+            try:
+                pieces.append(self._planners[name].plan(costs, tuple(at), tuple(to)))
+            except PlanError as fault:
+                text = f'{name} plugin failed to plan calculation to ({to.x:.2f}, {to.y:.2f}): "{fault}"'
+                raise PlanError(text) from None
+            at = to
+        return np.vstack([piece if k == 0 else piece[1:] for k, piece in enumerate(pieces)])
+
+    def _costs(self) -> Costmap:
+        costs = self.costmap.latest or self.costmap.fresh()
+        if costs is None:
+            raise PlanError(
+                "The global costmap has no map or no robot yet: is map_server active, and does tf know "
+                f"{self.costmap.frame} -> {self.costmap.given['robot_base_frame']}? (2D Pose Estimate tells amcl)"
+            )
+        return costs
+
+    def _is_valid(self, request: Any, response: Any) -> Any:
+        costs = self.costmap.latest
+        if costs is None:
+            return response
+        path = request.path.poses
+        poses = [plane(one.pose.position, one.pose.orientation) for one in path]
+        response.is_valid = bool(poses) and all(costs.cost(one.x, one.y) not in (253, 254) for one in poses)
+        return response
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C."""
+    return run(PlannerServer, args)

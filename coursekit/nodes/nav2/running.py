@@ -1,0 +1,155 @@
+"""How nav2's servers run: nodes in one executor, and actions that work on one goal at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+import rclpy
+from rclpy.action import ActionServer, CancelResponse, GoalResponse
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.lifecycle import LifecycleNode
+from rclpy.task import Future
+
+
+def run(make: Callable[[], LifecycleNode], args: list[str] | None = None) -> int:
+    """Run a node, and the `costmap` that it may bring along, until Ctrl-C."""
+    rclpy.init(args=args)
+    node = make()
+    nodes = [node, *([node.costmap] if hasattr(node, "costmap") else [])]
+    executor = SingleThreadedExecutor()
+    for one in nodes:
+        executor.add_node(one)
+    try:
+        executor.spin()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        for one in nodes:
+            one.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+class Beat:
+    """A steady rhythm for coroutines, on the node's clock: `await beat.next()`; `stop()` ends it."""
+
+    def __init__(self, node: Any, period: float) -> None:
+        self._node, self._waiting = node, Future()
+        self._timer = node.create_timer(period, self._tick)
+
+    def _tick(self) -> None:
+        waiting, self._waiting = self._waiting, Future()
+        waiting.set_result(None)
+
+    async def next(self) -> None:
+        """Wait for the next beat."""
+        await self._waiting
+
+    def stop(self) -> None:
+        """No more beats."""
+        self._node.destroy_timer(self._timer)
+
+
+async def pause(node: Any, seconds: float) -> None:
+    """Let time of the node's clock pass."""
+    beat = Beat(node, seconds)
+    try:
+        await beat.next()
+    finally:
+        beat.stop()
+
+
+class SingleGoal:
+    """An action server that works on one goal at a time: a new goal takes the place of the old one.
+
+    `work(handle)` is a coroutine that returns the action's result, having said succeed, abort or canceled; it asks
+    `replaced(handle)` now and then, and ends when it is.
+    """
+
+    def __init__(self, node: Any, kind: Any, name: str, work: Callable[[Any], Awaitable[Any]]) -> None:
+        self.node, self.active, self._work = node, False, work
+        self.current: Any = None
+        self.fresh = True
+        """Whether the present goal found the server at rest."""
+        self.server = ActionServer(
+            node, kind, name, self._run, goal_callback=self._asked, cancel_callback=lambda handle: CancelResponse.ACCEPT
+        )  # fmt: skip
+
+    def _asked(self, _goal: Any) -> GoalResponse:
+        if not self.active:
+            self.node.get_logger().error(
+                "Action server is inactive. Rejecting the goal. "
+                f"Activate it: ros2 lifecycle set {self.node.get_name()} activate"
+            )
+        return GoalResponse.ACCEPT if self.active else GoalResponse.REJECT
+
+    async def _run(self, handle: Any) -> Any:
+        self.fresh, self.current = self.current is None, handle
+        result = await self._work(handle)
+        if self.current is handle:
+            self.current = None
+        return result
+
+    def replaced(self, handle: Any) -> bool:
+        """Whether a newer goal has come, or the server has been deactivated."""
+        return self.current is not handle or not self.active
+
+    def wake(self) -> None:
+        """Take goals."""
+        self.active = True
+
+    def sleep(self) -> None:
+        """Take no goals; the present one ends."""
+        self.active = False
+
+    def destroy(self) -> None:
+        """Offer the action no more."""
+        self.server.destroy()
+
+
+class Server(LifecycleNode):
+    """A managed node with actions, which are there from configuring to cleaning up, and take goals while it is active."""
+
+    def __init__(self, name: str, **options: Any) -> None:
+        super().__init__(name, **options)
+        self.get_logger().info("Creating")
+        self.actions: list[SingleGoal] = []
+
+    def number(self, name: str) -> float:
+        """A parameter as a real number; ValueError when it is none."""
+        value = self.get_parameter(name).value
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise ValueError(f"{self.get_name()}: {name} should be a number, not {value!r}")
+        return float(value)
+
+    def text(self, name: str) -> str:
+        """A parameter as text."""
+        return str(self.get_parameter(name).value)
+
+    def serve(self, kind: Any, name: str, work: Callable[[Any], Awaitable[Any]]) -> SingleGoal:
+        """Offer an action."""
+        self.actions.append(SingleGoal(self, kind, name, work))
+        return self.actions[-1]
+
+    def on_activate(self, state: Any) -> Any:
+        """Take goals."""
+        self.get_logger().info("Activating")
+        for action in self.actions:
+            action.wake()
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: Any) -> Any:
+        """Take no goals."""
+        self.get_logger().info("Deactivating")
+        for action in self.actions:
+            action.sleep()
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state: Any) -> Any:
+        """Offer nothing any more."""
+        self.get_logger().info("Cleaning up")
+        for action in self.actions:
+            action.destroy()
+        self.actions.clear()
+        return super().on_cleanup(state)

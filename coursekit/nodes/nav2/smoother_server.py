@@ -1,0 +1,100 @@
+"""`ros2 run nav2_smoother smoother_server`: makes paths smooth without bringing them nearer to obstacles."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from nav2_msgs.action import SmoothPath
+from nav2_msgs.msg import Costmap as CostmapMessage
+from nav_msgs.msg import Path
+from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
+
+from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
+from coursekit.nav.planner import smoothed
+from coursekit.nodes.nav2.map_message import MAP_QOS
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.whereabouts import path_message
+from coursekit.nodes.slam_toolbox.geometry import plane
+
+_SERVER: dict[str, Any] = {
+    "costmap_topic": "global_costmap/costmap_raw",
+    "footprint_topic": "global_costmap/published_footprint",
+    "robot_base_frame": "base_link",
+    "transform_tolerance": 0.1,
+    "smoother_plugins": ["simple_smoother"],
+}
+_PLUGIN: dict[str, Any] = {
+    "plugin": "nav2_smoother::SimpleSmoother",
+    "tolerance": 1e-10,
+    "max_its": 1000,
+    "do_refinement": True,
+}
+
+
+class SmootherServer(Server):
+    """The action smooth_path."""
+
+    def __init__(self) -> None:
+        super().__init__("smoother_server")
+        declare(self, _SERVER)
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Offer the action; FAILURE when a parameter cannot work."""
+        self.get_logger().info("Configuring smoother server")
+        try:
+            given = declare(self, _SERVER)
+            self._rounds = {name: declare(self, _PLUGIN, name)["max_its"] for name in given["smoother_plugins"]}
+        except ValueError as fault:
+            self.get_logger().error(str(fault))
+            return TransitionCallbackReturn.FAILURE
+        self._costs: Costmap | None = None
+        self._heard = self.create_subscription(CostmapMessage, given["costmap_topic"], self._take, MAP_QOS)
+        self._plan_out = self.create_lifecycle_publisher(Path, "plan_smoothed", 1)
+        self.serve(SmoothPath, "smooth_path", self._smooth)
+        return super().on_configure(state)
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Offer nothing any more."""
+        self.destroy_subscription(self._heard)
+        self.destroy_lifecycle_publisher(self._plan_out)
+        return super().on_cleanup(state)
+
+    def _take(self, msg: CostmapMessage) -> None:
+        meta = msg.metadata
+        cells = np.array(msg.data, dtype=np.uint8).reshape(meta.size_y, meta.size_x)
+        self._costs = Costmap(cells, float(f"{meta.resolution:.6g}"), meta.origin.position.x, meta.origin.position.y)
+
+    async def _smooth(self, handle: Any) -> Any:
+        request, result, begin = handle.request, SmoothPath.Result(), self.get_clock().now()
+        name = request.smoother_id or next(iter(self._rounds))
+        if name not in self._rounds or not request.path.poses or self._costs is None:
+            self.get_logger().error(self._fault(name, request.path.poses))
+            handle.abort()
+            return result
+        poses = np.array([plane(one.pose.position, one.pose.orientation) for one in request.path.poses], dtype=float)
+        poses = smoothed(self._costs, poses, self._rounds[name])
+        result.path = path_message(poses, request.path.header.frame_id, request.path.header.stamp)
+        result.was_completed, result.smoothing_duration = True, (self.get_clock().now() - begin).to_msg()
+        if request.check_for_collisions and self._touches(poses):
+            self.get_logger().error("Smoothed path leads to a collision")
+            handle.abort()
+            return result
+        self._plan_out.publish(result.path)
+        handle.succeed()
+        return result
+
+    def _fault(self, name: str, poses: Any) -> str:
+        if name not in self._rounds:
+            return f"SmoothPath called with smoother name {name}, which does not exist. Known: {', '.join(self._rounds)}"
+        return "Smoother: the path is empty" if not poses else "Smoother: no costmap has been heard yet"
+
+    def _touches(self, poses: np.ndarray) -> bool:
+        assert self._costs is not None
+        return any(INSCRIBED <= self._costs.cost(x, y) < UNKNOWN for x, y, _ in poses.tolist())
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C."""
+    return run(SmootherServer, args)

@@ -1,0 +1,56 @@
+"""Where the robot is, and poses of other frames, seen from above."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Path
+from rclpy.time import Time
+from tf2_ros import TransformListener
+
+from coursekit.nodes.slam_toolbox.geometry import of_transform, plane, to_pose
+from coursekit.nodes.slam_toolbox.scan_filter import WakingBuffer
+from coursekit.slam.pose import Pose2
+
+
+class Whereabouts:
+    """tf as a node of nav2 asks it; all raise TransformException where a transform is missing."""
+
+    def __init__(self, node: Any, base: str, listener: Any = None) -> None:
+        """`listener` is the node that hears tf, if it is another one: remappings of tf are meant for its namespace."""
+        self.node, self.base = node, base
+        self.buffer = WakingBuffer(node=node)
+        self._listener = TransformListener(self.buffer, listener or node)
+
+    def close(self) -> None:
+        """Listen no more."""
+        self._listener.unregister()
+
+    def robot(self, frame: str) -> Pose2:
+        """The robot's newest pose in a frame."""
+        return of_transform(self.buffer.lookup_transform_core(frame, self.base, Time()))
+
+    def between(self, target: str, source: str) -> Pose2:
+        """The newest pose of a frame in another."""
+        return Pose2() if target == source else of_transform(self.buffer.lookup_transform_core(target, source, Time()))
+
+    def pose_in(self, frame: str, msg: PoseStamped) -> Pose2:
+        """A pose of a message in a frame; without a frame of its own it is taken as being in that one."""
+        here = plane(msg.pose.position, msg.pose.orientation)
+        return self.between(frame, msg.header.frame_id or frame) @ here
+
+
+def stamped(pose: Pose2, frame: str, stamp: Any) -> PoseStamped:
+    """A pose as a message."""
+    msg = PoseStamped()
+    msg.header.frame_id, msg.header.stamp, msg.pose = frame, stamp, to_pose(pose)
+    return msg
+
+
+def path_message(poses: Any, frame: str, stamp: Any) -> Path:
+    """Poses (n, 3) as a path."""
+    msg = Path()
+    msg.header.frame_id, msg.header.stamp = frame, stamp
+    msg.poses = [stamped(Pose2(*row), frame, stamp) for row in poses.tolist()]
+    return msg

@@ -6,17 +6,43 @@
     1.5
 """
 
-from .errors import WorldError
-from .lidar import Lidar
-from .odometry import Drift
-from .parts import Ball, Cut, Disc, Prism, Skin
-from .place import Place
-from .robot import Drive, Robot, RobotModel
-from .simulation import Simulation
-from .world import Hinge, Thing, World
-from .world_file import load_world, read_world
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .errors import WorldError
+    from .lidar import Lidar
+    from .odometry import Drift
+    from .parts import Ball, Cut, Disc, Prism, Skin
+    from .place import Place
+    from .robot import Drive, Robot, RobotModel
+    from .simulation import Simulation
+    from .world import Hinge, Thing, World
+    from .world_file import load_world, read_world
+
+_PARTS = {
+    "errors": ["WorldError"],
+    "lidar": ["Lidar"],
+    "odometry": ["Drift"],
+    "parts": ["Ball", "Cut", "Disc", "Prism", "Skin"],
+    "place": ["Place"],
+    "robot": ["Drive", "Robot", "RobotModel"],
+    "simulation": ["Simulation"],
+    "world": ["Hinge", "Thing", "World"],
+    "world_file": ["load_world", "read_world"],
+}
+_WHERE = {name: module for module, names in _PARTS.items() for name in names}
 
 __all__ = [
     "Ball", "Cut", "Disc", "Drift", "Drive", "Hinge", "Lidar", "Place", "Prism", "Robot", "RobotModel", "Simulation", "Skin",
     "Thing", "World", "WorldError", "load_world", "read_world",
 ]  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    """Parts are imported when they are asked for: the LiDAR's compiler alone takes a third of a second."""
+    if name not in _WHERE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_WHERE[name]}", __name__), name)

@@ -220,11 +220,11 @@ class BehaviorServer(Server):
             return False
         body = Controller(Limits(), robot, scaling=(0.0, 1.0))
         at, step = here, 0.1
-        if body.blocked(costs, tuple(here)):
+        if body.blocked(costs, here):
             return False
         for _ in range(max(round(min(self.given["simulate_ahead_time"], 1.0) / step), 1)):
             at = at @ Pose2(speeds[0] * step, 0.0, speeds[1] * step)
-            if body.blocked(costs, tuple(at)):
+            if body.blocked(costs, at):
                 return True
         return False
 

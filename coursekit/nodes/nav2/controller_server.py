@@ -193,7 +193,7 @@ class _Drive:
         shift = server.costmap.where.between(frame, self.frame)
         points = shift.transform(self.poses[:, :2])
         goal = shift @ Pose2.of(self.poses[-1])
-        if self.checker.reached(tuple(here), tuple(goal)):
+        if self.checker.reached(here, goal):
             return self._arrived()
         now = server.get_clock().now().nanoseconds * 1e-9
         if not server._progress.gets_on(here.x, here.y, now):
@@ -206,9 +206,9 @@ class _Drive:
 
     def _speeds(self, costs: Any, here: Pose2, goal: Pose2, points: np.ndarray) -> tuple[float, float]:
         now = self.server._speeds
-        if self.checker.near(tuple(here), tuple(goal)):
-            return self.controller.turn(costs, tuple(here), now, wrap(goal.theta - here.theta))
-        return self.controller.command(costs, tuple(here), now, points, self.server._top(self.controller))
+        if self.checker.near(here, goal):
+            return self.controller.turn(costs, here, now, wrap(goal.theta - here.theta))
+        return self.controller.command(costs, here, now, points, self.server._top(self.controller))
 
     def _arrived(self) -> bool:
         self.server.get_logger().info("Reached the goal!")

@@ -13,7 +13,7 @@ from coursekit.nav.inflation import Inflation
 from coursekit.nav.obstacles import ObstacleLayer
 from coursekit.nodes.nav2.costmap_parameters import layers, sources
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
-from coursekit.nodes.nav2.scan_source import ScanSource, layer_of
+from coursekit.nodes.nav2.scan_source import ScanSource, in_server_space, layer_of
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
 
@@ -40,8 +40,7 @@ class Layers:
     def _add_static(self, _name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self.has_static = True
         topic = layer["map_topic"] or self.given["map_topic"]
-        space = self.node.get_namespace().rpartition("/")[0]  # the server's, not the costmap's own
-        topic = topic if topic.startswith("/") else f"{space}/{topic}"
+        topic = in_server_space(self.node, topic)
         self._heard.append(self.node.create_subscription(OccupancyGrid, topic, self._take_map, MAP_QOS))
 
     def _add_obstacles(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:

@@ -31,9 +31,9 @@ COSTMAP: dict[str, Any] = {
     "trinary_costmap": True,
     "update_frequency": 5.0,
 }
-STATIC = {"enabled": True, "map_subscribe_transient_local": True, "map_topic": ""}
-OBSTACLES = {"enabled": True, "footprint_clearing_enabled": True, "observation_sources": ""}
-INFLATION = {
+STATIC: dict[str, Any] = {"enabled": True, "map_subscribe_transient_local": True, "map_topic": ""}
+OBSTACLES: dict[str, Any] = {"enabled": True, "footprint_clearing_enabled": True, "observation_sources": ""}
+INFLATION: dict[str, Any] = {
     "enabled": True, "cost_scaling_factor": 10.0, "inflation_radius": 0.55, "inflate_unknown": False,
 }  # fmt: skip
 SOURCE = {
@@ -47,7 +47,7 @@ SOURCE = {
     "raytrace_max_range": 3.0,
     "raytrace_min_range": 0.0,
 }
-_KINDS = {
+_KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     "nav2_costmap_2d::StaticLayer": ("static", STATIC),
     "nav2_costmap_2d::ObstacleLayer": ("obstacles", OBSTACLES),
     "nav2_costmap_2d::VoxelLayer": ("obstacles", OBSTACLES),

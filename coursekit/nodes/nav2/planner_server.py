@@ -126,7 +126,7 @@ class PlannerServer(Server):
         for goal in goals:
             to = where.pose_in(frame, goal)
             try:
-                pieces.append(self._planners[name].plan(costs, tuple(at), tuple(to)))
+                pieces.append(self._planners[name].plan(costs, at, to))
             except PlanError as fault:
                 text = f'{name} plugin failed to plan calculation to ({to.x:.2f}, {to.y:.2f}): "{fault}"'
                 raise PlanError(text) from None

@@ -22,7 +22,9 @@ class ScanSource:
     def __init__(self, node: Any, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         self.node, self.layer, self._where, self._frame, self._given = node, layer, where, frame, given
         self.filter = ScanFilter(node, where.buffer, frame, 10, self._take)
-        self._heard = node.create_subscription(LaserScan, given["topic"], self.filter.add, qos_profile_sensor_data)
+        self._heard = node.create_subscription(
+            LaserScan, in_server_space(node, given["topic"]), self.filter.add, qos_profile_sensor_data
+        )
 
     def close(self) -> None:
         """Listen no more."""
@@ -60,3 +62,13 @@ def layer_of(like: Any, given: list[dict[str, Any]]) -> ObstacleLayer:
     """An empty layer that marks and clears as far as the farthest of its sources."""
     mark = max((one["obstacle_max_range"] for one in given), default=math.inf)
     return ObstacleLayer(like, mark, max((one["raytrace_max_range"] for one in given), default=math.inf))
+
+
+def in_server_space(node: Any, topic: str) -> str:
+    """A topic as the server around a costmap means it: relative names do not begin in the costmap's own namespace.
+
+    >>> from types import SimpleNamespace
+    >>> in_server_space(SimpleNamespace(get_namespace=lambda: "/robot/local_costmap"), "scan")
+    '/robot/scan'
+    """
+    return topic if topic.startswith("/") else f"{node.get_namespace().rpartition('/')[0]}/{topic}"

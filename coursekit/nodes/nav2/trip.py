@@ -133,7 +133,8 @@ class Trip:
     async def _plan_once(self) -> bool:
         self._drop_passed()
         if len(self.goals) == 1:
-            asked, goal = self.helpers.plan, ComputePathToPose.Goal(goal=self.goals[0])
+            asked: Errand = self.helpers.plan
+            goal: Any = ComputePathToPose.Goal(goal=self.goals[0])
         else:
             asked, goal = self.helpers.plan_through, ComputePathThroughPoses.Goal(goals=self.goals)
         if not await asked.do(goal, self._stop):

@@ -76,8 +76,8 @@ class Stage:
 
     @property
     def fixed_frame(self) -> str:
-        """The frame that stands still: as told, else guessed as soon as frames are known."""
-        return self.config.fixed_frame or self._guessed or "map"
+        """The frame that stands still: as told, else guessed as soon as frames or a robot are known."""
+        return self.config.fixed_frame or self._guessed or self._root_of_a_robot() or "map"
 
     def fix(self, frame: str) -> None:
         """Look from another frame; '' guesses anew."""
@@ -96,6 +96,12 @@ class Stage:
             below[root] = below.get(root, 0) + 1
         named = [one for one in WORLD if one in below]
         self._guessed = named[0] if named else max(below, key=lambda one: below[one])
+
+    def _root_of_a_robot(self) -> str:
+        """Where there are no frames: a robot of one link has no joint, so nobody publishes any for it."""
+        if self.buffer.frames:
+            return ""
+        return next((one.prefix(self) + one.robot.root for one in self.robots() if one.robot is not None), "")
 
     def root(self, frame: str) -> str:
         """The uppermost frame above one."""

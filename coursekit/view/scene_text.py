@@ -11,7 +11,8 @@ from .scene_stage import Stage
 def described(stage: Stage) -> str:
     """The fixed frame and a line for each display; the same every time on the virtual clock."""
     frame = stage.fixed_frame
-    guessed = "" if stage.config.fixed_frame or not stage.buffer.frames else " (guessed)"
+    known = stage.buffer.frames or frame != "map"
+    guessed = " (guessed)" if known and not stage.config.fixed_frame else ""
     lines = [f"viewer: fixed frame {frame}{guessed}"]
     level, text = stage.global_status()
     if level != "Ok":

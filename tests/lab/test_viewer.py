@@ -76,6 +76,13 @@ def test_bare_it_shows_the_robot_and_its_frames_and_says_the_same_every_time():
     assert lines[3].endswith("13 frames")
 
 
+def test_a_robot_of_one_link_stands_without_frames(session):
+    robot(session, "sphere")
+    lines = viewer().text().splitlines()
+    assert lines[0] == "viewer: fixed frame base_link (guessed)"
+    assert lines[3].endswith("sphere_robot: 1 of 1 links placed")
+
+
 def test_the_notebook_gets_a_widget_a_picture_and_a_text(session):
     panel = viewer(displays=["Grid"])
     bundle = panel._repr_mimebundle_()

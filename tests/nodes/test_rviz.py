@@ -75,6 +75,7 @@ def test_without_a_notebook_it_tells_what_it_would_show_and_what_is_missing(tmp_
     with Session(virtual=True).use() as session:
         process = session.start_executable(find("rviz2", "rviz2"), ["-d", str(tmp_path / "v.yaml")], name="rviz2")
         session.clock.sleep(3.0)
+        assert {"/tf", "/tf_static", "/front"} <= set(session.graph(0).subscriptions)
         process.interrupt()
         assert process.wait(2.0) == 0
     assert "Fixed frame: odom" in process.output

@@ -10,10 +10,12 @@ import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.logging import get_logger
 from rclpy.node import Node
+from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.utilities import remove_ros_args
 
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from coursekit.interfaces import load
 
 from . import windows
 from .config import Config, DisplayConfig, make_config, read
@@ -21,6 +23,7 @@ from .kinds import KINDS
 
 LOOK_SECONDS = 2.0
 """How long it waits before it says which topics nobody publishes."""
+BEST_EFFORT = ReliabilityPolicy.BEST_EFFORT
 LOG = get_logger("rviz2")
 """RViz logs under this name, whatever its node (of itself `rviz`) is called."""
 
@@ -41,6 +44,15 @@ class Rviz(Node):
         else:
             self._tell()
             self._look = self.create_timer(LOOK_SECONDS, self._complain)
+        self._listen()
+
+    def _listen(self) -> None:
+        """Subscribe to what is shown, so that the graph tells it; the pictures are made from the viewer's own topics."""
+        shown = [(one.topic, KINDS[one.kind].type) for one in self.config.displays if one.enabled]
+        frames = [("/tf", "tf2_msgs/msg/TFMessage"), ("/tf_static", "tf2_msgs/msg/TFMessage")]
+        for topic, kind in dict.fromkeys([*frames, *shown]):
+            if kind:
+                self.create_subscription(load(kind), topic, lambda _: None, QoSProfile(depth=1, reliability=BEST_EFFORT))
 
     def _tell(self) -> None:
         frame = self.config.fixed_frame or "the root of the tree"

@@ -8,13 +8,12 @@ import select
 import sys
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from . import sandbox
 from .interruptions import Gone, NeedsWorkspace
-from .trial import Plan, Seen, TrialFailed
+from .trial import Plan, Seen, TrialFailed, answered, asked
 from .verdict import Wrong
 from .wire import pack, refresh, unpack
 from .work import Work, _words
@@ -163,15 +162,16 @@ class RemoteWork(Work):
             raise NeedsWorkspace
 
     def _sandboxed_trial(self, plan: Plan) -> Seen:
-        command = [sys.executable, "-m", "coursekit.grade.trial", str(self._limits.seconds)]
+        # -I: what the student's folders hold must not stand in for modules of ours
+        command = [sys.executable, "-I", "-m", "coursekit.grade.trial", str(self._limits.seconds)]
         env = self.environment() | {"COURSEKIT_TIME": "virtual"}
         running = sandbox.start(command, self.workspace.parent, env, self._limits)
+        key, question = asked(plan)
         try:
-            out, _ = running.child.communicate(json.dumps(asdict(plan)).encode(), timeout=self._limits.seconds + 5)
-            found = json.loads(out[: self._limits.output])
-            return Seen(**found)
-        except (ValueError, TypeError):
-            raise TrialFailed(running.stopped or "the programs ended the trial, so nothing was seen") from None
+            out = running.answer(question, self._limits.output)
+            if running.stopped:
+                raise TrialFailed(running.stopped)
+            return answered(key, out)
         finally:
             running.end()
 

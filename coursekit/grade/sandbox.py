@@ -49,6 +49,17 @@ class Sandboxed:
     stopped: str = ""
     _ended: threading.Event = field(default_factory=threading.Event)
 
+    def answer(self, question: bytes, most: int) -> bytes:
+        """Give it the question and hang up; what it wrote until it ended, `most` bytes of it."""
+        assert self.child.stdin is not None and self.child.stdout is not None
+        with contextlib.suppress(BrokenPipeError):
+            self.child.stdin.write(question)
+            self.child.stdin.close()
+        out = self.child.stdout.read(most + 1)
+        if len(out) > most:
+            self.end("it wrote more than it may")
+        return out
+
     def end(self, why: str = "") -> None:
         """End it and all that it started."""
         self.stopped = self.stopped or why
@@ -87,7 +98,7 @@ def start(
         words,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
         cwd=work,
         env=inside,
         start_new_session=True,

@@ -8,6 +8,7 @@ from __future__ import annotations
 import faulthandler
 import json
 import os
+import secrets
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -66,19 +67,40 @@ class TrialFailed(Exception):
 def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = None) -> Seen:
     """Carry out `plan` and tell what was seen; TrialFailed when it does not end in time."""
     variables = {key: value for key, value in (env or os.environ).items() if key not in NOT_FOR_TRIALS}
+    key, question = asked(plan)
     done = subprocess.run(  # without a time limit: waiting for one would sleep on the session's clock
         [sys.executable, "-m", "coursekit.grade.trial", str(TIME_LIMIT)],
-        input=json.dumps(asdict(plan)),
+        input=question,
         env=variables | {"COURSEKIT_TIME": "virtual", "PYTHONDONTWRITEBYTECODE": "1"},
         cwd=cwd,
         capture_output=True,
-        text=True,
     )
-    if done.stderr.startswith("Timeout (") or "\nTimeout (" in done.stderr:
+    said = done.stderr.decode(errors="replace").strip()
+    if said.startswith("Timeout (") or "\nTimeout (" in said:
         raise TrialFailed(f"your program did not give way for {TIME_LIMIT:.0f} s: is there a loop that never waits?")
     if done.returncode:
-        raise TrialFailed(done.stderr.strip().splitlines()[-1] if done.stderr.strip() else "it ended abruptly")
-    return Seen(**json.loads(done.stdout))
+        raise TrialFailed(said.splitlines()[-1] if said else "it ended abruptly")
+    return answered(key, done.stdout)
+
+
+def asked(plan: Plan) -> tuple[str, bytes]:
+    """A key that is used once, and what a trial reads: its answer counts only with the key."""
+    key = secrets.token_hex(16)
+    return key, f"{key}\n{json.dumps(asdict(plan))}".encode()
+
+
+def answered(key: str, out: bytes) -> Seen:
+    """What a trial saw; TrialFailed when somebody else answered in its place, or forged what it saw."""
+    first, _, rest = out.partition(b"\n")
+    if first != key.encode():
+        raise TrialFailed("the program ended the trial" if not out else "something that is not the trial answered for it")
+    try:
+        found = json.loads(rest)
+        if set(found) == {"broken"}:
+            raise TrialFailed(f"the program interfered with the trial: {found['broken']}")
+        return Seen(**found)
+    except (ValueError, TypeError):
+        raise TrialFailed("the trial was ended while it told what it saw") from None
 
 
 class Watcher:
@@ -192,16 +214,33 @@ def _filled(msg: Any, fields: dict[str, Any]) -> Any:
 
 
 def main() -> int:
-    """Read a plan, carry it out, print what was seen; the argument is how many real seconds it may take."""
+    """Read a key and a plan, carry it out, tell what was seen; the argument is how many real seconds it may take."""
+    faulthandler.dump_traceback_later(float(sys.argv[1]), exit=True, file=sys.__stderr__ or 2)
+    key, _, question = sys.stdin.buffer.read().partition(b"\n")
+    out, nothing = os.dup(1), os.open(os.devnull, os.O_RDWR)
+    for number in (0, 1):  # programs that write past sys.stdout write nowhere
+        os.dup2(nothing, number)
+    plan = Plan(**json.loads(question))
+    told = _carried_out(plan)
+    with os.fdopen(out, "wb") as answer:
+        answer.write(key + b"\n" + told)
+    os._exit(0)  # whatever the programs left running ends with this process
+
+
+def _carried_out(plan: Plan) -> bytes:
+    """What was seen, or how the programs interfered, as JSON."""
+    import rosidl_runtime_py.utilities  # noqa: F401 (before the seal)
+
+    import coursekit.cli.topic_qos  # noqa: F401
     from coursekit.core.session import current
 
-    faulthandler.dump_traceback_later(float(sys.argv[1]), exit=True, file=sys.__stderr__ or 2)
-    plan = Plan(**json.load(sys.stdin))
-    out = sys.stdout
-    seen = Watcher(plan, current()).run()
-    json.dump(asdict(seen), out, default=_plain)
-    out.flush()
-    os._exit(0)  # whatever the programs left running ends with this process
+    from .seal import hidden_seal
+
+    dump, fields = json.dumps, asdict  # as they are before the programs run
+    session, told = current(), hidden_seal()
+    seen = Watcher(plan, session).run()
+    broken = told()
+    return dump({"broken": broken} if broken else fields(seen), default=_plain).encode()
 
 
 def _plain(value: Any) -> Any:

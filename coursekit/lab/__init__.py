@@ -2,6 +2,7 @@
 
 from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress
+from coursekit.urdf.resources import take_environment_from
 
 from .frames_panel import frames
 from .graph_panel import graph
@@ -9,7 +10,7 @@ from .image_view import image_view
 from .joint_panel import joint_sliders
 from .kernel import reset, start
 from .log_console import log_console
-from .magics import edit, terminal, terminals, wait, workspace
+from .magics import edit, terminal, terminals, wait, workspace, workspace_environment
 from .messages import echo
 from .pad import pad
 from .parameter_panel import parameter_panel
@@ -46,5 +47,6 @@ __all__ = [
 ]
 
 start()
+take_environment_from(workspace_environment)
 show_new_windows()
 show_rviz_windows()

@@ -12,6 +12,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -19,6 +20,15 @@ from .errors import MeshError, close
 
 UNDERLAY = Path(__file__).resolve().parents[1]
 _added: list[Path] = []
+_environment: list[Callable[[], Mapping[str, str]]] = []
+
+
+def take_environment_from(source: Callable[[], Mapping[str, str]]) -> None:
+    """Ask `source` for AMENT_PREFIX_PATH and ROS_PACKAGE_PATH from now on, instead of the process's environment.
+
+    A notebook's kernel has not sourced the workspace that is built in it.
+    """
+    _environment[:] = [source]
 
 
 def add_package_path(folder: str | os.PathLike[str]) -> None:
@@ -42,8 +52,9 @@ def remove_package_path(folder: str | os.PathLike[str]) -> None:
 
 def package_paths() -> list[Path]:
     """The folders in which packages are looked for, in order; a package is a folder inside one of them."""
-    listed = [Path(one) for one in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if one]
-    prefixes = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    environment = _environment[0]() if _environment else os.environ
+    listed = [Path(one) for one in environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if one]
+    prefixes = [Path(one) for one in environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
     shares = [prefix / "share" for prefix in prefixes]
     return list(dict.fromkeys([*_added, *listed, *shares, UNDERLAY / "share"]))
 
@@ -86,6 +97,9 @@ def find_file(uri: str, near: Path | None = None) -> Path:
     parts = urlsplit(uri)
     if parts.scheme == "package":
         name, _, rest = uri.removeprefix("package://").partition("/")
+        if not name:
+            cure = "Two slashes, then the package's name: package://NAME/meshes/part.stl."
+            raise MeshError(f"'{uri}' names no package", cure=cure)
         path = find_package(name, near) / unquote(rest)
     elif parts.scheme == "file":
         path = Path(unquote(parts.path))
@@ -107,4 +121,4 @@ def _beside(path: Path) -> str:
     return f"{close(path.name, there)} Is it listed in setup.py's data_files, and was the package built?"
 
 
-__all__ = ["add_package_path", "find_file", "find_package", "package_paths", "remove_package_path"]
+__all__ = ["add_package_path", "find_file", "find_package", "package_paths", "remove_package_path", "take_environment_from"]

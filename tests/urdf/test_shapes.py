@@ -82,9 +82,7 @@ def test_a_dae_file_keeps_its_colours():
 
 
 def test_the_material_of_the_visual_wins():
-    text = (
-        '<robot name="r"><link name="a"><visual><geometry><box size="1 1 1"/></geometry>{}</visual></link></robot>'
-    )
+    text = '<robot name="r"><link name="a"><visual><geometry><box size="1 1 1"/></geometry>{}</visual></link></robot>'
     assert link_surfaces(parse(text.format("")), "a")[0].colour == GREY
     red = '<material name="red"><color rgba="1 0 0 1"/></material>'
     assert link_surfaces(parse(text.format(red)), "a")[0].colour == (1.0, 0.0, 0.0, 1.0)
@@ -161,3 +159,8 @@ def test_the_robots_are_a_package():
     from ament_index_python.packages import get_package_share_path
 
     assert get_package_share_path("coursekit_robots").samefile(ROBOTS.parent)
+
+
+def test_a_third_slash_leaves_no_name_of_a_package():
+    with pytest.raises(MeshError, match="'package:///turtlesim/package.xml' names no package"):
+        find_file("package:///turtlesim/package.xml")

@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench conformance notebooks clean
+.PHONY: lab test check bench class conformance notebooks clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -32,6 +32,9 @@ check: $(VENV)/.test
 
 bench: $(VENV)/.test
 	$(BIN)/python -m tests.benchmarks
+
+class: $(VENV)/.test
+	$(BIN)/python -m tests.grade
 
 conformance: $(VENV)/.test
 	$(BIN)/python -m tests.conformance

@@ -6,7 +6,7 @@ import csv
 import json
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
@@ -49,10 +49,8 @@ class Class:
 
     def _wanted(self, submissions: Sequence[Submission]) -> tuple[dict[str, Any], dict[str, Exercise]]:
         """The notebooks that at least one student handed in, and their exercises."""
-        names = {file.name for one in submissions for file in one.place.rglob("*.ipynb")}
-        names |= {one.place.name for one in submissions}
-        zipped = any(one.place.suffix == ".zip" for one in submissions)
-        chosen = {name: text for name, text in self.sources.items() if zipped or name in names} or self.sources
+        names = {name for one in submissions for name in one.names()}
+        chosen = {name: text for name, text in self.sources.items() if _meant(name, names)} or self.sources
         text = json.dumps(list(chosen.values()))
         return chosen, {name: one for name, one in all_exercises().items() if f'check(\\"{name}\\")' in text}
 
@@ -71,6 +69,11 @@ class Class:
         write_reports(self.kept, marks)
         write_similar(self.kept / "similar.csv", marks)
         write_statistics(self.kept, marks)
+
+
+def _meant(name: str, handed_in: Iterable[str]) -> bool:
+    """Whether one of the files is that notebook, perhaps with more in its name."""
+    return any(one.startswith(Path(name).stem) for one in handed_in)
 
 
 def _sources(notebooks: Path) -> dict[str, Any]:

@@ -20,6 +20,8 @@ from .wire import pack, refresh, unpack
 
 WAIT_SECONDS = 600.0
 """Virtual seconds that a cell may take."""
+PATIENCE = 2.0
+"""How much more real time than computing time may pass."""
 NOT_NEEDED = ("%ros2 run", "%ros2 launch", "%ros2 topic", "%ros2 node", "%ros2 service", "%ros2 param", "%ros2 action")
 
 
@@ -33,15 +35,19 @@ def _ring(_signum: int, _frame: Any) -> None:
 
 @contextlib.contextmanager
 def _alarm(seconds: float) -> Iterator[None]:
+    """End what computes for longer, or waits for much longer: a busy machine is nobody's fault."""
     if not hasattr(signal, "setitimer"):
         yield
         return
-    signal.signal(signal.SIGALRM, _ring)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    timers = ((signal.ITIMER_PROF, signal.SIGPROF, seconds), (signal.ITIMER_REAL, signal.SIGALRM, PATIENCE * seconds))
+    for timer, number, limit in timers:
+        signal.signal(number, _ring)
+        signal.setitimer(timer, limit)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
+        for timer, _, _ in timers:
+            signal.setitimer(timer, 0)
 
 
 @contextlib.contextmanager

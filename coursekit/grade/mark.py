@@ -22,6 +22,9 @@ from .submissions import Submission, read_notebook
 from .verdict import Verdict
 
 CELL_SECONDS = 20.0
+"""Seconds that a student's cell may compute."""
+COURSE_SECONDS = 60.0
+"""Seconds that the course's own cells may."""
 _SHOWS = (*NOT_NEEDED, "wait(", "graph(", "print(graph(", "terminal", "progress(", "print(terminal", "frames(",
           "%ros2 --")  # fmt: skip
 
@@ -138,7 +141,7 @@ def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str,
                 except NeedsWorkspace:
                     later.append(step.exercise)
             elif source := _needed(step):
-                work.run(source, CELL_SECONDS)
+                work.run(source, CELL_SECONDS if step.solution else COURSE_SECONDS)
         work.build(BUILD_SECONDS)
         for name in later:
             work.judge_from_here(name)

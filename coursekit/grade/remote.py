@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from . import sandbox
+from .inside import PATIENCE
 from .interruptions import Gone, NeedsWorkspace
 from .trial import Plan, Seen, TrialFailed, answered, asked
 from .verdict import Wrong
@@ -82,11 +83,12 @@ class RemoteWork(Work):
 
     def run(self, source: str, seconds: float) -> str:
         """Run a cell in the sandbox; what went wrong."""
-        return str(self._line.ask({"ask": "run", "source": source, "seconds": seconds}, seconds + 10).get("error", ""))
+        question = {"ask": "run", "source": source, "seconds": seconds}
+        return str(self._line.ask(question, PATIENCE * seconds + 10).get("error", ""))
 
     def build(self, seconds: float) -> None:
         """Build what the notebook builds; then files and programs can be judged."""
-        self._line.ask({"ask": "build", "seconds": seconds}, seconds + 10)
+        self._line.ask({"ask": "build", "seconds": seconds}, PATIENCE * seconds + 10)
         self.complete = True
 
     def judge_from_here(self, exercise: str) -> None:
@@ -118,7 +120,7 @@ class RemoteWork(Work):
             "variables": {known: pack(one) for known, one in self._given.items()},
             "seconds": CALL_SECONDS,
         }
-        said = self._line.ask(question, CALL_SECONDS + 5)
+        said = self._line.ask(question, PATIENCE * CALL_SECONDS + 5)
         if said.get("missing") or said.get("error"):
             raise RuntimeError(str(said.get("error") or f"`{name}` cannot be called"))
         with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing

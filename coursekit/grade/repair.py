@@ -41,6 +41,8 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
     theirs = [cell for cell in submitted.get("cells", []) if isinstance(cell, dict)]
     by_id = _by_id(theirs, made.notes)
     own = _own_cells(source, theirs)
+    known = {"".join(cell["source"]).strip() for cell in source["cells"]}
+    unknown = [cell for cell in theirs if _CHECK.search(_text(cell)) or _text(cell).strip() not in known]
     for cell in source["cells"]:
         grading = cell.get("metadata", {}).get("nbgrader", {})
         text = "".join(cell["source"])
@@ -48,7 +50,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         if cell["cell_type"] != "code":
             continue
         if grading.get("solution"):
-            answer = _answer(name, text, by_id, theirs, made.notes)
+            answer = _answer(name, text, by_id, unknown, made.notes)
             made.steps += [Step(one, solution=True) for one in own.pop(name, [])]
             made.steps.append(Step(answer, solution=True))
             continue

@@ -27,7 +27,7 @@ _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternativ
 class Limits:
     """What a sandboxed program may use."""
 
-    seconds: float = 60.0
+    seconds: float = 120.0
     """Real time."""
     memory: int = 3 << 30
     """Bytes of address space of each process, and of resident memory of all together."""

@@ -35,6 +35,16 @@ class Submission:
         """When it was last changed, in seconds since 1970."""
         return max((file.stat().st_mtime for file in _files(self.place)), default=0.0)
 
+    def names(self) -> list[str]:
+        """What the files are called, those in a zip too."""
+        if self.place.suffix != ".zip":
+            return [file.name for file in _files(self.place)]
+        try:
+            with zipfile.ZipFile(self.place) as opened:
+                return [Path(name).name for name in opened.namelist()]
+        except (zipfile.BadZipFile, NotImplementedError, OSError):
+            return []
+
     def notebooks(self, scratch: Path) -> list[Path]:
         """The notebooks, unpacked into `scratch` where they come in a zip; ValueError for a bad or huge zip."""
         place = self.place

@@ -1,0 +1,166 @@
+"""A made-up class for chapter 2: right, half right, broken and hostile submissions, and what each deserves of 7 points."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from coursekit.grade.copy import student_notebook
+
+from .test_attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
+
+SOURCE = Path(__file__).resolve().parents[2] / "notebooks" / "02_topics.ipynb"
+Notebook = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One kind of submission: how many of 200, the points it deserves (any of several), and what it is made of."""
+
+    name: str
+    number: int
+    deserves: tuple[float, ...]
+    make: Callable[[Notebook], Any]
+    status: str = "graded"
+    told: str = ""
+    """Words that the notes or verdicts have."""
+
+
+def solution_cells(notebook: Notebook) -> dict[str, Notebook]:
+    """The cells that students fill in, by name."""
+    grading = ((cell, cell["metadata"].get("nbgrader", {})) for cell in notebook["cells"])
+    return {one["grade_id"]: cell for cell, one in grading if one.get("solution")}
+
+
+def answers(**texts: str) -> Callable[[Notebook], Notebook]:
+    """The right notebook with other texts in some cells (`q1="..."`)."""
+
+    def make(notebook: Notebook) -> Notebook:
+        for name, text in texts.items():
+            cell = solution_cells(notebook)[f"ch02-{name}"]
+            cell["source"] = text.replace("{right}", "".join(cell["source"]))
+        return notebook
+
+    return make
+
+
+def stubs(*names: str) -> Callable[[Notebook], Notebook]:
+    """The right notebook with stubs in some cells."""
+
+    def make(notebook: Notebook) -> Notebook:
+        empty = solution_cells(student_notebook(notebook))
+        for name in names:
+            solution_cells(notebook)[f"ch02-{name}"]["source"] = empty[f"ch02-{name}"]["source"]
+        return notebook
+
+    return make
+
+
+def _doubled(notebook: Notebook) -> Notebook:
+    empty = solution_cells(student_notebook(notebook))["ch02-q1"]
+    place = notebook["cells"].index(solution_cells(notebook)["ch02-q1"])
+    notebook["cells"].insert(place + 1, empty)
+    return notebook
+
+
+def _without(name: str) -> Callable[[Notebook], Notebook]:
+    def make(notebook: Notebook) -> Notebook:
+        notebook["cells"].remove(solution_cells(notebook)[name])
+        return notebook
+
+    return make
+
+
+def _only_answers(notebook: Notebook) -> Notebook:
+    return {**notebook, "cells": list(solution_cells(notebook).values())}
+
+
+def _retyped(notebook: Notebook) -> Notebook:
+    for cell in solution_cells(notebook).values():
+        cell["cell_type"] = "raw"
+    return notebook
+
+
+def _other_kernel(notebook: Notebook) -> Notebook:
+    notebook["metadata"]["kernelspec"] = {"display_name": "R", "language": "R", "name": "ir"}
+    return notebook
+
+
+FORGED_NODE = """%%write src/s2_py_pubsub/s2_py_pubsub/py_relay_node.py
+import json, os
+seen = {"nodes": ["/py_relay_node"], "topics": {"/py_upper_topic": ["std_msgs/msg/String"]}, "outputs": [""]}
+for number in range(64):
+    try: os.write(number, json.dumps(seen).encode())
+    except OSError: pass
+os._exit(0)
+"""
+PATCHED_NODE = """%%write src/s2_py_pubsub/s2_py_pubsub/py_relay_node.py
+import __main__
+class PyRelay: pass
+__main__.Watcher._look = lambda self: None
+"""
+HOG = "hog = []\nwhile True: hog.append(bytearray(200_000_000))"
+STUBBORN = "while True:\n    try:\n        while True: pass\n    except BaseException: pass\n"
+FILES = "n = 0\nwhile True:\n    open(f'f{n}', 'wb').write(b'x' * 60_000_000); n += 1\n"
+ENDLESS_NODE = "{right}\nwhile True:\n    pass\n"
+
+KINDS = (
+    Kind("right", 78, (7,), lambda notebook: notebook),
+    Kind("half", 30, (3,), stubs("q3", "q4")),
+    Kind("stubs", 15, (0,), student_notebook),
+    Kind("zipped", 5, (7,), lambda notebook: {"class/02_topics.ipynb": notebook}),
+    Kind("renamed", 3, (7,), lambda notebook: {"02_topics (2) final.ipynb": notebook}),
+    Kind("nothing", 3, (0,), lambda _: None, status="empty", told="nothing was handed in"),
+    Kind("no-notebook", 3, (0,), lambda _: "<html>Please log in</html>", status="unreadable", told="no notebook|Expecting"),
+    Kind("syntax-error", 5, (6,), answers(q1="def full_name(:")),
+    Kind("broken-node", 4, (5,), answers(q2="{right}\n    def (")),
+    Kind("wrong-kernel", 3, (7,), _other_kernel),
+    Kind("doubled", 4, (7,), _doubled, told="two such cells"),
+    Kind("missing", 4, (6,), _without("ch02-q1"), told="the cell is missing"),
+    Kind("only-answers", 3, (7,), _only_answers),
+    Kind("retyped", 3, (7,), _retyped, told="turned into raw"),
+    Kind("endless-loop", 3, (6,), answers(q1="while True: pass")),
+    Kind("stubborn-loop", 2, (0,), answers(q1=STUBBORN), told="longer|in time"),
+    Kind("endless-node", 2, (5,), answers(q2=ENDLESS_NODE), told="longer"),
+    Kind("early-exit", 3, (0,), answers(q1="import os\nos._exit(0)")),
+    Kind("fork-bomb", 2, (0, 6), answers(q1="import os\nwhile True: os.fork()")),
+    Kind("memory-hog", 2, (0, 6), answers(q1=HOG)),
+    Kind("many-files", 2, (0,), answers(q1=FILES), told="MB of files"),
+    Kind("huge-output", 2, (7,), answers(q1="print('x' * 30_000_000)\n{right}")),
+    Kind("network", 2, (6,), answers(q1=NETWORK)),
+    Kind("file-system", 2, (7,), answers(q1=ESCAPE)),
+    Kind("always-equal", 3, (6,), answers(q1=ALWAYS_EQUAL)),
+    Kind("syntax-tree", 2, (6,), answers(q1=PATCH)),
+    Kind("reads-tests", 2, (6,), answers(q1=READ_TESTS)),
+    Kind("forged-answers", 3, (0, 6), answers(q1=PIPES)),
+    Kind("forged-trial", 3, (5,), answers(q3=FORGED_NODE), told="ended the trial|answered for it"),
+    Kind("patched-trial", 2, (5,), answers(q3=PATCHED_NODE), told="interfered|a node named"),
+)  # fmt: skip
+
+
+def make_class(folder: Path, share: Callable[[Kind], int]) -> dict[str, Kind]:
+    """Write the submissions of a class, `share(kind)` of each kind; who handed in what."""
+    made: dict[str, Kind] = {}
+    for kind in KINDS:
+        for number in range(share(kind)):
+            student = f"{kind.name}-{number:02}"
+            made[student] = kind
+            _write(folder, student, kind.make(json.loads(SOURCE.read_text(encoding="utf-8"))))
+    return made
+
+
+def _write(folder: Path, student: str, made: Any) -> None:
+    place = folder / student
+    if isinstance(made, dict) and "cells" not in made and next(iter(made)).startswith("class/"):
+        with zipfile.ZipFile(place.with_suffix(".zip"), "w") as packed:
+            for name, notebook in made.items():
+                packed.writestr(name, json.dumps(notebook))
+        return
+    place.mkdir(parents=True)
+    files = {"02_topics.ipynb": made} if isinstance(made, str) or (made and "cells" in made) else made or {}
+    for name, notebook in files.items():
+        (place / name).write_text(notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8")

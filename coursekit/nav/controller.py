@@ -64,6 +64,11 @@ class Controller:
     scaling: tuple[float, float] = (0.55, 3.0)
     """Radius [m] and factor of the costmap's inflation: they tell from which cost on the outline may touch something."""
     _turning: bool = False
+    _index: int = 0
+
+    def begin(self) -> None:
+        """A new path: the robot is near its beginning."""
+        self._turning, self._index = False, 0
 
     def command(self, costs: Costmap, pose: Pose, now: Speeds, path: np.ndarray, speed: float = 0.0) -> Speeds:
         """The speeds to drive next; ControlError when every way ahead touches something. `speed` limits further if not 0.
@@ -117,8 +122,11 @@ class Controller:
         gaps = np.hypot(path[:, 0] - pose[0], path[:, 1] - pose[1])
         steps = np.hypot(*np.diff(path[:, :2], axis=0).T) if len(path) > 1 else np.zeros(0)
         gone = np.concatenate([[0.0], np.cumsum(steps)])
-        near = gone <= 3.0  # what comes back to here much later is not meant
-        return np.ascontiguousarray(path[int(np.argmin(np.where(near, gaps, np.inf))) :, :2], dtype=float)
+        self._index = min(self._index, len(path) - 1)
+        onward = gone - gone[self._index]
+        near = (onward >= 0) & (onward <= 3.0)  # what comes back to here much later is not meant
+        self._index = int(np.argmin(np.where(near, gaps, np.inf)))
+        return np.ascontiguousarray(path[self._index :, :2], dtype=float)
 
     @staticmethod
     def _carrot(ahead: np.ndarray, reach: float) -> Speeds:

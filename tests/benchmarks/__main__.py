@@ -83,6 +83,18 @@ def slam() -> None:
         print(f"| {name} | {ours} | {runs} | {found['speed']:.0f} | {known} | {goal}, ≥ 100 × |")
 
 
+def navigation() -> None:
+    """Print the row of navigation."""
+    found = json.loads(measure(sys.executable, "navigation.py"))
+    print("\n| random goals in the warehouse, among moving boxes | reached | collisions | driven | × real time | goal |")
+    print("|---|---|---|---|---|---|")
+    reached = f"{found['reached']} of {found['goals']}"
+    minutes, speed = f"{found['minutes']:.0f} min", f"{found['speed']:.1f}"
+    print(f"| amcl, drifting odometry | {reached} | {found['collisions']} | {minutes} | {speed} | 100 of 100, 0 |")
+    for word in (*found["missed"], *found["touched"]):
+        print(f"  {word}")
+
+
 def viewer() -> None:
     """Print the row of the viewer."""
     ours, peer = (json.loads(measure(sys.executable, "viewer_load.py", who)) for who in ("ours", "peer"))
@@ -107,6 +119,7 @@ def main() -> None:
     transforms()
     scans()
     slam()
+    navigation()
     if not peer:
         print("\nThe real rclpy is not here to compare with: `make conformance` installs it (Linux x86-64).")
 

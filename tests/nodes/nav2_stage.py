@@ -32,7 +32,9 @@ def true_map(world: str, cell: float = CELL) -> GridMap:
     x0, y0 = x0 - 10 * cell, y0 - 10 * cell
     rows, columns = round((y1 - y0) / cell) + 10, round((x1 - x0) / cell) + 10
     cells = np.zeros((rows, columns), np.int8)
-    points = [np.linspace(edge[:2], edge[2:4], max(int(np.hypot(*(edge[2:4] - edge[:2])) / cell * 3), 2)) for edge in outline.edges]
+    lengths = np.hypot(*(outline.edges[:, 2:4] - outline.edges[:, :2]).T)
+    pairs = zip(outline.edges, lengths, strict=True)
+    points = [np.linspace(edge[:2], edge[2:4], max(int(long / cell * 3), 2)) for edge, long in pairs]
     turn = np.linspace(0, 2 * math.pi, 60)
     points += [np.column_stack([x + r * np.cos(turn), y + r * np.sin(turn)]) for x, y, r in outline.circles[:, :3]]
     at = np.floor((np.concatenate(points) - (x0, y0)) / cell).astype(int)
@@ -133,7 +135,7 @@ class Stage:
 class Mover:
     """A box that goes to and fro between two places; it stops while the robot stands close in front of it."""
 
-    def __init__(self, name: str, ends: tuple[tuple[float, float], tuple[float, float]], speed: float, wary: float = 0.0) -> None:
+    def __init__(self, name: str, ends: Any, speed: float, wary: float = 0.0) -> None:
         self.name, self.ends, self.speed, self.wary, self.to = name, ends, speed, wary, 1
 
     def work(self, simulation: Simulation) -> None:

@@ -161,6 +161,7 @@ class _Drive:
         self.poses = np.array(poses, dtype=float)
         self.checker = server.goal_checker(handle.request.goal_checker_id)
         self.checker.reset()
+        one.begin()
         if server.actions[0].fresh:
             server._progress.reset()
         self.since_ns: int | None = None

@@ -17,11 +17,13 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
 from coursekit.nodes.nav2.costmap_node import CostmapNode
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.slam_toolbox.geometry import plane
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
+PATIENCE = 30
+"""Tenths of a second that a goal waits for the first costmap."""
 _USUAL = "nav2_navfn_planner/NavfnPlanner"
 _PLUGIN = {"tolerance": 0.5, "allow_unknown": True, "use_astar": False, "cost_factor": 0.8}
 
@@ -80,17 +82,17 @@ class PlannerServer(Server):
     # -- planning
 
     async def _to_pose(self, handle: Any) -> Any:
-        return self._answer(handle, ComputePathToPose.Result(), [handle.request.goal])
+        return await self._answer(handle, ComputePathToPose.Result(), [handle.request.goal])
 
     async def _through_poses(self, handle: Any) -> Any:
-        return self._answer(handle, ComputePathThroughPoses.Result(), handle.request.goals)
+        return await self._answer(handle, ComputePathThroughPoses.Result(), handle.request.goals)
 
-    def _answer(self, handle: Any, result: Any, goals: list[Any]) -> Any:
+    async def _answer(self, handle: Any, result: Any, goals: list[Any]) -> Any:
         """Plan through the goals, and tell."""
-        begin, stopwatch = self.get_clock().now(), time.perf_counter()
-        if handle.is_cancel_requested:
-            handle.canceled()
+        if not await self._costs_come(handle):
+            handle.canceled() if handle.is_cancel_requested else handle.abort()
             return result
+        begin, stopwatch = self.get_clock().now(), time.perf_counter()
         try:
             poses = self._plan(handle.request, goals)
         except (PlanError, TransformException) as fault:
@@ -132,6 +134,20 @@ class PlannerServer(Server):
                 raise PlanError(text) from None
             at = to
         return np.vstack([piece if k == 0 else piece[1:] for k, piece in enumerate(pieces)])
+
+    async def _costs_come(self, handle: Any) -> bool:
+        """Wait a little for the first map and the first transform; whether someone still wants the path."""
+        beat = Beat(self, 0.1)
+        try:
+            for _ in range(PATIENCE):
+                wanted = not handle.is_cancel_requested and self.actions[0].active
+                if not wanted or self.costmap.latest is not None:
+                    return wanted
+                await beat.next()
+                self.costmap.fresh()
+        finally:
+            beat.stop()
+        return True
 
     def _costs(self) -> Costmap:
         costs = self.costmap.latest or self.costmap.fresh()

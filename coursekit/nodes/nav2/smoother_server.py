@@ -14,7 +14,7 @@ from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner import smoothed
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.slam_toolbox.geometry import plane
 
@@ -25,6 +25,8 @@ _SERVER: dict[str, Any] = {
     "transform_tolerance": 0.1,
     "smoother_plugins": ["simple_smoother"],
 }
+PATIENCE = 30
+"""Tenths of a second that a goal waits for the first costmap."""
 _PLUGIN: dict[str, Any] = {
     "plugin": "nav2_smoother::SimpleSmoother",
     "tolerance": 1e-10,
@@ -68,6 +70,11 @@ class SmootherServer(Server):
 
     async def _smooth(self, handle: Any) -> Any:
         request, result, begin = handle.request, SmoothPath.Result(), self.get_clock().now()
+        beat = Beat(self, 0.1)
+        for _ in range(PATIENCE):
+            if self._costs is None:
+                await beat.next()
+        beat.stop()
         name = request.smoother_id or next(iter(self._rounds))
         if name not in self._rounds or not request.path.poses or self._costs is None:
             self.get_logger().error(self._fault(name, request.path.poses))

@@ -1,0 +1,104 @@
+"""Navigation as a user starts it, on the virtual clock: bringup_launch.py, goals, and a program with a BasicNavigator."""
+
+import pytest
+from nav2_msgs.action import NavigateToPose
+from rclpy.action import ActionClient
+
+from coursekit.slam.pose import Pose2
+from tests.nodes.nav2_stage import Stage
+
+START = Pose2(0.0, 0.0, 0.0)
+PROGRAM = """
+import rclpy
+from geometry_msgs.msg import PoseStamped
+from nav2_simple_commander.robot_navigator import BasicNavigator, TaskResult
+
+
+def pose(navigator, x, y):
+    made = PoseStamped()
+    made.header.frame_id = "map"
+    made.header.stamp = navigator.get_clock().now().to_msg()
+    made.pose.position.x, made.pose.position.y, made.pose.orientation.w = x, y, 1.0
+    return made
+
+
+def finish(navigator):
+    while not navigator.isTaskComplete():
+        feedback = navigator.getFeedback()
+    return navigator.getResult().name
+
+
+rclpy.init()
+navigator = BasicNavigator()
+here = pose(navigator, 0.0, 0.0)
+navigator.setInitialPose(here)
+navigator.waitUntilNav2Active()
+path = navigator.getPath(here, pose(navigator, 2.0, 0.0))
+print("path", path.header.frame_id, len(path.poses) > 30, len(navigator.smoothPath(path).poses) == len(path.poses))
+navigator.goToPose(pose(navigator, 2.0, 0.0))
+print("go", finish(navigator), navigator.getFeedback().distance_remaining < 0.5)
+navigator.spin(1.57)
+print("spin", finish(navigator))
+navigator.backup(0.15, 0.1)
+print("backup", finish(navigator))
+navigator.goThroughPoses([pose(navigator, 1.0, 0.0), pose(navigator, 3.5, 0.0)])
+navigator.isTaskComplete()
+navigator.cancelTask()
+print("cancel", finish(navigator))
+navigator.clearAllCostmaps()
+costs = navigator.getGlobalCostmap()
+print("costmap", costs.metadata.size_x * costs.metadata.size_y == len(costs.data))
+rclpy.shutdown()
+"""
+
+
+@pytest.fixture
+def stage(session, tmp_path):
+    made = Stage(session, tmp_path)
+    yield made
+    made.close()
+
+
+def give(stage, client, pose):
+    handle = stage.until(client.send_goal_async(NavigateToPose.Goal(pose=stage.stamped(pose))))
+    assert handle.accepted
+    return handle
+
+
+def test_goals_are_reached_replaced_cancelled_and_refused(stage):
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+    first = give(stage, client, Pose2(8.0, 0.5, 0.0))
+    stage.spin(4.0)
+    there = Pose2(3.0, 1.0, 1.5)
+    second = give(stage, client, there)
+    assert stage.until(first.get_result_async()).status == 6  # aborted: replaced
+    assert stage.until(second.get_result_async()).status == 4
+    assert stage.distance_to(there) < 0.4 and abs(stage.robot.place.theta - 1.5) < 0.4
+    third = give(stage, client, Pose2(8.0, 0.5, 0.0))
+    stage.spin(3.0)
+    assert stage.robot.velocity[0] > 0.2
+    stage.until(third.cancel_goal_async())
+    assert stage.until(third.get_result_async()).status == 5
+    stage.spin(0.5)
+    assert abs(stage.robot.velocity[0]) < 0.01
+    assert stage.touched == {}
+    output = stage.launch.output
+    assert "Begin navigating from current location" in output and "Goal succeeded" in output
+    refused = give(stage, client, Pose2(1.2, 40.0, 0.0))
+    assert stage.until(refused.get_result_async()).status == 6
+    assert "is off the global costmap, which reaches from" in stage.launch.output
+
+
+def test_a_program_with_a_basic_navigator_runs_unchanged(stage):
+    program = stage.session.start(lambda: exec(compile(PROGRAM, "program.py", "exec"), {}), name="program")
+    for _ in range(400):
+        stage.spin(0.25)
+        if program.exit_code is not None:
+            break
+    said = [line for line in program.output.splitlines() if not line.startswith("[")]
+    assert said == [
+        "path map True True", "go SUCCEEDED True", "spin SUCCEEDED", "backup SUCCEEDED", "cancel CANCELED", "costmap True",
+    ]  # fmt: skip
+    assert stage.touched == {} and abs(stage.robot.velocity[0]) < 0.01

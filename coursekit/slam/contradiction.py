@@ -44,11 +44,10 @@ def _count(points: Array, bearings: Array, ranges: Array, widest: float, fixed: 
 
 
 def _one_way(viewer: Scan, seen: Scan, motion: Pose2) -> tuple[int, int]:
-    centre = np.array([viewer.origin.x, viewer.origin.y])
-    relative = viewer.hits - centre
-    bearings, ranges = np.arctan2(relative[:, 1], relative[:, 0]), np.hypot(relative[:, 0], relative[:, 1])
+    bearings, ranges = viewer.polar
     widest = max(WIDEST * float(np.median(np.diff(bearings))), 0.03)
-    return _count(motion.transform(seen.hits) - centre, bearings, ranges, widest, TOLERANCE, TOLERANCE_PER_METRE)
+    points = motion.transform(seen.hits) - np.array([viewer.origin.x, viewer.origin.y])
+    return _count(points, bearings, ranges, widest, TOLERANCE, TOLERANCE_PER_METRE)
 
 
 def contradiction(pairs: Iterable[tuple[Scan, Scan, Pose2]]) -> float:

@@ -11,6 +11,8 @@ from coursekit.slam.pose import Array, Pose2
 
 LEVELS = 7
 """The coarsest field takes the best of 64 x 64 cells."""
+RIVALS = (0.5, 2.0)
+"""A pose is another one from here on, and such as a drifting robot may take for it until here [m]."""
 
 
 @njit(cache=True)
@@ -116,6 +118,22 @@ def search(points, fields, ox, oy, cell, x, y, theta, reach, angles, angle_step,
     )
 
 
+@njit(cache=True)
+def best_between(points, field, ox, oy, cell, x, y, theta, near, far):  # type: ignore[no-untyped-def]
+    """Best score of shifts from `near` to `far` cells away."""
+    count, best = len(points), 0
+    rows, columns = np.empty(count, np.int32), np.empty(count, np.int32)
+    c, s = math.cos(theta), math.sin(theta)
+    for k in range(count):
+        columns[k] = math.floor((x + c * points[k, 0] - s * points[k, 1] - ox) / cell)
+        rows[k] = math.floor((y + s * points[k, 0] + c * points[k, 1] - oy) / cell)
+    for i in range(-far, far + 1):
+        for j in range(-far, far + 1):
+            if near * near <= i * i + j * j <= far * far:
+                best = max(best, _sum(field, rows, columns, i, j))
+    return best / (255.0 * max(count, 1))
+
+
 class LoopField:
     """The fields of one submap's points (n, 2).
 
@@ -149,3 +167,9 @@ class LoopField:
             reach, steps, angle_step, least,
         )  # fmt: skip
         return Pose2.of((x, y, theta)), float(score)
+
+    def rival(self, points: Array, pose: Pose2) -> float:
+        """How nearly the points fit beside a pose, 0.5 to 2 m away: 1 is as well as at the pose itself."""
+        arguments = (points, self._fields[0], self.origin[0], self.origin[1], self.cell, pose.x, pose.y, pose.theta)
+        near, far = (math.ceil(way / self.cell) for way in RIVALS)
+        return float(best_between(*arguments, near, far) / max(best_between(*arguments, 0, 1), 1e-9))

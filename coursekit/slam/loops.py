@@ -102,7 +102,8 @@ class LoopSearch:
         if found.inliers < p.loop_inliers or found.pose.distance(pose) > 0.4:
             return None
         nearest = sorted(submap.members, key=lambda m: (submap.members[m].distance(found.pose), m))
-        if self._contradicts(keyframe, submap, nearest[:WITNESSES], found.pose):
+        alike = self._field(submap).rival(sample(points, 100), found.pose) > p.loop_rival
+        if alike or self._contradicts(keyframe, submap, nearest[:WITNESSES], found.pose):
             self.rejected += 1
             return None
         first = nearest[0]

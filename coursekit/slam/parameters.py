@@ -83,6 +83,8 @@ class SlamParameters:
     """Mean likelihood that a loop must beat."""
     loop_inliers: float = 0.6
     """Part of a scan's points that must lie on the walls of the submap."""
+    loop_rival: float = 0.85
+    """A loop is not told apart when a pose beside it scores this part of what it scores: corridors look alike all along."""
     loop_least_way: float = 8.0
     """Places that are joined by a shorter way are no loop."""
     loop_drift: float = 0.05

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -64,6 +65,12 @@ class Scan:
     filled: Array
     """(f, 2) points between those of `points` that lie on one wall, so that few beams still draw walls without gaps."""
     filled_normals: Array
+
+    @cached_property
+    def polar(self) -> tuple[Array, Array]:
+        """Bearing [rad] and distance [m] of each hit from the laser; bearings rise."""
+        x, y = (self.hits - np.array([self.origin.x, self.origin.y])).T
+        return np.arctan2(y, x), np.hypot(x, y)
 
     @classmethod
     def from_ranges(

@@ -60,3 +60,17 @@ def test_rooms_that_look_alike_are_told_apart(seed):
     truth = np.array([tuple(way[0].to(pose)) for pose in way])
     assert np.hypot(*(slam.trajectory()[:, 1:3] - truth[:, :2]).T).max() < 0.1
     assert slam.search.rejected > 0
+
+
+@pytest.mark.parametrize("seed", [3, 7])
+def test_corridors_that_look_alike_all_along_close_no_loop(seed):
+    short = Laser(-math.pi, math.radians(1), range_max=3.5)
+    walls, rng, wheels = office(seed), np.random.default_rng(1), Wheels(np.random.default_rng(1))
+    way = list(drive(ROUND, 0.15))
+    slam = Slam()
+    for number, pose in enumerate(way):
+        slam.add_ranges(0.1 * number, look(walls, pose, short, 360, rng), short, wheels.roll(pose))
+    truth = [way[0].to(pose) for pose in way]
+    keys = [truth[k] for k in [0] + [k for k in range(1, len(way)) if slam.bases[k] != slam.bases[k - 1]]]
+    assert slam.loops
+    assert all(keys[loop.first].to(keys[loop.second]).distance(loop.motion) < 0.3 for loop in slam.loops)

@@ -31,6 +31,7 @@ class JointPanel(Panel):
             self._board = self._find()
             if self._board is None:
                 raise LookupError(f"No {self._wanted or 'joint_state_publisher_gui'} runs. {START}")
+            appears(lambda: bool(self.board.model.free))  # it begins before the robot's description comes
         except BaseException:
             self.close()
             raise

@@ -36,6 +36,21 @@ def test_the_text_names_joints_positions_and_limits(gui):
     assert lines[-1] == "periscope_extension: 0.000  0.000 .. 0.150"
 
 
+def test_a_new_panel_waits_for_the_description(session):
+    file = str(ROBOTS / "r2d2_2.urdf")
+    path = find("joint_state_publisher_gui", "joint_state_publisher_gui")
+    session.start_executable(path, [], name="gui")
+
+    def later():
+        session.clock.sleep(0.3)
+        session.start_executable(find("robot_state_publisher", "robot_state_publisher"), [file], name="robot")
+
+    session.spawn(later)
+    panel = joint_sliders()
+    panel.move("head_swivel", 0.5)
+    assert panel.positions["head_swivel"] == 0.5
+
+
 def test_a_slider_moves_its_joint_within_the_limits(session, gui):
     panel = joint_sliders()
     panel.move("periscope_extension", 9.0)

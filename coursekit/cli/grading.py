@@ -23,6 +23,11 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     grade.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     grade.add_argument("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
     grade.set_defaults(main=run_grade)
+    verify = commands.add_parser("verify", help="find out whether a file made by hand_in() was changed, and run it again")
+    verify.add_argument("file", type=Path)
+    verify.add_argument("--no-run", action="store_true", help="only look for changes")
+    verify.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
+    verify.set_defaults(main=run_verify)
 
 
 def run_release(args: argparse.Namespace) -> int:
@@ -60,3 +65,20 @@ def run_grade(args: argparse.Namespace) -> int:
     print(f"{len(marks)} graded, {total:.2f} points on average: {args.out}")
     print(f"Reports, statistics, histogram.png and similar.csv: {group.kept}")
     return 0
+
+
+def run_verify(args: argparse.Namespace) -> int:
+    """Say what is wrong with a file that was handed in; 1 when something is."""
+    from coursekit.grade.handing_in import verify
+
+    from .coursekit import notebooks_folder
+
+    if not args.file.is_file():
+        raise SystemExit(f"There is no file '{args.file}'. Give the zip that hand_in() made.")
+    faults, marked = verify(args.file, args.notebooks or notebooks_folder(), run=not args.no_run)
+    for fault in faults:
+        print(f"✘ {fault}")
+    if marked is not None:
+        print(f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points in a clean run")
+    print("✔ Nothing was changed." if not faults else f"{len(faults)} fault(s)")
+    return 1 if faults else 0

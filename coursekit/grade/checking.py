@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from . import events
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
 from .progress import Progress
@@ -59,6 +60,7 @@ def check(name: str) -> None:
     progress = Progress.of_course()
     verdict = judge(exercise, _variables(), workspace(), progress.count_try(name))
     progress.note(verdict)
+    events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict)
     if not verdict.passed:
         raise CheckFailed(f"{name} is not solved yet; the lines above say what is missing.")

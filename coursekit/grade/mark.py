@@ -66,6 +66,7 @@ def mark(
     made = Marked(submission.student, submission.digest(), tier=sandbox.tier())
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         try:
+            made.notes += submission.faults()
             files = submission.notebooks(Path(scratch) / "unpacked")
             for name, file in _chosen(files, sources, made.notes).items():
                 _mark_notebook(sources[name], file, Path(scratch) / name, exercises, limits, made)
@@ -124,7 +125,7 @@ def _environment(workspace: Path) -> dict[str, str]:
 
     env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT_")}
     source_underlay(env)
-    return env | {"COURSEKIT_COURSE": str(workspace.parent), "COURSEKIT_WORKSPACE": str(workspace)}
+    return env | {"COURSEKIT_COURSE": str(workspace.parent), "COURSEKIT_WORKSPACE": str(workspace), "COURSEKIT_GRADING": "1"}
 
 
 def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str, Exercise]) -> list[Verdict]:

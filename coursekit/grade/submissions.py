@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from .parcel import parcel_faults
+
 LARGEST = 50 << 20
 """Bytes that a submission may have, unpacked."""
 
@@ -44,6 +46,12 @@ class Submission:
                 return [Path(name).name for name in opened.namelist()]
         except (zipfile.BadZipFile, NotImplementedError, OSError):
             return []
+
+    def faults(self) -> list[str]:
+        """Signs that a file made by `hand_in()` was changed afterwards; none for other submissions."""
+        if self.place.suffix != ".zip" or "manifest.json" not in self.names():
+            return []
+        return parcel_faults(self.place.read_bytes())
 
     def notebooks(self, scratch: Path) -> list[Path]:
         """The notebooks, unpacked into `scratch` where they come in a zip; ValueError for a bad or huge zip."""

@@ -6,6 +6,7 @@ from coursekit.urdf.resources import take_environment_from
 
 from .frames_panel import frames
 from .graph_panel import graph
+from .handing_in import evidence, hand_in
 from .image_view import image_view
 from .joint_panel import joint_sliders
 from .kernel import reset, start
@@ -25,8 +26,10 @@ __all__ = [
     "check",
     "echo",
     "edit",
+    "evidence",
     "frames",
     "graph",
+    "hand_in",
     "hint",
     "image_view",
     "joint_sliders",

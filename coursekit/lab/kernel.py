@@ -104,6 +104,8 @@ class Cells:
         self.session = session
         self.cell = ""
         self.made: dict[str, list[Any]] = {}
+        self.ran: dict[str, str] = {}
+        """The text of each cell as it was run last."""
         session.in_cell = False
         session.on_start.append(self._note_process)
         shell.events.register("pre_run_cell", self._begin)
@@ -123,6 +125,9 @@ class Cells:
 
     def _begin(self, info: Any) -> None:
         self.cell = getattr(info, "cell_id", None) or ""
+        if self.cell:
+            self.ran.pop(self.cell, None)  # the cell that runs comes last
+            self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
         replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
         if replaced:
             print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
@@ -132,6 +137,12 @@ class Cells:
         if self.cell:
             self._note_nodes()
         self.session.in_cell = False
+
+
+def last_runs() -> dict[str, str]:
+    """The text of each cell as it was run last, by the cell's id."""
+    cells = _state.get("cells")
+    return dict(cells.ran) if cells is not None else {}
 
 
 def adopt(old: Any, new: Any) -> Any:
@@ -165,4 +176,4 @@ def _end_one(one: Any) -> bool:
     return True
 
 
-__all__ = ["adopt", "reset", "start"]
+__all__ = ["adopt", "last_runs", "reset", "start"]

@@ -1,0 +1,122 @@
+"""`hand_in()` and `coursekit verify`: a clean run of the saved notebook, one file to hand in, and whether it was changed."""
+
+from __future__ import annotations
+
+import getpass
+import json
+import platform
+import re
+import tempfile
+import time
+from collections.abc import Mapping
+from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from .exercise import all_exercises
+from .mark import Marked, mark
+from .parcel import EVENTS, cell_digests, pack_parcel, parcel_faults, read_parcel
+from .sandbox import Limits
+from .submissions import Submission, read_notebook
+
+EVIDENCE = re.compile(r"\w+_evidence_s\w+\.(png|pdf)")
+
+
+def who_and_where() -> dict[str, str]:
+    """User, host and time, as they stand on evidence."""
+    return {"user": getpass.getuser(), "host": platform.node(), "time": time.strftime("%Y-%m-%d %H:%M:%S %z")}
+
+
+def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked:
+    """The mark of a notebook that is run from top to bottom in a sandbox; `source` is the course's own, if it is at hand."""
+    found = read_notebook(notebook)
+    text = json.dumps(found)
+    exercises = {name: one for name, one in all_exercises().items() if f'check(\\"{name}\\")' in text}
+    if source is not None:
+        own = json.dumps(source)
+        exercises = {name: one for name, one in all_exercises().items() if f'check(\\"{name}\\")' in own}
+    with tempfile.TemporaryDirectory() as scratch:
+        place = Path(scratch) / "me"
+        place.mkdir()
+        (place / notebook.name).write_bytes(notebook.read_bytes())
+        return mark(Submission("me", place), {notebook.name: dict(source or found)}, exercises, Limits())
+
+
+def make_parcel(notebook: Path, course: Path, student: str, out: Path) -> tuple[Path, Marked]:
+    """Run the notebook afresh and write the parcel; where it is, and the mark."""
+    marked = clean_run(notebook)
+    files = {notebook.name: notebook.read_bytes()}
+    for picture in sorted((course / "evidence").glob("*")):
+        if EVIDENCE.fullmatch(picture.name):
+            files[f"evidence/{picture.name}"] = picture.read_bytes()
+    log = course / ".coursekit" / EVENTS
+    files[EVENTS] = log.read_bytes() if log.exists() else b""
+    facts = {
+        "student": student,
+        **who_and_where(),
+        "coursekit": _version(),
+        "notebook": notebook.name,
+        "cells": cell_digests(read_notebook(notebook)),
+        "verdicts": [asdict(one) for one in marked.verdicts],
+        "points": marked.total(),
+        "of": sum(one.of for one in marked.verdicts),
+        "tier": marked.tier,
+    }
+    file = out / f"{student_word(student)}_{notebook.stem}.zip"
+    file.write_bytes(pack_parcel(files, facts))
+    return file, marked
+
+
+def student_word(student: str) -> str:
+    """A name as it stands in the names of files.
+
+    >>> student_word("Vera de la Course")
+    'VeraDeLaCourse'
+    """
+    return "".join(word[:1].upper() + word[1:] for word in re.findall(r"\w+", student))
+
+
+def verify(file: Path, notebooks: Path | None = None, *, run: bool = True) -> tuple[list[str], Marked | None]:
+    """What is wrong with a parcel, and the mark that it really earns (None when it was not run)."""
+    data = file.read_bytes()
+    found = parcel_faults(data)
+    try:
+        manifest, files = read_parcel(data)
+        name = Path(str(manifest["notebook"])).name
+        content = files[name]
+    except (ValueError, KeyError) as error:
+        return found or [f"it has no notebook: {error}"], None
+    if not run:
+        return found, None
+    with tempfile.TemporaryDirectory() as scratch:
+        handed_in = Path(scratch) / name
+        handed_in.write_bytes(content)
+        source = notebooks / name if notebooks is not None else None
+        own = json.loads(source.read_text(encoding="utf-8")) if source is not None and source.is_file() else None
+        try:
+            if cell_digests(read_notebook(handed_in)) != manifest.get("cells"):
+                found.append(f"{name}: its cells are not those of the manifest")
+            marked = clean_run(handed_in, own)
+        except ValueError as error:
+            return [*found, str(error)], None
+    return found + _other_results(manifest, marked), marked
+
+
+def _other_results(manifest: Mapping[str, Any], marked: Marked) -> list[str]:
+    recorded = {str(one.get("name")): one.get("points") for one in manifest.get("verdicts", []) if isinstance(one, dict)}
+    found = [
+        f"{one.name}: {recorded.get(one.name, 'nothing')} points are recorded, a clean run earns {one.points:g}"
+        for one in marked.verdicts
+        if recorded.get(one.name) != one.points
+    ]
+    if manifest.get("points") != marked.total():
+        found.append(f"{manifest.get('points')} points are recorded in all, a clean run earns {marked.total():g}")
+    return found
+
+
+def _version() -> str:
+    try:
+        return version("coursekit")
+    except PackageNotFoundError:
+        return "unknown"

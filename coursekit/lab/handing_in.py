@@ -1,0 +1,129 @@
+"""`evidence("s2", graph())` and `hand_in()`: what a practice assignment asks for, and the one file that is handed in."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import re
+from pathlib import Path
+from typing import Any
+
+from coursekit.grade import events
+from coursekit.grade.handing_in import make_parcel, student_word, who_and_where
+from coursekit.grade.mark import Marked
+from coursekit.grade.parcel import EVENTS
+from coursekit.grade.submissions import read_notebook
+
+from .evidence_picture import page
+from .kernel import last_runs, running_shell
+
+_NAME = re.compile(r"s\d+(_\d+)?(\.(png|pdf))?")
+
+
+def course_folder() -> Path:
+    """The student's course."""
+    return Path(os.environ.get("COURSEKIT_COURSE", ".")).resolve()
+
+
+def student(name: str = "") -> str:
+    """Who works here: `name`, which is remembered, or what was remembered, or the variable `me` of chapter 0."""
+    file = course_folder() / ".coursekit" / "student.json"
+    shell = running_shell()
+    me = shell.user_ns.get("me", "") if shell is not None else ""
+    if not name and file.exists():
+        return str(json.loads(file.read_text(encoding="utf-8")))
+    found = name or (me if isinstance(me, str) else "")
+    if len(found.split()) < 2:
+        raise ValueError('Whose is it? Say it once, in the brackets: by="Firstname Lastname"')
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(found), encoding="utf-8")
+    return found
+
+
+class Evidence:
+    """A picture that was written; shows itself."""
+
+    def __init__(self, file: Path, picture: bytes) -> None:
+        self.file = file
+        self._picture = picture
+
+    def __repr__(self) -> str:
+        return f"Wrote {self.file.parent.name}/{self.file.name}"
+
+    def _repr_png_(self) -> bytes:
+        return self._picture
+
+
+def evidence(name: str, *things: Any, by: str = "") -> Evidence:
+    """Write what a practice assignment asks for: `evidence("s4_1", graph(), terminal("server_exe"))`.
+
+    `name` is as in the assignment, with `.pdf` for a PDF; each of `things` is a terminal, a graph, frames, a viewer, a
+    window, or text. The file lies in `evidence/` of the course folder and shows who (`by`, said once), where and when.
+    """
+    if not _NAME.fullmatch(name) or not things:
+        raise ValueError(f'Give the name and what is shown: evidence("s2", graph()). Got the name {name!r}.')
+    who, facts = student(by), who_and_where()
+    stem, _, kind = name.partition(".")
+    heading = f"{who}   {facts['user']}@{facts['host']}   {facts['time']}   {stem}"
+    file = course_folder() / "evidence" / f"{student_word(who)}_evidence_{stem}.{kind or 'png'}"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    picture = page(heading, things, "png")
+    file.write_bytes(page(heading, things, "pdf") if kind == "pdf" else picture)
+    events.note(course_folder() / ".coursekit" / EVENTS, "evidence", picture=file.name)
+    return Evidence(file, picture)
+
+
+class HandedIn:
+    """The file to hand in and the mark of the clean run; shows itself."""
+
+    def __init__(self, file: Path, marked: Marked) -> None:
+        self.file = file
+        self.marked = marked
+
+    def _head(self) -> str:
+        of = sum(one.of for one in self.marked.verdicts)
+        return f"Hand in: {self.file.name} ({self.marked.total():g} of {of:g} points in a clean run)"
+
+    def __repr__(self) -> str:
+        return "\n".join([self._head(), *(one.text() for one in self.marked.verdicts)])
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{html.escape(self._head())}</b></p>" + "".join(one.html() for one in self.marked.verdicts)
+
+
+def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
+    """Run the saved notebook afresh, show its mark, and write the one file that is handed in.
+
+    `notebook` need not be said in JupyterLab. Raises an error when what was run is not what is saved.
+    """
+    if os.environ.get("COURSEKIT_GRADING"):
+        return None  # this is the clean run
+    who, file = student(by), _notebook(notebook)
+    _expect_saved(file)
+    events.note(course_folder() / ".coursekit" / EVENTS, "hand_in", notebook=file.name)
+    made, marked = make_parcel(file, course_folder(), who, course_folder())
+    return HandedIn(made, marked)
+
+
+def _notebook(given: str | Path) -> Path:
+    """The notebook's file: as said, or as JupyterLab or VS Code says, or the only one here."""
+    shell = running_shell()
+    told = [given, shell.user_ns.get("__vsc_ipynb_file__", "") if shell else "", os.environ.get("JPY_SESSION_NAME", "")]
+    for one in told:
+        for place in (Path(one), course_folder() / one) if one else ():
+            if place.suffix == ".ipynb" and place.is_file():
+                return place.resolve()
+    found = sorted(Path.cwd().glob("*.ipynb")) or sorted(course_folder().glob("*.ipynb"))
+    if len(found) == 1 and not given:
+        return found[0].resolve()
+    names = ", ".join(one.name for one in found) or "none"
+    raise FileNotFoundError(f'Which notebook? Say it: hand_in("02_topics.ipynb"). There are: {names}.')
+
+
+def _expect_saved(file: Path) -> None:
+    ran = last_runs()
+    saved = {str(cell.get("id", "")): "".join(cell["source"]) for cell in read_notebook(file)["cells"]}
+    changed = [cell for cell, text in ran.items() if cell in saved and text.strip() != saved[cell].strip()]
+    if changed or not set(list(ran)[-1:]) <= set(saved):
+        raise RuntimeError(f"{file.name} is not saved as it was run: press Ctrl+S, then run this cell again.")

@@ -1,0 +1,110 @@
+"""What is handed in tells every change: a byte, a file, the order, a mark that was not earned."""
+
+import io
+import json
+import random
+import zipfile
+
+import pytest
+
+from coursekit.cli.coursekit import main
+from coursekit.grade import events
+from coursekit.grade.handing_in import make_parcel, verify
+from coursekit.grade.mark import mark
+from coursekit.grade.parcel import pack_parcel, parcel_faults, read_parcel
+from coursekit.grade.sandbox import Limits
+from coursekit.grade.submissions import Submission
+
+from .test_attacks import RIGHT, cells
+
+
+@pytest.fixture(scope="module")
+def parcel(tmp_path_factory):
+    """A parcel with a notebook, a picture and a log."""
+    course = tmp_path_factory.mktemp("course")
+    (course / "evidence").mkdir()
+    (course / "evidence" / "VeraCourse_evidence_s2.png").write_bytes(bytes(range(256)))
+    (course / "evidence" / "private.png").write_bytes(b"mine")
+    for points in (0, 1):
+        events.note(course / ".coursekit" / "events.jsonl", "check", name="ch02.q1", points=points)
+    (course / "names.ipynb").write_text(json.dumps(cells(RIGHT)))
+    file, marked = make_parcel(course / "names.ipynb", course, "Vera Course", course)
+    assert (file.name, marked.total()) == ("VeraCourse_names.zip", 1)
+    return file
+
+
+def test_a_parcel_as_it_was_made_has_no_faults(parcel, capsys):
+    manifest, files = read_parcel(parcel.read_bytes())
+    assert set(files) == {"names.ipynb", "events.jsonl", "evidence/VeraCourse_evidence_s2.png"}
+    assert (manifest["points"], manifest["of"], manifest["student"]) == (1, 1, "Vera Course")
+    assert verify(parcel)[0] == []
+    assert main(["verify", str(parcel), "--no-run"]) == 0
+    assert "Nothing was changed" in capsys.readouterr().out
+
+
+def test_every_flipped_byte_is_found(parcel):
+    data = parcel.read_bytes()
+    places = {*range(60), *range(len(data) - 60, len(data)), *random.Random(1).sample(range(len(data)), 400)}
+    for place in places:
+        changed = bytearray(data)
+        changed[place] ^= 1 << (place % 8)
+        assert parcel_faults(bytes(changed)), place
+
+
+def zipped(files):
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w") as packed:
+        for name, content in files:
+            packed.writestr(name, content)
+    return made.getvalue()
+
+
+def test_files_that_are_taken_out_put_in_changed_or_moved_are_found(parcel):
+    with zipfile.ZipFile(parcel) as opened:
+        files = [(name, opened.read(name)) for name in opened.namelist()]
+    for number in range(len(files)):
+        assert parcel_faults(zipped(files[:number] + files[number + 1 :]))
+        name, content = files[number]
+        assert parcel_faults(zipped([*files[:number], (name, content + b" "), *files[number + 1 :]]))
+    assert parcel_faults(zipped([*files, ("more.txt", b"")])) == ["more.txt: was put in afterwards"]
+    assert parcel_faults(zipped(files[::-1])) == ["the zip was packed anew"]
+
+
+def test_events_that_are_changed_or_reordered_are_found(parcel):
+    _, files = read_parcel(parcel.read_bytes())
+    lines = files["events.jsonl"].decode().splitlines()
+    assert events.faults(lines) == []
+    assert "does not follow" in events.faults(lines[::-1])[0]
+    assert "does not follow" in events.faults(lines[1:])[0]
+    assert "was changed" in events.faults([lines[0].replace('"points": 0', '"points": 1'), lines[1]])[0]
+
+
+def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, tmp_path, capsys):
+    manifest, files = read_parcel(parcel.read_bytes())
+    files["names.ipynb"] = json.dumps(cells("raise NotImplementedError()")).encode()
+    facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
+    forged = tmp_path / "forged.zip"
+    forged.write_bytes(pack_parcel(files, facts))
+    assert parcel_faults(forged.read_bytes()) == []
+    assert main(["verify", str(forged)]) == 1
+    said = capsys.readouterr().out
+    assert "ch02.q1: 1 points are recorded, a clean run earns 0" in said and "its cells are not those" in said
+
+
+def test_a_parcel_is_a_submission_and_its_faults_are_told_to_the_teacher(parcel, tmp_path):
+    from coursekit.grade.exercise import find
+
+    with zipfile.ZipFile(parcel) as opened:
+        files = [(name, opened.read(name) + b"!" * name.endswith(".png")) for name in opened.namelist()]
+    changed = tmp_path / "vera.zip"
+    changed.write_bytes(zipped(files))
+    marked = mark(Submission("vera", changed), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
+    assert marked.total() == 1 and marked.notes == ["evidence/VeraCourse_evidence_s2.png: was changed"]
+
+
+def test_what_is_no_parcel_is_said(tmp_path):
+    (tmp_path / "x.zip").write_bytes(b"PK")
+    faults, marked = verify(tmp_path / "x.zip")
+    assert "no parcel made by hand_in()" in faults[0] and marked is None
+    with pytest.raises(SystemExit, match="There is no file"):
+        main(["verify", str(tmp_path / "y.zip")])

@@ -1,0 +1,85 @@
+"""Evidence and handing in, in a kernel without a browser."""
+
+import json
+
+import nbformat
+import pytest
+
+from coursekit.grade.parcel import parcel_faults, read_parcel
+from coursekit.lab.handing_in import _expect_saved, _notebook, evidence
+
+from ..notebooks.running import run
+
+CELLS = [
+    "from coursekit.lab import *",
+    "%ros2 run demo_nodes_py talker &",
+    "wait(2.1)",
+    'evidence("s1", graph(), terminal("talker"), by="Vera de la Course")',
+    'evidence("s1_2.pdf", "my own words")',
+    'me = "x"\n### nothing\nprint(evidence("s1_3", turtlesim_window.__name__))',
+]
+
+
+@pytest.fixture
+def book(tmp_path):
+    """Runs cells as a notebook that lies saved in the course's folder."""
+
+    def book(*texts):
+        notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(text) for text in texts])
+        nbformat.write(notebook, tmp_path / "mine.ipynb")
+        return notebook
+
+    return book
+
+
+@pytest.mark.timeout(240)
+def test_evidence_is_written_and_handed_in(book, tmp_path):
+    check = nbformat.v4.new_code_cell('check("ch00.q1")')
+    notebook = book(*CELLS, 'me = "Vera Course"', check.source, 'done = hand_in("mine.ipynb")\nprint(done)')
+    run(notebook, tmp_path)
+    pictures = {file.name: file.read_bytes() for file in (tmp_path / "evidence").iterdir()}
+    assert set(pictures) == {f"VeraDeLaCourse_evidence_{name}" for name in ("s1.png", "s1_2.pdf", "s1_3.png")}
+    assert pictures["VeraDeLaCourse_evidence_s1.png"].startswith(b"\x89PNG")
+    assert pictures["VeraDeLaCourse_evidence_s1_2.pdf"].startswith(b"%PDF")
+    text = notebook.cells[-1].outputs[0]["text"]
+    assert text.startswith("Hand in: VeraDeLaCourse_mine.zip (1 of 1 points in a clean run)"), text
+    data = (tmp_path / "VeraDeLaCourse_mine.zip").read_bytes()
+    manifest, files = read_parcel(data)
+    assert parcel_faults(data) == [] and manifest["student"] == "Vera de la Course"
+    assert [json.loads(line)["event"] for line in files["events.jsonl"].decode().splitlines()] == [
+        "evidence", "evidence", "evidence", "check", "hand_in",
+    ]  # fmt: skip
+
+
+def test_a_notebook_that_is_not_saved_is_not_handed_in(tmp_path, monkeypatch):
+    cells = [nbformat.v4.new_code_cell("a = 1", id="one"), nbformat.v4.new_code_cell("hand_in()", id="two")]
+    file = tmp_path / "mine.ipynb"
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), file)
+    for ran in ({"one": "a = 2", "two": "hand_in()"}, {"one": "a = 1", "new": "hand_in()"}):
+        monkeypatch.setattr("coursekit.lab.handing_in.last_runs", lambda ran=ran: ran)
+        with pytest.raises(RuntimeError, match=r"press Ctrl\+S"):
+            _expect_saved(file)
+    for ran in ({}, {"one": "a = 1 ", "two": "hand_in()"}, {"deleted": "b", "two": "hand_in()"}):
+        monkeypatch.setattr("coursekit.lab.handing_in.last_runs", lambda ran=ran: ran)
+        _expect_saved(file)
+
+
+def test_the_notebook_is_found_or_those_that_there_are_are_named(tmp_path, monkeypatch):
+    monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
+    (tmp_path / "a.ipynb").touch()
+    assert _notebook("").name == "a.ipynb"
+    (tmp_path / "b.ipynb").touch()
+    with pytest.raises(FileNotFoundError, match="There are: a.ipynb, b.ipynb"):
+        _notebook("")
+    monkeypatch.setenv("JPY_SESSION_NAME", "b.ipynb")
+    assert _notebook("").name == "b.ipynb" and _notebook("a.ipynb").name == "a.ipynb"
+
+
+def test_wrong_names_of_evidence_and_nobody_s_name_are_told(tmp_path, monkeypatch):
+    monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
+    with pytest.raises(ValueError, match="Give the name"):
+        evidence("picture", "text")
+    with pytest.raises(ValueError, match="Whose is it"):
+        evidence("s1", "text")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core.session import current
 from coursekit.tf import TransformException
 from coursekit.view.frame_listening import listen_to_frames
 from coursekit.view.frame_tree import FrameTree
@@ -28,7 +27,7 @@ def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool
     try:
         buffer = listen_to_frames(hidden.node)
         hidden.session.clock.sleep(seconds)
-        return FrameTree(buffer, current().clock.now(), details=details)
+        return FrameTree(buffer, buffer.now(hidden.session.clock.now()), details=details)
     finally:
         hidden.close()
 
@@ -47,7 +46,7 @@ class FramesPanel(Panel):
 
     def picture(self) -> FrameTree:
         """The tree as it is now."""
-        return FrameTree(self._buffer, self.session.clock.now(), details=self._details)
+        return FrameTree(self._buffer, self._buffer.now(self.session.clock.now()), details=self._details)
 
     def where(self, frame: str) -> str:
         """Where a frame is in its parent and in the root of its tree."""

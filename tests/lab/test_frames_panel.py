@@ -1,12 +1,13 @@
 import pytest
 import rclpy
 from geometry_msgs.msg import TransformStamped
+from rclpy.duration import Duration
 
 from coursekit.core.session import Session
 from coursekit.lab.frames_panel import FramesPanel, frames
 
 
-def robot():
+def robot(behind_ns=0):
     from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
     rclpy.init()
@@ -19,7 +20,8 @@ def robot():
 
     def step():
         msg = TransformStamped(child_frame_id="base")
-        msg.header.frame_id, msg.header.stamp = "odom", node.get_clock().now().to_msg()
+        msg.header.frame_id = "odom"
+        msg.header.stamp = (node.get_clock().now() - Duration(nanoseconds=behind_ns)).to_msg()
         msg.transform.translation.y = 2.0
         moving.sendTransform(msg)
 
@@ -56,3 +58,15 @@ def test_the_live_panel_follows_and_tells_where_a_frame_is(session):
     ]
     assert "Broadcaster" in shown["svg"]
     panel.close()
+
+
+def test_simulated_time_is_no_fault_and_silence_is_one():
+    with Session(virtual=True).use() as session:
+        simulator = session.start(lambda: robot(1_700_000_000_000_000_000), name="robot")
+        panel = frames(live=True)
+        session.clock.sleep(3.0)
+        assert panel.text().splitlines() == TREE
+        simulator.interrupt()
+        session.clock.sleep(5.0)
+        assert "! base: nobody has told its pose in odom for 5." in panel.text()
+        panel.close()

@@ -18,6 +18,7 @@ from .process import Process, current_process
 _real_import = builtins.__import__
 _real_import_module = importlib.import_module
 _lock = threading.RLock()
+_path_lock = threading.Lock()
 _KEY = "coursekit.modules"
 
 
@@ -74,11 +75,14 @@ def top_level_names(folder: Path) -> Iterator[str]:
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:
     """Give `process` fresh modules of the packages in `folders`, which also come first on sys.path."""
     install()
-    for folder in reversed(folders):
-        if folder in sys.path:
-            sys.path.remove(folder)
-        sys.path.insert(0, folder)
+    _put_first(folders)
     process.locals[_KEY] = PrivateModules(folders)
+
+
+def _put_first(folders: Sequence[str]) -> None:
+    """Into a new list: another process that looks through the old one must not miss a folder that moves meanwhile."""
+    with _path_lock:
+        sys.path = list(dict.fromkeys([*folders, *sys.path]))
 
 
 def _private_of_caller(top: str) -> PrivateModules | None:

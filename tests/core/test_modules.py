@@ -1,0 +1,37 @@
+"""Processes that start at the same time do not hide each other's packages."""
+
+import sys
+
+import pytest
+
+from coursekit.core import modules
+from coursekit.core.process import current_process
+from coursekit.core.session import Session
+
+
+@pytest.fixture
+def path(monkeypatch):
+    monkeypatch.setattr(sys, "path", ["/old/a", "/old/b", "/old/c"])
+    return sys.path
+
+
+def started_with(*folders):
+    def main():
+        modules.use_private_modules(current_process(), list(folders))
+
+    with Session(virtual=True).use() as session:
+        process = session.start(main, name="starts")
+        assert process.wait(1.0) == 0, process.output
+
+
+def test_a_process_that_looks_for_its_package_misses_none_while_another_starts(path):
+    looking = iter(path)
+    seen = [next(looking)]
+    started_with("/old/b", "/new")
+    seen += looking
+    assert seen == ["/old/a", "/old/b", "/old/c"]
+
+
+def test_the_folders_of_the_newest_process_come_first_and_once(path):
+    started_with("/old/b", "/new")
+    assert sys.path == ["/old/b", "/new", "/old/a", "/old/c"]

@@ -12,11 +12,13 @@ from .joint_panel import joint_sliders
 from .kernel import reset, start
 from .log_console import log_console
 from .magics import edit, terminal, terminals, wait, workspace, workspace_environment
+from .map_view import map_view
 from .messages import echo
 from .pad import pad
 from .parameter_panel import parameter_panel
 from .service_panel import service_caller
 from .topic_panel import topic_panel
+from .tour import drive_along
 from .turtle import turtlesim_window
 from .viewer import viewer
 from .viewer_windows import show_rviz_windows
@@ -24,6 +26,7 @@ from .windows import show_new_windows, windows
 
 __all__ = [
     "check",
+    "drive_along",
     "echo",
     "edit",
     "evidence",
@@ -34,6 +37,7 @@ __all__ = [
     "image_view",
     "joint_sliders",
     "log_console",
+    "map_view",
     "pad",
     "parameter_panel",
     "progress",

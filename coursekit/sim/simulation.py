@@ -147,6 +147,12 @@ class Simulation:
         body = self._body(name)
         return Place(body.position.x, body.position.y, body.angle)
 
+    def start_of(self, name: str) -> Place:
+        """Where a robot or thing began, and goes back to at a reset; LookupError names near ones."""
+        if name not in self._starts:
+            raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
+        return self._starts[name]
+
     def velocity_of(self, name: str) -> tuple[float, float, float]:
         """How it moves in the world's frame: m/s, m/s, rad/s."""
         body = self._body(name)

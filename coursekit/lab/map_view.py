@@ -1,0 +1,129 @@
+"""A map as a picture, beside the true world and the ways that were driven."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from coursekit.nav.map_compare import Comparison, compare, outline_points
+from coursekit.nav.map_file import GridMap, load_map
+
+from .hidden import HiddenNode
+from .messages import listen
+from .simulated import robot_name, simulator
+from .tour import Tour
+
+WAIT_SECONDS = 5.0
+SCAN_HEIGHT = 0.175
+"""Where the true world is cut when nothing else is said [m]."""
+_COLOURS = {"truth": "#16a34a", "odometry": "#ea7317", "SLAM": "#2563eb"}
+
+
+class MapView:
+    """A map that was received or read; shows itself. `grid` has its cells, `comparison` how good it is, if that is known."""
+
+    def __init__(self, grid: GridMap, outline: np.ndarray | None, tour: Tour | None) -> None:
+        self.grid, self.outline, self.tour = grid, outline, tour
+        self.comparison: Comparison | None = None if outline is None else compare(grid, outline)
+
+    def __repr__(self) -> str:
+        cells = self.grid.cells
+        rows, columns = cells.shape
+        counts = f"{(cells > 65).sum()} walls, {((cells >= 0) & (cells <= 65)).sum()} free, {(cells < 0).sum()} unknown"
+        lines = [f"map of {columns} x {rows} cells of {self.grid.resolution:g} m: {counts}"]
+        return "\n".join(lines + ([str(self.comparison)] if self.comparison else []))
+
+    def _repr_png_(self) -> bytes:
+        return self.png()
+
+    def png(self, width: float = 8.0) -> bytes:
+        """The picture, `width` inches wide: white free, black wall, grey unknown; the true walls in red."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+
+        left, right, low, high = _window(self.grid)
+        figure: Any = Figure(figsize=(width, max(1.5, width * (high - low) / (right - left))), dpi=110)
+        axes = figure.add_axes((0.06, 0.07, 0.93, 0.92))
+        self._draw(axes)
+        axes.set(xlim=(left, right), ylim=(low, high), aspect="equal")
+        axes.tick_params(labelsize=7)
+        file = io.BytesIO()
+        FigureCanvasAgg(figure).print_png(file)
+        return file.getvalue()
+
+    def _draw(self, axes: Any) -> None:
+        x, y, _ = self.grid.origin
+        (rows, columns), cell = self.grid.cells.shape, self.grid.resolution
+        shades = np.where(self.grid.cells < 0, 0.8, 1.0 - self.grid.cells.clip(0) / 100)
+        extent = (x, x + columns * cell, y, y + rows * cell)
+        axes.imshow(shades, cmap="gray", vmin=0, vmax=1, origin="lower", extent=extent, interpolation="nearest")
+        if self.outline is not None:
+            axes.plot(*self.outline[::2].T, ".", color="#dc2626", markersize=0.6, label="true walls")
+        for name, track in self.tour.tracks.items() if self.tour else ():
+            if np.isfinite(track).any():
+                axes.plot(*track[:, :2].T, color=_COLOURS[name], linewidth=1.2, label=name)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(fontsize=7, loc="lower right", markerscale=8)
+
+
+def _window(grid: GridMap) -> tuple[float, float, float, float]:
+    """The known part and half a metre: left, right, low, high [m]."""
+    rows, columns = np.nonzero(grid.cells >= 0)
+    if not len(rows):
+        rows, columns = np.array([0, grid.cells.shape[0]]), np.array([0, grid.cells.shape[1]])
+    (x, y, _), cell = grid.origin, grid.resolution
+    (left, right), (low, high) = ((at.min() * cell - 0.5, at.max() * cell + 0.5) for at in (columns, rows))
+    return x + left, x + right, y + low, y + high
+
+
+def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
+    """Points (n, 2) of all true walls at a height [m], as seen from where a robot of the simulator began: map's frame."""
+    name, one = robot_name(robot), simulator()
+    one.advance()
+    scene = one.simulation.scene(height)
+    own = one.simulation.scene(height)
+    cuts = [scene.fixed, own.moving()]
+    points = np.concatenate([outline_points(cut.edges, cut.circles) for cut in cuts])
+    here = one.simulation.place_of(name)
+    off = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)
+    found: np.ndarray = one.simulation.start_of(name).inverse().move(points[off > _reach(one.simulation.robots[name])])
+    return found
+
+
+def _reach(robot: Any) -> float:
+    """A circle about the robot's middle that holds all of it [m]."""
+    corners = [part.corners() for part in robot.model.parts]
+    return float(np.hypot(*np.concatenate(corners).T).max()) + 0.02 if corners else 0.0
+
+
+def map_view(source: str | Path = "/map", *, truth: bool = False, tour: Tour | None = None, robot: str = "") -> MapView:
+    """A map as a picture: of a topic, or of a .yaml file.
+
+    `truth` lays the walls of the simulated world over it and says how well they agree; `tour` draws what `drive_along`
+    noted. LookupError: there is no such topic; TimeoutError: nothing came; MapError: the file is no map.
+    """
+    name = str(source)
+    grid = load_map(name) if name.endswith((".yaml", ".yml")) else _heard(name)
+    return MapView(grid, true_outline(robot) if truth else None, tour)
+
+
+def _heard(topic: str) -> GridMap:
+    from coursekit.nodes.nav2.map_message import from_message
+
+    hidden = HiddenNode("map_view")
+    came, kept = hidden.session.clock.new_event(), []
+
+    def keep(msg: Any) -> None:
+        kept.append(msg)
+        came.set()
+
+    try:
+        listen(hidden, topic, keep)
+        if not came.wait(WAIT_SECONDS):
+            raise TimeoutError(f"No map came on {topic} within {WAIT_SECONDS:g} s. Is there a scan, and a frame for it?")
+        return from_message(kept[-1])
+    finally:
+        hidden.close()

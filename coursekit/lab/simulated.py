@@ -1,0 +1,27 @@
+"""The simulator that runs in this notebook, and its robots: what only a simulation can know."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.core.session import current
+
+
+def simulator() -> Any:
+    """The newest running simulator; LookupError when none runs."""
+    from coursekit.nodes.gazebo.simulators import running
+
+    found = running(current())
+    if not found:
+        raise LookupError("No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py world:=robot_world &")
+    return found[-1]
+
+
+def robot_name(name: str = "") -> str:
+    """That robot, or the only one; LookupError names those there are."""
+    robots = list(simulator().simulation.robots)
+    if name in robots or (not name and len(robots) == 1):
+        return name or robots[0]
+    if not robots:
+        raise LookupError("No robot yet. Spawn one: %ros2 run gazebo_ros spawn_entity.py -entity NAME -file FILE")
+    raise LookupError(f"Which robot? Say robot=NAME. There are: {', '.join(robots)}.")

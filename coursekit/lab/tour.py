@@ -1,0 +1,129 @@
+"""Driving a robot along points as somebody does who stands beside it, and noting where it believed to be meanwhile."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from coursekit.core.session import current
+from coursekit.sim.place import Place, wrap
+
+from .drive import Driver
+from .hidden import HiddenNode
+from .simulated import robot_name, simulator
+
+BEAT_SECONDS = 0.1
+"""How often the one who drives looks up."""
+NEAR = 0.3
+"""So close [m] counts as reached."""
+PATIENCE_SECONDS = 6.0
+"""Without coming nearer for so long, something is in the way."""
+TURN = 1.5
+"""The fastest turn [rad/s]."""
+_BELIEFS = {"odometry": "odom", "SLAM": "map"}
+
+
+class Tour:
+    """A robot's way: where it was in truth, and where odometry and SLAM believed it to be; all as seen from its start.
+
+    `tracks` has arrays (n, 3) of x [m], y [m], yaw [rad] under 'truth', 'odometry' and 'SLAM'; NaN where nobody said.
+    """
+
+    def __init__(self, name: str, base: str) -> None:
+        self.name = name
+        self._base = base
+        self._simulator = simulator()
+        self._start: Place = self._simulator.simulation.start_of(name).inverse()
+        self._noted: dict[str, list[tuple[float, float, float]]] = {"truth": [], "odometry": [], "SLAM": []}
+        self.seconds = 0.0
+
+    @property
+    def tracks(self) -> dict[str, np.ndarray]:
+        """What was noted, ten times a second."""
+        return {name: np.array(track, float).reshape(-1, 3) for name, track in self._noted.items()}
+
+    @property
+    def length(self) -> float:
+        """Metres driven."""
+        return float(np.hypot(*np.diff(self.tracks["truth"][:, :2], axis=0).T).sum())
+
+    def error(self, who: str) -> float:
+        """How far off 'odometry' or 'SLAM' was at the end [m]; NaN when it did not say."""
+        tracks = self.tracks
+        return float(np.hypot(*(tracks[who][-1, :2] - tracks["truth"][-1, :2])))
+
+    def look(self, buffer: Any) -> Place:
+        """Note the truth and the beliefs of now; the true place in the world."""
+        self._simulator.advance()
+        here: Place = self._simulator.simulation.place_of(self.name)
+        x, y, yaw = self._start @ here
+        self._noted["truth"].append((x, y, yaw))
+        for name, frame in _BELIEFS.items():
+            self._noted[name].append(_belief(buffer, frame, self._base))
+        return here
+
+    def __repr__(self) -> str:
+        said = [f"{name} {self.error(name):.2f} m" for name in _BELIEFS if not math.isnan(self.error(name))]
+        off = f"; at the end off by: {', '.join(said)}" if said else ""
+        return f"drove {self.length:.1f} m in {self.seconds:.0f} s{off}"
+
+
+def _belief(buffer: Any, frame: str, base: str) -> tuple[float, float, float]:
+    from rclpy.time import Time
+    from tf2_ros import TransformException
+
+    try:
+        found = buffer.lookup_transform(frame, base, Time()).transform
+    except TransformException:
+        return math.nan, math.nan, math.nan
+    return found.translation.x, found.translation.y, 2 * math.atan2(found.rotation.z, found.rotation.w)
+
+
+def drive_along(
+    points: Iterable[tuple[float, float]],
+    speed: float = 0.5,
+    *,
+    robot: str = "",
+    topic: str = "/cmd_vel",
+    base: str = "base_footprint",
+) -> Tour:
+    """Drive a simulated robot from point to point, x and y in the world [m], as one who sees it; `speed` in m/s.
+
+    It publishes geometry_msgs/Twist on `topic`. LookupError: no simulator or robot; RuntimeError: it is stuck, and where.
+    """
+    from tf2_ros import Buffer, TransformListener
+
+    tour = Tour(robot_name(robot), base)
+    hidden, driver = HiddenNode("tour"), Driver(topic, speed, TURN, "tour")
+    begin = current().clock.steady()
+    try:
+        buffer = Buffer()
+        listener = TransformListener(buffer, hidden.node)
+        current().clock.sleep(BEAT_SECONDS)
+        for x, y in points:
+            _go(tour, driver, buffer, x, y)
+        driver.stop()
+        current().clock.sleep(5 * BEAT_SECONDS)
+        tour.look(buffer)
+        listener.unregister()
+    finally:
+        tour.seconds = (current().clock.steady() - begin) * 1e-9
+        driver.leave()
+        hidden.close()
+    return tour
+
+
+def _go(tour: Tour, driver: Driver, buffer: Any, x: float, y: float) -> None:
+    clock = current().clock
+    best, since = math.inf, clock.steady()
+    while (gap := math.hypot(x - (here := tour.look(buffer)).x, y - here.y)) > NEAR:
+        off = wrap(math.atan2(y - here.y, x - here.x) - here.theta)
+        driver.drive(max(0.0, math.cos(off)) ** 3, 0.0, max(-1.0, min(1.0, 2 * off / TURN)))
+        if gap < best - 0.05 or abs(off) > 0.5:
+            best, since = min(gap, best), clock.steady()
+        elif clock.steady() - since > PATIENCE_SECONDS * 1e9:
+            raise RuntimeError(f"stuck at ({here.x:.1f}, {here.y:.1f}) on the way to ({x:g}, {y:g}): what is in the way?")
+        clock.sleep(BEAT_SECONDS)

@@ -35,7 +35,7 @@ def generate_launch_description():
     description = ParameterValue(Command(["xacro ", file]), value_type=str)
     place = ["-x", given["x"], "-y", given["y"], "-Y", given["yaw"]]
     spawn = ["-topic", "robot_description", "-entity", given["robot"], *place]
-    declared = [DeclareLaunchArgument(one, default_value=value, description=text) for one, (value, text) in ARGUMENTS.items()]
+    declared = [DeclareLaunchArgument(name, default_value=one, description=text) for name, (one, text) in ARGUMENTS.items()]
     return LaunchDescription(
         [
             *declared,

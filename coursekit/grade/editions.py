@@ -12,7 +12,12 @@ ENGLISH = "en"
 
 def languages(notebooks: Path) -> list[str]:
     """The languages that there is at least one chapter in."""
-    return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if any(path.glob("*.ipynb")))]
+    return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if _is_language(path) and any(path.glob("*.ipynb")))]
+
+
+def _is_language(folder: Path) -> bool:
+    """`es` or `pt_BR` is one; `teacher` holds what students do not get."""
+    return len(folder.name.partition("_")[0]) in (2, 3)
 
 
 def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:

@@ -45,3 +45,11 @@ def test_a_release_takes_a_language(notebooks, tmp_path):
     out = tmp_path / "week1"
     assert main(["release", "01", "--language", "es", "--notebooks", str(notebooks), "--out", str(out)]) == 0
     assert texts(out) == ["Hola"]
+
+
+def test_the_teacher_s_notebook_is_no_language_and_never_handed_out(notebooks, tmp_path):
+    (notebooks / "teacher").mkdir()
+    (notebooks / "teacher" / "teacher.ipynb").write_text((notebooks / "01_a.ipynb").read_text())
+    assert languages(notebooks) == ["en", "es"]
+    Course(tmp_path / "course").update(notebooks)
+    assert not list((tmp_path / "course").rglob("teacher*"))

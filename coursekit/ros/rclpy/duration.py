@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from builtin_interfaces.msg import Duration as DurationMsg
+from builtin_interfaces.msg import Duration as DurationMsg
 
 _NS = 10**9
 _LARGEST = 2**63 - 1
@@ -67,16 +66,12 @@ class Duration:
 
     def to_msg(self) -> DurationMsg:
         """Return it as builtin_interfaces/msg/Duration (nanosec never negative)."""
-        from builtin_interfaces.msg import Duration as DurationMsg
-
         seconds, nanoseconds = divmod(self._ns, _NS)
         return DurationMsg(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, msg: Any) -> Duration:
         """Return the duration of a builtin_interfaces/msg/Duration; TypeError for anything else."""
-        from builtin_interfaces.msg import Duration as DurationMsg
-
         if not isinstance(msg, DurationMsg):
             raise TypeError("Must pass a builtin_interfaces.msg.Duration object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from builtin_interfaces.msg import Time as TimeMsg
 
 from rclpy._rclpy_pybind11 import ClockType
 from rclpy.duration import Duration
-
-if TYPE_CHECKING:
-    from builtin_interfaces.msg import Time as TimeMsg
 
 CONVERSION_CONSTANT = 10**9
 """Nanoseconds in a second."""
@@ -113,16 +112,12 @@ class Time:
 
     def to_msg(self) -> TimeMsg:
         """Return it as builtin_interfaces/msg/Time (the kind of clock is not kept)."""
-        from builtin_interfaces.msg import Time as TimeMsg
-
         seconds, nanoseconds = divmod(self._ns, CONVERSION_CONSTANT)
         return TimeMsg(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
         """Return the time of a builtin_interfaces/msg/Time; TypeError for anything else."""
-        from builtin_interfaces.msg import Time as TimeMsg
-
         if not isinstance(msg, TimeMsg):
             raise TypeError("Must pass a builtin_interfaces.msg.Time object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)

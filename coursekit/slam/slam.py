@@ -98,6 +98,10 @@ class Slam:
             return self._start
         return self.graph.pose(self.tracker.base) @ self.tracker.from_keyframe()
 
+    def begin_at(self, pose: Pose2) -> None:
+        """Where the robot is in the map when its first scan comes; later it changes nothing."""
+        self._start = pose
+
     def _add_keyframe(self, scan: Scan, found: Refined) -> None:
         """Remember a scan, tie it to the one before."""
         tracker = self.tracker

@@ -42,7 +42,9 @@ class Mapping:
         return self.slam.pose
 
     def add(self, scan: Scan, odometry: Pose2) -> Result:
-        """Take a scan."""
+        """Take a scan; with the first one the map's frame is that of the odometry, as in slam_toolbox."""
+        if not self.slam.keyframes:
+            self.slam.begin_at(odometry)
         return self.slam.add(scan, odometry)
 
     def grid(self) -> GridMap | None:

@@ -72,3 +72,5 @@ def fail_first(client, cells, index, texts):
                     break
                 continue  # a wrong answer may break cells before the check
             assert not is_check, f"a wrong answer to {name} passes: {text}"
+        else:
+            pytest.fail(f"no check with the grade_id {name}-check stands below {name}")

@@ -69,9 +69,7 @@ WRONG = {
         _cart(axis="0 0 1"),
         _cart(lift="0.21"),
         _cart(up="1 0 0"),
-        _cart(most="40"),
         _cart(child="lift_lnk"),
-        _cart(kind="fixed"),
         _cart().replace("</robot>", ""),
     ],
     "ch06.q2": [
@@ -92,7 +90,6 @@ WRONG = {
     "ch06.q4": [
         _own(collision=""),
         _own(far="30"),
-        _own(far="3"),
         _own(height="0.2"),
         _own(slides="continuous"),
         _own(reach="0.01"),

@@ -50,10 +50,15 @@ class Tour:
         """Metres driven."""
         return float(np.hypot(*np.diff(self.tracks["truth"][:, :2], axis=0).T).sum())
 
-    def error(self, who: str) -> float:
-        """How far off 'odometry' or 'SLAM' was at the end [m]; NaN when it did not say."""
+    def errors(self, who: str) -> np.ndarray:
+        """How far off 'odometry' or 'SLAM' was [m], ten times a second; NaN while it did not say."""
         tracks = self.tracks
-        return float(np.hypot(*(tracks[who][-1, :2] - tracks["truth"][-1, :2])))
+        off: np.ndarray = np.hypot(*(tracks[who] - tracks["truth"])[:, :2].T)
+        return off
+
+    def error(self, who: str) -> float:
+        """How far off it was at the end [m]."""
+        return float(self.errors(who)[-1])
 
     def look(self, buffer: Any) -> Place:
         """Note the truth and the beliefs of now; the true place in the world."""

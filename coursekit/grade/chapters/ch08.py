@@ -1,0 +1,258 @@
+"""Chapter 8: an inverse sensor model, a ray caster, a scan matcher and an explorer, each beside the truth."""
+
+from __future__ import annotations
+
+import math
+import random
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from coursekit.grade.exercise import exercise
+from coursekit.grade.verdict import Wrong
+from coursekit.grade.work import Work
+
+if TYPE_CHECKING:
+    import numpy as np
+
+CELL, MOST_GOALS = 0.05, 120
+PLACES = [(0.0, 0.0), (2.4, -0.4), (4.2, 0.6), (3.6, 2.4), (2.2, 3.4), (0.6, 2.4), (0.4, 1.2)]
+"""In robot_world, from where it is mapped."""
+
+
+def _world(name: str) -> Path:
+    from ament_index_python.packages import get_package_share_directory
+
+    return Path(get_package_share_directory("coursekit_maps")) / "worlds" / f"{name}.yaml"
+
+
+@exercise(
+    "ch08.q1",
+    "The inverse sensor model",
+    points=2,
+    hints=(
+        "Three cases: the cell lies before the end of the beam, at it, or behind it. What does the beam know of each?",
+        "The cell at the end reaches half a cell before and behind its middle; allow a little more for the noise.",
+    ),
+)
+def sensor_model(work: Work) -> None:
+    """Signs and silence in the right places; then a room is mapped with it."""
+    model = work.function("inverse_sensor_model")
+    _judge_signs(model)
+    _judge_passer_by(model)
+    _judge_room(model)
+
+
+def _added(model: Any, r: float, z: float) -> float:
+    got = model(r, z)
+    if isinstance(got, bool) or not isinstance(got, int | float) or not math.isfinite(got):
+        raise Wrong(f"a finite number from inverse_sensor_model({r:g}, {z:g})", f"{got!r:.60}", "A return in each case?")
+    return float(got)
+
+
+def _judge_signs(model: Any) -> None:
+    for z in (1.0, 2.5, 7.0):
+        before, at, behind = (_added(model, r, z) for r in (z / 2, z, z + 1.0))
+        if before >= 0:
+            raise Wrong(
+                f"less than 0 at {z / 2:g} m, when the beam ended at {z:g} m", f"{before:g}", "It went through there."
+            )
+        if at <= 0:
+            raise Wrong(f"more than 0 where the beam ended, at {z:g} m", f"{at:g}", "There it met something.")
+        if behind != 0:
+            raise Wrong(f"0 for a cell 1 m behind the end at {z:g} m", f"{behind:g}", "No beam has been there.", share=0.25)
+    if _added(model, 3.0, math.inf) >= 0:
+        raise Wrong("less than 0 for a cell that a beam went through that met nothing", f"{_added(model, 3.0, math.inf):g}")
+
+
+def _judge_passer_by(model: Any) -> None:
+    left = 5 * _added(model, 2.0, 2.0) + 15 * _added(model, 2.0, 4.0)
+    if left >= -0.4:
+        cause = "A wall must not count so much more than a free cell."
+        raise Wrong("a free floor after 5 beams met a person and 15 passed", f"log-odds {left:.2f}", cause, share=0.5)
+    stays = 5 * _added(model, 2.0, 2.0) + 5 * _added(model, 2.0, 4.0)
+    if stays <= 0:
+        cause = "One beam that slips past a thin wall must not count as much as one that meets it."
+        raise Wrong("still a wall after 5 beams met it and 5 slipped past", f"log-odds {stays:.2f}", cause, share=0.5)
+
+
+def _judge_room(model: Any) -> None:
+    from coursekit.nav.map_compare import compare, outline_points
+    from coursekit.nav.map_file import GridMap
+    from coursekit.sim import load_world
+
+    cut = load_world(_world("robot_world")).cut(0.2)
+    cells, corner = _mapped(model, cut)
+    try:
+        told = compare(GridMap(cells, CELL, corner), outline_points(cut.edges, cut.circles))
+    except ValueError as why:
+        raise Wrong("a map of robot_world that has walls and free cells", str(why), share=0.25) from None
+    if told.thickness > 0.14 or told.false > 0.05:
+        cause = "Walls grow thick when cells well before or behind the end count as wall."
+        raise Wrong("walls about a cell or two thick in the map of robot_world", str(told), cause, share=0.5)
+    if told.iou < 0.8:
+        cause = "Walls get lost when the end of the beam misses its cell: the noise is 1 cm, a cell 5 cm."
+        raise Wrong("nearly all walls in the map of robot_world", str(told), cause, share=0.5)
+
+
+def _mapped(model: Any, cut: Any) -> tuple[np.ndarray, tuple[float, float, float]]:
+    import numpy as np
+
+    from coursekit.sim import Lidar, Place
+
+    odds, corner, chance = np.zeros((160, 180)), (-2.0, -2.0, 0.0), np.random.default_rng(8)
+    lidar = Lidar(noise=0.01)
+    for x, y in PLACES:
+        place = Place(x, y, 0.0)
+        for k, z in enumerate(lidar.measure(lidar.look(cut, place), chance)):
+            _add_beam(model, odds, (x - corner[0], y - corner[1]), k * lidar.step, float(z))
+    return np.where(odds > 0.4, 100, np.where(odds < -0.4, 0, -1)).astype(np.int8), corner
+
+
+def _add_beam(model: Any, odds: np.ndarray, start: tuple[float, float], angle: float, z: float) -> None:
+    """Ask the model about each cell that a beam crosses, and some behind its end."""
+    c, s, seen = math.cos(angle), math.sin(angle), set()
+    for step in range(int((min(z, 6.0) + 0.3) / 0.025)):
+        at = (int((start[1] + step * 0.025 * s) // CELL), int((start[0] + step * 0.025 * c) // CELL))
+        if at in seen or not (0 <= at[0] < odds.shape[0] and 0 <= at[1] < odds.shape[1]):
+            continue
+        seen.add(at)
+        along = ((at[1] + 0.5) * CELL - start[0]) * c + ((at[0] + 0.5) * CELL - start[1]) * s
+        odds[at] += _added(model, along, z)
+
+
+@exercise(
+    "ch08.q2",
+    "The ray caster",
+    points=2,
+    hints=(
+        "Two equations, two unknowns, t and s. Cross products (a*d - b*c) solve them without much writing.",
+        "A parallel wall gives a division by zero: leave it out. A negative t lies behind the ray's start.",
+    ),
+)
+def ray_caster(work: Work) -> None:
+    """The same distances as the simulator's LiDAR, in rooms and among random walls."""
+    from coursekit.sim import load_world
+
+    cast = work.function("cast_ray")
+    _judge_single(cast)
+    dice = random.Random(82)
+    room = [tuple(one) for one in load_world(_world("robot_world")).cut(0.2).edges.tolist()]
+    for walls in (room, [tuple(dice.uniform(-6, 6) for _ in range(4)) for _ in range(12)]):
+        for _ in range(60):
+            _judge_ray(cast, walls, dice.uniform(-1, 5), dice.uniform(-1, 4), dice.uniform(-7, 7), dice.uniform(1, 9))
+
+
+def _judge_single(cast: Any) -> None:
+    wall = [(2.0, -1.0, 2.0, 1.0)]
+    told = "one wall from (2, -1) to (2, 1), seen from (0, 0)"
+    for angle, need, cause in (
+        (0.0, 2.0, "A wall straight ahead."),
+        (math.pi, math.inf, "It lies behind: t is negative there."),
+        (1.0, math.inf, "The ray passes beside it: s is beyond 0 to 1 there."),
+        (math.pi / 2, math.inf, "The ray is parallel to it."),
+    ):
+        _same(cast(wall, 0.0, 0.0, angle), need, f"{told} at angle {angle:.2f}", cause)
+    _same(cast(wall, 0.0, 0.0, 0.0, 1.5), math.inf, f"{told} with range_max 1.5", "It is further than range_max.")
+    _same(cast([*wall, (1.0, -1.0, 1.0, 1.0)], 0.0, 0.0, 0.0), 1.0, f"{told}, and another at x = 1", "Which is the nearest?")
+
+
+def _judge_ray(cast: Any, walls: Any, x: float, y: float, angle: float, reach: float) -> None:
+    import numpy as np
+
+    from coursekit.sim import Cut, Lidar, Place
+
+    lidar = Lidar(beams=1, angle_min=0.0, angle_max=0.0, range_min=0.0, range_max=50.0)
+    truth = float(lidar.look(Cut(np.array(walls), np.zeros((0, 3))), Place(x, y, angle))[0])
+    truth = truth if truth <= reach else math.inf
+    if abs(truth - reach) > 1e-6:
+        told = f"{len(walls)} walls from ({x:.2f}, {y:.2f}) at {angle:.2f} rad"
+        _same(cast(walls, x, y, angle, reach), truth, told, share=0.5)
+
+
+def _same(got: Any, need: float, told: str, cause: str = "", share: float = 0.0) -> None:
+    fine = isinstance(got, int | float) and (got == need or abs(got - need) < 1e-6)
+    if not fine:
+        raise Wrong(f"{need:.4g} m for {told}", f"{got!r:.40}", cause, share=share)
+
+
+@exercise(
+    "ch08.q3",
+    "A scan matcher",
+    points=3,
+    hints=(
+        "First turn the points by the heading, then move them by x and y. points @ array does all of them in one go.",
+        "Coarse first: steps of 10 cm and 0.05 rad over the whole window; then halve the steps around the best pose.",
+    ),
+)
+def scan_matcher(work: Work) -> None:
+    """Poses beside the truth, in three worlds."""
+    from coursekit.grade.matching import Puzzle
+
+    match = work.function("match")
+    worlds = 2 * ("office", "robot_world", "tec_warehouse")
+    found = [_try_match(match, Puzzle(_world(name), number), f"{name} {number}") for number, name in enumerate(worlds, 1)]
+    bad = [one for one in found if one[0] > 0.03 or one[1] > 0.02]
+    if bad:
+        off, turned, told = max(bad)
+        cause = "Does it still stand where the guess was?" if off > 0.15 else "Near, but not there: finer steps at the end?"
+        share = 0.0 if len(bad) == len(found) else 0.5
+        seen = f"{len(bad)} are not; {told} is {off:.3f} m and {turned:.3f} rad off"
+        raise Wrong("all six scans to 3 cm and 0.02 rad", seen, cause, share=share)
+
+
+def _try_match(match: Any, puzzle: Any, told: str) -> tuple[float, float, str]:
+    import numpy as np
+
+    got = match(puzzle.points.copy(), puzzle.gap, puzzle.guess)
+    try:
+        x, y, heading = (float(one) for one in np.asarray(got, float).reshape(3))
+    except (TypeError, ValueError):
+        raise Wrong("three numbers (x, y, heading) from match", f"{got!r:.60}") from None
+    turned = abs((heading - puzzle.truth[2] + math.pi) % (2 * math.pi) - math.pi)
+    return math.hypot(x - puzzle.truth[0], y - puzzle.truth[1]), turned, told
+
+
+@exercise(
+    "ch08.q4",
+    "An explorer",
+    points=3,
+    hints=(
+        "scipy.ndimage.label gives each connected area of free cells a number: only those with hers can be reached.",
+        "scipy.ndimage.binary_dilation makes the unknown one cell larger: where that meets free cells is the frontier.",
+    ),
+)
+def explorer(work: Work) -> None:
+    """It goes where it can, and sees nearly all."""
+    next_goal = work.function("next_goal")
+    for name in ("robot_world", "office", "tec_warehouse"):
+        _explore(next_goal, name)
+
+
+def _explore(next_goal: Any, name: str) -> None:
+    from coursekit.grade.exploring import Unseen
+
+    world, goals = Unseen(_world(name)), 0
+    while goals < MOST_GOALS and world.known() < 0.95:
+        got = next_goal(world.cells.copy(), world.here)
+        if got is None:
+            break
+        goals += 1
+        world.go(_allowed(world, got, name))
+    if (known := world.known()) < 0.95:
+        what = f"{known:.0%} of it after {goals} goals"
+        cause = "It gave up early." if goals < MOST_GOALS else "Does she go where something unknown can be seen?"
+        raise Wrong(f"95 % of the floor of {name} seen", what, cause, share=0.5 if known > 0.7 else 0.0)
+
+
+def _allowed(world: Any, got: Any, name: str) -> tuple[int, int]:
+    try:
+        row, column = (int(one) for one in got)
+    except (TypeError, ValueError):
+        raise Wrong("a cell (row, column) or None from next_goal", f"{got!r:.60}") from None
+    rows, columns = world.cells.shape
+    if not (0 <= row < rows and 0 <= column < columns):
+        raise Wrong(f"a cell of the map, {rows} rows and {columns} columns", f"({row}, {column})", "Row first, then column.")
+    if not world.can_go((row, column)):
+        kind = {0: "free, but no free cells lead there", 100: "a wall", -1: "unknown"}[int(world.cells[row, column])]
+        raise Wrong(f"a free cell in {name} that can be reached", f"({row}, {column}) is {kind}", share=0.25)
+    return row, column

@@ -1,0 +1,66 @@
+"""A world of cells that is seen bit by bit: what an explorer is tried in."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+from scipy import ndimage
+
+from coursekit.nav.map_compare import outline_points
+from coursekit.sim import load_world
+
+CELL = 0.1
+BEAMS = 720
+UNKNOWN, FREE, WALL = -1, 0, 100
+Cell = tuple[int, int]
+
+
+class Unseen:
+    """A world file as cells; `cells` is what was seen so far, `here` where the robot is (row, column)."""
+
+    def __init__(self, world: Path, sight: float = 4.0) -> None:
+        made = load_world(world)
+        cut = made.cut(0.2)
+        points = outline_points(cut.edges, cut.circles, 0.02)
+        corner = points.min(axis=0) - 5 * CELL
+        columns, rows = np.ceil((points.max(axis=0) - corner) / CELL).astype(int) + 5
+        self._open = np.ones((rows, columns), bool)
+        at = np.floor((points - corner) / CELL).astype(int)
+        self._open[at[:, 1], at[:, 0]] = False
+        column, row = np.floor((np.array(made.start[:2]) - corner) / CELL).astype(int)
+        self.here: Cell = (int(row), int(column))
+        areas, _ = ndimage.label(self._open)
+        self._reachable = areas == areas[self.here]
+        self.cells = np.full((rows, columns), UNKNOWN, np.int8)
+        self.way = 0.0
+        angles, along = np.linspace(0, 2 * math.pi, BEAMS, endpoint=False), np.arange(0, sight / CELL, 0.25)
+        self._rays = np.stack([np.outer(np.sin(angles), along), np.outer(np.cos(angles), along)], axis=-1)
+        self.look()
+
+    def look(self) -> None:
+        """See what can be seen from here: along each beam free cells, up to the first wall."""
+        at = np.floor(self._rays + np.array(self.here) + 0.5).astype(int)
+        inside = ((at >= 0) & (at < self.cells.shape)).all(axis=-1)
+        at = np.where(inside[..., None], at, 0)
+        free = self._open[at[..., 0], at[..., 1]] & inside
+        before = np.logical_and.accumulate(free, axis=1)
+        first = inside & ~free & np.concatenate([np.ones((BEAMS, 1), bool), before[:, :-1]], axis=1)
+        self.cells[at[before][:, 0], at[before][:, 1]] = FREE
+        self.cells[at[first][:, 0], at[first][:, 1]] = WALL
+
+    def can_go(self, goal: Cell) -> bool:
+        """Whether free cells lead there, from neighbour to neighbour."""
+        areas, _ = ndimage.label(self.cells == FREE)
+        return bool(self.cells[goal] == FREE and areas[goal] == areas[self.here])
+
+    def go(self, goal: Cell) -> None:
+        """Go there and look."""
+        self.way += CELL * math.dist(goal, self.here)
+        self.here = goal
+        self.look()
+
+    def known(self) -> float:
+        """The share of the reachable floor that was seen."""
+        return float((self.cells[self._reachable] != UNKNOWN).mean())

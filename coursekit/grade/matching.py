@@ -1,0 +1,49 @@
+"""Scans whose true pose is known, and a guess that is off: what a scan matcher is tried with."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+from coursekit.nav.map_compare import outline_points
+from coursekit.sim import Lidar, Place, load_world
+from coursekit.slam.wall_field import WallField
+
+Pose = tuple[float, float, float]
+CLEAR = 0.35
+"""A robot stands at least so far from walls [m]."""
+
+
+class Puzzle:
+    """One scan: `points` (n, 2) [m] as the robot sees them, `gap` of the true walls, `guess`, and `truth` [m, m, rad]."""
+
+    def __init__(self, world: Path, number: int = 0, off: float = 0.3, turned: float = 0.15) -> None:
+        made, chance = load_world(world), np.random.default_rng(800 + number)
+        cut = made.cut(0.2)
+        outline = outline_points(cut.edges, cut.circles)
+        self.gap = WallField(outline)
+        lidar = Lidar(range_max=6.0, noise=0.01)
+        place = made.start
+        while not self._good(place, lidar.look(cut, place)) or place == made.start:
+            x, y = chance.uniform(outline.min(axis=0), outline.max(axis=0))
+            place = Place(round(float(x), 2), round(float(y), 2), round(float(chance.uniform(-3, 3)), 2))
+        ranges = lidar.measure(lidar.look(cut, place), chance)
+        angles = lidar.angle_min + lidar.step * np.arange(lidar.beams)
+        hit = np.isfinite(ranges)
+        self.points = np.column_stack([ranges[hit] * np.cos(angles[hit]), ranges[hit] * np.sin(angles[hit])])
+        self.truth: Pose = (place.x, place.y, place.theta)
+        far, way = chance.uniform(0.6, 0.95) * off, chance.uniform(-math.pi, math.pi)
+        spin = chance.choice([-1, 1]) * chance.uniform(0.5, 0.95) * turned
+        guess = (place.x + far * math.cos(way), place.y + far * math.sin(way), place.theta + spin)
+        self.guess: Pose = (round(float(guess[0]), 2), round(float(guess[1]), 2), round(float(guess[2]), 2))
+
+    def _good(self, place: Place, ranges: np.ndarray) -> bool:
+        """A place in a room with room, where most beams meet something and not all the same wall."""
+        seen = np.isfinite(ranges)
+        return bool(seen.mean() > 0.9 and ranges.min() > CLEAR)
+
+    def misfit(self, pose: Pose) -> float:
+        """Mean gap between the scan's points and the nearest walls, were the robot at a pose [m]."""
+        return float(self.gap(Place(*pose).move(self.points)).mean())

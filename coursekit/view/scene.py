@@ -63,10 +63,15 @@ class Scene:
     def put(self, display: str, name: str, *shapes: Shape, pose: Pose | None = None, scale: Scale = FULL) -> None:
         """Give a thing these shapes, in place of those it had; `pose` in the fixed frame."""
         old = self.things.get((display, name))
-        if old is not None:
-            self._forget(old)
-        self._count += 1
-        thing = Thing(self._count, shapes, pose or (old.pose if old is not None else HERE), scale)
+        if old is None or not _replaces(shapes, old.shapes):
+            if old is not None:
+                self._forget(old)
+            self._count += 1
+            number = self._count
+        else:
+            number = old.number
+            self._moved.pop(number, None)
+        thing = Thing(number, shapes, pose or (old.pose if old is not None else HERE), scale)
         self.things[display, name] = self._made[thing.number] = thing
 
     def place(self, display: str, name: str, pose: Pose, scale: Scale = FULL) -> None:
@@ -119,6 +124,11 @@ class Scene:
         things = [thing for key, thing in self.things.items() if displays is None or key[0] in displays]
         corners = [corner for thing in things for corner in _corners(thing)]
         return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
+
+
+def _replaces(shapes: Sequence[Shape], old: Sequence[Shape]) -> bool:
+    """Whether the page can change the old shapes into these: it keeps a picture until it has loaded the next one."""
+    return len(shapes) == len(old) and all(isinstance(one, Picture) for one in (*shapes, *old))
 
 
 def _corners(thing: Thing) -> Iterator[np.ndarray]:

@@ -128,3 +128,15 @@ def test_a_map_lies_with_its_upper_row_away_from_the_origin():
     scene.put("map", "map", Picture(image, 2.0, 2.0))
     seen = picture(scene, Camera(6.0, -np.pi / 2, np.pi / 2 - 0.01, (1.0, 1.0, 0.0)), ["map"])[1]
     assert seen[60, 100].tolist() == [0, 0, 255] and seen[100, 100].tolist() == [255, 0, 0]
+
+
+def test_a_new_picture_takes_the_place_of_the_old_one_so_that_nothing_flickers():
+    scene = Scene()
+    dark, light = (Picture(np.full((4, 4, 4), shade, np.uint8), 1.0, 1.0) for shade in (0, 255))
+    scene.put("map", "map", dark)
+    first = scene.changes().made[0].number
+    scene.put("map", "map", light)
+    changes = scene.changes()
+    assert (changes.gone, [(thing.number, thing.shapes) for thing in changes.made]) == ([], [(first, (light,))])
+    scene.put("map", "map", Label("no map"))
+    assert scene.changes().gone == [first]

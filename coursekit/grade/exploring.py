@@ -12,7 +12,7 @@ from coursekit.nav.map_compare import outline_points
 from coursekit.sim import load_world
 
 CELL = 0.1
-BEAMS = 720
+BEAMS = 480
 UNKNOWN, FREE, WALL = -1, 0, 100
 Cell = tuple[int, int]
 
@@ -35,7 +35,7 @@ class Unseen:
         self._reachable = areas == areas[self.here]
         self.cells = np.full((rows, columns), UNKNOWN, np.int8)
         self.way = 0.0
-        angles, along = np.linspace(0, 2 * math.pi, BEAMS, endpoint=False), np.arange(0, sight / CELL, 0.25)
+        angles, along = np.linspace(0, 2 * math.pi, BEAMS, endpoint=False), np.arange(0, sight / CELL, 0.4)
         self._rays = np.stack([np.outer(np.sin(angles), along), np.outer(np.cos(angles), along)], axis=-1)
         self.look()
 

@@ -29,6 +29,7 @@ def start() -> Session:
         return session
     _state["session"] = session
     source_underlay(os.environ)
+    os.environ.setdefault("COURSEKIT_COURSE", os.path.abspath("."))  # said once: a cell may change the folder
     os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
     os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
     streams.install()

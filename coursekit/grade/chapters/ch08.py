@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 CELL, MOST_GOALS = 0.05, 120
-PLACES = [(0.0, 0.0), (2.4, -0.4), (4.2, 0.6), (3.6, 2.4), (2.2, 3.4), (0.6, 2.4), (0.4, 1.2)]
+PLACES = [(0.0, 0.0), (2.4, -0.4), (4.2, 0.6), (3.6, 2.4), (2.2, 3.4), (0.6, 2.4)]
 """In robot_world, from where it is mapped."""
 
 

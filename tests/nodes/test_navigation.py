@@ -4,6 +4,7 @@ import pytest
 from nav2_msgs.action import NavigateToPose
 from rclpy.action import ActionClient
 
+from coursekit.lab.viewer import viewer
 from coursekit.slam.pose import Pose2
 from tests.nodes.nav2_stage import Stage
 
@@ -102,3 +103,17 @@ def test_a_program_with_a_basic_navigator_runs_unchanged(stage):
         "path map True True", "go SUCCEEDED True", "spin SUCCEEDED", "backup SUCCEEDED", "cancel CANCELED", "costmap True",
     ]  # fmt: skip
     assert stage.touched == {} and abs(stage.robot.velocity[0]) < 0.01
+
+
+def test_what_is_clicked_in_the_view_is_driven_to(stage):
+    shown, there = viewer(fixed_frame="map", displays=["Map /map", "Path /plan"]), Pose2(2.0, 0.3, 0.0)
+    shown.tools.use({"tool": "estimate", "x": START.x, "y": START.y, "yaw": START.theta})
+    stage.spin(1.5)
+    shown.tools.use({"tool": "goal", "x": there.x, "y": there.y, "yaw": there.theta})
+    for _ in range(30):
+        stage.spin(0.5)
+        if "Goal succeeded" in stage.launch.output:
+            break
+    assert stage.distance_to(there) < 0.4 and stage.touched == {}
+    assert shown.status("Path").startswith("Ok")
+    shown.close()

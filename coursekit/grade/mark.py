@@ -135,7 +135,9 @@ def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str,
     wanted = [step.exercise for step in repaired.steps if step.exercise in exercises]
     try:
         for step in repaired.steps:
-            if step.exercise in exercises:
+            if not repaired.begun.get(step.exercise, True):
+                verdicts.append(_unjudged(exercises[step.exercise], "the cell as it was handed out"))
+            elif step.exercise in exercises:
                 work.judge_from_here(step.exercise)
                 try:
                     verdicts.append(judge_work(exercises[step.exercise], work))

@@ -29,6 +29,8 @@ class Repaired:
 
     steps: list[Step] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    begun: dict[str, bool] = field(default_factory=dict)
+    """Whether anything was written into the cells of an exercise; stubs as they were handed out earn nothing."""
 
     def answers(self) -> list[str]:
         """What the student wrote into solution cells."""
@@ -51,8 +53,12 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
             continue
         if grading.get("solution"):
             answer = _answer(name, text, by_id, unknown, made.notes)
-            made.steps += [Step(one, solution=True) for one in own.pop(name, [])]
+            added = own.pop(name, [])
+            made.steps += [Step(one, solution=True) for one in added]
             made.steps.append(Step(answer, solution=True))
+            exercise = ".".join(name.split("-")[:2])
+            written = bool(added or own.get("")) or answer.strip() != without_solution(text).strip()
+            made.begun[exercise] = made.begun.get(exercise, False) or written
             continue
         found = _CHECK.search(text)
         made.steps.append(Step("" if found else text, found["name"] if found else ""))

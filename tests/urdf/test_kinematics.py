@@ -44,7 +44,7 @@ def test_the_course_robots_have_their_links_where_pinocchio_has_them(path):
 
 
 def test_all_robots_of_the_course_are_there():
-    names = {"sphere", "cylinder", "wheel", "robot", "r2d2", "r2d2_2", "rdk_x3_robot"}
+    names = {"sphere", "cylinder", "wheel", "robot", "r2d2", "r2d2_2", "rdk_x3_robot", "robot_lidar"}
     names |= {f"robot{number}" for number in range(1, 5)} | {f"cylinder{number}" for number in range(1, 9)}
     assert {path.stem for path in OURS} == names
 

@@ -61,8 +61,9 @@ class Lidar:
         return low, abs(self.step) or 1.0
 
     def look(self, cut: Cut, place: Place, ranges: Array | None = None) -> Array:
-        """True distances (beams) from `place` to what a cut shows; inf where there is nothing within `range_max`.
+        """True distances (beams) from `place` to what a cut shows; inf where there is nothing.
 
+        An edge that comes nearer than `range_max` is cast in full length: `measure` leaves out what is too far.
         `ranges` of another cut are shortened, so that what stands and what moves can be cast in turn.
         """
         if ranges is None:

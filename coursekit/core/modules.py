@@ -20,6 +20,7 @@ _real_import_module = importlib.import_module
 _lock = threading.RLock()
 _path_lock = threading.Lock()
 _KEY = "coursekit.modules"
+_OURS = Path(__file__).parents[1] / "ros"
 
 
 class PrivateModules:
@@ -62,14 +63,23 @@ class PrivateModules:
 
 
 def top_level_names(folder: Path) -> Iterator[str]:
-    """Modules and packages that can be imported from a folder."""
+    """Modules and packages that can be imported from a folder.
+
+    A package built with --symlink-install has its `launch` folder beside its modules: no package, and `import launch`
+    must still mean ROS's.
+    """
     if not folder.is_dir():
         return
     for entry in sorted(folder.iterdir()):
         if entry.suffix == ".py":
             yield entry.stem
-        elif entry.is_dir() and entry.name.isidentifier() and entry.name != "__pycache__":
+        elif entry.is_dir() and entry.name.isidentifier() and entry.name != "__pycache__" and not _only_looks_like_ours(entry):
             yield entry.name
+
+
+def _only_looks_like_ours(folder: Path) -> bool:
+    """Whether it only looks like one of ROS's packages: without an __init__.py Python prefers the real one."""
+    return not (folder / "__init__.py").exists() and (_OURS / folder.name / "__init__.py").exists()
 
 
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:

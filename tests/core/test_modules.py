@@ -35,3 +35,13 @@ def test_a_process_that_looks_for_its_package_misses_none_while_another_starts(p
 def test_the_folders_of_the_newest_process_come_first_and_once(path):
     started_with("/old/b", "/new")
     assert sys.path == ["/old/b", "/new", "/old/a", "/old/c"]
+
+
+def test_a_launch_folder_beside_a_package_hides_no_launch(tmp_path):
+    for folder in ("launch", "vera", "plain"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "vera" / "__init__.py").touch()
+    (tmp_path / "launch" / "all.launch.py").touch()
+    assert list(modules.top_level_names(tmp_path)) == ["plain", "vera"]
+    (tmp_path / "launch" / "__init__.py").touch()
+    assert list(modules.top_level_names(tmp_path)) == ["launch", "plain", "vera"]

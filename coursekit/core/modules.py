@@ -73,11 +73,11 @@ def top_level_names(folder: Path) -> Iterator[str]:
     for entry in sorted(folder.iterdir()):
         if entry.suffix == ".py":
             yield entry.stem
-        elif entry.is_dir() and entry.name.isidentifier() and entry.name != "__pycache__" and not _only_looks_like_ours(entry):
+        elif entry.is_dir() and entry.name.isidentifier() and entry.name != "__pycache__" and not _looks_like_ours(entry):
             yield entry.name
 
 
-def _only_looks_like_ours(folder: Path) -> bool:
+def _looks_like_ours(folder: Path) -> bool:
     """Whether it only looks like one of ROS's packages: without an __init__.py Python prefers the real one."""
     return not (folder / "__init__.py").exists() and (_OURS / folder.name / "__init__.py").exists()
 

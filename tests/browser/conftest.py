@@ -10,7 +10,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from tests.browser.pages import Notebook, serving
+from tests.browser.pages import Notebook, close, serving
 
 _NO_NEWS = {"fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": True}
 
@@ -69,12 +69,12 @@ def notebook(lab, browser, request):
         made = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
         made.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
         nbformat.write(made, lab.folder / name)
-        opened.append(Notebook(browser.new_page(viewport={"width": width, "height": height}), lab, name))
-        return opened[-1]
+        opened.append(browser.new_page(viewport={"width": width, "height": height}))
+        return Notebook(opened[-1], lab, name)
 
     yield open_
-    for one in opened:
-        one.close()
+    for page in opened:
+        close(page)
 
 
 @pytest.fixture
@@ -83,12 +83,12 @@ def chapter(course, browser):
     opened = []
 
     def open_(name: str) -> Notebook:
-        opened.append(Notebook(browser.new_page(viewport={"width": 1280, "height": 900}), course, name))
-        return opened[-1]
+        opened.append(browser.new_page(viewport={"width": 1280, "height": 900}))
+        return Notebook(opened[-1], course, name)
 
     yield open_
-    for one in opened:
-        one.close()
+    for page in opened:
+        close(page)
 
 
 @pytest.fixture

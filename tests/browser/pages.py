@@ -165,12 +165,6 @@ class Notebook:
             assert time.monotonic() < give_up, f"{code}: {answer}, not {' or '.join(wanted)}"
             self.page.wait_for_timeout(100)
 
-    def close(self) -> None:
-        """End the kernel and the page."""
-        self.page.evaluate("void window.jupyterapp?.shell.currentWidget?.sessionContext?.shutdown()")
-        self.page.wait_for_timeout(300)
-        self.page.close()
-
     def _all_ran(self) -> bool:
         from playwright.sync_api import TimeoutError as Late
 
@@ -193,6 +187,15 @@ class Notebook:
                 return
             self.page.reload(timeout=PATIENCE_MS)
         raise RuntimeError(f"the kernel does not answer\n{self.lab.stacks()}")
+
+
+def close(page: Any) -> None:
+    """End the page, also one that never came up, and its kernel: a page with a view left open slows all that follow."""
+    try:
+        page.evaluate("void window.jupyterapp?.shell.currentWidget?.sessionContext?.shutdown()")
+        page.wait_for_timeout(300)
+    finally:
+        page.close()
 
 
 def settled(page: Any, read: Callable[[], Any], patience: float = 20.0) -> Any:

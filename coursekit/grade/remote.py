@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import contextlib
 import json
 import select
@@ -122,7 +123,7 @@ class RemoteWork(Work):
         }
         said = self._line.ask(question, PATIENCE * CALL_SECONDS + 5)
         if said.get("missing") or said.get("error"):
-            raise RuntimeError(str(said.get("error") or f"`{name}` cannot be called"))
+            raise _error_of(str(said.get("error") or f"RuntimeError: `{name}` cannot be called"))
         with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing
             for place, changed in dict(said.get("args") or {}).items():
                 refresh(args[int(place)], unpack(changed))
@@ -183,3 +184,18 @@ def _unpacked(answer: dict[str, Any]) -> Any:
         return unpack(answer.get("value"))
     except Exception:
         raise Wrong("a value that can be told", "something else") from None
+
+
+def _error_of(text: str) -> Exception:
+    """The error that a student's function raised, of its own kind where that is one of Python's.
+
+    >>> _error_of("ValueError: too near (line 3)")
+    ValueError('too near (line 3)')
+    >>> _error_of("SystemExit: 0")
+    RuntimeError('SystemExit: 0')
+    """
+    name, _, said = text.partition(": ")
+    kind = getattr(builtins, name, None)
+    if isinstance(kind, type) and issubclass(kind, Exception) and not issubclass(kind, (OSError, UnicodeError)):
+        return kind(said)
+    return RuntimeError(text)

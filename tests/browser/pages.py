@@ -19,6 +19,7 @@ ALL_RAN = """() => {
     const prompts = [...document.querySelectorAll('.jp-CodeCell .jp-InputArea-prompt')];
     return prompts.length && prompts.every((one) => /\\[\\d+\\]/.test(one.textContent));
 }"""
+HAS_KERNEL = "() => jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.connectionStatus === 'connected'"
 ANSWERS = """async () => {
     const kernel = jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel;
     const asked = async () => {
@@ -183,6 +184,7 @@ class Notebook:
         """A connection that is still being made loses requests: ask until one is answered."""
         for _ in range(8):
             self.page.wait_for_selector(".jp-NotebookPanel .jp-CodeCell", timeout=PATIENCE_MS)
+            self.page.wait_for_function(HAS_KERNEL, timeout=PATIENCE_MS)
             if self.page.evaluate(ANSWERS):
                 return
             self.page.reload(timeout=PATIENCE_MS)

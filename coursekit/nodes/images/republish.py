@@ -6,12 +6,12 @@ import sys
 from typing import Any
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import Image
 
 from coursekit.nodes.images.transport import JPEG_QUALITY, PNG_LEVEL, TRANSPORTS, compress, decompress, topic_of
+from coursekit.nodes.running import spin_to_the_end
 
 USAGE = "Usage: republish IN_TRANSPORT [OUT_TRANSPORT] --ros-args -r in:=TOPIC -r out:=TOPIC (raw, compressed)"
 
@@ -54,14 +54,7 @@ def main(args: list[str] | None = None) -> int:
         return 1
     rclpy.init(args=args)
     node = Republisher(wanted[0], wanted[1] if len(wanted) > 1 else None)
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(node)
 
 
 def list_transports() -> None:

@@ -6,12 +6,10 @@ import math
 from typing import Any
 
 import numpy as np
-import rclpy
 from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
 from nav2_msgs.msg import ParticleCloud
 from nav_msgs.msg import OccupancyGrid
 from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
@@ -24,6 +22,7 @@ from coursekit.nav.particle_map import ParticleMap
 from coursekit.nodes.nav2.amcl_messages import POSE_QOS, beam_ends, cloud_message, pose_message, pose_of
 from coursekit.nodes.nav2.amcl_parameters import declare, filter_parameters, number
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+from coursekit.nodes.running import run
 from coursekit.nodes.slam_toolbox.geometry import of_transform, put
 from coursekit.nodes.slam_toolbox.lasers import Lasers
 from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer, lookup
@@ -263,13 +262,4 @@ class Amcl(LifecycleNode):
 
 def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = Amcl()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return run(Amcl, args)

@@ -8,10 +8,12 @@ import rclpy
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState
 from nav2_msgs.srv import ManageLifecycleNodes
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from std_srvs.srv import Trigger
+
+from coursekit.nodes.running import run
 
 _CONFIGURE = (Transition.TRANSITION_CONFIGURE, "Configuring")
 _ACTIVATE = (Transition.TRANSITION_ACTIVATE, "Activating")
@@ -119,13 +121,4 @@ class LifecycleManager(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = LifecycleManager()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return run(LifecycleManager, args)

@@ -20,6 +20,7 @@ from coursekit.nav.map_cells import FREE_BELOW, MODES, OCCUPIED_ABOVE
 from coursekit.nav.map_file import save_map
 from coursekit.nav.map_picture import FORMATS
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+from coursekit.nodes.running import run
 
 
 class MapSaver(LifecycleNode):
@@ -152,13 +153,4 @@ def main_cli(args: list[str] | None = None) -> int:
 
 def main_server(args: list[str] | None = None) -> int:
     """Run the server until Ctrl-C."""
-    rclpy.init(args=args)
-    node = MapSaver()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return run(MapSaver, args)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import rclpy
 from nav2_msgs.srv import LoadMap
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
-from rclpy.executors import ExternalShutdownException
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.logging import get_logger
 
 from coursekit.nav.map_error import MapError
 from coursekit.nav.map_file import load_picture, read_description
 from coursekit.nodes.nav2.map_message import MAP_QOS, to_message
+from coursekit.nodes.running import run
 
 
 class MapServer(LifecycleNode):
@@ -124,13 +123,4 @@ class MapServer(LifecycleNode):
 
 def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = MapServer()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return run(MapServer, args)

@@ -10,7 +10,6 @@ import rclpy
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import SetParametersResult
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
@@ -20,6 +19,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from coursekit.core.process import ProcessKilled, current_process
+from coursekit.nodes.running import spin_to_the_end
 from coursekit.urdf import Joint, Robot, UrdfError, load_text, parse
 from coursekit.urdf.kinematics import joint_pose
 from coursekit.urdf.texts import error_text
@@ -212,14 +212,7 @@ def main(args: list[str] | None = None) -> int:
         _complain(error)
         rclpy.try_shutdown()
         return _abort()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(node)
 
 
 def _abort() -> int:

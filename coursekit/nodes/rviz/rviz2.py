@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.logging import get_logger
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
@@ -16,6 +15,7 @@ from rclpy.utilities import remove_ros_args
 from coursekit.core.process import current_process
 from coursekit.core.session import current
 from coursekit.interfaces import load
+from coursekit.nodes.running import spin_to_the_end
 
 from . import windows
 from .config import Config, DisplayConfig, make_config, read
@@ -111,14 +111,7 @@ def main(args: list[str] | None = None) -> int:
         return 1
     rclpy.init(args=args)
     node = Rviz(config)
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(node)
 
 
 __all__ = ["Rviz", "describe", "main"]

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.executors import ExternalShutdownException
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -17,6 +16,7 @@ from tf2_ros import StaticTransformBroadcaster
 from tf_transformations import quaternion_from_euler
 
 from coursekit.core.session import current
+from coursekit.nodes.running import spin_to_the_end
 
 USAGE = """\
 usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX] [--qy QY] [--qz QZ] [--qw QW] \
@@ -179,11 +179,4 @@ def main() -> int:
         print(USAGE)
         return 0
     node = StaticTransformPublisher(wanted)
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(node)

@@ -11,7 +11,7 @@ from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 from tf_transformations import quaternion_from_euler
 from turtlesim.msg import Pose
 
-from .running import run
+from coursekit.nodes.running import run
 
 
 def transform(node: Node, parent: str, child: str, x: float, y: float, z: float = 0.0) -> TransformStamped:

@@ -11,7 +11,7 @@ from rclpy.time import Time
 from tf2_ros import Buffer, TransformException, TransformListener
 from turtlesim.srv import Spawn
 
-from .running import run
+from coursekit.nodes.running import run
 
 FOLLOWER = "turtle2"
 

@@ -1,0 +1,27 @@
+"""How the underlay's nodes run: until Ctrl-C."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+def spin_to_the_end(node: Node) -> int:
+    """Spin a node until Ctrl-C, and leave the graph; the exit code."""
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+def run(make: Callable[[], Node], args: list[str] | None = None) -> int:
+    """Start rclpy, and run the node that `make` gives until Ctrl-C."""
+    rclpy.init(args=args)
+    return spin_to_the_end(make())

@@ -5,10 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from coursekit.slam.carmen import CarmenLog
+    from coursekit.slam.grid import OccupancyGrid
     from coursekit.slam.slam import Slam
 
 
@@ -96,9 +98,16 @@ def _report(log: CarmenLog, slam: Slam, seconds: float) -> None:
     print(f"speed:     {seconds:.1f} s, {1000 * seconds / count:.2f} ms a scan{ratio}")
 
 
+def write_map(path: str | Path, drawn: OccupancyGrid) -> tuple[Path, Path]:
+    """Write SLAM's map as nav2 keeps maps: PATH.yaml and PATH.pgm; both names in full. ValueError when it is empty."""
+    from coursekit.nav.map_file import GridMap, save_map
+
+    x, y = (float(one) for one in drawn.origin)
+    return save_map(Path(path).with_suffix(".yaml"), GridMap(drawn.trinary(), drawn.resolution, (x, y, 0.0)))
+
+
 def _write(args: argparse.Namespace, slam: Slam) -> None:
     """Write the trajectory, and the map if asked for."""
-    from coursekit.slam.nav_map import write_map
     from coursekit.slam.relations import write_trajectory
 
     write_trajectory(args.trajectory, slam.trajectory())

@@ -7,10 +7,11 @@ import math
 import numpy as np
 import pytest
 
+from coursekit.cli.slam import write_map
+from coursekit.nav.map_cells import picture_of
 from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.map_drawing import MapDrawing
-from coursekit.slam.nav_map import picture, write_map
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser, Scan
@@ -116,7 +117,8 @@ def test_a_written_map_is_nav2s(tmp_path) -> None:
     rows, columns = grid.log_odds.shape
     assert (magic, size, depth) == (b"P5", f"{columns} {rows}".encode(), b"255")
     shades = np.frombuffer(data, np.uint8).reshape(rows, columns)
-    assert set(np.unique(shades)) == {0, 205, 254} and np.array_equal(shades, picture(grid))
+    drawn = picture_of(grid.trinary()[::-1], mode="trinary", occupied_thresh=0.65, free_thresh=0.196)
+    assert set(np.unique(shades)) == {0, 205, 254} and np.array_equal(shades, drawn)
     i, j = np.argwhere(grid.cells() == grid.cells().max())[0]
     assert shades[rows - 1 - i, j] == 0
 

@@ -122,11 +122,11 @@ def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str]) -> list[str]
     words = ["bwrap", "--unshare-all", "--die-with-parent", "--hostname", "sandbox", "--clearenv"]
     for name, value in env.items():
         words += ["--setenv", name, value]
+    words += ["--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp", "--size", str(64 << 20), "--tmpfs", "/dev/shm"]
     for folder in _SYSTEM:
         words += ["--ro-bind-try", folder, folder]
     for folder in _python_folders():
         words += ["--ro-bind-try", folder, folder]
-    words += ["--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp", "--size", str(64 << 20), "--tmpfs", "/dev/shm"]
     words += ["--tmpfs", str(PACKAGE / "grade" / "chapters")]
     return [*words, "--bind" if writable else "--ro-bind", str(work), str(work), "--chdir", str(work), "--"]
 

@@ -1,0 +1,315 @@
+"""Appendix B: flat poses, an ellipse of uncertainty, a thing seen from a robot, photographs from all sides."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.grade.exercise import exercise
+from coursekit.grade.verdict import Wrong
+from coursekit.grade.work import Work
+from coursekit.tf.pose import Quaternion, multiply, rotate
+
+PALLET = (2.0, 1.0, 0.0)
+"""Where the pallet of the third exercise stands in map [m]."""
+SIDES = {
+    "a pallet": [(0.6, 0.4), (-0.6, 0.4), (-0.6, -0.4), (0.6, -0.4)],
+    "a pallet elsewhere, turned by 50°": [(-3.08, 2.72), (-3.85, 1.80), (-3.24, 1.29), (-2.47, 2.21)],
+    "a triangle": [(5.0, 0.0), (5.9, 0.3), (5.2, 0.9)],
+    "a hexagon": [(math.cos(n * math.pi / 3), 4.0 + math.sin(n * math.pi / 3)) for n in range(6)],
+}
+"""Outlines that are photographed [m]."""
+HALF_VIEW = math.radians(30.0)
+
+
+def _about(axis: int, angle: float) -> Quaternion:
+    parts = [0.0, 0.0, 0.0]
+    parts[axis] = math.sin(angle / 2)
+    return parts[0], parts[1], parts[2], math.cos(angle / 2)
+
+
+def _rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
+    return multiply(_about(2, yaw), multiply(_about(1, pitch), _about(0, roll)))
+
+
+def _fill(message: Any, numbers: tuple[float, ...]) -> Any:
+    for name, number in zip("xyzw", numbers, strict=False):
+        setattr(message, name, float(number))
+    return message
+
+
+@exercise(
+    "appb.q1",
+    "There and back",
+    points=1,
+    hints=(
+        "The notebook has a function that makes a Quaternion of three angles; on the floor, two of them are 0.",
+        "Back: three angles of four numbers. Formulas that use z and w alone hold for a robot that is not tilted.",
+    ),
+)
+def there_and_back(work: Work) -> None:
+    """Headings of all sizes there; -q, tilted and upright poses back."""
+    to_pose, to_flat = work.function("to_pose"), work.function("to_flat")
+    for x, y, theta in ((1.0, -2.0, 0.0), (0.5, 0.25, 1.2), (-3.0, 4.0, -2.5), (0.0, 0.0, 3.1), (2.0, 2.0, 7.0)):
+        _judge_pose(to_pose, x, y, theta)
+    for name, angles in (("upright", (0.0, 0.0, 0.8)), ("tilted", (0.2, -0.3, -2.0)), ("upright", (0.0, 0.0, -3.0))):
+        turn = _rpy(*angles)
+        yaw = math.atan2(*rotate(turn, (1.0, 0.0, 0.0))[1::-1])
+        for spelt, sign in ((name, 1.0), (f"{name}, all four numbers negated (the same turn)", -1.0)):
+            _judge_flat(to_flat, _signed(turn, sign), yaw, spelt)
+
+
+def _signed(q: Quaternion, sign: float) -> Quaternion:
+    return sign * q[0], sign * q[1], sign * q[2], sign * q[3]
+
+
+def _judge_pose(to_pose: Callable[..., Any], x: float, y: float, theta: float) -> None:
+    from geometry_msgs.msg import Pose, Pose2D
+
+    given = f"to_pose of x={x}, y={y}, theta={theta}"
+    pose = _message(Pose, given, to_pose, Pose2D(x=x, y=y, theta=theta))
+    place, turn = _xyz(pose.position), _turn_of(pose.orientation, given)
+    if math.dist(place, (x, y, 0.0)) > 1e-6:
+        raise Wrong(f"the position ({x}, {y}, 0) from {given}", _told(place))
+    nose, up = rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 0.0, 1.0))
+    if math.dist(up, (0.0, 0.0, 1.0)) > 1e-6:
+        raise Wrong(f"an upright pose from {given}", f"its z axis is {_told(up)}", "About which axis does theta turn?")
+    wanted = (math.cos(theta), math.sin(theta), 0.0)
+    if math.dist(nose, wanted) > 1e-6:
+        raise Wrong(f"x axis along {_told(wanted)} from {given}", _told(nose), "Is there a half missing, or one too many?")
+
+
+def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt: str) -> None:
+    from geometry_msgs.msg import Pose, Pose2D
+
+    pose = Pose()
+    _fill(pose.position, (1.5, -0.5, 0.2))
+    _fill(pose.orientation, turn)
+    flat = _message(Pose2D, f"to_flat of a pose that is {spelt}", to_flat, pose)
+    if math.hypot(flat.x - 1.5, flat.y + 0.5) > 1e-6:
+        raise Wrong("x and y as they were, 1.5 and -0.5, from to_flat", f"{flat.x}, {flat.y}", share=0.5)
+    if not abs(flat.theta) < math.pi + 1e-9 or abs(math.remainder(flat.theta - yaw, math.tau)) > 1e-6:
+        raise Wrong(
+            f"theta = {yaw:.3f} from to_flat of a pose that is {spelt}",
+            f"{flat.theta:.3f}",
+            "The yaw says where the x axis points on the floor, between -pi and pi.",
+            share=0.5,
+        )
+
+
+@exercise(
+    "appb.q2",
+    "The ellipse",
+    points=2,
+    hints=(
+        "Four of the 36 numbers matter. Which are they, when a row has six?",
+        "The axes of the ellipse are the eigenvectors of the 2 x 2 table; what are the eigenvalues, in which unit?",
+    ),
+)
+def the_ellipse(work: Work) -> None:
+    """Axes of many lengths and directions, in tables that are full of other things as well."""
+    function = work.function("ellipse")
+    for a, b, yaw in ((0.6, 0.2, 0.0), (0.6, 0.2, math.pi / 2), (0.5, 0.1, 0.5), (2.0, 0.3, -1.1), (0.05, 0.02, 2.5)):
+        given = f"half-axes {a} m and {b} m, the longer one at {math.degrees(yaw):.0f}°"
+        got = _called(function, _estimate(a, b, yaw), f"an estimate with {given}")
+        if not isinstance(got, (tuple, list)) or len(got) != 3 or not all(isinstance(one, (int, float)) for one in got):
+            raise Wrong("a tuple of three floats, (a, b, yaw)", repr(got)[:100])
+        if not math.isclose(got[0], a, rel_tol=1e-6) or not math.isclose(got[1], b, rel_tol=1e-6):
+            mixed = math.isclose(got[0], b, rel_tol=1e-6) and math.isclose(got[1], a, rel_tol=1e-6)
+            cause = "The longer one comes first." if mixed else "The table holds variances, and not of x and y only."
+            raise Wrong(f"a = {a:.3f}, b = {b:.3f} for {given}", f"a = {got[0]:.3f}, b = {got[1]:.3f}", cause)
+        if abs(math.remainder(got[2] - yaw, math.pi)) > 1e-6:
+            found = math.degrees(math.remainder(got[2], math.pi))
+            raise Wrong(
+                f"yaw at {math.degrees(yaw):.0f}° (or opposite) for {given}",
+                f"{found:.1f}°",
+                "Which vector belongs to the longer axis, and which way round are rows and columns?",
+                share=0.5,
+            )
+
+
+def _estimate(a: float, b: float, yaw: float) -> Any:
+    from geometry_msgs.msg import PoseWithCovarianceStamped
+
+    estimate, cos, sin = PoseWithCovarianceStamped(), math.cos(yaw), math.sin(yaw)
+    table = [[0.01 * min(row, column) + (7.0 if row == column else 0.0) for column in range(6)] for row in range(6)]
+    table[0][0] = (a * cos) ** 2 + (b * sin) ** 2
+    table[1][1] = (a * sin) ** 2 + (b * cos) ** 2
+    table[0][1] = table[1][0] = (a * a - b * b) * cos * sin
+    estimate.header.frame_id = "map"
+    estimate.pose.covariance = [number for row in table for number in row]
+    return estimate
+
+
+@exercise(
+    "appb.q3",
+    "The lookout",
+    points=2,
+    hints=(
+        "What is the way from Vera to the pallet, in map? And how do the same three numbers read in Vera's axes?",
+        "Her orientation turns from her axes into those of map. You need the opposite turn: a matrix's transpose does it.",
+    ),
+)
+def the_lookout(work: Work) -> None:
+    """Poses all over the floor and on a ramp; the node tells where the pallet is, in her axes, with their stamps."""
+    work.built("b_geometry")
+    poses = {
+        1: ((0.0, 0.0, 0.0), _rpy(0.0, 0.0, 0.0)),
+        2: ((1.0, 1.0, 0.0), _rpy(0.0, 0.0, 0.0)),
+        3: ((1.0, 1.0, 0.0), _rpy(0.0, 0.0, math.pi / 2)),
+        4: ((-1.5, 2.0, 0.0), _rpy(0.0, 0.0, -2.2)),
+        5: ((0.5, -1.0, 0.3), _rpy(0.0, -0.4, 0.9)),
+        6: ((2.5, 1.5, 0.1), _rpy(0.3, 0.1, 3.0)),
+    }
+    spoken = [(0.5 + 0.1 * second, "/vera/pose", "geometry_msgs/msg/PoseStamped", _fields(second, *pose))
+              for second, pose in poses.items()]  # fmt: skip
+    seen = work.try_out("run b_geometry lookout_exe", publish=spoken, record=["/vera/pallet"], seconds=2.0)
+    heard = [message for _, message in seen.messages.get("/vera/pallet", [])]
+    if len(heard) != len(poses):
+        said = (seen.outputs[0].strip().splitlines() or ["nothing"])[-1]
+        raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", f"{len(heard)}; it said: {said[:120]}")
+    if {message["header"]["frame_id"] for message in heard} != {"base_link"}:
+        raise Wrong("points in base_link", f"frame_id {heard[0]['header']['frame_id']!r}", "In whose axes are the numbers?")
+    if [message["header"]["stamp"]["sec"] for message in heard] != list(poses):
+        raise Wrong("each point with the stamp of its pose", "other stamps", "When was the pallet seen there?", share=0.5)
+    for message, (place, turn) in zip(heard, poses.values(), strict=True):
+        _judge_sight(tuple(message["point"][axis] for axis in "xyz"), place, turn)
+
+
+def _fields(second: int, place: tuple[float, ...], turn: Quaternion) -> dict[str, Any]:
+    position, orientation = dict(zip("xyz", place, strict=True)), dict(zip("xyzw", turn, strict=True))
+    header = {"frame_id": "map", "stamp": {"sec": second}}
+    return {"header": header, "pose": {"position": position, "orientation": orientation}}
+
+
+def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quaternion) -> None:
+    """Whoever goes from her place by that point, in her axes, must come to the pallet."""
+    step = rotate(turn, (point[0], point[1], point[2]))
+    end = tuple(a + b for a, b in zip(place, step, strict=True))
+    if math.dist(end, PALLET) < 1e-6:
+        return
+    nose = rotate(turn, (1.0, 0.0, 0.0))
+    flat = abs(turn[0]) + abs(turn[1]) < 1e-9
+    raise Wrong(
+        f"the pallet, seen from {_told(place)} with the nose along {_told(nose)}",
+        f"{_told(point)}, and whoever goes there arrives at {_told(end)}",
+        "Is she turned into the hall's axes, or the hall into hers?" if flat else "On a ramp roll and pitch count, too.",
+        share=0.0 if flat else 0.5,
+    )
+
+
+@exercise(
+    "appb.q4",
+    "Once around",
+    points=3,
+    hints=(
+        "Counter-clockwise, the outside is on the right of the way from corner to corner.",
+        "The pose looks back against the way out; atan2 makes an angle of a direction.",
+    ),
+)
+def once_around(work: Work) -> None:
+    """Outlines of several kinds: every side is seen, whole, from outside, and nobody is run over."""
+    from geometry_msgs.msg import Point32, PolygonStamped, PoseArray
+
+    function = work.function("views")
+    for number, (name, corners) in enumerate(SIDES.items()):
+        outline = PolygonStamped()
+        outline.header.frame_id, outline.header.stamp.sec = ("map", "dock")[number % 2], 7 + number
+        outline.polygon.points = [Point32(x=x, y=y) for x, y in corners]
+        asked = _message(PoseArray, f"views of {name}", function, outline)
+        header = asked.header
+        if (header.frame_id, header.stamp.sec) != (outline.header.frame_id, outline.header.stamp.sec):
+            raise Wrong("the header of the outline", f"frame_id {header.frame_id!r}, stamp {header.stamp.sec} s", share=0.25)
+        if not 1 <= len(asked.poses) <= len(corners):
+            raise Wrong(f"1 to {len(corners)} photographs of {name}", str(len(asked.poses)))
+        _judge_views([_standing(pose, name) for pose in asked.poses], corners, name)
+
+
+Flat = tuple[float, float]
+"""x and y [m]."""
+
+
+def _standing(pose: Any, name: str) -> tuple[Flat, float]:
+    """Place and yaw of a pose that stands upright on the floor."""
+    turn = _turn_of(pose.orientation, f"views of {name}")
+    up, nose = rotate(turn, (0.0, 0.0, 1.0)), rotate(turn, (1.0, 0.0, 0.0))
+    if abs(pose.position.z) > 1e-6 or up[2] < 1.0 - 1e-6:
+        raise Wrong("poses on the floor, upright", f"z = {pose.position.z:.2f} m, the z axis along {_told(up)}", share=0.25)
+    return (pose.position.x, pose.position.y), math.atan2(nose[1], nose[0])
+
+
+def _judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str) -> None:
+    sides = list(zip(corners, corners[1:] + corners[:1], strict=True))
+    near = min(_away(place, *side) for place, _ in poses for side in sides)
+    inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
+    if near < 0.8 - 1e-6 or inside:
+        got = "one stands in it" if inside else f"one is {near:.2f} m from a side"
+        raise Wrong(f"0.8 m of room around {name}", got, share=0.25)
+    for number, side in enumerate(sides, 1):
+        faults = [fault for place, yaw in poses if (fault := _fault(place, yaw, *side))]
+        if len(faults) == len(poses):
+            best = max(faults)[1]
+            wanted = f"a photograph of side {number} of {name}, from {_told(side[0])} to {_told(side[1])}"
+            raise Wrong(wanted, best, share=0.25)
+
+
+def _height(place: Flat, a: Flat, b: Flat) -> float:
+    """How far a place is on the outer side of the line from a to b [m]."""
+    along = (b[0] - a[0], b[1] - a[1])
+    return ((place[0] - a[0]) * along[1] - (place[1] - a[1]) * along[0]) / math.hypot(*along)
+
+
+def _away(place: Flat, a: Flat, b: Flat) -> float:
+    """The distance of a place from a side [m]."""
+    along, way = (b[0] - a[0], b[1] - a[1]), (place[0] - a[0], place[1] - a[1])
+    part = max(0.0, min(1.0, (way[0] * along[0] + way[1] * along[1]) / (along[0] ** 2 + along[1] ** 2)))
+    return math.dist(place, (a[0] + part * along[0], a[1] + part * along[1]))
+
+
+def _fault(place: Flat, yaw: float, a: Flat, b: Flat) -> tuple[int, str] | None:
+    """Why a pose does not show a side, the later in the list the better it is; None when it does."""
+    middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+    far, height = math.dist(place, middle), _height(place, a, b)
+    if height <= 0:
+        return 1, "all poses stand on its other side"
+    if height < far * math.cos(math.radians(45.0)) - 1e-6:
+        return 2, "the nearest to it looks at it from too far aside"
+    if not 1.0 - 1e-6 <= far <= 2.5 + 1e-6:
+        return 3, f"the one before it is {far:.2f} m from its middle"
+    turns = [abs(math.remainder(math.atan2(end[1] - place[1], end[0] - place[0]) - yaw, math.tau)) for end in (a, b)]
+    if max(turns) > HALF_VIEW + 1e-6:
+        return 4, f"the one before it has an end {math.degrees(max(turns)):.0f}° off the middle of its picture"
+    return None
+
+
+def _turn_of(q: Any, given: str) -> Quaternion:
+    turn = (q.x, q.y, q.z, q.w)
+    length = math.sqrt(sum(part * part for part in turn))
+    if abs(length - 1.0) > 1e-4:
+        raise Wrong(f"a quaternion of length 1 from {given}", f"length {length:.3f}: {_told(turn)}")
+    return turn
+
+
+def _xyz(place: Any) -> tuple[float, float, float]:
+    return place.x, place.y, place.z
+
+
+def _told(numbers: tuple[float, ...]) -> str:
+    return f"({', '.join(f'{number + 0.0:.2f}' for number in numbers)})"
+
+
+def _message(kind: type[Any], given: str, function: Callable[..., Any], *arguments: Any) -> Any:
+    """What a function makes of messages, which must be of that kind."""
+    got = _called(function, *arguments, given)
+    if type(got) is not kind:
+        raise Wrong(f"a {kind.__name__} from {given}", repr(got)[:100])
+    return got
+
+
+def _called(function: Callable[..., Any], *given: Any) -> Any:
+    """The result for all but the last of `given`, which is what to call it in a message."""
+    try:
+        return function(*given[:-1])
+    except Exception as error:
+        raise Wrong(f"an answer for {given[-1]}", f"{type(error).__name__}: {error}"[:160]) from None

@@ -112,6 +112,16 @@ def test_two_trees_are_told_apart(session, talker):
     assert "No transform from [b], [moon] to [map]" in panel.status("TF")
 
 
+def test_of_messages_that_cannot_be_placed_the_newest_is_explained(session, talker):
+    frame(talker, "map", "a")
+    panel = viewer(fixed_frame="map", displays=["LaserScan"])
+    for name in ("", "moon"):
+        said(talker, LaserScan, "/scan", name)
+        session.clock.sleep(0.1)
+        panel.status("LaserScan")
+    assert "frame [moon] does not exist" in panel.status("LaserScan")
+
+
 def test_a_topic_without_messages_says_why(session, talker):
     talker.create_publisher(LaserScan, "/front", 1)
     talker.create_publisher(Path, "/strange", 1)

@@ -162,7 +162,8 @@ class StampedDisplay(Display):
             try:
                 pose = stage.pose_at(msg.header)
             except NoTransform as error:
-                self.say("Transform", "Error", str(error))
+                if index == len(messages) - 1:
+                    self.say("Transform", "Error", str(error))
                 continue
             self.say("Transform", "Ok", "Transform OK")
             self.put_back(messages[index + 1 :])

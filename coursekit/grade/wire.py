@@ -1,4 +1,5 @@
-"""Values as JSON between a sandbox and the judge: plain types exactly, ROS messages as bytes, the rest as a description.
+"""Values as JSON between a sandbox and the judge: plain types exactly, ROS messages as bytes, a field of gaps to walls by
+its points, the rest as a description.
 
 Nothing is ever unpickled: what a student's object is, the judge learns from its type's name only.
 """
@@ -55,6 +56,8 @@ def pack(value: Any, depth: int = 0) -> Any:
 def _pack_object(value: Any, kind: type) -> Any:
     if kind.__module__ == "numpy" and hasattr(value, "dtype") and value.dtype.kind in "biufU" and value.size <= LENGTH:
         return {"array": [str(value.dtype), list(value.shape), pack(value.ravel().tolist())]}
+    if (kind.__module__, kind.__name__) == ("coursekit.slam.wall_field", "WallField"):
+        return {"gaps": [pack(one, DEPTH - 5) for one in (value.points, value.cell, value.reach)]}
     name = getattr(kind, "_TYPE_NAME", None)
     if isinstance(name, str):
         from coursekit.interfaces import cdr
@@ -96,6 +99,13 @@ def _message(inner: Any) -> Any:
     return cdr.deserialize(base64.b64decode(data), load(str(name)))
 
 
+def _gaps(inner: Any) -> Any:
+    from coursekit.slam.wall_field import WallField
+
+    points, cell, reach = (unpack(one) for one in inner)
+    return WallField(points, cell, reach)
+
+
 def refresh(old: Any, new: Any) -> bool:
     """Make the mutable `old` hold what `new` holds, in place; whether it could.
 
@@ -130,5 +140,6 @@ _READERS: dict[str, Any] = {
     "bytes": lambda inner: base64.b64decode(str(inner)),
     "array": _array,
     "message": _message,
+    "gaps": _gaps,
     "other": lambda inner: Described(str(inner[0]), str(inner[1])),
 }

@@ -8,6 +8,9 @@ import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 
+MOST_CELLS = 50_000_000
+
+
 class WallField:
     """Distances to the nearest of `points` (n, 2) [m], kept in cells; beyond `reach` they count as `reach` [m].
 
@@ -20,9 +23,11 @@ class WallField:
         found = np.asarray(points, float).reshape(-1, 2)
         if not len(found) or not np.isfinite(found).all():
             raise ValueError("a field needs points, and finite ones: leave out the beams that met nothing")
-        self.cell, self.reach = cell, reach
+        self.points, self.cell, self.reach = found, cell, reach
         self._corner = found.min(axis=0) - reach - cell
         columns, rows = np.ceil((found.max(axis=0) + reach + cell - self._corner) / cell).astype(int) + 1
+        if rows * columns > MOST_CELLS:
+            raise ValueError(f"{columns} by {rows} cells are too many: use larger cells, or leave out the points far away")
         open_ = np.ones((rows, columns), bool)
         at = np.floor((found - self._corner) / cell).astype(int)
         open_[at[:, 1], at[:, 0]] = False

@@ -1,5 +1,6 @@
 """JupyterLab on loopback and a headless Chromium that looks at it; skipped, loudly, without Chromium."""
 
+import contextlib
 import json
 import os
 import shutil
@@ -18,6 +19,20 @@ _NO_NEWS = {"fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": 
 def chromium():
     """The browser's file, None where there is none."""
     return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+
+_OPENED: pytest.StashKey[list[Notebook]] = pytest.StashKey()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item, call):
+    """A failure tells what stood on the pages."""
+    report = yield
+    if call.when == "call" and report.failed:
+        for opened in item.stash.get(_OPENED, []):
+            with contextlib.suppress(Exception):
+                report.sections.append((opened.name, opened.report()))
+    return report
 
 
 @pytest.fixture(scope="session")
@@ -62,32 +77,34 @@ def course(tmp_path_factory, browser):
 @pytest.fixture
 def notebook(lab, browser, request):
     """notebook("cell 1", "cell 2", ...) writes a notebook, opens it and waits for its kernel."""
-    opened = []
+    pages, opened = [], request.node.stash.setdefault(_OPENED, [])
 
     def open_(*cells: str, width: int = 1100, height: int = 1000) -> Notebook:
         name = f"{request.node.name}.ipynb"
         made = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
         made.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
         nbformat.write(made, lab.folder / name)
-        opened.append(browser.new_page(viewport={"width": width, "height": height}))
-        return Notebook(opened[-1], lab, name)
+        pages.append(browser.new_page(viewport={"width": width, "height": height}))
+        opened.append(Notebook(pages[-1], lab, name))
+        return opened[-1]
 
     yield open_
-    for page in opened:
+    for page in pages:
         close(page)
 
 
 @pytest.fixture
-def chapter(course, browser):
+def chapter(course, browser, request):
     """chapter("01_first_nodes.ipynb") opens a chapter of the student's copy."""
-    opened = []
+    pages, opened = [], request.node.stash.setdefault(_OPENED, [])
 
     def open_(name: str) -> Notebook:
-        opened.append(browser.new_page(viewport={"width": 1280, "height": 900}))
-        return Notebook(opened[-1], course, name)
+        pages.append(browser.new_page(viewport={"width": 1280, "height": 900}))
+        opened.append(Notebook(pages[-1], course, name))
+        return opened[-1]
 
     yield open_
-    for page in opened:
+    for page in pages:
         close(page)
 
 

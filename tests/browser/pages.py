@@ -113,6 +113,9 @@ class Notebook:
 
     def __init__(self, page: Any, lab: Lab, name: str) -> None:
         self.page, self.lab, self.name = page, lab, name
+        self.told: list[str] = []
+        page.on("console", lambda message: self.told.append(f"{message.type}: {message.text}"))
+        page.on("pageerror", lambda error: self.told.append(f"uncaught: {error}"))
         page.goto(lab.address(name), timeout=PATIENCE_MS)
         self._wait_until_it_answers()
 
@@ -154,6 +157,12 @@ class Notebook:
     def text(self) -> str:
         """What the outputs say."""
         return "\n".join(self.page.locator(".jp-OutputArea-output").all_inner_texts())
+
+    def report(self) -> str:
+        """What the page shows and what the browser and the server told, for a failure's report."""
+        log = (self.lab.folder / "server.log").read_text()
+        told = "\n".join(line[:300] for line in self.told[-40:])
+        return f"{self.text()[-6000:]}\n--- browser\n{told}\n--- kernels\n{self.lab.stacks()}\n--- server\n{log[-2000:]}"
 
     def ask(self, code: str) -> str:
         """Run code in the notebook's kernel, beside its cells; what it prints."""

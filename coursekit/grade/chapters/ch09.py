@@ -6,6 +6,7 @@ import math
 import random
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
@@ -140,7 +141,7 @@ def _least(costs: np.ndarray, start: Cell, goal: Cell) -> float:
 def patrol(work: Work) -> None:
     """The robot comes to every stop, in order, and the program says so and ends."""
     work.built(PACKAGE)
-    file = work.file("room.yaml")
+    file = _map_of_the_room(work)
     seen = work.try_out(
         "launch coursekit_robots simulation.launch.py world:=robot_world",
         f"launch nav2_bringup bringup_launch.py map:={file} use_sim_time:=True",
@@ -155,6 +156,14 @@ def patrol(work: Work) -> None:
         raise Wrong("a line for each stop, like `stop 1: SUCCEEDED`", got, share=0.5)
     if seen.exit_codes[2] != 0:
         raise Wrong("exit status 0 after the last stop", f"{seen.exit_codes[2]}", "Does main end?", share=0.75)
+
+
+def _map_of_the_room(work: Work) -> Path:
+    """The student's own; the course's where there is none: grading does not drive once more to make it."""
+    from ament_index_python.packages import get_package_share_directory
+
+    own = work.workspace / "room.yaml"
+    return own if own.is_file() else Path(get_package_share_directory("coursekit_maps")) / "robot_world.yaml"
 
 
 def _expect_stops(track: Sequence[Mapping[str, float]], output: str) -> None:

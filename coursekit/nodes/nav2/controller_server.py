@@ -72,7 +72,8 @@ class ControllerServer(Server):
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Drive when asked."""
-        self.costmap.trigger_activate()
+        if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
+            return TransitionCallbackReturn.FAILURE
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:

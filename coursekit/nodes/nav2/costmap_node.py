@@ -66,8 +66,10 @@ class CostmapNode(LifecycleNode):
         ]
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to keep up to date."""
+        """Begin to keep up to date, once it is known where the robot is."""
         self.get_logger().info("Activating")
+        self.get_logger().info("Checking transform")
+        self.where.wait_for_robot(self.frame, self._tell_no_pose)
         self._active = True
         self._timer = self.create_timer(1.0 / max(self.given["update_frequency"], 0.1), self._work)
         return super().on_activate(state)
@@ -104,13 +106,16 @@ class CostmapNode(LifecycleNode):
         try:
             here = self.pose()
         except TransformException as fault:
-            self.get_logger().info(
-                f"Timed out waiting for transform from {self.given['robot_base_frame']} to {self.frame} to become "
-                f"available, tf error: {fault}", throttle_duration_sec=2.0,
-            )  # fmt: skip
+            self._tell_no_pose(str(fault))
             return None
         self.latest = self.layers.update(*here)
         return self.latest
+
+    def _tell_no_pose(self, fault: str) -> None:
+        self.get_logger().info(
+            f"Timed out waiting for transform from {self.given['robot_base_frame']} to {self.frame} to become "
+            f"available, tf error: {fault}", throttle_duration_sec=2.0,
+        )  # fmt: skip
 
     def _work(self) -> None:
         if self.fresh() is None:

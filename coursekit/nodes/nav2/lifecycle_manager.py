@@ -20,7 +20,6 @@ _ACTIVATE = (Transition.TRANSITION_ACTIVATE, "Activating")
 _DEACTIVATE = (Transition.TRANSITION_DEACTIVATE, "Deactivating")
 _CLEANUP = (Transition.TRANSITION_CLEANUP, "Cleaning up")
 _SHUTDOWN = (Transition.TRANSITION_UNCONFIGURED_SHUTDOWN, "Shutting down")
-_ANSWER_SECONDS = 10.0
 
 # command: what it says first, its transitions, whether a failure ends it, what it says last, whether nodes are active then
 _COMMANDS: dict[int, tuple[str, tuple[tuple[int, str], ...], bool, str, bool]] = {
@@ -111,7 +110,8 @@ class LifecycleManager(Node):
             self.get_logger().info(f"Waiting for service {name}/change_state...")
         self.get_logger().info(f"{transition[1]} {name}")
         future = client.call_async(ChangeState.Request(transition=Transition(id=transition[0])))
-        self._executor_of_asker.spin_until_future_complete(future, _ANSWER_SECONDS)
+        while not future.done() and client.service_is_ready():  # a costmap may wait long for its robot
+            self._executor_of_asker.spin_until_future_complete(future, 1.0)
         answer = future.result() if future.done() else None
         if answer is None or not answer.success:
             self.get_logger().error(f"Failed to change state for node: {name}")

@@ -63,7 +63,8 @@ class PlannerServer(Server):
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Plan."""
-        self.costmap.trigger_activate()
+        if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
+            return TransitionCallbackReturn.FAILURE
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
+import rclpy
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.time import Time
-from tf2_ros import TransformListener
+from tf2_ros import TransformException, TransformListener
 
 from coursekit.nodes.slam_toolbox.geometry import of_transform, plane, to_pose
 from coursekit.nodes.slam_toolbox.scan_filter import WakingBuffer
@@ -26,6 +29,33 @@ class Whereabouts:
     def close(self) -> None:
         """Listen no more."""
         self._listener.unregister()
+
+    def wait_for_robot(self, frame: str, tell: Callable[[str], None]) -> None:
+        """Come back when the robot's pose in a frame is known; until then `tell` hears twice a second why it is not.
+
+        Meant for a callback: the node's own executor rests meanwhile, so tf is heard by ears of its own.
+        """
+        name = f"{self.node.get_name()}_waits_for_tf"
+        ears = rclpy.create_node(name, namespace=self.node.get_namespace(), context=self.node.context)
+        executor = SingleThreadedExecutor(context=self.node.context)
+        executor.add_node(ears)
+        listener = TransformListener(self.buffer, ears)
+        known = self.buffer.wait_for_transform_async(frame, self.base, Time())
+        try:
+            while self.node.context.ok() and (fault := self._fault(frame)):
+                tell(fault)
+                executor.spin_until_future_complete(known, 0.5)
+        finally:
+            listener.unregister()
+            executor.shutdown()
+            ears.destroy_node()
+
+    def _fault(self, frame: str) -> str:
+        try:
+            self.robot(frame)
+        except TransformException as fault:
+            return str(fault)
+        return ""
 
     def robot(self, frame: str) -> Pose2:
         """The robot's newest pose in a frame."""

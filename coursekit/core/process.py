@@ -256,7 +256,8 @@ class Process:
         try:
             action()
         except BaseException as error:
-            raise_in_thread(lane.ident, type(error))
+            if self.exit_code is None:  # else another thread may have its number by now
+                raise_in_thread(lane.ident, type(error))
 
     def _kill(self) -> None:
         self._killed = True

@@ -218,6 +218,15 @@ def test_busy_code_is_interrupted_on_the_wall_clock():
         assert process.wait(10) == -2
 
 
+def test_a_ctrl_c_that_comes_after_the_end_hits_no_thread_that_took_its_number():
+    with Session().use() as session:
+        _, process = run(session, lambda: None)
+        process._lane.post(lambda: process._receive(signal.SIGINT))  # it was pressed twice
+        process._lane.ident = threading.get_ident()  # as a later thread's may be
+        process._reach_busy(process._lane)
+        assert sum(range(1000)) == 499500  # a KeyboardInterrupt would come at one of these steps
+
+
 def test_what_cannot_be_stopped_is_cut_off_and_said_to_be():
     release = threading.Lock()
     release.acquire()

@@ -65,12 +65,14 @@ def update_course(args: argparse.Namespace) -> int:
 
 def lab_environment(folder: Path) -> dict[str, str]:
     """The environment of kernels and terminals: the underlay sourced, the course's folders named."""
+    from coursekit.cli.kernel import write_kernelspec
     from coursekit.packages.environment import source_underlay
 
     env = dict(os.environ)
     source_underlay(env)
     env["COURSEKIT_COURSE"] = str(folder)
     env["COURSEKIT_WORKSPACE"] = str(folder / "ros2_ws")
+    env["JUPYTER_PATH"] = os.pathsep.join(filter(None, [str(write_kernelspec(folder)), env.get("JUPYTER_PATH", "")]))
     return env
 
 

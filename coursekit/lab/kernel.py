@@ -7,6 +7,7 @@ import os
 import sys
 from typing import Any
 
+from coursekit.cli.kernel import hear_all
 from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
@@ -36,6 +37,7 @@ def start() -> Session:
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
         session.embedded = True
+        hear_all(shell.kernel)
         cells = Cells(session, shell)
         _state["cells"] = cells
         _register_magics(shell)

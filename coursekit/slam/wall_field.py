@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from scipy.ndimage import distance_transform_edt
 
-
 MOST_CELLS = 50_000_000
 
 

@@ -15,10 +15,13 @@ from pathlib import Path
 from typing import Any
 
 PATIENCE_MS = 60_000
-ALL_RAN = """() => {
-    const prompts = [...document.querySelectorAll('.jp-CodeCell .jp-InputArea-prompt')];
-    return prompts.length && prompts.every((one) => /\\[\\d+\\]/.test(one.textContent));
+ALL_RAN = """() => jupyterapp.shell.currentWidget.content.widgets
+    .every((cell) => cell.model.type !== 'code' || cell.model.executionCount)"""
+TO_THE_END = """async () => {
+    const { content } = jupyterapp.shell.currentWidget;
+    await content.scrollToItem(content.widgets.length - 1, 'end');
 }"""
+PROMPTS = "() => jupyterapp.shell.currentWidget.content.widgets.map((cell) => cell.model.executionCount ?? cell.model.type)"
 HAS_KERNEL = "() => jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.connectionStatus === 'connected'"
 ANSWERS = """async () => {
     const kernel = jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel;
@@ -120,16 +123,16 @@ class Notebook:
         self._wait_until_it_answers()
 
     def run(self) -> None:
-        """Run all cells and wait until each has its number.
+        """Run all cells, wait until each has its number, and look at the last: JupyterLab draws cells out of sight late.
 
         JupyterLab's web socket can lose a request on a busy machine and then waits for ever: the page is loaded
         anew, once, and that is said.
         """
-        if self._all_ran():
-            return
-        warnings.warn(f"{self.name}: not all cells ran, once more. {self._state()}", stacklevel=2)
-        self.load_again()
-        assert self._all_ran(), f"not all cells ran: {self._state()}"
+        if not self._all_ran():
+            warnings.warn(f"{self.name}: not all cells ran, once more. {self._state()}", stacklevel=2)
+            self.load_again()
+            assert self._all_ran(), f"not all cells ran: {self._state()}"
+        self.page.evaluate(TO_THE_END)
 
     def load_again(self) -> None:
         """The page anew, with the same kernel."""
@@ -186,8 +189,7 @@ class Notebook:
         return True
 
     def _state(self) -> str:
-        prompts = self.page.locator(".jp-CodeCell .jp-InputArea-prompt").all_inner_texts()
-        return f"{prompts}\n{self.lab.stacks()}"
+        return f"{self.page.evaluate(PROMPTS)}\n{self.lab.stacks()}"
 
     def _wait_until_it_answers(self) -> None:
         """A connection that is still being made loses requests: ask until one is answered."""

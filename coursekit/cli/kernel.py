@@ -1,0 +1,60 @@
+"""`python -m coursekit.cli.kernel`: IPython's kernel, which hears every request.
+
+ipykernel 7.0 to 7.3 sends replies past the stream that reads requests from the same socket. A request that comes in that
+moment is never read, nor is any after it: the kernel is deaf until it is restarted (ipykernel's issue 1554). Later
+versions are mended, but 7.4.0 lets widgets' synced traits get stuck, so the course mends 7.3 instead.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+
+def hear_all(kernel: Any) -> None:
+    """Let replies of a kernel go through the stream that reads its requests; for the thread that made the kernel."""
+    thread = getattr(kernel, "shell_channel_thread", None)
+    if thread is None or hasattr(thread.manager, "_shell_stream"):
+        return  # before 7 and after 7.3 they do
+    manager, reply = thread.manager, kernel.shell_stream.send_multipart
+    manager._send_on_shell_channel = reply  # what subshells still to come will take
+
+    def take() -> None:
+        pairs = [manager._main_to_shell_channel, *(one.subshell_to_shell_channel for one in manager._cache.values())]
+        for pair in pairs:
+            pair.on_recv(thread.io_loop, reply)
+
+    thread.io_loop.add_callback(take)
+
+
+def write_kernelspec(folder: Path) -> Path:
+    """Make JupyterLab start its Python kernels by this module: a folder for JUPYTER_PATH, written below `folder`."""
+    place = folder / ".coursekit" / "jupyter"
+    spec = {
+        "argv": [sys.executable, "-m", __name__, "-f", "{connection_file}"],
+        "display_name": "Python 3 (ipykernel)",
+        "language": "python",
+        "metadata": {"debugger": True},
+    }
+    file = place / "kernels" / "python3" / "kernel.json"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(spec, indent=1), encoding="utf-8")
+    return place
+
+
+def main() -> None:
+    """Run a kernel that hears all."""
+    from ipykernel.kernelapp import IPKernelApp
+
+    class KernelApp(IPKernelApp):
+        def init_kernel(self) -> None:
+            super().init_kernel()
+            hear_all(self.kernel)
+
+    KernelApp.launch_instance()
+
+
+if __name__ == "__main__":
+    main()

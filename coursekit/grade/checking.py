@@ -21,9 +21,17 @@ def workspace() -> Path:
     return Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
 
 
-def judge(exercise: Exercise, variables: Mapping[str, Any], folder: Path, tries: int = 1) -> Verdict:
+def judge(
+    exercise: Exercise,
+    variables: Mapping[str, Any],
+    folder: Path,
+    tries: int = 1,
+    variants: Mapping[str, Any] | None = None,
+) -> Verdict:
     """The verdict on the work as it is now. After the second failure a hint is given, with each further one the next."""
-    return judge_work(exercise, Work(variables, folder), tries)
+    work = Work(variables, folder)
+    work.variants = variants or {}
+    return judge_work(exercise, work, tries)
 
 
 def judge_work(exercise: Exercise, work: Work, tries: int = 1) -> Verdict:
@@ -54,11 +62,14 @@ def judge_work(exercise: Exercise, work: Work, tries: int = 1) -> Verdict:
     return Verdict(exercise.name, exercise.title, exercise.points, exercise.points)
 
 
-def check(name: str) -> None:
-    """Judge exercise `name` with what is in this notebook and workspace; CheckFailed if it is not solved."""
+def check(name: str, **variants: Any) -> None:
+    """Judge exercise `name` with what is in this notebook and workspace; CheckFailed if it is not solved.
+
+    `variants` are the values of a copy that asks for values of its own. The mark is found with those that the teacher knows.
+    """
     exercise = find(name)
     progress = Progress.of_course()
-    verdict = judge(exercise, _variables(), workspace(), progress.count_try(name))
+    verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict)

@@ -11,6 +11,8 @@ from typing import Any
 from .editions import ENGLISH, chapters
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
+HANDED_OUT = "handed_out"
+"""What a notebook's metadata say when a teacher released it."""
 MARKUP_STUB = "<!-- YOUR CODE HERE -->"
 """The stub in files of XML: URDF, xacro, launch files"""
 _SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
@@ -58,6 +60,15 @@ def edition_of(text: str) -> str:
     return hashlib.sha256(json.dumps(["".join(cell["source"]) for cell in cells]).encode()).hexdigest()
 
 
+def _handed_out(file: Path) -> bool:
+    """Whether a teacher released this copy, perhaps with values of the student's own."""
+    try:
+        metadata = json.loads(file.read_text(encoding="utf-8"))["metadata"]
+    except (ValueError, LookupError, TypeError):
+        return False
+    return HANDED_OUT in metadata.get("coursekit", {})
+
+
 class Course:
     """A student's course folder."""
 
@@ -88,6 +99,8 @@ class Course:
     def _bring(self, name: str, text: str, given: dict[str, str]) -> str:
         target = self.folder / name
         edition = edition_of(text)
+        if target.exists() and _handed_out(target):
+            return ""
         if not target.exists():
             target.write_text(text, encoding="utf-8")
             given[name] = edition

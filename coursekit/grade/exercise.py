@@ -5,11 +5,12 @@ from __future__ import annotations
 import difflib
 import importlib
 import pkgutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from . import chapters
+from .variants import checks_in
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,12 @@ def all_exercises() -> dict[str, Exercise]:
     for module in pkgutil.iter_modules(chapters.__path__):
         importlib.import_module(f"{chapters.__name__}.{module.name}")
     return dict(sorted(_known.items()))
+
+
+def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
+    """The exercises that the notebooks check."""
+    checked = {name for notebook in notebooks for name in checks_in(notebook)}
+    return {name: one for name, one in all_exercises().items() if name in checked}
 
 
 def find(name: str) -> Exercise:

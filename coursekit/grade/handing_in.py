@@ -14,11 +14,13 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from .exercise import all_exercises
+from .exercise import exercises_in
 from .mark import Marked, mark
 from .parcel import EVENTS, cell_digests, pack_parcel, parcel_faults, read_parcel
+from .roster import student_word
 from .sandbox import Limits
 from .submissions import Submission, read_notebook
+from .variants import Variants
 
 EVIDENCE = re.compile(r"\w+_evidence_s\w+\.(png|pdf)")
 
@@ -31,11 +33,7 @@ def who_and_where() -> dict[str, str]:
 def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked:
     """The mark of a notebook that is run from top to bottom in a sandbox; `source` is the course's own, if it is at hand."""
     found = read_notebook(notebook)
-    text = json.dumps(found)
-    exercises = {name: one for name, one in all_exercises().items() if f'check(\\"{name}\\")' in text}
-    if source is not None:
-        own = json.dumps(source)
-        exercises = {name: one for name, one in all_exercises().items() if f'check(\\"{name}\\")' in own}
+    exercises = exercises_in(found if source is None else source)
     with tempfile.TemporaryDirectory() as scratch:
         place = Path(scratch) / "me"
         place.mkdir()
@@ -68,16 +66,9 @@ def make_parcel(notebook: Path, course: Path, student: str, out: Path) -> tuple[
     return file, marked
 
 
-def student_word(student: str) -> str:
-    """A name as it stands in the names of files.
-
-    >>> student_word("Vera de la Course")
-    'VeraDeLaCourse'
-    """
-    return "".join(word[:1].upper() + word[1:] for word in re.findall(r"\w+", student))
-
-
-def verify(file: Path, notebooks: Path | None = None, *, run: bool = True) -> tuple[list[str], Marked | None]:
+def verify(
+    file: Path, notebooks: Path | None = None, *, run: bool = True, variants: Variants | None = None
+) -> tuple[list[str], Marked | None]:
     """What is wrong with a parcel, and the mark that it really earns (None when it was not run)."""
     data = file.read_bytes()
     found = parcel_faults(data)
@@ -94,6 +85,9 @@ def verify(file: Path, notebooks: Path | None = None, *, run: bool = True) -> tu
         handed_in.write_bytes(content)
         source = notebooks / name if notebooks is not None else None
         own = json.loads(source.read_text(encoding="utf-8")) if source is not None and source.is_file() else None
+        if own is not None and variants is not None:
+            student = variants.roster.find(file.stem) or variants.roster.find(str(manifest.get("student")))
+            own = variants.copies(student, {name: own})[name] if student else own
         try:
             if cell_digests(read_notebook(handed_in)) != manifest.get("cells"):
                 found.append(f"{name}: its cells are not those of the manifest")

@@ -19,6 +19,7 @@ from .interruptions import Gone, NeedsWorkspace
 from .remote import BUILD_SECONDS, Line, RemoteWork
 from .repair import Repaired, Step, repair
 from .submissions import Submission, read_notebook
+from .variants import Values, values_of
 from .verdict import Verdict
 
 CELL_SECONDS = 20.0
@@ -41,6 +42,8 @@ class Marked:
     notes: list[str] = field(default_factory=list)
     minutes_late: float = 0.0
     answers: list[str] = field(default_factory=list)
+    variants: Values = field(default_factory=dict)
+    """What this student's exercises asked for."""
 
     def total(self) -> float:
         """All points."""
@@ -63,7 +66,7 @@ def mark(
     limits: sandbox.Limits,
 ) -> Marked:
     """Grade a submission; whatever is wrong with it ends up in the result, never as an exception."""
-    made = Marked(submission.student, submission.digest(), tier=sandbox.tier())
+    made = Marked(submission.student, submission.digest(), tier=sandbox.tier(), variants=values_of(sources.values()))
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         try:
             made.notes += submission.faults()
@@ -113,7 +116,7 @@ def _mark_notebook(
     env = _environment(workspace)
     running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
     try:
-        work = RemoteWork(Line(running, limits), workspace, env, limits)
+        work = RemoteWork(Line(running, limits), workspace, env, limits, made.variants)
         made.verdicts += _run_and_judge(repaired, work, exercises)
     finally:
         running.end()

@@ -5,11 +5,13 @@ from __future__ import annotations
 import html
 import json
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .copy import student_notebook
+from .copy import HANDED_OUT, student_notebook
+from .roster import student_word
+from .variants import Variants
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 _PAGE = """<h2>{title}</h2>
@@ -28,23 +30,44 @@ def released(notebook: dict[str, Any]) -> dict[str, Any]:
     return made
 
 
-def release(notebooks: Sequence[Path], out: Path) -> list[Path]:
-    """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written."""
-    out.mkdir(parents=True, exist_ok=True)
-    written, rows = [], []
-    for source in sorted(notebooks):
-        made = released(json.loads(source.read_text(encoding="utf-8")))
-        target = out / source.name
-        target.write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")
-        written.append(target)
-        rows.append(_row(source.stem, made))
-    archive = out / f"{out.name}.zip"
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
-        for target in written:
-            packed.write(target, f"{out.name}/{target.name}")
+def release(notebooks: Sequence[Path], out: Path, variants: Variants | None = None) -> list[Path]:
+    """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written.
+
+    With `variants` each student of the class has a folder and a zip of their own.
+    """
+    sources = {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks)}
+    written = []
+    for student in variants.roster.students if variants else []:
+        copies = variants.copies(student, sources) if variants else sources
+        written.append(_zipped(_written(copies, out / student_word(student), out.name), out))
+    if not variants:
+        files = _written(sources, out, out.name)
+        written = [*files, _zipped(files, out)]
+    rows = "\n".join(_row(Path(name).stem, one) for name, one in sources.items())
     page = out / "page.html"
-    page.write_text(_PAGE.format(title=html.escape(out.name), archive=archive.name, rows="\n".join(rows)), encoding="utf-8")
-    return [*written, archive, page]
+    archive = "the zip with your name" if variants else f"{out.name}.zip"
+    page.write_text(_PAGE.format(title=html.escape(out.name), archive=archive, rows=rows), encoding="utf-8")
+    return [*written, page]
+
+
+def _written(notebooks: Mapping[str, Any], folder: Path, name: str) -> list[Path]:
+    """The notebooks as they are handed out; they say so, and a new edition of the course leaves them alone."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = []
+    for file, notebook in notebooks.items():
+        made = released(notebook)
+        made["metadata"]["coursekit"] = {HANDED_OUT: name}
+        files.append(folder / file)
+        files[-1].write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")
+    return files
+
+
+def _zipped(files: Sequence[Path], out: Path) -> Path:
+    archive = out / f"{files[0].parent.name}.zip"
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+        for file in files:
+            packed.write(file, f"{out.name}/{file.name}")
+    return archive
 
 
 def _row(name: str, notebook: dict[str, Any]) -> str:

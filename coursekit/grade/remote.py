@@ -16,6 +16,7 @@ from . import sandbox
 from .inside import PATIENCE
 from .interruptions import Gone, NeedsWorkspace
 from .trial import Plan, Seen, TrialFailed, answered, asked
+from .variants import Values
 from .verdict import Wrong
 from .wire import pack, refresh, unpack
 from .work import Work, _words
@@ -72,8 +73,16 @@ class Line:
 class RemoteWork(Work):
     """`Work` whose variables live in a sandbox and whose programs are tried out in further ones."""
 
-    def __init__(self, line: Line, workspace: Path, environment: Mapping[str, str], limits: sandbox.Limits) -> None:
+    def __init__(
+        self,
+        line: Line,
+        workspace: Path,
+        environment: Mapping[str, str],
+        limits: sandbox.Limits,
+        values: Values | None = None,
+    ) -> None:
         super().__init__({}, workspace)
+        self._values = values or {}
         self._line = line
         self._environment = environment
         self._limits = limits
@@ -95,6 +104,7 @@ class RemoteWork(Work):
     def judge_from_here(self, exercise: str) -> None:
         """The work is judged as it is now: whoever judges `exercise` later still sees the variables of this moment."""
         self._moment = exercise
+        self.variants = self._values.get(exercise, {})
         self._given = {}
         if not self.complete:
             self._line.ask({"ask": "keep", "moment": exercise}, CALL_SECONDS)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import itertools
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 from .copy import without_solution
-
-_CHECK = re.compile(r"""^\s*check\(\s*["'](?P<name>[\w.]+)["']\s*\)\s*$""", re.M)
+from .variants import CHECK
 
 
 @dataclass
@@ -44,7 +42,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
     by_id = _by_id(theirs, made.notes)
     own = _own_cells(source, theirs)
     known = {"".join(cell["source"]).strip() for cell in source["cells"]}
-    unknown = [cell for cell in theirs if _CHECK.search(_text(cell)) or _text(cell).strip() not in known]
+    unknown = [cell for cell in theirs if CHECK.search(_text(cell)) or _text(cell).strip() not in known]
     for cell in source["cells"]:
         grading = cell.get("metadata", {}).get("nbgrader", {})
         text = "".join(cell["source"])
@@ -61,7 +59,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
             written = bool(added or own.get("")) or not as_given
             made.begun[exercise] = made.begun.get(exercise, False) or written
             continue
-        found = _CHECK.search(text)
+        found = CHECK.search(text)
         made.steps.append(Step("" if found else text, found["name"] if found else ""))
     made.steps = [Step(one, solution=True) for left in own.values() for one in left] + made.steps
     return made
@@ -111,7 +109,7 @@ def _cell_before_check(name: str, theirs: list[dict[str, Any]]) -> str:
     """An unnamed cell right above the check of the same exercise."""
     exercise = name.replace("-", ".")
     for before, cell in itertools.pairwise(theirs):
-        found = _CHECK.search(_text(cell))
+        found = CHECK.search(_text(cell))
         if found and found["name"] == exercise and not _id(before):
             return _text(before)
     return ""

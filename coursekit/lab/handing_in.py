@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.grade import events
-from coursekit.grade.handing_in import make_parcel, student_word, who_and_where
+from coursekit.grade.handing_in import make_parcel, who_and_where
 from coursekit.grade.mark import Marked
 from coursekit.grade.parcel import EVENTS
+from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 
 from .evidence_picture import page

@@ -71,7 +71,8 @@ def corner(work: Work) -> None:
     ),
 )
 def stage(work: Work) -> None:
-    """bob stands at (2, 2), and turtle1's pen is thick and red."""
+    """A second turtle stands at its place, and turtle1's pen is thick and red."""
+    name, where = work.variant("turtle", "bob"), (work.variant("x", 2.5), work.variant("y", 3.5))
     commands = work.value("commands", list)
     if not all(isinstance(one, str) for one in commands):
         raise Wrong("a list of texts", repr(commands)[:120])
@@ -80,14 +81,14 @@ def stage(work: Work) -> None:
     red = (5.0, CMD_VEL, TWIST, _twist(1.0, 0.0))
     seen = work.try_out(
         TURTLESIM, *commands, seconds=7.0, publish=[red],
-        record=["/bob/pose", "/turtle1/color_sensor", POSE],
+        record=[f"/{name}/pose", "/turtle1/color_sensor", POSE],
     )  # fmt: skip
-    bob = seen.messages.get("/bob/pose")
-    if not bob:
-        raise Wrong("a turtle named bob", f"topics: {', '.join(name for name in seen.topics if 'pose' in name)}")
-    place = bob[-1][1]
-    if math.dist((place["x"], place["y"]), (2, 2)) > 0.01:
-        raise Wrong("bob at (2, 2)", f"({place['x']:.2f}, {place['y']:.2f})", share=0.5)
+    poses = seen.messages.get(f"/{name}/pose")
+    if not poses:
+        raise Wrong(f"a turtle named {name}", f"topics: {', '.join(name for name in seen.topics if 'pose' in name)}")
+    place = poses[-1][1]
+    if math.dist((place["x"], place["y"]), where) > 0.01:
+        raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place['x']:.2f}, {place['y']:.2f})", share=0.5)
     colours = {(one["r"], one["g"], one["b"]) for _, one in seen.messages["/turtle1/color_sensor"]}
     if (255, 0, 0) not in colours:
         raise Wrong("turtle1 draws in red (255, 0, 0)", f"under its pen: {sorted(colours)[:4]}", share=0.5)

@@ -102,8 +102,9 @@ def _expect_usage(seen: Seen, words: str) -> None:
     ),
 )
 def gate(work: Work) -> None:
-    """The gate's answer is the server's plus ten; without the server there is none."""
+    """The gate's answer is the server's plus the boxes that stand there; without the server there is none."""
     work.built(PACKAGE)
+    boxes = work.variant("boxes", 10)
     questions = [(17, 25), (-30, 3), (0, 0)]
     calls = [(1.0 + at, "/py_gate_service", ADD, {"a": a, "b": b}) for at, (a, b) in enumerate(questions)]
     seen = work.try_out(f"run {PACKAGE} gate_exe", SERVER, call=calls, seconds=5.0)
@@ -115,8 +116,8 @@ def gate(work: Work) -> None:
         cause = "A deadlock? Both are needed: `await` with `call_async`, and a group of its own for the client."
         raise Wrong(f"an answer to {questions[0]}", "none came" + _last_words(seen), cause)
     for (a, b), response in zip(questions, seen.responses, strict=True):
-        if response is None or response["sum"] != a + b + 10:
-            raise Wrong(f"for a={a}, b={b} what the server says, and 10 more", f"{response}", share=0.25)
+        if response is None or response["sum"] != a + b + boxes:
+            raise Wrong(f"for a={a}, b={b} what the server says, and {boxes} more", f"{response}", share=0.25)
     if seen.outputs[1].count(" = ") < len(questions):
         raise Wrong("py_add_two_ints_service is asked each time", "its server heard less", "Ask it.", share=0.25)
 

@@ -119,14 +119,15 @@ def fleet(work: Work) -> None:
     except Exception as error:
         said = str(error).replace(str(path), path.name)
         raise Wrong("a parameter file that ROS can read", said, "Two underscores in ros__parameters?") from None
-    small, large = (320, 240), (1280, 720)
+    small = work.variant("width", 320), work.variant("height", 240)
+    large, gate = (work.variant("gate_width", 1280), work.variant("gate_height", 720)), work.variant("gate", "gate")
     cameras = {"/py_camera_node": small, "/hall/north/py_camera_node": small, "/a/b/c/py_camera_node": small}
-    for node, size in (cameras | {"/gate/py_camera_node": large, "/gate/east/py_camera_node": small}).items():
+    for node, size in (cameras | {f"/{gate}/py_camera_node": large, f"/{gate}/east/py_camera_node": small}).items():
         got = read.parameters_for(node)
         for name, wanted in zip(("camera.width", "camera.height"), size, strict=True):
             _expect_value(node, name, wanted, got)
         _expect_value(node, "use_sim_time", False, got)
-    for node in ("/turtlesim", "/gate/py_lamp_node"):
+    for node in ("/turtlesim", f"/{gate}/py_lamp_node"):
         got = read.parameters_for(node)
         _expect_value(node, "use_sim_time", False, got)
         if any(name.startswith("camera.") for name in got):

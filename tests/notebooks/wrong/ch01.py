@@ -12,9 +12,9 @@ WRONG = {
         "moves = [(1.0, 2.0)]",
     ],
     "ch01.q3": [
-        "commands = [\"ros2 service call /spawn turtlesim/srv/Spawn '{x: 2.0, y: 2.0, name: bob}'\"]",
-        "commands = [\"service call /spawn turtlesim/srv/Spawn '{x: 2.0, y: 2.0, name: bob}'\"]",
-        "commands = [\"service call /spawn turtlesim/srv/Spawn '{x: 2.0, y: 2.0}'\"]",
+        "commands = [\"ros2 service call /spawn turtlesim/srv/Spawn '{x: 2.5, y: 3.5, name: bob}'\"]",
+        "commands = [\"service call /spawn turtlesim/srv/Spawn '{x: 2.5, y: 3.5, name: bob}'\"]",
+        "commands = [\"service call /spawn turtlesim/srv/Spawn '{x: 2.5, y: 3.5}'\"]",
     ],
     "ch01.q4": [
         "dance = [(1.0, 2.0, 2.0)]",

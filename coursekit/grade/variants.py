@@ -1,0 +1,165 @@
+"""Numbers and names of one's own: each student's copy asks for other values, drawn with a secret that the teacher keeps.
+
+A check cell declares what may differ in its exercise, the value that stands in the course's notebook first:
+`"metadata": {"coursekit": {"variants": {"boxes": [10, 7, 12]}}}`, or `{"from": 5, "to": 20, "step": 1, "default": 10}`.
+In a copy the value stands wherever the first one did between the exercise's heading and its check; the check says it too:
+`check("ch03.q3", boxes=12)`. Who grades draws it again, and believes no copy.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import hmac
+import json
+import os
+import re
+import secrets
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from .roster import Roster
+
+Values = dict[str, dict[str, Any]]
+"""By exercise: its values by name."""
+CHECK = re.compile(r"""^[ \t]*check\(\s*["'](?P<name>[\w.]+)["']\s*(?:,[^\n]*)?\)[ \t]*$""", re.M)
+_HEADING = re.compile(r"^#{1,3} ", re.M)
+
+
+def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
+    """The exercises that a notebook checks, and in which cell."""
+    found: dict[str, int] = {}
+    for place, cell in enumerate(notebook.get("cells", [])):
+        for one in CHECK.finditer("".join(cell.get("source", ""))) if cell.get("cell_type") == "code" else ():
+            found.setdefault(one["name"], place)
+    return found
+
+
+def told(notebook: Mapping[str, Any]) -> Values:
+    """The values that the checks of a notebook say."""
+    found: Values = {}
+    for name, place in checks_in(notebook).items():
+        line = CHECK.search("".join(notebook["cells"][place]["source"]))
+        try:
+            call: Any = ast.parse(line[0].strip(), mode="eval").body if line else None
+            found[name] = {one.arg: ast.literal_eval(one.value) for one in call.keywords if one.arg}
+        except (ValueError, SyntaxError, AttributeError):
+            found[name] = {}
+    return found
+
+
+def values_of(notebooks: Iterable[Mapping[str, Any]]) -> Values:
+    """The values that the checks of several notebooks say, of those exercises that have any."""
+    return {name: said for one in notebooks for name, said in told(one).items() if said}
+
+
+def declared(notebook: Mapping[str, Any]) -> dict[str, dict[str, list[Any]]]:
+    """What may differ: by exercise and name the choices, first the one that stands in the notebook."""
+    found = {}
+    for name, place in checks_in(notebook).items():
+        said = notebook["cells"][place].get("metadata", {}).get("coursekit", {}).get("variants", {})
+        if said:
+            found[name] = {value: _choices(one) for value, one in said.items()}
+    return found
+
+
+def _choices(said: Any) -> list[Any]:
+    if isinstance(said, list):
+        return said
+    steps = round((said["to"] - said["from"]) / said["step"])
+    return [said["default"], *(round(said["from"] + step * said["step"], 9) for step in range(steps + 1))]
+
+
+def personal(notebook: Mapping[str, Any], values: Values) -> dict[str, Any]:
+    """The notebook with these values in the place of its own."""
+    made: dict[str, Any] = json.loads(json.dumps(notebook))
+    places, known = checks_in(notebook), declared(notebook)
+    for name, chosen in values.items():
+        own = {_written(known[name][one][0]): _written(value) for one, value in chosen.items()}
+        for cell in made["cells"][_heading(made, places[name]) : places[name]]:
+            head, text, _ = _parted(cell)
+            cell["source"] = (head + _exchanged(text, own)).splitlines(keepends=True)
+        check = made["cells"][places[name]]
+        line = ", ".join([f'"{name}"', *(f"{one}={value!r}" for one, value in chosen.items())])
+        check["source"] = [f"check({line})"]
+        del check["metadata"]["coursekit"]
+    return made
+
+
+def _heading(notebook: Mapping[str, Any], place: int) -> int:
+    """The cell with the heading that the exercise stands under."""
+    return max((above for above in range(place) if _parted(notebook["cells"][above])[2]), default=0)
+
+
+def _parted(cell: Mapping[str, Any]) -> tuple[str, str, bool]:
+    """What stands above a cell's last heading, the rest, and whether there is a heading."""
+    text = "".join(cell["source"])
+    places = [found.start() for found in _HEADING.finditer(text)] if cell["cell_type"] == "markdown" else []
+    begin = max(places, default=0)
+    return text[:begin], text[begin:], bool(places)
+
+
+def _written(value: Any) -> str:
+    return value if isinstance(value, str) else repr(value)
+
+
+def _exchanged(text: str, own: Mapping[str, str]) -> str:
+    """The text with whole words and numbers exchanged.
+
+    >>> _exchanged("10 boxes of 10.5 kg: 10.", {"10": "7"})
+    '7 boxes of 10.5 kg: 7.'
+    """
+    words = "|".join(re.escape(one) for one in sorted(own, key=len, reverse=True))
+    return re.sub(rf"(?<![\w.])(?:{words})(?!\w|\.\d)", lambda found: own[found[0]], text)
+
+
+class Variants:
+    """A class and its secret.
+
+    >>> Variants(Roster(["Vera Course"]), b"secret").of("Vera Course", {"cells": []})
+    {}
+    """
+
+    def __init__(self, roster: Roster, secret: bytes) -> None:
+        self.roster = roster
+        self._secret = secret
+
+    @classmethod
+    def read(cls, students: Path, *, new: bool = False) -> Variants:
+        """The class in a file of names; its secret lies beside it as NAME.secret, made here when it is `new`.
+
+        Raises:
+            ValueError: when the names are not right, or the secret is missing.
+        """
+        if not students.is_file():
+            raise ValueError(f"There is no file '{students}'. Give one with a student's name on each line.")
+        roster, file = Roster.read(students), secret_file(students)
+        if new and not file.exists():
+            with open(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8") as out:
+                out.write(secrets.token_hex(16) + "\n")
+        if not file.is_file():
+            raise ValueError(f"There is no {file}, the secret that the copies were made with: put it back beside the names.")
+        return cls(roster, file.read_text(encoding="utf-8").strip().encode())
+
+    def of(self, student: str, notebook: Mapping[str, Any]) -> Values:
+        """A student's values for the exercises of a notebook."""
+        return {
+            exercise: {name: self._drawn(student, exercise, name, choices) for name, choices in names.items()}
+            for exercise, names in declared(notebook).items()
+        }
+
+    def copies(self, student: str, notebooks: Mapping[str, Any]) -> dict[str, Any]:
+        """The notebooks, by file name, as this student has them."""
+        return {name: personal(one, self.of(student, one)) for name, one in notebooks.items()}
+
+    def _drawn(self, student: str, exercise: str, name: str, choices: list[Any]) -> Any:
+        """Nobody without the secret can tell what another student drew."""
+        key = hmac.new(self._secret, "\0".join((student, exercise, name)).encode(), hashlib.sha256)
+        kinds = list(dict.fromkeys(choices))
+        return kinds[int.from_bytes(key.digest()[:8], "big") % len(kinds)]
+
+
+def secret_file(students: Path) -> Path:
+    """Where the secret of a class is kept."""
+    return students.with_suffix(".secret")

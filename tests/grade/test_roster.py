@@ -1,0 +1,33 @@
+"""The names of a class, and whose a submission is."""
+
+import pytest
+
+from coursekit.grade.roster import Roster
+
+
+def read(tmp_path, name, text):
+    file = tmp_path / name
+    file.write_text(text, encoding="utf-8")
+    return Roster.read(file).students
+
+
+def test_names_stand_on_lines_or_in_a_table(tmp_path):
+    assert read(tmp_path, "a.txt", "Ann Lee\n\n  Núria O'Neill \n") == ["Ann Lee", "Núria O'Neill"]
+    table = '\ufeffID,Student,Mark\n7,"Lee, Ann",\n8,Ben Ito,3\n'
+    assert read(tmp_path, "a.csv", table) == ["Ann Lee", "Ben Ito"]
+    assert read(tmp_path, "b.csv", "Ann Lee,7\nBen Ito,8\n") == ["Ann Lee", "Ben Ito"]
+
+
+def test_no_names_and_equal_names_are_told(tmp_path):
+    with pytest.raises(ValueError, match="There are no names"):
+        read(tmp_path, "a.txt", "\n")
+    with pytest.raises(ValueError, match="same name: Ann Lee, ann lee"):
+        read(tmp_path, "a.txt", "Ann Lee\nann lee\n")
+
+
+@pytest.mark.parametrize(
+    "file", ["ann lee", "AnnLee_03_services", "annlee_12345_67890_AnnLee_03_services-1", "Lee_Ann Lee_s3"]
+)
+def test_a_student_is_known_by_the_name_of_what_was_handed_in(file):
+    assert Roster(["Ann Lee", "Ben Ito"]).find(file) == "Ann Lee"
+    assert Roster(["Ben Ito"]).find(file) == ""

@@ -1,0 +1,179 @@
+"""Copies that ask for values of their own: drawn with a secret, written in, and judged by those that the teacher draws."""
+
+import json
+import stat
+from pathlib import Path
+
+import pytest
+
+from coursekit.cli.coursekit import main
+from coursekit.grade.checking import check
+from coursekit.grade.copy import Course
+from coursekit.grade.exercise import find
+from coursekit.grade.mark import mark
+from coursekit.grade.roster import Roster
+from coursekit.grade.sandbox import Limits
+from coursekit.grade.submissions import Submission
+from coursekit.grade.variants import Variants, declared, personal, told
+from coursekit.grade.verdict import CheckFailed
+from coursekit.grade.work import Work
+
+from .class_of_200 import solution_cells
+
+NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
+SOURCES = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted(NOTEBOOKS.glob("*.ipynb"))}
+DECLARED = {name: file for file, source in SOURCES.items() for name in declared(source)}
+CLASS = Roster(["Ann Lee", "Ben Ito", *(f"Student {number}" for number in range(40))])
+
+
+def part(exercise):
+    """A notebook with the cells of one exercise, which need no others."""
+    source, name = SOURCES[DECLARED[exercise]], exercise.replace(".", "-")
+    cells = source["cells"]
+    last = next(at for at, one in enumerate(cells) if one["metadata"].get("nbgrader", {}).get("grade_id") == f"{name}-check")
+    first = max(at for at in range(last) if "## Exercise" in "".join(cells[at]["source"]))
+    return {**source, "cells": [cells[1], *cells[first : last + 1]]}
+
+
+def text_of(notebook):
+    return "\n".join("".join(cell["source"]) for cell in notebook["cells"])
+
+
+def graded(folder, source, answers, exercise, seconds=60):
+    """The mark of a notebook, judged as that of the student whose copy `source` is."""
+    folder.mkdir()
+    (folder / "part.ipynb").write_text(json.dumps(answers))
+    return mark(Submission(folder.name, folder), {"part.ipynb": source}, {exercise: find(exercise)}, Limits(seconds=seconds))
+
+
+def test_at_least_two_exercises_have_variants():
+    assert len(DECLARED) >= 2
+
+
+def test_the_values_are_the_secret_s_and_the_student_s():
+    source = SOURCES["03_services.ipynb"]
+    drawn = [Variants(CLASS, b"one").of(student, source) for student in CLASS.students]
+    assert drawn == [Variants(CLASS, b"one").of(student, source) for student in CLASS.students]
+    assert drawn != [Variants(CLASS, b"two").of(student, source) for student in CLASS.students]
+    assert len({one["ch03.q3"]["boxes"] for one in drawn}) > 10
+
+
+@pytest.mark.parametrize("exercise", DECLARED)
+def test_each_value_stands_in_the_text_and_in_the_solution_and_nowhere_else(exercise):
+    source = part(exercise)
+    choices = declared(source)[exercise]
+    own = {name: found[-1] for name, found in choices.items()}
+    made = personal(source, {exercise: own})
+    assert told(made)[exercise] == own and declared(made) == {}
+    described, solution = text_of({"cells": made["cells"][1:2]}), text_of({"cells": list(solution_cells(made).values())})
+    for name, found in choices.items():
+        before, now = (one if isinstance(one, str) else repr(one) for one in (found[0], own[name]))
+        assert now in described and now in solution, name
+        assert f"{before} " not in described, name
+
+
+def test_other_exercises_stay_as_they_are():
+    source = SOURCES["03_services.ipynb"]
+    made = personal(source, {"ch03.q3": {"boxes": 33}})
+    pairs = zip(source["cells"], made["cells"], strict=True)
+    changed = [new for old, new in pairs if "".join(old["source"]) != "".join(new["source"])]
+    assert len(changed) == 3 and all("33" in text_of({"cells": [one]}) for one in changed)
+    assert 'check("ch03.q3", boxes=33)' in text_of(made)
+
+
+@pytest.mark.parametrize("exercise", ["ch01.q3", "ch05.q2"])
+def test_solutions_earn_all_points_under_every_variant_and_a_classmate_s_none(tmp_path, exercise):
+    source = part(exercise)
+    copies = [
+        Variants(CLASS, secret).copies(student, {"part": source})["part"]
+        for secret, student in ((b"a", "Ann Lee"), (b"a", "Ben Ito"), (b"b", "Ann Lee"))
+    ]
+    assert len({text_of(one) for one in copies}) == 3
+    for number, copy in enumerate(copies):
+        marked = graded(tmp_path / f"own{number}", copy, copy, exercise)
+        assert marked.verdicts[0].passed, marked.verdicts[0].text()
+        assert marked.variants == {exercise: told(copy)[exercise]}
+    copied = graded(tmp_path / "copied", copies[1], copies[0], exercise).verdicts[0]
+    assert not copied.passed and copied.expected
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(200)
+def test_a_node_s_own_number_is_judged_too(tmp_path):
+    source = SOURCES["03_services.ipynb"]
+    copies = [personal(source, {"ch03.q3": {"boxes": boxes}}) for boxes in (17, 23)]
+    assert graded(tmp_path / "own", copies[0], copies[0], "ch03.q3", 120).total() == 2
+    copied = graded(tmp_path / "copied", copies[1], copies[0], "ch03.q3", 120).verdicts[0]
+    assert copied.points < 1 and "23 more" in copied.expected
+
+
+def test_a_check_of_a_copy_judges_with_its_own_values(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
+    monkeypatch.setenv("COURSEKIT_WORKSPACE", str(tmp_path / "ros2_ws"))
+    file = tmp_path / "ros2_ws" / "src" / "s5_py_camera" / "config" / "fleet.yaml"
+    file.parent.mkdir(parents=True)
+    copy = personal(part("ch05.q2"), {"ch05.q2": {"gate": "dock", "width": 480}})
+    lines = "".join(solution_cells(copy)["ch05-q2"]["source"]).splitlines()[1:]
+    file.write_text("\n".join(line for line in lines if "###" not in line))
+    check("ch05.q2", gate="dock", width=480)
+    with pytest.raises(CheckFailed):
+        check("ch05.q2")
+    assert "camera.width 320" in capsys.readouterr().out
+
+
+def test_values_keep_the_type_that_the_judge_expects():
+    work = Work({}, Path())
+    work.variants = {"x": 3, "name": 7}
+    assert (work.variant("x", 2.5), work.variant("name", "bob"), work.variant("y", 4)) == (3.0, "bob", 4)
+    assert type(work.variant("x", 2.5)) is float
+
+
+@pytest.fixture
+def handed_out(tmp_path, capsys):
+    """A class of two with copies of one exercise."""
+    (tmp_path / "notebooks").mkdir()
+    (tmp_path / "notebooks" / "05_part.ipynb").write_text(json.dumps(part("ch05.q2")))
+    (tmp_path / "students.txt").write_text("Ann Lee\nBen Ito\n")
+    command = ["release", "05", "--notebooks", str(tmp_path / "notebooks"), "--variants", str(tmp_path / "students.txt")]
+    assert main([*command, "--out", str(tmp_path / "week5")]) == 0
+    assert capsys.readouterr().out.splitlines()[:3] == ["AnnLee.zip", "BenIto.zip", "page.html"]
+    return tmp_path
+
+
+def test_a_release_has_a_copy_for_each_student_and_the_secret_stays_with_the_teacher(handed_out):
+    secret = handed_out / "students.secret"
+    assert stat.S_IMODE(secret.stat().st_mode) == 0o600
+    texts = {name: (handed_out / "week5" / name / "05_part.ipynb").read_text() for name in ("AnnLee", "BenIto")}
+    assert texts["AnnLee"] != texts["BenIto"]
+    for text in texts.values():
+        assert "SOLUTION" not in text and secret.read_text().strip() not in text
+        assert declared(json.loads(text)) == {} and told(json.loads(text))["ch05.q2"]
+    course = Course(handed_out / "week5" / "AnnLee")
+    assert course.update(handed_out / "notebooks") == []
+    assert not list((handed_out / "week5" / "AnnLee").glob("*.new.ipynb"))
+
+
+def test_grading_draws_the_values_again_and_believes_no_copy(handed_out, capsys):
+    students = handed_out / "students.txt"
+    variants = Variants.read(students)
+    for student, folder in (("Ann Lee", "AnnLee_05"), ("Ann Lee", "BenIto"), ("Ann Lee", "nobody")):
+        made = variants.copies(student, {"part": part("ch05.q2")})["part"]
+        (handed_out / "class" / folder).mkdir(parents=True)
+        (handed_out / "class" / folder / "05_part.ipynb").write_text(json.dumps(made))
+    command = ["grade", str(handed_out / "class"), "--notebooks", str(handed_out / "notebooks"), "--jobs", "1"]
+    out = ["--out", str(handed_out / "grades.csv")]
+    assert main([*command, *out, "--variants", str(students)]) == 0
+    totals, notes = {}, {}
+    for name in ("AnnLee_05", "BenIto", "nobody"):
+        found = json.loads((handed_out / "grades" / f"{name}.json").read_text())
+        totals[name], notes[name] = found["verdicts"][0]["points"], found["notes"]
+    assert totals == {"AnnLee_05": 2, "BenIto": 0, "nobody": 0}
+    assert "nobody in the list of names" in notes["nobody"][0] and not notes["BenIto"]
+    assert main([*command, *out]) == 0
+    assert json.loads((handed_out / "grades" / "AnnLee_05.json").read_text())["verdicts"][0]["points"] == 0
+
+
+def test_a_missing_secret_is_said(handed_out):
+    (handed_out / "students.secret").unlink()
+    with pytest.raises(SystemExit, match="There is no .*students.secret"):
+        main(["grade", str(handed_out), "--variants", str(handed_out / "students.txt")])

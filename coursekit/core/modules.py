@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 import importlib
+import importlib.machinery
 import importlib.metadata
 import sys
 import threading
@@ -20,7 +21,7 @@ _real_import_module = importlib.import_module
 _lock = threading.RLock()
 _path_lock = threading.Lock()
 _KEY = "coursekit.modules"
-_OURS = Path(__file__).parents[1] / "ros"
+_NEVER = ("__pycache__", "coursekit")
 
 
 class PrivateModules:
@@ -65,21 +66,25 @@ class PrivateModules:
 def top_level_names(folder: Path) -> Iterator[str]:
     """Modules and packages that can be imported from a folder.
 
-    A package built with --symlink-install has its `launch` folder beside its modules: no package, and `import launch`
-    must still mean ROS's.
+    A folder without an __init__.py is no package where the real one can be imported: the `launch` folder of a package
+    built with --symlink-install must not hide ROS's launch, nor a folder `numpy` numpy. Coursekit is never anyone's own.
     """
     if not folder.is_dir():
         return
     for entry in sorted(folder.iterdir()):
         if entry.suffix == ".py":
             yield entry.stem
-        elif entry.is_dir() and entry.name.isidentifier() and entry.name != "__pycache__" and not _looks_like_ours(entry):
+        elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER and not _is_elsewhere(entry):
             yield entry.name
 
 
-def _looks_like_ours(folder: Path) -> bool:
-    """Whether it only looks like one of ROS's packages: without an __init__.py Python prefers the real one."""
-    return not (folder / "__init__.py").exists() and (_OURS / folder.name / "__init__.py").exists()
+def _is_elsewhere(folder: Path) -> bool:
+    """Whether Python would import something else by this name."""
+    if (folder / "__init__.py").exists():
+        return False
+    beside = [place for place in sys.path if Path(place or ".").resolve() != folder.parent.resolve()]
+    found = importlib.machinery.PathFinder.find_spec(folder.name, beside)
+    return folder.name in sys.builtin_module_names or (found is not None and found.origin is not None)
 
 
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:

@@ -74,10 +74,26 @@ class Class:
         return marked
 
     def _write(self, marks: Sequence[Marked], exercises: Mapping[str, Exercise]) -> None:
+        _note_copies(marks)
         write_table(self.out, marks, list(exercises))
         write_reports(self.kept, marks)
         write_similar(self.kept / "similar.csv", marks)
         write_statistics(self.kept, marks)
+
+
+def _note_copies(marks: Sequence[Marked]) -> None:
+    """Tell who handed in the same pictures or the same log as somebody else; that is found anew each time."""
+    owners: dict[str, list[str]] = {}
+    for one in marks:
+        for digest in one.traces:
+            owners.setdefault(digest, []).append(one.student)
+    for one in marks:
+        shared: dict[str, list[str]] = {}
+        for digest, what in one.traces.items():
+            for other in owners[digest]:
+                if other != one.student:
+                    shared.setdefault(other, []).append(what)
+        one.notes += [f"the same as in {other}'s: {', '.join(what[:3])}" for other, what in shared.items()]
 
 
 def _meant(name: str, handed_in: Iterable[str]) -> bool:

@@ -14,9 +14,10 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from . import events
 from .exercise import exercises_in
 from .mark import Marked, mark
-from .parcel import EVENTS, cell_digests, pack_parcel, parcel_faults, read_parcel
+from .parcel import EVENTS, cell_digests, digest_of, other_hands, other_results, pack_parcel, parcel_faults, read_parcel
 from .roster import student_word
 from .sandbox import Limits
 from .submissions import Submission, read_notebook
@@ -44,11 +45,19 @@ def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked
 def make_parcel(notebook: Path, course: Path, student: str, out: Path) -> tuple[Path, Marked]:
     """Run the notebook afresh and write the parcel; where it is, and the mark."""
     marked = clean_run(notebook)
+    file = out / f"{student_word(student)}_{notebook.stem}.zip"
+    file.write_bytes(parcel_of(notebook, course, student, marked))
+    return file, marked
+
+
+def parcel_of(notebook: Path, course: Path, student: str, marked: Marked) -> bytes:
+    """The parcel with a notebook, the course's pictures and log, and the mark of a clean run."""
     files = {notebook.name: notebook.read_bytes()}
     for picture in sorted((course / "evidence").glob("*")):
         if EVIDENCE.fullmatch(picture.name):
             files[f"evidence/{picture.name}"] = picture.read_bytes()
     log = course / ".coursekit" / EVENTS
+    events.note(log, "hand_in", notebook=notebook.name, sha256=digest_of(files[notebook.name]))
     files[EVENTS] = log.read_bytes() if log.exists() else b""
     facts = {
         "student": student,
@@ -61,9 +70,7 @@ def make_parcel(notebook: Path, course: Path, student: str, out: Path) -> tuple[
         "of": sum(one.of for one in marked.verdicts),
         "tier": marked.tier,
     }
-    file = out / f"{student_word(student)}_{notebook.stem}.zip"
-    file.write_bytes(pack_parcel(files, facts))
-    return file, marked
+    return pack_parcel(files, facts)
 
 
 def verify(
@@ -73,6 +80,7 @@ def verify(
     data = file.read_bytes()
     found = parcel_faults(data)
     try:
+        found += other_hands(data, file.stem)
         manifest, files = read_parcel(data)
         name = Path(str(manifest["notebook"])).name
         content = files[name]
@@ -94,19 +102,7 @@ def verify(
             marked = clean_run(handed_in, own)
         except ValueError as error:
             return [*found, str(error)], None
-    return found + _other_results(manifest, marked), marked
-
-
-def _other_results(manifest: Mapping[str, Any], marked: Marked) -> list[str]:
-    recorded = {str(one.get("name")): one.get("points") for one in manifest.get("verdicts", []) if isinstance(one, dict)}
-    found = [
-        f"{one.name}: {recorded.get(one.name, 'nothing')} points are recorded, a clean run earns {one.points:g}"
-        for one in marked.verdicts
-        if recorded.get(one.name) != one.points
-    ]
-    if manifest.get("points") != marked.total():
-        found.append(f"{manifest.get('points')} points are recorded in all, a clean run earns {marked.total():g}")
-    return found
+    return found + other_results(manifest, {one.name: one.points for one in marked.verdicts}), marked
 
 
 def _version() -> str:

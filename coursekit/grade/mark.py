@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import sys
@@ -16,6 +17,7 @@ from .checking import judge_work
 from .exercise import Exercise
 from .inside import NOT_NEEDED
 from .interruptions import Gone, NeedsWorkspace
+from .parcel import other_hands, other_results, parcel_faults, read_parcel, recorded, traces
 from .remote import BUILD_SECONDS, Line, RemoteWork
 from .repair import Repaired, Step, repair
 from .submissions import Submission, read_notebook
@@ -44,6 +46,8 @@ class Marked:
     answers: list[str] = field(default_factory=list)
     variants: Values = field(default_factory=dict)
     """What this student's exercises asked for."""
+    traces: dict[str, str] = field(default_factory=dict)
+    """What no two students have alike, of a file made by `hand_in()`: digests, and of what."""
 
     def total(self) -> float:
         """All points."""
@@ -67,9 +71,12 @@ def mark(
 ) -> Marked:
     """Grade a submission; whatever is wrong with it ends up in the result, never as an exception."""
     made = Marked(submission.student, submission.digest(), tier=sandbox.tier(), variants=values_of(sources.values()))
+    parcels: list[bytes] = []
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         try:
-            made.notes += submission.faults()
+            parcels = submission.parcels()
+            for parcel in parcels:
+                made.notes += _faults(parcel, submission.student)
             files = submission.notebooks(Path(scratch) / "unpacked")
             for name, file in _chosen(files, sources, made.notes).items():
                 _mark_notebook(sources[name], file, Path(scratch) / name, exercises, limits, made)
@@ -80,9 +87,29 @@ def mark(
     judged = {verdict.name for verdict in made.verdicts}
     made.verdicts += [_unjudged(one, "nothing was handed in") for name, one in exercises.items() if name not in judged]
     made.verdicts.sort(key=lambda verdict: verdict.name)
+    for parcel in parcels:
+        _compare(parcel, made)
     if not judged and made.status == "graded":
         made.status = "empty"
     return made
+
+
+def _faults(parcel: bytes, name: str) -> list[str]:
+    """Signs that a file made by `hand_in()` was changed, or is somebody else's."""
+    found = parcel_faults(parcel)
+    with contextlib.suppress(ValueError):
+        found += other_hands(parcel, name)
+    return found
+
+
+def _compare(parcel: bytes, made: Marked) -> None:
+    """Say where the marks that are recorded in a parcel are not those of this run, and keep what tells copies."""
+    with contextlib.suppress(ValueError):
+        manifest, _ = read_parcel(parcel)
+        said = recorded(manifest)
+        earned = {one.name: one.points for one in made.verdicts if one.name in said}
+        made.notes += other_results(manifest, earned)
+        made.traces |= traces(parcel)
 
 
 def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import shutil
 import stat
 import zipfile
@@ -11,8 +12,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-
-from .parcel import parcel_faults
 
 LARGEST = 50 << 20
 """Bytes that a submission may have, unpacked."""
@@ -37,29 +36,36 @@ class Submission:
         """When it was last changed, in seconds since 1970."""
         return max((file.stat().st_mtime for file in _files(self.place)), default=0.0)
 
+    def archives(self) -> list[Path]:
+        """Its zips."""
+        return [file for file in _files(self.place) if file.suffix == ".zip"]
+
+    def parcels(self) -> list[bytes]:
+        """The zips that `hand_in()` made, or that say so."""
+        found = [file for file in self.archives() if "manifest.json" in _names(file)]
+        for file in found:
+            if file.stat().st_size > 2 * LARGEST:
+                raise ValueError(f"{file.name} is larger than {2 * LARGEST >> 20} MB")
+        return [file.read_bytes() for file in found]
+
     def names(self) -> list[str]:
         """What the files are called, those in a zip too."""
-        if self.place.suffix != ".zip":
-            return [file.name for file in _files(self.place)]
-        try:
-            with zipfile.ZipFile(self.place) as opened:
-                return [Path(name).name for name in opened.namelist()]
-        except (zipfile.BadZipFile, NotImplementedError, OSError):
-            return []
-
-    def faults(self) -> list[str]:
-        """Signs that a file made by `hand_in()` was changed afterwards; none for other submissions."""
-        if self.place.suffix != ".zip" or "manifest.json" not in self.names():
-            return []
-        return parcel_faults(self.place.read_bytes())
+        return [name for file in _files(self.place) for name in (_names(file) if file.suffix == ".zip" else [file.name])]
 
     def notebooks(self, scratch: Path) -> list[Path]:
         """The notebooks, unpacked into `scratch` where they come in a zip; ValueError for a bad or huge zip."""
-        place = self.place
-        if place.suffix == ".zip":
-            _unpack(place, scratch)
-            place = scratch
-        return [file for file in _files(place) if file.suffix == ".ipynb" and ".ipynb_checkpoints" not in file.parts]
+        for number, archive in enumerate(self.archives()):
+            _unpack(archive, scratch / str(number))
+        found = [*_files(self.place), *_files(scratch)]
+        return [file for file in found if file.suffix == ".ipynb" and ".ipynb_checkpoints" not in file.parts]
+
+
+def _names(archive: Path) -> list[str]:
+    try:
+        with zipfile.ZipFile(archive) as opened:
+            return [Path(name).name for name in opened.namelist()]
+    except (zipfile.BadZipFile, NotImplementedError, OSError):
+        return []
 
 
 def find_submissions(folder: Path) -> list[Submission]:
@@ -108,5 +114,6 @@ def _unpack(archive: Path, target: Path) -> None:
                 place.parent.mkdir(parents=True, exist_ok=True)
                 with opened.open(member) as data, open(place, "wb") as out:
                     shutil.copyfileobj(data, out, 1 << 16)
+                os.utime(place, (archive.stat().st_mtime,) * 2)
     except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError) as error:
         raise ValueError(f"{archive.name} is no zip that can be opened: {error}") from None

@@ -12,7 +12,7 @@ from typing import Any
 from coursekit.grade import events
 from coursekit.grade.handing_in import make_parcel, who_and_where
 from coursekit.grade.mark import Marked
-from coursekit.grade.parcel import EVENTS
+from coursekit.grade.parcel import EVENTS, digest_of
 from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 
@@ -70,8 +70,9 @@ def evidence(name: str, *things: Any, by: str = "") -> Evidence:
     file = course_folder() / "evidence" / f"{student_word(who)}_evidence_{stem}.{kind or 'png'}"
     file.parent.mkdir(parents=True, exist_ok=True)
     picture = page(heading, things, "png")
-    file.write_bytes(page(heading, things, "pdf") if kind == "pdf" else picture)
-    events.note(course_folder() / ".coursekit" / EVENTS, "evidence", picture=file.name)
+    written = page(heading, things, "pdf") if kind == "pdf" else picture
+    file.write_bytes(written)
+    events.note(course_folder() / ".coursekit" / EVENTS, "evidence", picture=file.name, sha256=digest_of(written))
     return Evidence(file, picture)
 
 
@@ -102,7 +103,6 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
         return None  # this is the clean run
     who, file = student(by), _notebook(notebook)
     _expect_saved(file)
-    events.note(course_folder() / ".coursekit" / EVENTS, "hand_in", notebook=file.name)
     made, marked = make_parcel(file, course_folder(), who, course_folder())
     return HandedIn(made, marked)
 

@@ -45,3 +45,10 @@ def test_a_launch_folder_beside_a_package_hides_no_launch(tmp_path):
     assert list(modules.top_level_names(tmp_path)) == ["plain", "vera"]
     (tmp_path / "launch" / "__init__.py").touch()
     assert list(modules.top_level_names(tmp_path)) == ["launch", "plain", "vera"]
+
+
+def test_folders_that_are_no_packages_hide_nothing_and_coursekit_stays_itself(tmp_path):
+    for name in ("numpy", "json", "zipimport", "coursekit", "helpers"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "coursekit" / "__init__.py").touch()
+    assert list(modules.top_level_names(tmp_path)) == ["helpers"]

@@ -11,6 +11,15 @@ from typing import Any
 
 from coursekit.grade.copy import student_notebook
 
+from .forged_parcels import (
+    all_resealed,
+    borrowed,
+    honest,
+    marks_raised,
+    notebook_exchanged,
+    picture_exchanged,
+    picture_resealed,
+)
 from .test_attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
 
 SOURCE = Path(__file__).resolve().parents[2] / "notebooks" / "02_topics.ipynb"
@@ -25,6 +34,7 @@ class Kind:
     number: int
     deserves: tuple[float, ...]
     make: Callable[[Notebook], Any]
+    """What is handed in: a notebook, several by name, text, or a function that makes the bytes of a student's zip."""
     status: str = "graded"
     told: str = ""
     """Words that the notes or verdicts have."""
@@ -58,6 +68,17 @@ def stubs(*names: str) -> Callable[[Notebook], Notebook]:
         return notebook
 
     return make
+
+
+def parcel(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Callable[[str], bytes]]:
+    """What `make(student, half, right)` makes of a notebook with half of the answers, and of the right one."""
+
+    def of(notebook: Notebook) -> Callable[[str], bytes]:
+        right = json.dumps(notebook)
+        half = json.dumps(stubs("q3", "q4")(notebook))
+        return lambda student: make(student, half, right)
+
+    return of
 
 
 def _doubled(notebook: Notebook) -> Notebook:
@@ -108,8 +129,10 @@ STUBBORN = "while True:\n    try:\n        while True: pass\n    except BaseExce
 FILES = "n = 0\nwhile True:\n    open(f'f{n}', 'wb').write(b'x' * 60_000_000); n += 1\n"
 ENDLESS_NODE = "{right}\nwhile True:\n    pass\n"
 
+CHANGED, RECORDED = "02_topics.ipynb: was changed", "ch02.q3: 2 points are recorded, a clean run earns 0"
+
 KINDS = (
-    Kind("right", 78, (7,), lambda notebook: notebook),
+    Kind("right", 63, (7,), lambda notebook: notebook),
     Kind("half", 30, (3,), stubs("q3", "q4")),
     Kind("stubs", 15, (0,), student_notebook),
     Kind("zipped", 5, (7,), lambda notebook: {"class/02_topics.ipynb": notebook}),
@@ -139,6 +162,13 @@ KINDS = (
     Kind("forged-answers", 3, (0, 6), answers(q1=PIPES)),
     Kind("forged-trial", 3, (5,), answers(q3=FORGED_NODE), told="ended the trial|answered for it"),
     Kind("patched-trial", 2, (5,), answers(q3=PATCHED_NODE), told="interfered|a node named"),
+    Kind("parcel", 3, (3,), parcel(honest), told="^ "),
+    Kind("notebook-exchanged", 2, (7,), parcel(notebook_exchanged), told=CHANGED),
+    Kind("picture-exchanged", 2, (3,), parcel(picture_exchanged), told="_evidence_s2.png: was changed"),
+    Kind("picture-resealed", 2, (3,), parcel(picture_resealed), told="_evidence_s2.png: it was changed since"),
+    Kind("marks-raised", 2, (3,), parcel(marks_raised), told=f"manifest.json: was changed.*{RECORDED}"),
+    Kind("all-resealed", 2, (3,), parcel(all_resealed), told=RECORDED),
+    Kind("borrowed-parcel", 2, (3,), parcel(borrowed), told="made by 'Vera Course'.*the same as in borrowed-parcel"),
 )  # fmt: skip
 
 
@@ -155,6 +185,10 @@ def make_class(folder: Path, share: Callable[[Kind], int]) -> dict[str, Kind]:
 
 def _write(folder: Path, student: str, made: Any) -> None:
     place = folder / student
+    if callable(made):
+        folder.mkdir(exist_ok=True)
+        place.with_suffix(".zip").write_bytes(made(student))
+        return
     if isinstance(made, dict) and "cells" not in made and next(iter(made)).startswith("class/"):
         with zipfile.ZipFile(place.with_suffix(".zip"), "w") as packed:
             for name, notebook in made.items():

@@ -15,7 +15,8 @@ from .class_of_200 import KINDS, make_class
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
 SAMPLE = ("right", "half", "zipped", "renamed", "nothing", "no-notebook", "broken-node", "wrong-kernel", "missing",
-          "early-exit", "only-answers", "forged-trial", "patched-trial")  # fmt: skip
+          "early-exit", "only-answers", "forged-trial", "patched-trial",
+          "parcel", "marks-raised", "borrowed-parcel")  # fmt: skip
 """Kinds that are quick and that test_attacks has not; `make class` grades them all, 200 together."""
 
 
@@ -40,8 +41,8 @@ def faults(kept, table, made):
         found.append(f"students: {set(rows) ^ set(made)}")
     for student, kind in made.items():
         row, report = rows[student], json.loads((kept / f"{student}.json").read_text())
-        said = " ".join([*report["notes"], *(f"{one['expected']} {one['got']}" for one in report["verdicts"])])
-        print(f"{student}: {row['total']} of 7, {row['status']}, {row['tier']}; {row['notes'][:80]}")
+        said = " ".join([row["notes"], *(f"{one['expected']} {one['got']}" for one in report["verdicts"])])
+        print(f"{student}: {row['total']} of 7, {row['status']}, {row['tier']}; {row['notes'][:160]}")
         good = float(row["total"]) in kind.deserves and row["status"] == kind.status
         if not good or not re.search(kind.told, said):
             found.append(f"{student}: {row['total']} ({row['status']}) instead of {kind.deserves} ({kind.status}): {said}")

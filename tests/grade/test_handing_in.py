@@ -9,9 +9,10 @@ import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade import events
+from coursekit.grade.exercise import find
 from coursekit.grade.handing_in import make_parcel, verify
 from coursekit.grade.mark import mark
-from coursekit.grade.parcel import pack_parcel, parcel_faults, read_parcel
+from coursekit.grade.parcel import digest_of, other_hands, pack_parcel, parcel_faults, read_parcel
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 
@@ -23,7 +24,10 @@ def parcel(tmp_path_factory):
     """A parcel with a notebook, a picture and a log."""
     course = tmp_path_factory.mktemp("course")
     (course / "evidence").mkdir()
-    (course / "evidence" / "VeraCourse_evidence_s2.png").write_bytes(bytes(range(256)))
+    picture = course / "evidence" / "VeraCourse_evidence_s2.png"
+    picture.write_bytes(bytes(range(256)))
+    made = {"picture": picture.name, "sha256": digest_of(picture.read_bytes())}
+    events.note(course / ".coursekit" / "events.jsonl", "evidence", **made)
     (course / "evidence" / "private.png").write_bytes(b"mine")
     for points in (0, 1):
         events.note(course / ".coursekit" / "events.jsonl", "check", name="ch02.q1", points=points)
@@ -76,7 +80,31 @@ def test_events_that_are_changed_or_reordered_are_found(parcel):
     assert events.faults(lines) == []
     assert "does not follow" in events.faults(lines[::-1])[0]
     assert "does not follow" in events.faults(lines[1:])[0]
-    assert "was changed" in events.faults([lines[0].replace('"points": 0', '"points": 1'), lines[1]])[0]
+    assert "was changed" in events.faults([lines[0], lines[1].replace('"points": 0', '"points": 1'), *lines[2:]])[0]
+
+
+def test_a_picture_and_a_notebook_that_the_log_does_not_tell_of_are_found(parcel):
+    manifest, files = read_parcel(parcel.read_bytes())
+    facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
+    assert parcel_faults(pack_parcel(files, facts)) == []
+    for name in ("evidence/VeraCourse_evidence_s2.png", "names.ipynb"):
+        changed = pack_parcel({**files, name: b"another"}, facts)
+        assert parcel_faults(changed) == [f"{name}: it was changed since events.jsonl tells of it"]
+    more = pack_parcel({**files, "evidence/VeraCourse_evidence_s3.png": b"painted"}, facts)
+    assert parcel_faults(more) == ["evidence/VeraCourse_evidence_s3.png: events.jsonl does not tell of it"]
+
+
+def test_another_s_parcel_is_told(parcel, tmp_path, capsys):
+    data = parcel.read_bytes()
+    assert other_hands(data, "course_vera_1234") == []
+    assert other_hands(data, "bob") == ["it was made by 'Vera Course' and handed in as 'bob'"]
+    (tmp_path / "BobBuilder_names.zip").write_bytes(data)
+    assert main(["verify", str(tmp_path / "BobBuilder_names.zip"), "--no-run"]) == 1
+    assert "made by 'Vera Course'" in capsys.readouterr().out
+    manifest, files = read_parcel(data)
+    facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
+    renamed = pack_parcel(files, {**facts, "student": "Bob Builder"})
+    assert other_hands(renamed, "bob") == ["evidence/VeraCourse_evidence_s2.png: the name is not that of 'Bob Builder'"]
 
 
 def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, tmp_path, capsys):
@@ -92,14 +120,23 @@ def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, tm
 
 
 def test_a_parcel_is_a_submission_and_its_faults_are_told_to_the_teacher(parcel, tmp_path):
-    from coursekit.grade.exercise import find
-
     with zipfile.ZipFile(parcel) as opened:
         files = [(name, opened.read(name) + b"!" * name.endswith(".png")) for name in opened.namelist()]
     changed = tmp_path / "vera.zip"
     changed.write_bytes(zipped(files))
     marked = mark(Submission("vera", changed), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
-    assert marked.total() == 1 and marked.notes == ["evidence/VeraCourse_evidence_s2.png: was changed"]
+    assert marked.total() == 1 and "evidence/VeraCourse_evidence_s2.png: was changed" in marked.notes
+
+
+def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(parcel, tmp_path):
+    manifest, files = read_parcel(parcel.read_bytes())
+    facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
+    folder = tmp_path / "vera"
+    folder.mkdir()
+    (folder / "handed in.zip").write_bytes(pack_parcel(files, {**facts, "points": 9}))
+    marked = mark(Submission("vera", folder), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
+    assert marked.total() == 1 and len(marked.traces) == 5
+    assert marked.notes == ["9 points are recorded in all, a clean run earns 1"]
 
 
 def test_what_is_no_parcel_is_said(tmp_path):

@@ -66,7 +66,8 @@ def parcel_faults(data: bytes) -> list[str]:
             found.append(f"{name}: was changed")
     if events.digest({key: value for key, value in manifest.items() if key != "seal"}) != manifest.get("seal"):
         found.append(f"{MANIFEST}: was changed")
-    found += events.faults(_lines(files)) or _untold(files)
+    found += events.faults(_lines(files))
+    found += [] if found else _untold(files)
     if not found and _zipped({MANIFEST: _text(manifest), **{name: files[name] for name in manifest["files"]}}) != data:
         found.append("the zip was packed anew")
     return found

@@ -9,10 +9,11 @@ import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade import events
+from coursekit.grade.batch import _note_copies
 from coursekit.grade.exercise import find
 from coursekit.grade.handing_in import make_parcel, verify
-from coursekit.grade.mark import mark
-from coursekit.grade.parcel import digest_of, other_hands, pack_parcel, parcel_faults, read_parcel
+from coursekit.grade.mark import Marked, mark
+from coursekit.grade.parcel import digest_of, other_hands, pack_parcel, parcel_faults, read_parcel, traces
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 
@@ -110,8 +111,12 @@ def test_another_s_parcel_is_told(parcel, tmp_path, capsys):
 def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, tmp_path, capsys):
     manifest, files = read_parcel(parcel.read_bytes())
     files["names.ipynb"] = json.dumps(cells("raise NotImplementedError()")).encode()
+    lines = [json.loads(line) for line in files["events.jsonl"].decode().splitlines()]
+    lines[-1]["sha256"] = digest_of(files["names.ipynb"])
+    lines[-1]["digest"] = events.digest({name: value for name, value in lines[-1].items() if name != "digest"})
+    files["events.jsonl"] = "\n".join(json.dumps(line) for line in lines).encode()
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
-    forged = tmp_path / "forged.zip"
+    forged = tmp_path / "vera, forged.zip"
     forged.write_bytes(pack_parcel(files, facts))
     assert parcel_faults(forged.read_bytes()) == []
     assert main(["verify", str(forged)]) == 1
@@ -137,6 +142,14 @@ def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(pa
     marked = mark(Submission("vera", folder), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
     assert marked.total() == 1 and len(marked.traces) == 5
     assert marked.notes == ["9 points are recorded in all, a clean run earns 1"]
+
+
+def test_the_class_s_copies_of_one_picture_or_log_are_told_to_all_who_have_them(parcel):
+    marks = [Marked(name, "", traces=traces(parcel.read_bytes())) for name in ("vera", "bob")]
+    marks.append(Marked("cem", "", traces={"0": "line 1 of events.jsonl"}))
+    _note_copies(marks)
+    what = "evidence/VeraCourse_evidence_s2.png, line 1 of events.jsonl, line 2 of events.jsonl"
+    assert [one.notes for one in marks] == [[f"the same as in bob's: {what}"], [f"the same as in vera's: {what}"], []]
 
 
 def test_what_is_no_parcel_is_said(tmp_path):

@@ -43,8 +43,8 @@ def _part(thing: Any) -> Any:
     """An image (rows, columns, colours), or text."""
     data = _image_bytes(thing)
     if data is None:
-        lines = _text(thing).splitlines()[-MOST_LINES:]
-        return "\n".join(line[:_COLUMNS] for line in lines) or "(nothing)"
+        lines = [line[at : at + _COLUMNS] for line in _text(thing).splitlines() for at in range(0, len(line) or 1, _COLUMNS)]
+        return "\n".join(lines[-MOST_LINES:]) or "(nothing)"
     import cv2
     import numpy as np
 

@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+from coursekit.core.session import current
 from coursekit.grade import events
 from coursekit.grade.handing_in import make_parcel, who_and_where
 from coursekit.grade.mark import Marked
@@ -43,7 +44,7 @@ def student(name: str = "") -> str:
 
 
 class Evidence:
-    """A picture that was written; shows itself."""
+    """A picture that was written; shows itself, but not on the virtual clock: it differs each time."""
 
     def __init__(self, file: Path, picture: bytes) -> None:
         self.file = file
@@ -52,16 +53,18 @@ class Evidence:
     def __repr__(self) -> str:
         return f"Wrote {self.file.parent.name}/{self.file.name}"
 
-    def _repr_png_(self) -> bytes:
-        return self._picture
+    def _repr_png_(self) -> bytes | None:
+        return None if current().clock.virtual else self._picture
 
 
-def evidence(name: str, *things: Any, by: str = "") -> Evidence:
+def evidence(name: str, *things: Any, by: str = "") -> Evidence | None:
     """Write what a practice assignment asks for: `evidence("s4_1", graph(), terminal("server_exe"))`.
 
     `name` is as in the assignment, with `.pdf` for a PDF; each of `things` is a terminal, a graph, frames, a viewer, a
     window, or text. The file lies in `evidence/` of the course folder and shows who (`by`, said once), where and when.
     """
+    if os.environ.get("COURSEKIT_GRADING"):
+        return None  # this is a clean run
     if not _NAME.fullmatch(name) or not things:
         raise ValueError(f'Give the name and what is shown: evidence("s2", graph()). Got the name {name!r}.')
     who, facts = student(by), who_and_where()

@@ -4,10 +4,13 @@ import os
 import tempfile
 from pathlib import Path
 
+from .running import name_student
+
 _folder = tempfile.TemporaryDirectory(prefix="course-")
 
 
 def pytest_configure(config):
     course = Path(_folder.name).resolve()
     (course / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
+    name_student(course)
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws"), "COLUMNS": "120"}

@@ -1,0 +1,22 @@
+"""The practice assignments make the pictures that they ask for, under the names that the original course uses."""
+
+import json
+import re
+
+import pytest
+
+from .running import chapters
+
+PRACTICES = [path for path in chapters() if path.stem[0].isdigit()]
+
+
+@pytest.mark.parametrize("chapter", PRACTICES, ids=lambda path: path.stem)
+def test_a_practice_makes_the_evidence_that_it_names(chapter):
+    cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
+    texts = {kind: "\n".join("".join(one["source"]) for one in cells if one["cell_type"] == kind) for kind in ("markdown", "code")}
+    number = int(chapter.stem[:2])
+    asked = set(re.findall(rf"(?:_evidence|`\.\.\.)_s({number}(?:_\d)?)\b", texts["markdown"]))
+    made = set(re.findall(r'^evidence\("s(\d+(?:_\d)?)', texts["code"], re.M))
+    assert made and asked | {min(made)} <= made
+    assert {one.partition("_")[0] for one in made} == {str(number)}
+    assert "```python\nevidence" not in texts["markdown"]

@@ -4,6 +4,7 @@ import asyncio
 import json
 import subprocess
 import sys
+from threading import Thread
 from types import SimpleNamespace
 
 import pytest
@@ -61,7 +62,9 @@ def requests_heard(kernel):
         for _ in range(TURNS):
             await asyncio.sleep(0)  # one turn of the loop
 
-    thread.io_loop.run_sync(turns)
+    alone = Thread(target=thread.io_loop.run_sync, args=(turns,))  # this one may have a loop already
+    alone.start()
+    alone.join()
     return heard
 
 

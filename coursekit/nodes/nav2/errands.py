@@ -75,10 +75,9 @@ class Errand:
         return self.succeeded
 
 
-async def call(node: Any, client: Any) -> bool:
-    """Call a service without arguments, if it is there."""
+async def call(node: Any, client: Any, request: Any = None) -> Any:
+    """The answer of a service; None if it is not there."""
     if not client.service_is_ready():
         node.get_logger().warning(f"{client.srv_name} is not available")
-        return False
-    await client.call_async(client.srv_type.Request())
-    return True
+        return None
+    return await client.call_async(request or client.srv_type.Request())

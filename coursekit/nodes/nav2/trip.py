@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 from geometry_msgs.msg import Point, PoseStamped
 from nav2_msgs.action import BackUp, ComputePathThroughPoses, ComputePathToPose, FollowPath, Spin, Wait
-from nav2_msgs.srv import ClearEntireCostmap
+from nav2_msgs.srv import ClearEntireCostmap, IsPathValid
+from nav_msgs.msg import Path
 from rclpy.duration import Duration
 
 from coursekit.nav.planner import length
+from coursekit.nav.second_thoughts import remaining, worth_it
 from coursekit.nodes.nav2.errands import Errand, call
 from coursekit.nodes.nav2.running import Beat, pause
 from coursekit.slam.pose import Pose2
@@ -33,6 +35,7 @@ class Helpers:
         self.follow = Errand(node, FollowPath, "follow_path")
         self.spin, self.wait = Errand(node, Spin, "spin"), Errand(node, Wait, "wait")
         self.back_up = Errand(node, BackUp, "backup")
+        self.is_valid = node.create_client(IsPathValid, "is_path_valid")
         self.clears = {
             name: node.create_client(ClearEntireCostmap, f"{name}_costmap/clear_entirely_{name}_costmap")
             for name in ("local", "global")
@@ -47,7 +50,7 @@ class Helpers:
         """Ask nobody any more."""
         for errand in (self.plan, self.plan_through, self.follow, self.spin, self.wait, self.back_up):
             errand.destroy()
-        for client in self.clears.values():
+        for client in (self.is_valid, *self.clears.values()):
             self.node.destroy_client(client)
 
 
@@ -69,10 +72,7 @@ class Trip:
     def distance(self) -> float:
         """What is left of the path [m]."""
         here = self._where()
-        if here is None or not len(self.path):
-            return 0.0
-        nearest = int(np.hypot(self.path[:, 0] - here.x, self.path[:, 1] - here.y).argmin())
-        return length(self.path[nearest:])
+        return length(remaining(self.path, here.x, here.y)) if here is not None and len(self.path) else 0.0
 
     async def run(self) -> str:
         """Go."""
@@ -111,26 +111,27 @@ class Trip:
                 since += 0.1
                 if since > REPLAN_SECONDS and not follow.ended:
                     since = 0.0
-                    if not (await self._plan() and (follow.ended or await self._follow())):
+                    if not (await self._plan(under_way=True) and (follow.ended or await self._follow())):
                         await follow.cancel()
                         return "stopped" if self._stop() else "failed"
         finally:
             beat.stop()
         return "succeeded" if follow.succeeded else "failed"
 
-    async def _plan(self) -> bool:
-        """A path, if need be through a cleared costmap."""
+    async def _plan(self, *, under_way: bool = False) -> bool:
+        """A path, if need be through a cleared costmap; under way the one that is driven, if that is as good."""
         for again in (False, True):
             if self._stop():
                 return False
-            if await self._plan_once():
+            if await self._plan_once(under_way):
                 return True
             if not again:
                 await self.helpers.clear("global")
                 await pause(self.helpers.node, 0.5)
         return False
 
-    async def _plan_once(self) -> bool:
+    async def _plan_once(self, under_way: bool) -> bool:
+        before = len(self.goals)
         self._drop_passed()
         if len(self.goals) == 1:
             asked: Errand = self.helpers.plan
@@ -139,9 +140,21 @@ class Trip:
             asked, goal = self.helpers.plan_through, ComputePathThroughPoses.Goal(goals=self.goals)
         if not await asked.do(goal, self._stop):
             return False
-        self._message = asked.result.path
-        self.path = np.array([(one.pose.position.x, one.pose.position.y) for one in self._message.poses])
+        message = asked.result.path
+        path = np.array([(one.pose.position.x, one.pose.position.y) for one in message.poses])
+        if not (under_way and len(self.goals) == before and await self._keeps_its_way(path)):
+            self._message, self.path = message, path
         return True
+
+    async def _keeps_its_way(self, new: np.ndarray) -> bool:
+        """Whether the way that is driven is still free, and the new one is another that is hardly shorter."""
+        here = self._where()
+        old = remaining(self.path, here.x, here.y) if here is not None and len(self.path) else self.path[:0]
+        if not len(old) or not len(new) or worth_it(new, old):
+            return False
+        ahead = Path(header=self._message.header, poses=self._message.poses[-len(old) :])
+        answer = await call(self.helpers.node, self.helpers.is_valid, IsPathValid.Request(path=ahead))
+        return bool(answer is not None and answer.is_valid)
 
     def _drop_passed(self) -> None:
         here = self._where()

@@ -93,7 +93,7 @@ def _note_copies(marks: Sequence[Marked]) -> None:
             for other in owners[digest]:
                 if other != one.student:
                     shared.setdefault(other, []).append(what)
-        one.notes += [f"the same as in {other}'s: {', '.join(what[:3])}" for other, what in shared.items()]
+        one.concerns += [f"the same as in {other}'s: {', '.join(what[:3])}" for other, what in shared.items()]
 
 
 def _meant(name: str, handed_in: Iterable[str]) -> bool:
@@ -127,7 +127,7 @@ def write_table(file: Path, marks: Sequence[Marked], exercises: Sequence[str]) -
         for one in marks:
             points = {verdict.name: verdict.points for verdict in one.verdicts}
             row = [_harmless(one.student), *(f"{points.get(name, 0):g}" for name in exercises)]
-            notes = _harmless("; ".join(one.notes))
+            notes = _harmless("; ".join([*one.concerns, *one.notes]))
             table.writerow([*row, f"{one.total():g}", one.status, one.tier, f"{one.minutes_late:g}", notes])
 
 

@@ -28,6 +28,8 @@ CELL_SECONDS = 20.0
 """Seconds that a student's cell may compute."""
 COURSE_SECONDS = 60.0
 """Seconds that the course's own cells may."""
+FIRST_HINT = 2
+"""The try from which on the first hint is given: a report gives it too."""
 _SHOWS = (*NOT_NEEDED, "wait(", "graph(", "print(graph(", "terminal", "progress(", "print(terminal", "frames(",
           "evidence(", "hand_in(", "%ros2 --")  # fmt: skip
 
@@ -42,6 +44,9 @@ class Marked:
     status: str = "graded"
     tier: str = ""
     notes: list[str] = field(default_factory=list)
+    """What had to be mended; the student sees it."""
+    concerns: list[str] = field(default_factory=list)
+    """Signs of changes, and of work that is somebody else's: for the teacher's eye only."""
     minutes_late: float = 0.0
     answers: list[str] = field(default_factory=list)
     variants: Values = field(default_factory=dict)
@@ -76,7 +81,7 @@ def mark(
         try:
             parcels = submission.parcels()
             for parcel in parcels:
-                made.notes += _faults(parcel, submission.student)
+                made.concerns += _faults(parcel, submission.student)
             files = submission.notebooks(Path(scratch) / "unpacked")
             for name, file in _chosen(files, sources, made.notes).items():
                 _mark_notebook(sources[name], file, Path(scratch) / name, exercises, limits, made)
@@ -108,7 +113,7 @@ def _compare(parcel: bytes, made: Marked) -> None:
         manifest, _ = read_parcel(parcel)
         said = recorded(manifest)
         earned = {one.name: one.points for one in made.verdicts if one.name in said}
-        made.notes += other_results(manifest, earned)
+        made.concerns += other_results(manifest, earned)
         made.traces |= traces(parcel)
 
 
@@ -170,7 +175,7 @@ def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str,
             elif step.exercise in exercises:
                 work.judge_from_here(step.exercise)
                 try:
-                    verdicts.append(judge_work(exercises[step.exercise], work))
+                    verdicts.append(judge_work(exercises[step.exercise], work, FIRST_HINT))
                 except NeedsWorkspace:
                     later.append(step.exercise)
             elif source := _needed(step):
@@ -178,7 +183,7 @@ def _run_and_judge(repaired: Repaired, work: RemoteWork, exercises: Mapping[str,
         work.build(BUILD_SECONDS)
         for name in later:
             work.judge_from_here(name)
-            verdicts.append(judge_work(exercises[name], work))
+            verdicts.append(judge_work(exercises[name], work, FIRST_HINT))
     except Gone as gone:
         judged = {verdict.name for verdict in verdicts}
         verdicts += [_unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
@@ -195,4 +200,5 @@ def _needed(step: Step) -> str:
 
 
 def _unjudged(exercise: Exercise, why: str) -> Verdict:
-    return Verdict(exercise.name, exercise.title, 0, exercise.points, "your work", why)
+    hint = next(iter(exercise.hints), "")
+    return Verdict(exercise.name, exercise.title, 0, exercise.points, "your work", why, hint=hint)

@@ -14,9 +14,10 @@ if TYPE_CHECKING:
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}</title>
 <style>body{{font:16px/1.5 system-ui,sans-serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
-h1{{font-size:1.5rem}} .total{{font-size:1.2rem}} footer{{color:#68757d;font-size:.85rem;margin-top:2rem}}</style></head>
+h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
+.total{{font-size:1.2rem}} footer{{color:#68757d;font-size:.85rem;margin-top:2rem}}</style></head>
 <body><h1>{student}</h1><p class="total"><b>{points:g}</b> of {of:g} points</p>{notes}
-{verdicts}<footer>{status}; graded in: {tier}{late}</footer></body></html>
+{verdicts}<footer>{status}{late}; run in the sandbox <code>{tier}</code></footer></body></html>
 """
 
 
@@ -33,7 +34,7 @@ def page(marked: Marked) -> str:
         of=sum(verdict.of for verdict in marked.verdicts),
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),
-        status=html.escape(marked.status),
+        status=html.escape(marked.status.capitalize()),
         tier=html.escape(marked.tier),
         late=f"; {marked.minutes_late:g} minutes late" if marked.minutes_late else "",
     )
@@ -46,12 +47,14 @@ def gradescope(marked: Marked) -> dict[str, Any]:
             "name": f"{verdict.name} {verdict.title}",
             "score": verdict.points,
             "max_score": verdict.of,
+            "status": "passed" if verdict.passed else "failed",
             "output": verdict.text(),
+            "output_format": "text",
             "visibility": "visible",
         }
         for verdict in marked.verdicts
     ]
-    return {"score": marked.total(), "tests": tests}
+    return {"score": marked.total(), "output": "\n".join(marked.notes), "output_format": "text", "tests": tests}
 
 
 def write_reports(folder: Path, marks: Sequence[Marked]) -> None:

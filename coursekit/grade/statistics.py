@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import statistics
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,14 +31,32 @@ def summary(marks: Sequence[Marked]) -> dict[str, Any]:
 
 def write_statistics(folder: Path, marks: Sequence[Marked]) -> None:
     """statistics.json and histogram.png."""
-    (folder / "statistics.json").write_text(json.dumps(summary(marks), indent=1), encoding="utf-8")
+    found = summary(marks)
+    (folder / "statistics.json").write_text(json.dumps(found, indent=1), encoding="utf-8")
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(7, 3.5), layout="constrained")
-    axes = figure.subplots()
-    most = max((sum(verdict.of for verdict in one.verdicts) for one in marks), default=1.0)
-    axes.hist([one.total() for one in marks], bins=20, range=(0, most or 1), color="#2f7d8c", edgecolor="white")
-    axes.set_xlabel("points")
-    axes.set_ylabel("students")
-    axes.spines[["top", "right"]].set_visible(False)
+    questions = found["questions"]
+    figure: Any = Figure(figsize=(9, max(3.2, 0.9 + 0.25 * len(questions))), layout="constrained")
+    totals, shares = figure.subplots(1, 2, width_ratios=(3, 2))
+    _draw_totals(totals, marks, found)
+    shares.barh(list(questions), [100 * share for share in questions.values()], color="#2f7d8c", height=0.6)
+    shares.set(xlim=(0, 100), xlabel="% of the points, on average")
+    shares.invert_yaxis()
+    for axes in (totals, shares):
+        axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(folder / "histogram.png", dpi=120)
+
+
+def _draw_totals(axes: Any, marks: Sequence[Marked], found: Mapping[str, Any]) -> None:
+    """How many students have how many points: a bar stands over its points."""
+    from matplotlib.ticker import MaxNLocator
+
+    most = max((sum(verdict.of for verdict in one.verdicts) for one in marks), default=1.0)
+    width = max(1.0, most / 30)
+    edges = [width * (number - 0.5) for number in range(int(most / width) + 3)]
+    axes.hist([one.total() for one in marks], bins=edges, color="#2f7d8c", edgecolor="white")
+    axes.axvline(found["mean"], color="#b3392f", linewidth=1)
+    said = f"{found['students']} students, mean {found['mean']:.1f} of {most:g}"
+    axes.set(xlim=(-0.6 * width, most + 0.6 * width), xlabel="points", ylabel="students", title=said)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator(integer=True))

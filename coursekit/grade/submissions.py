@@ -85,7 +85,7 @@ def read_notebook(file: Path) -> dict[str, Any]:
         raise ValueError(f"{file.name} is larger than {LARGEST >> 20} MB")
     try:
         found = json.loads(file.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError(f"{file.name} is no notebook: {error}") from None
     if not isinstance(found, dict) or not isinstance(found.get("cells"), list):
         raise ValueError(f"{file.name} is no notebook of format 4: it has no list of cells")

@@ -8,7 +8,7 @@ import zipfile
 import pytest
 
 from coursekit.cli.coursekit import main
-from coursekit.grade import events
+from coursekit.grade import events, report
 from coursekit.grade.batch import _note_copies
 from coursekit.grade.exercise import find
 from coursekit.grade.handing_in import make_parcel, verify
@@ -130,7 +130,8 @@ def test_a_parcel_is_a_submission_and_its_faults_are_told_to_the_teacher(parcel,
     changed = tmp_path / "vera.zip"
     changed.write_bytes(zipped(files))
     marked = mark(Submission("vera", changed), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
-    assert marked.total() == 1 and "evidence/VeraCourse_evidence_s2.png: was changed" in marked.notes
+    assert marked.total() == 1 and "evidence/VeraCourse_evidence_s2.png: was changed" in marked.concerns
+    assert not marked.notes and "was changed" not in report.page(marked) + json.dumps(report.gradescope(marked))
 
 
 def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(parcel, tmp_path):
@@ -141,7 +142,7 @@ def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(pa
     (folder / "handed in.zip").write_bytes(pack_parcel(files, {**facts, "points": 9}))
     marked = mark(Submission("vera", folder), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
     assert marked.total() == 1 and len(marked.traces) == 5
-    assert marked.notes == ["9 points are recorded in all, a clean run earns 1"]
+    assert marked.concerns == ["9 points are recorded in all, a clean run earns 1"]
 
 
 def test_the_class_s_copies_of_one_picture_or_log_are_told_to_all_who_have_them(parcel):
@@ -149,7 +150,7 @@ def test_the_class_s_copies_of_one_picture_or_log_are_told_to_all_who_have_them(
     marks.append(Marked("cem", "", traces={"0": "line 1 of events.jsonl"}))
     _note_copies(marks)
     what = "evidence/VeraCourse_evidence_s2.png, line 1 of events.jsonl, line 2 of events.jsonl"
-    assert [one.notes for one in marks] == [[f"the same as in bob's: {what}"], [f"the same as in vera's: {what}"], []]
+    assert [one.concerns for one in marks] == [[f"the same as in bob's: {what}"], [f"the same as in vera's: {what}"], []]
 
 
 def test_what_is_no_parcel_is_said(tmp_path):

@@ -15,6 +15,7 @@ from typing import Any
 from . import sandbox
 from .inside import PATIENCE
 from .interruptions import Gone, NeedsWorkspace
+from .trial import PATIENCE as PATIENT
 from .trial import Plan, Seen, TrialFailed, answered, asked
 from .variants import Values
 from .verdict import Wrong
@@ -176,7 +177,7 @@ class RemoteWork(Work):
 
     def _sandboxed_trial(self, plan: Plan) -> Seen:
         # -I: what the student's folders hold must not stand in for modules of ours
-        command = [sys.executable, "-I", "-m", "coursekit.grade.trial", str(self._limits.seconds)]
+        command = [sys.executable, "-I", "-m", "coursekit.grade.trial", str(PATIENT)]
         env = self.environment() | {"COURSEKIT_TIME": "virtual"}
         running = sandbox.start(command, self.workspace.parent, env, self._limits)
         key, question = asked(plan)

@@ -15,11 +15,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-TIME_LIMIT = 60.0
-"""Real seconds that a trial may take."""
+PATIENCE = 30.0
+"""Real seconds that may pass while the virtual clock stands still."""
+STEP = 100_000_000
+"""Virtual nanoseconds after which a trial is seen to go on."""
 MESSAGES = 5000
 """Messages that are kept of each topic."""
 
+_STOOD_STILL = b"Timeout ("
+"""How the answer begins when Python's watchdog ended the trial."""
 NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
 """What a student's environment may have set, and a trial does without."""
 
@@ -69,16 +73,14 @@ def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = 
     variables = {key: value for key, value in (env or os.environ).items() if key not in NOT_FOR_TRIALS}
     key, question = asked(plan)
     done = subprocess.run(  # without a time limit: waiting for one would sleep on the session's clock
-        [sys.executable, "-m", "coursekit.grade.trial", str(TIME_LIMIT)],
+        [sys.executable, "-m", "coursekit.grade.trial", str(PATIENCE)],
         input=question,
         env=variables | {"COURSEKIT_TIME": "virtual", "PYTHONDONTWRITEBYTECODE": "1"},
         cwd=cwd,
         capture_output=True,
     )
     said = done.stderr.decode(errors="replace").strip()
-    if said.startswith("Timeout (") or "\nTimeout (" in said:
-        raise TrialFailed(f"your program did not give way for {TIME_LIMIT:.0f} s: is there a loop that never waits?")
-    if done.returncode:
+    if done.returncode and not done.stdout.startswith(_STOOD_STILL):
         raise TrialFailed(said.splitlines()[-1] if said else "it ended abruptly")
     return answered(key, done.stdout)
 
@@ -92,6 +94,8 @@ def asked(plan: Plan) -> tuple[str, bytes]:
 def answered(key: str, out: bytes) -> Seen:
     """What a trial saw; TrialFailed when somebody else answered in its place, or forged what it saw."""
     first, _, rest = out.partition(b"\n")
+    if first.startswith(_STOOD_STILL):
+        raise TrialFailed(f"your program did not give way for {PATIENCE:.0f} s: is there a loop that never waits?")
     if first != key.encode():
         raise TrialFailed("the program ended the trial" if not out else "something that is not the trial answered for it")
     try:
@@ -214,17 +218,31 @@ def _filled(msg: Any, fields: dict[str, Any]) -> Any:
 
 
 def main() -> int:
-    """Read a key and a plan, carry it out, tell what was seen; the argument is how many real seconds it may take."""
-    faulthandler.dump_traceback_later(float(sys.argv[1]), exit=True, file=sys.__stderr__ or 2)
+    """Read a key and a plan, carry it out, tell what was seen; the argument: real seconds that it may stand still."""
     key, _, question = sys.stdin.buffer.read().partition(b"\n")
     out, nothing = os.dup(1), os.open(os.devnull, os.O_RDWR)
     for number in (0, 1):  # programs that write past sys.stdout write nowhere
         os.dup2(nothing, number)
     plan = Plan(**json.loads(question))
+    _expect_progress(float(sys.argv[1]), out)
     told = _carried_out(plan)
+    faulthandler.cancel_dump_traceback_later()
     with os.fdopen(out, "wb") as answer:
         answer.write(key + b"\n" + told)
     os._exit(0)  # whatever the programs left running ends with this process
+
+
+def _expect_progress(seconds: float, out: int) -> None:
+    """End this process, and say so, when the virtual clock stands still for so many real seconds."""
+    from coursekit.core.session import current
+
+    clock = current().clock
+
+    def go_on() -> None:
+        faulthandler.dump_traceback_later(seconds, exit=True, file=out)
+        clock.call_at(clock.steady() + STEP, go_on)
+
+    go_on()
 
 
 def _carried_out(plan: Plan) -> bytes:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from coursekit.nav.map_compare import Comparison, compare, outline_points
 from coursekit.nav.map_file import GridMap, load_map
 
 from .hidden import HiddenNode
@@ -27,7 +26,9 @@ class MapView:
 
     def __init__(self, grid: GridMap, outline: np.ndarray | None, tour: Tour | None) -> None:
         self.grid, self.outline, self.tour = grid, outline, tour
-        self.comparison: Comparison | None = None if outline is None else compare(grid, outline)
+        from coursekit.nav.map_compare import compare  # SciPy, which takes half a second to import
+
+        self.comparison = None if outline is None else compare(grid, outline)
 
     def __repr__(self) -> str:
         cells = self.grid.cells
@@ -86,6 +87,8 @@ def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
     scene = one.simulation.scene(height)
     own = one.simulation.scene(height)
     cuts = [scene.fixed, own.moving()]
+    from coursekit.nav.map_compare import outline_points
+
     points = np.concatenate([outline_points(cut.edges, cut.circles) for cut in cuts])
     here = one.simulation.place_of(name)
     off = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)

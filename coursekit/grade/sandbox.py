@@ -22,6 +22,9 @@ from pathlib import Path
 PACKAGE = Path(__file__).resolve().parents[1]
 _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/fonts", "/etc/ld.so.cache")
 
+LOOK_SECONDS = 0.15
+"""How often it is seen what a program uses: each look reads the list of all processes."""
+
 
 @dataclass(frozen=True)
 class Limits:
@@ -148,7 +151,7 @@ def _watch(running: Sandboxed, work: Path, limits: Limits) -> None:
     """End it when its time is over, or when all its processes together use too much."""
     give_up = time.monotonic() + limits.seconds
     look_at_folder = 0.0
-    while not running._ended.wait(0.05) and running.child.poll() is None:
+    while not running._ended.wait(LOOK_SECONDS) and running.child.poll() is None:
         now = time.monotonic()
         if now > give_up:
             running.end(f"it took longer than {limits.seconds:g} s")

@@ -24,6 +24,8 @@ MESSAGES = 5000
 
 _STOOD_STILL = b"Timeout ("
 """How the answer begins when Python's watchdog ended the trial."""
+EVERY_NODE_S = ("/rosout", "/parameter_events")
+"""Topics that every node has."""
 NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
 """What a student's environment may have set, and a trial does without."""
 
@@ -32,8 +34,8 @@ NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
 class Plan:
     """What happens in a trial.
 
-    `run` are command lines without the word `ros2`, started in order; `record` are topics whose messages are kept;
-    `publish` are (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `later` are
+    `run` are command lines without the word `ros2`, started in order; `record` are topics whose messages are kept, `*`
+    means all; `publish` are (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `later` are
     (seconds, command line), started when the rest is up, in that order; `seconds` is when Ctrl-C is pressed in
     everything.
     """
@@ -146,7 +148,10 @@ class Watcher:
         rclpy.init(args=[])
         node = rclpy.create_node("_trial", start_parameter_services=False, enable_rosout=False)
         for topic in self.plan.record:
-            self._record_when_published(node, topic)
+            if topic == "*":
+                self._record_all(node)
+            else:
+                self._record_when_published(node, topic)
         for when, topic, kind, fields in self.plan.publish:
             publisher = node.create_publisher(get_message(kind), topic, 10)
             self._later(node, when, lambda p=publisher, k=kind, f=fields: p.publish(_filled(get_message(k)(), f)))
@@ -170,6 +175,17 @@ class Watcher:
             self.seen.responses[index] = message_to_ordereddict(future.result())
 
         client.call_async(request).add_done_callback(answered)
+
+    def _record_all(self, node: Any) -> None:
+        """Record every topic of the programs' own, as soon as it is there."""
+        known = set(EVERY_NODE_S)
+
+        def look() -> None:
+            for topic in sorted(set(dict(self.graph.topics())) - known):
+                known.add(topic)
+                self._record_when_published(node, topic)
+
+        node.create_timer(0.02, look)
 
     def _record_when_published(self, node: Any, topic: str) -> None:
         """Subscribe as soon as somebody publishes, with a QoS that hears them."""

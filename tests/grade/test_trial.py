@@ -22,6 +22,12 @@ def test_a_trial_does_not_care_for_the_domain_of_the_student_s_graph(monkeypatch
     assert seen.nodes == ["/talker"] and len(seen.messages["/chatter"]) == 1
 
 
+def test_all_topics_of_the_programs_own_are_recorded_from_their_first_message_on():
+    seen = try_out(Plan(run=[["run", "demo_nodes_py", "talker"]], seconds=3.5, record=["*"]))
+    assert [message["data"] for _, message in seen.messages.pop("/chatter")] == [f"Hello World: {n}" for n in range(3)]
+    assert not seen.messages
+
+
 def test_later_commands_find_what_was_started_before():
     talker, question = ["run", "demo_nodes_py", "talker"], ["topic", "type", "/chatter"]
     seen = try_out(Plan(run=[talker], seconds=1.5, later=[(0.5, ["node", "list"]), (1.0, question)]))

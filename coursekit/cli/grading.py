@@ -82,7 +82,7 @@ def run_grade(args: argparse.Namespace) -> int:
     marks = group.grade(args.jobs, Bar())
     total = sum(one.total() for one in marks) / len(marks) if marks else 0
     print(f"{len(marks)} graded, {total:.2f} points on average: {args.out}")
-    print(f"Reports, statistics, histogram.png and similar.csv: {group.kept}")
+    print(f"Open {group.kept / 'class.html'}; beside it are the reports, statistics, histogram.png and similar.csv.")
     return 0
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 from .exercise import Exercise, exercises_in
 from .mark import Marked, mark
+from .overview import write_overview
 from .report import write_reports
 from .sandbox import Limits
 from .similar import write_similar
@@ -79,6 +80,7 @@ class Class:
         write_reports(self.kept, marks)
         write_similar(self.kept / "similar.csv", marks)
         write_statistics(self.kept, marks)
+        write_overview(self.kept, marks)
 
 
 def _note_copies(marks: Sequence[Marked]) -> None:

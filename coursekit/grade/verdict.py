@@ -62,7 +62,8 @@ class Verdict:
         """For the notebook."""
         colour, mark = ("#1a7f4b", "✔") if self.passed else ("#b3392f", "✘")
         rows = "".join(
-            f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>{label}</td>"
+            f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
+            f"{label}</td>"
             f"<td style='text-align:left;white-space:pre-wrap'>{html.escape(value)}</td></tr>"
             for label, value in self._rows()
         )

@@ -71,16 +71,17 @@ def slam() -> None:
         print(f"\nSLAM: skipped, {MISSING}.")
         return
     others = {
-        "fr079": ("≤ 0.047 m", "Cartographer 0.0452 m, GMapping 0.061 m, MRPT icp-slam 0.092 m"),
+        "fr079": ("≤ 0.047 m", "Cartographer 0.0452 m, GMapping 0.061 m"),
         "Intel": ("≤ 0.025 m", "Cartographer 0.0229 m, GMapping 0.070 m, MRPT rbpf-slam 0.168 m"),
     }
-    print("\n| SLAM, median of five perturbed runs | coursekit | each run | × real time | others, not run here | goal |")
-    print("|---|---|---|---|---|---|")
+    head = "SLAM, median of five perturbed runs | coursekit | each run | × real time | MRPT icp-slam, unperturbed"
+    print(f"\n| {head} | others, not run here | goal |\n|---|---|---|---|---|---|---|")
     for name, found in json.loads(measure(sys.executable, "slam_logs.py", str(place))).items():
         ours = f"{found['median']:.4f} m, {found['rotation']:.2f}°"
         runs = " ".join(f"{one:.4f}" for one in found["translation"])
         goal, known = others[name]
-        print(f"| {name} | {ours} | {runs} | {found['speed']:.0f} | {known} | {goal}, ≥ 100 × |")
+        peer = "not installed" if found["peer"] is None else f"{found['peer']:.4f} m"
+        print(f"| {name} | {ours} | {runs} | {found['speed']:.0f} | {peer} | {known} | {goal}, ≥ 100 × |")
 
 
 def navigation() -> None:

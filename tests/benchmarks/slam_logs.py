@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from icp_slam import icp_slam
 
 from coursekit.slam.carmen import CarmenLog, read_log
 from coursekit.slam.pose import Pose2
@@ -66,6 +67,7 @@ def main() -> None:
             "median": statistics.median(one[0] for one in runs),
             "rotation": statistics.median(one[1] for one in runs),
             "speed": log.seconds / statistics.median(one[2] for one in runs),
+            "peer": icp_slam(folder / f"{stem}.clf.xz", folder / f"{stem}.relations"),
         }
     print(json.dumps(result))
 

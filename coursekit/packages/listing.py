@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from ament_index_python import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
 
+from coursekit.core.executables import PackageNotFound, executables_of
 from coursekit.interfaces.errors import suggestion
 
 
@@ -41,22 +41,13 @@ def print_prefix(args: argparse.Namespace) -> int:
     return 0
 
 
-def executable_paths(package: str) -> list[Path] | None:
-    """Return the executables of a package, sorted by name; None when there is no such package."""
-    prefix = _prefix(package)
-    if prefix is None:
-        return None
-    folder = prefix / "lib" / package
-    found = folder.rglob("*") if folder.is_dir() else ()
-    return sorted(p for p in found if p.is_file() and os.access(p, os.X_OK) and "__pycache__" not in p.parts)
-
-
 def print_executables(args: argparse.Namespace) -> int:
     """Print the executables of one package or of all."""
     names = [args.package_name] if args.package_name else sorted(get_packages_with_prefixes())
     for name in names:
-        paths = executable_paths(name)
-        if paths is None:
+        try:
+            paths = executables_of(name)
+        except PackageNotFound:
             return _fail(f"Package '{name}' not found{suggestion(name, get_packages_with_prefixes())}")
         for path in paths:
             print(path if args.full_path else f"{name} {path.name}")

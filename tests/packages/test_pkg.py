@@ -9,6 +9,7 @@ import pytest
 from catkin_pkg.package import parse_package
 
 from coursekit.cli.verbs import pkg
+from coursekit.core.executables import executables_of, packages
 
 
 @pytest.fixture
@@ -162,6 +163,12 @@ def test_executables_are_listed(ros2_pkg, tmp_path, monkeypatch):
     assert ros2_pkg("executables", "mine", "--full-path")[1].splitlines()[0] == str(
         tmp_path / "lib/mine/a_exe"
     )
+
+
+def test_all_that_can_be_run_is_listed_also_where_an_install_has_dropped_the_right_to_execute(ros2_pkg):
+    assert "parameter_blackboard" in ros2_pkg("executables", "demo_nodes_cpp")[1]
+    listed = [tuple(line.split()) for line in ros2_pkg("executables")[1].splitlines()]
+    assert listed == [(name, path.name) for name in packages() for path in executables_of(name)]
 
 
 def test_unknown_packages_and_tags_fail(ros2_pkg):

@@ -13,6 +13,7 @@ import importlib.util
 from typing import Any
 
 from coursekit.core import script
+from rclpy._lent import lender
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from rclpy.utilities import (
     _locals,
@@ -38,8 +39,13 @@ __all__ = [
 ]
 
 
+_lend = lender(__name__)
+
+
 def __getattr__(name: str) -> Any:
     """Load `rclpy.executors` and the like when they are named: programs do so without importing them."""
+    if name in ("Context", "Future", "Parameter"):
+        return _lend(name)
     if name.startswith("__") or importlib.util.find_spec(f"rclpy.{name}") is None:
         raise AttributeError(f"module 'rclpy' has no attribute '{name}'")
     return importlib.import_module(f"rclpy.{name}")

@@ -6,8 +6,11 @@ import threading
 from typing import Any
 
 from coursekit.core.session import current
+from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Client as _Handle
 from rclpy.task import Future
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Client:

@@ -18,7 +18,10 @@ from rclpy._executor_work import (
     deadline_of,
     never,
 )
+from rclpy._lent import lender
 from rclpy.task import Future
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 __all__ = [
     "ConditionReachedException",

@@ -10,6 +10,7 @@ from rcl_interfaces.msg import Log, ParameterEvent
 from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
 from coursekit.core.process import current_process
 from rclpy import _rclpy_pybind11 as _rclpy
+from rclpy._lent import lender
 from rclpy._node_entities import NodeEntities
 from rclpy._node_graph import NodeGraph, core_qos
 from rclpy._node_parameters import NodeParameters
@@ -47,6 +48,8 @@ from rclpy.validate_full_topic_name import validate_full_topic_name
 from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
 from rclpy.validate_topic_name import validate_topic_name
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 HIDDEN_NODE_PREFIX = "_"
 _ROSOUT_QOS = QoSProfile(

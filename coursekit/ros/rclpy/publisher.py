@@ -5,9 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from coursekit.interfaces import cdr
+from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Publisher as _Handle
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.duration import Duration
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Publisher:

@@ -6,7 +6,10 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Service as _Handle
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Service:

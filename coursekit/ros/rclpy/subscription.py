@@ -8,8 +8,11 @@ from enum import Enum
 from functools import partial
 from typing import Any
 
+from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Subscription as _Handle
 from rclpy._rclpy_pybind11 import as_bytes, message_info
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Subscription:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy._lent import lender
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.task import Future
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 
 def wait_for_message(

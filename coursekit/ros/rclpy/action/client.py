@@ -11,6 +11,7 @@ from action_msgs.srv import CancelGoal
 from unique_identifier_msgs.msg import UUID
 
 from coursekit.core import session
+from rclpy._lent import lender
 from rclpy.action.client_goal_handle import ClientGoalHandle
 from rclpy.action.goal_state import TERMINAL
 from rclpy.action.names import action_names
@@ -18,6 +19,8 @@ from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile
 from rclpy.task import Future
 from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
+
+__getattr__ = lender(__name__)  # names that programs import from here
 
 _POLL_SEC = 0.01
 _LATE_FEEDBACK = 50

@@ -71,6 +71,8 @@ class Graph:
         self.subscriptions: dict[str, list[Subscription]] = {}
         self.servers: dict[str, list[Server]] = {}
         self.clients: dict[str, list[Client]] = {}
+        self.gone: dict[str, str] = {}
+        """By topic that is still listened to: the node that was its last publisher, and left."""
         self.version = 0
         self._lock = threading.RLock()
         self._watchers: list[Callable[[], None]] = []
@@ -96,6 +98,7 @@ class Graph:
         """Enter and match a publisher."""
         with self._lock:
             _enter(self.publishers, publisher.node.publishers, publisher)
+            self.gone.pop(publisher.name, None)
             for subscription in self.subscriptions.get(publisher.name, ()):
                 match(publisher, subscription)
         self.changed()
@@ -112,6 +115,8 @@ class Graph:
                 elif publisher.is_live():
                     target.status(LIVELINESS).add(-1)
             publisher.targets = ()
+            if publisher.name not in self.publishers and publisher.name in self.subscriptions:
+                self.gone[publisher.name] = publisher.node.full_name
         self.changed()
 
     def add_subscription(self, subscription: Subscription) -> Subscription:
@@ -131,6 +136,8 @@ class Graph:
                 if subscription in publisher.targets:
                     publisher.targets = tuple(one for one in publisher.targets if one is not subscription)
                     publisher.status(MATCHED).add(-1)
+            if subscription.name not in self.subscriptions:
+                self.gone.pop(subscription.name, None)
         self.changed()
 
     def add_server(self, server: Server) -> Server:

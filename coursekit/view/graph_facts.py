@@ -46,6 +46,8 @@ class Facts:
     clients: tuple[End, ...] = ()
     action_servers: tuple[End, ...] = ()
     action_clients: tuple[End, ...] = ()
+    gone: tuple[tuple[str, str], ...] = ()
+    """(topic, node) where the last publisher has left while others listen."""
 
     @property
     def topics(self) -> list[str]:
@@ -108,6 +110,7 @@ def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
         clients=ends("clients", True),
         action_servers=_actions(nodes, "servers"),
         action_clients=_actions(nodes, "clients"),
+        gone=tuple(sorted(pair for pair in dict(graph.gone).items() if hidden or not is_hidden(pair[1]))),
     )
 
 

@@ -95,9 +95,7 @@ def mismatches(pub: End, sub: End) -> list[tuple[str, str, str, str]]:
     offer, wish = pub.qos.resolved(), sub.qos.resolved()
     found = []
     if offer.reliability == BEST_EFFORT and wish.reliability == RELIABLE:
-        cure = (
-            f"Let {sub.node} ask for BEST_EFFORT (qos_profile_sensor_data), or let {pub.node} offer RELIABLE."
-        )
+        cure = f"Let {sub.node} ask for BEST_EFFORT (qos_profile_sensor_data), or let {pub.node} offer RELIABLE."
         found.append(("reliability", "BEST_EFFORT", "RELIABLE", cure))
     if offer.durability == VOLATILE and wish.durability == TRANSIENT_LOCAL:
         cure = f"Let {pub.node} offer TRANSIENT_LOCAL, or let {sub.node} ask for VOLATILE and miss earlier messages."
@@ -113,9 +111,7 @@ def _timing(pub: str, sub: str, offer: Qos, wish: Qos) -> Iterator[tuple[str, st
         cure = f"Let {pub} offer MANUAL_BY_TOPIC, or let {sub} ask for AUTOMATIC."
         yield "liveliness", _liveliness(offer), _liveliness(wish), cure
     if offer.lease > wish.lease:
-        cure = (
-            f"Let {pub} offer a lease of {_seconds(wish.lease)} or less, or let {sub} ask for a longer one."
-        )
+        cure = f"Let {pub} offer a lease of {_seconds(wish.lease)} or less, or let {sub} ask for a longer one."
         yield "lease duration", _seconds(offer.lease), _seconds(wish.lease), cure
 
 
@@ -133,22 +129,30 @@ def _seconds(nanoseconds: int) -> str:
 def _topics(facts: Facts) -> Iterator[Fault]:
     heard = names_of(facts.subscriptions)
     published = names_of(facts.publishers)
+    gone = dict(facts.gone)
     for name in facts.topics:
-        if name not in published:
-            yield _lonely(
-                name, nodes_at(name, facts.subscriptions), "publishes", "listens to", published, facts
-            )
+        if name in gone and name not in published:
+            yield _gone(name, gone[name], facts)
+        elif name not in published:
+            yield _lonely(name, nodes_at(name, facts.subscriptions), "publishes", "listens to", published, facts)
         elif name not in heard:
             other = _alike(name, facts.publishers, facts.subscriptions)
             if other is None or other in published:  # else it is said at the other name
-                yield _lonely(
-                    name, nodes_at(name, facts.publishers), "subscribes to", "publishes", heard, facts
-                )
+                yield _lonely(name, nodes_at(name, facts.publishers), "subscribes to", "publishes", heard, facts)
 
 
-def _lonely(
-    name: str, nodes: list[str], missing: str, present: str, others: Sequence[str], facts: Facts
-) -> Fault:
+def _gone(name: str, publisher: str, facts: Facts) -> Fault:
+    nodes = nodes_at(name, facts.subscriptions)
+    waits = "waits" if len(nodes) == 1 else "wait"
+    return Fault(
+        f"{publisher} is gone: nobody publishes {name} any more",
+        f"Start {publisher} again, and read the last lines of its terminal; {_listed(nodes)} {waits} for it.",
+        (name,),
+        ends=tuple((node, name) for node in nodes),
+    )
+
+
+def _lonely(name: str, nodes: list[str], missing: str, present: str, others: Sequence[str], facts: Facts) -> Fault:
     mine, theirs = facts.subscriptions, facts.publishers
     if missing != "publishes":
         mine, theirs = theirs, mine
@@ -162,14 +166,13 @@ def _lonely(
 
 
 def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
-    """The topic of the same type that was probably meant."""
+    """The topic of the same type that was probably meant: one spelt alike, or of the same last name and in want of us."""
     types = types_of(name, mine)
-    candidates = [
-        one for one in names_of(end for end in theirs if end.type in types) if _letters(one) != _letters(name)
-    ]
-    last = name.rpartition("/")[2]
+    candidates = [one for one in names_of(end for end in theirs if end.type in types) if _letters(one) != _letters(name)]
+    last, served = name.rpartition("/")[2], names_of(mine)
     close = difflib.get_close_matches(name, candidates, 1, ALIKE)
-    return next(iter(close or [one for one in candidates if one.rpartition("/")[2] == last]), None)
+    namesakes = [one for one in candidates if one.rpartition("/")[2] == last and one not in served]
+    return next(iter(close or namesakes), None)
 
 
 def _letters(name: str) -> str:

@@ -57,6 +57,37 @@ def test_a_topic_of_the_same_last_name_in_another_namespace_is_proposed():
     assert serious(graph)[0].text.endswith("did you mean /cmd_vel?")
 
 
+def test_two_robots_with_topics_of_the_same_last_name_are_no_fault():
+    graph = empty()
+    node(graph, "/turtlesim", publishes=("/turtle1/pose", "/vera/pose"))
+    node(graph, "/mimic", hears=("/turtle1/pose",))
+    assert serious(graph) == []
+
+
+def test_a_publisher_that_has_died_is_missed_by_those_who_still_listen():
+    graph = empty()
+    talker = node(graph, "/talker", publishes=("/chatter",))
+    listener = node(graph, "/listener", hears=("/chatter",))
+    talker.close()
+    (fault,) = serious(graph)
+    assert fault.text == "/talker is gone: nobody publishes /chatter any more"
+    assert fault.cure == "Start /talker again, and read the last lines of its terminal; /listener waits for it."
+    assert (fault.places, fault.ends) == (("/chatter",), (("/listener", "/chatter"),))
+    node(graph, "/talker", publishes=("/chatter",))
+    assert serious(graph) == []
+    listener.close()
+
+
+def test_a_publisher_that_left_with_its_listeners_or_was_a_command_is_not_missed():
+    graph = empty()
+    ends = node(graph, "/talker", publishes=("/chatter",)), node(graph, "/listener", hears=("/chatter",))
+    for end in ends:
+        end.close()
+    node(graph, "/listener", hears=("/chatter",))
+    node(graph, "/_ros2cli_7", publishes=("/chatter",)).close()
+    assert serious(graph) == []
+
+
 def test_names_that_differ_only_in_numbers_are_meant_as_they_are():
     graph = empty()
     node(graph, "/mimic", publishes=("/turtle2/pose",), hears=("/turtle1/pose",))

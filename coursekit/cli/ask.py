@@ -73,19 +73,43 @@ def services(hidden: bool = False) -> list[tuple[str, list[str]]]:
     return [(name, types) for name, types in graph().services() if hidden or not is_hidden(name)]
 
 
-def complete_nodes(**_: Any) -> list[str]:
-    """For tab completion."""
-    return node_names()
+def complete_by(*command: str) -> Any:
+    """For tab completion: the names that `ros2 COMMAND` prints in the session that runs."""
+
+    def complete(**_: Any) -> list[str]:
+        from .attach import answer
+
+        return answer(command)
+
+    return complete
 
 
-def complete_topics(**_: Any) -> list[str]:
-    """For tab completion."""
-    return [name for name, _ in topics()]
+complete_nodes = complete_by("node", "list")
+complete_topics = complete_by("topic", "list")
+complete_services = complete_by("service", "list")
 
 
-def complete_services(**_: Any) -> list[str]:
-    """For tab completion."""
-    return [name for name, _ in services()]
+def complete_values(typed: str) -> Any:
+    """For tab completion: the default values of the type that the argument `typed` names."""
+
+    def complete(parsed_args: Any, **_: Any) -> list[str]:
+        return [prototype(getattr(parsed_args, typed))]
+
+    return complete
+
+
+def prototype(name: str) -> str:
+    """The default values of a message, a request or a goal as YAML; raises Unhappy when there is no such type."""
+    from rosidl_runtime_py import message_to_yaml
+    from rosidl_runtime_py.utilities import get_interface
+
+    try:
+        interface = get_interface(name)
+    except (AttributeError, LookupError, ModuleNotFoundError, ValueError) as error:
+        raise Unhappy(str(error)) from None
+    for part in ("Request", "Goal"):
+        interface = getattr(interface, part, interface)
+    return str(message_to_yaml(interface()))
 
 
 def complete_interfaces(kind: str) -> Any:

@@ -54,6 +54,18 @@ def attach(argv: Sequence[str]) -> int:
     return _be_terminal(connect_or_start(), {"argv": list(argv)})
 
 
+def answer(argv: Sequence[str]) -> list[str]:
+    """The words that the domain's session prints to `ros2 ARGV`; none when no session runs."""
+    try:
+        client = endpoint.connect(domain_id())
+    except endpoint.NoSession:
+        return []
+    with client, client.makefile("r", encoding="utf-8") as lines:
+        _send(client, _wish(argv=list(argv)))
+        said = [json.loads(line) for line in lines]
+    return "".join(one.get("stdout", "") for one in said).split()
+
+
 def attach_script(path: Path, argv: Sequence[str]) -> int | None:
     """Have the session carry out `python3 PATH ARGV`; its exit code, or None when no session runs."""
     try:
@@ -65,9 +77,13 @@ def attach_script(path: Path, argv: Sequence[str]) -> int | None:
 
 def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
     with client, _signals_to(client):
-        _send(client, {"token": endpoint.token(domain_id()), "env": dict(os.environ), "cwd": os.getcwd(), **wish})
+        _send(client, _wish(**wish))
         threading.Thread(target=_forward_stdin, args=(client,), daemon=True).start()
         return _show(client)
+
+
+def _wish(**wish: object) -> dict[str, object]:
+    return {"token": endpoint.token(domain_id()), "env": dict(os.environ), "cwd": os.getcwd(), **wish}
 
 
 def _send(client: socket.socket, message: dict[str, object]) -> None:

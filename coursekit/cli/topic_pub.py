@@ -24,7 +24,8 @@ def register(verbs: Any) -> None:
     parser.add_argument("message_type", help="Type of the ROS message (e.g. 'std_msgs/String')").completer = (
         ask.complete_interfaces("msg")
     )
-    parser.add_argument("values", nargs="?", default="{}", help="Values to fill the message with in YAML format")
+    values = parser.add_argument("values", nargs="?", default="{}", help="Values to fill the message with in YAML format")
+    values.completer = ask.complete_values("message_type")  # type: ignore[attr-defined]
     parser.add_argument("-r", "--rate", type=_positive, default=1.0, help="Publishing rate in Hz (default: 1)")
     parser.add_argument("-p", "--print", type=int, default=1, help="Only print every N-th published message")
     many = parser.add_mutually_exclusive_group()

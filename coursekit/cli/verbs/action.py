@@ -18,17 +18,18 @@ def register(subparsers: Any) -> None:
     lister.add_argument("-c", "--count-actions", action="store_true", help="Only display the number of actions")
     lister.set_defaults(main=list_actions)
     info = verbs.add_parser("info", help="Print information about an action")
-    info.add_argument("action_name", help="Name of the ROS action").completer = _complete
+    info.add_argument("action_name", help="Name of the ROS action").completer = ask.complete_by("action", "list")
     info.add_argument("-t", "--show-types", action="store_true", help="Additionally show the action type")
     info.add_argument("-c", "--count", action="store_true", help="Only display the number of clients and servers")
     info.set_defaults(main=show_info)
     kind = verbs.add_parser("type", help="Print an action's type")
-    kind.add_argument("action_name", help="Name of the ROS action").completer = _complete
+    kind.add_argument("action_name", help="Name of the ROS action").completer = ask.complete_by("action", "list")
     kind.set_defaults(main=show_type)
     send = verbs.add_parser("send_goal", help="Send an action goal")
-    send.add_argument("action_name", help="Name of the ROS action").completer = _complete
+    send.add_argument("action_name", help="Name of the ROS action").completer = ask.complete_by("action", "list")
     send.add_argument("action_type", help="Type of the ROS action").completer = ask.complete_interfaces("action")
-    send.add_argument("goal", help="Goal request values in YAML format")
+    goal = send.add_argument("goal", help="Goal request values in YAML format")
+    goal.completer = ask.complete_values("action_type")
     send.add_argument("-f", "--feedback", action="store_true", help="Echo feedback messages for the goal")
     send.set_defaults(main=send_goal)
 
@@ -38,10 +39,6 @@ def _actions() -> list[tuple[str, list[str]]]:
 
     with ask.command_node() as node:
         return list(get_action_names_and_types(node))
-
-
-def _complete(**_: Any) -> list[str]:
-    return [name for name, _ in _actions()]
 
 
 def list_actions(args: Any) -> int:

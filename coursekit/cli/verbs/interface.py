@@ -102,17 +102,8 @@ def list_package(args: Any) -> int:
 
 def show_proto(args: Any) -> int:
     """Print a message with its default values, as `ros2 topic pub` takes it."""
-    from rosidl_runtime_py import message_to_yaml
-    from rosidl_runtime_py.utilities import get_interface
-
-    try:
-        interface = get_interface(args.type)
-    except (AttributeError, LookupError, ModuleNotFoundError, ValueError) as error:
-        raise ask.Unhappy(str(error)) from None
-    for part in ("Request", "Goal"):
-        interface = getattr(interface, part, interface)
     quote = "" if args.no_quotes else '"'
-    print(f"{quote}{message_to_yaml(interface())}{quote}")
+    print(f"{quote}{ask.prototype(args.type)}{quote}")
     return 0
 
 

@@ -17,14 +17,14 @@ def register(subparsers: Any) -> None:
     nodes.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes")
     nodes.set_defaults(main=list_nodes)
     get = verbs.add_parser("get", help="Get lifecycle state for one or more nodes")
-    get.add_argument("node_name", nargs="?", help="Name of the ROS node").completer = _complete
+    get.add_argument("node_name", nargs="?", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
     get.set_defaults(main=get_state)
     lister = verbs.add_parser("list", help="Output a list of available transitions")
-    lister.add_argument("node_name", help="Name of the ROS node").completer = _complete
+    lister.add_argument("node_name", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
     lister.add_argument("-a", "--all", action="store_true", help="Output all existing transitions")
     lister.set_defaults(main=list_transitions)
     setter = verbs.add_parser("set", help="Trigger lifecycle state transition")
-    setter.add_argument("node_name", help="Name of the ROS node").completer = _complete
+    setter.add_argument("node_name", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
     setter.add_argument("transition", help="The lifecycle transition: a label or a number")
     setter.set_defaults(main=set_state)
     for verb in (nodes, get, lister, setter):
@@ -35,10 +35,6 @@ def _nodes(hidden: bool) -> list[str]:
     found = [name for name, types in ask.services(hidden=True) if _GET_STATE in types]
     names = {name.removesuffix("/get_state") for name in found if name.endswith("/get_state")}
     return [name for name in ask.node_names(hidden) if name in names]
-
-
-def _complete(**_: Any) -> list[str]:
-    return _nodes(False)
 
 
 def _ask(node: Any, name: str, kind: Any, service: str, request: Any) -> Any:

@@ -51,8 +51,7 @@ def _parameter_name(parser: Any) -> None:
 
 
 def _complete_names(parsed_args: Any, **_: Any) -> list[str]:
-    with ask.command_node() as node:
-        return _Asking(node, parsed_args.node_name).names()
+    return ask.complete_by("param", "list", parsed_args.node_name)()  # type: ignore[no-any-return]
 
 
 class _Asking:

@@ -31,7 +31,8 @@ def register(subparsers: Any) -> None:
     call = verbs.add_parser("call", help="Call a service")
     call.add_argument("service_name", help="Name of the ROS service").completer = ask.complete_services
     call.add_argument("service_type", help="Type of the ROS service").completer = ask.complete_interfaces("srv")
-    call.add_argument("values", nargs="?", default="{}", help="Values to fill the request with in YAML format")
+    values = call.add_argument("values", nargs="?", default="{}", help="Values to fill the request with in YAML format")
+    values.completer = ask.complete_values("service_type")
     call.add_argument("-r", "--rate", metavar="N", type=float, help="Repeat the call at a specific rate in Hz")
     call.set_defaults(main=call_service)
 

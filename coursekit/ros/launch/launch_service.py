@@ -189,7 +189,8 @@ class LaunchService:
         for handler in tuple(self.__context._event_handlers):
             if not handler.matches(event):
                 continue
-            self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
+            if self.__logger.isEnabledFor(logging.DEBUG):
+                self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
             self.__context._push_locals()
             try:
                 for entity in as_entities(handler.handle(event, self.__context)):

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import threading
 import traceback
+from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from .events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
@@ -28,6 +31,8 @@ class ProcessRun:
         self.__logger = logger
         self.__loop = context.asyncio_loop
         self.__ended: asyncio.Future[int] = self.__loop.create_future()
+        self.__lock = threading.Lock()
+        self.__pieces: list[tuple[str, str]] = []
         self.process: Any = None
 
     def start(self) -> bool:
@@ -53,11 +58,20 @@ class ProcessRun:
 
     def __on_output(self, stream: str, text: str) -> None:
         """Pass output on to the loop; called in the process's own lane."""
-        self.__loop.call_soon_threadsafe(self.__emit_output, stream, text.encode("utf-8", "replace"))
+        with self.__lock:
+            self.__pieces.append((stream, text))
+            first = len(self.__pieces) == 1
+        if first:
+            self.__loop.call_soon_threadsafe(self.__emit_output)
 
-    def __emit_output(self, stream: str, text: bytes) -> None:
-        kind = ProcessStdout if stream == "stdout" else ProcessStderr
-        self.__context.emit_event_sync(kind(text=text, **self.__details))
+    def __emit_output(self) -> None:
+        """What was written since the last time is one event, as what lies in a pipe is."""
+        with self.__lock:
+            pieces, self.__pieces = self.__pieces, []
+        for stream, group in groupby(pieces, itemgetter(0)):
+            kind = ProcessStdout if stream == "stdout" else ProcessStderr
+            text = "".join(piece for _, piece in group).encode("utf-8", "replace")
+            self.__context.emit_event_sync(kind(text=text, **self.__details))
 
     def __on_end(self, process: Any) -> None:
         self.__loop.call_soon_threadsafe(self.__ended.set_result, process.exit_code)

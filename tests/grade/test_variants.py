@@ -10,6 +10,7 @@ from coursekit.cli.coursekit import main
 from coursekit.grade.checking import check
 from coursekit.grade.copy import Course
 from coursekit.grade.exercise import find
+from coursekit.grade.handing_in import make_parcel
 from coursekit.grade.mark import mark
 from coursekit.grade.roster import Roster
 from coursekit.grade.sandbox import Limits
@@ -171,6 +172,18 @@ def test_grading_draws_the_values_again_and_believes_no_copy(handed_out, capsys)
     assert "nobody in the list of names" in notes["nobody"][0] and not notes["BenIto"]
     assert main([*command, *out]) == 0
     assert json.loads((handed_out / "grades" / "AnnLee_05.json").read_text())["verdicts"][0]["points"] == 0
+
+
+def test_what_was_handed_in_is_run_with_the_values_of_its_copy_and_verified_with_the_teacher_s(handed_out, capsys):
+    students, ann = handed_out / "students.txt", handed_out / "ann" / "05_part.ipynb"
+    ann.parent.mkdir()
+    ann.write_text(json.dumps(Variants.read(students).copies("Ann Lee", {"part": part("ch05.q2")})["part"]))
+    file, marked = make_parcel(ann, ann.parent, "Ann Lee", ann.parent)
+    assert marked.total() == 2
+    command = ["verify", str(file), "--notebooks", str(handed_out / "notebooks")]
+    assert main([*command, "--variants", str(students)]) == 0
+    assert main(command) == 1
+    assert "ch05.q2: 2 points are recorded, a clean run earns 0" in capsys.readouterr().out
 
 
 def test_a_missing_secret_is_said(handed_out):

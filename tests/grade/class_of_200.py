@@ -147,7 +147,7 @@ KINDS = (
     Kind("only-answers", 3, (7,), _only_answers),
     Kind("retyped", 3, (7,), _retyped, told="turned into raw"),
     Kind("endless-loop", 3, (6,), answers(q1="while True: pass")),
-    Kind("stubborn-loop", 2, (0,), answers(q1=STUBBORN), told="longer|in time"),
+    Kind("stubborn-loop", 2, (0, 6), answers(q1=STUBBORN), told="longer|in time|there is none"),
     Kind("endless-node", 2, (5,), answers(q2=ENDLESS_NODE), told="give way"),
     Kind("early-exit", 3, (0,), answers(q1="import os\nos._exit(0)")),
     Kind("fork-bomb", 2, (0, 6), answers(q1="import os\nwhile True: os.fork()")),

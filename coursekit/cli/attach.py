@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import contextlib
+import itertools
 import json
 import os
 import signal
@@ -62,8 +63,8 @@ def answer(argv: Sequence[str]) -> list[str]:
         return []
     with client, client.makefile("r", encoding="utf-8") as lines:
         _send(client, _wish(argv=list(argv)))
-        said = [json.loads(line) for line in lines]
-    return "".join(one.get("stdout", "") for one in said).split()
+        said = itertools.takewhile(lambda one: "exit" not in one, map(json.loads, lines))
+        return "".join(one.get("stdout", "") for one in said).split()
 
 
 def attach_script(path: Path, argv: Sequence[str]) -> int | None:

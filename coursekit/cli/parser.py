@@ -31,6 +31,12 @@ COMMANDS = (
     "topic",
     "wtf",
 )
+_OF_THE_GRAPH = {"action", "lifecycle", "node", "param", "service", "topic"}
+_STRATEGY = {
+    ("--spin-time",): "Seconds to wait for discovery (here the graph is known at once)",
+    ("-s", "--use-sim-time"): "Enable ROS simulation time (here the session has one clock)",
+    ("--no-daemon",): "Do not ask the daemon (here there is none)",
+}
 _MODULES = {"wtf": "doctor"}
 
 
@@ -55,7 +61,20 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
     wanted = [command] if command in available() else available()
     for module in dict.fromkeys(_module(str(name)) for name in wanted):
         importlib.import_module(module).register(subparsers)
+    for name in _OF_THE_GRAPH & set(subparsers.choices):
+        _add_strategy(subparsers.choices[name])
     return parser
+
+
+def _add_strategy(command: argparse.ArgumentParser) -> None:
+    """Let every verb take the flags for how the graph is found. The session knows it: they change nothing."""
+    verbs = next(action for action in command._actions if isinstance(action, argparse._SubParsersAction))
+    for verb in verbs.choices.values():
+        for words, text in _STRATEGY.items():
+            if words[-1] in verb._option_string_actions:
+                continue  # it has its own
+            options = {"type": float} if "--spin-time" in words else {"action": "store_true"}
+            verb.add_argument(*words, help=text, **options)
 
 
 def run(argv: Sequence[str]) -> int:

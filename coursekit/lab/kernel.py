@@ -48,9 +48,10 @@ def start() -> Session:
 
 
 def _register_magics(shell: Any) -> None:
+    from .command_table import CommandMagics
     from .magics import CourseMagics
 
-    shell.register_magics(CourseMagics)
+    shell.register_magics(CourseMagics, CommandMagics)
 
 
 def _open_door(session: Session) -> None:
@@ -157,6 +158,19 @@ def adopt(old: Any, new: Any) -> Any:
     return new
 
 
+def this_cell() -> str:
+    """The id of the cell that runs now or ran last; '' outside of a kernel."""
+    cells = _state.get("cells")
+    return cells.cell if cells is not None else ""
+
+
+def give_to(cell: str, process: Any) -> None:
+    """Let a process belong to a cell: it was started by what the cell shows."""
+    cells = _state.get("cells")
+    if cells is not None and cell:
+        cells.made.setdefault(cell, []).append(process)
+
+
 def _describe(one: Any) -> str:
     return f"node {one.full_name}" if hasattr(one, "full_name") else f"process {' '.join(one.argv)}"
 
@@ -179,4 +193,4 @@ def _end_one(one: Any) -> bool:
     return True
 
 
-__all__ = ["adopt", "last_runs", "reset", "start"]
+__all__ = ["adopt", "give_to", "last_runs", "reset", "start", "this_cell"]

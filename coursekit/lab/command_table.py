@@ -1,0 +1,142 @@
+"""`%%commands`: a table of commands, each of which runs from its row."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import sysconfig
+from dataclasses import dataclass
+from typing import Any
+
+import ipywidgets
+from IPython.core.magic import Magics, cell_magic, magics_class
+
+from coursekit.core.executables import ChildProcess
+from coursekit.core.session import current
+
+from .kernel import give_to, this_cell
+from .magics import CourseMagics, workspace, workspace_environment
+from .terminal import Terminal
+
+SHELL_ONLY = ("source", "export", "cd", "echo", "rm")
+"""Words that only a shell knows, or that change it: such a row is for a terminal."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A command as it is typed in a terminal, and what it does."""
+
+    command: str
+    meaning: str
+
+    @property
+    def runs(self) -> bool:
+        """Whether it can run from here."""
+        return self.command.split()[0] not in SHELL_ONLY
+
+
+def read_rows(text: str) -> list[Row]:
+    """The rows of lines `COMMAND | WHAT IT DOES`; ValueError for a line that is none.
+
+    >>> read_rows("ros2 node list | all nodes")
+    [Row(command='ros2 node list', meaning='all nodes')]
+    """
+    rows = []
+    for number, line in enumerate(text.splitlines(), 1):
+        command, bar, meaning = (part.strip() for part in line.rpartition(" | "))
+        if line.strip() and not (bar and command and meaning):
+            raise ValueError(f"line {number} of %%commands is no row: {line!r}. Write: ros2 node list | all nodes")
+        if line.strip():
+            rows.append(Row(command, meaning))
+    return rows
+
+
+def start(command: str, magics: CourseMagics) -> Terminal:
+    """Start a command line in a terminal of its own; LookupError when there is no such program."""
+    words = shlex.split(command)
+    if words[:1] in (["ros2"], ["colcon"]):
+        shown = getattr(magics, words[0])(command.split(None, 1)[1] + " &" if len(words) > 1 else "-h &")
+        assert isinstance(shown, Terminal)
+        return shown
+    env = workspace_environment()
+    path = os.pathsep.join((sysconfig.get_path("scripts"), env.get("PATH", "")))
+    program = shutil.which(words[0], path=path) if words else None
+    if program is None:
+        raise LookupError(f"There is no program '{words[0] if words else ''}'. Rows begin with ros2, colcon or coursekit.")
+
+    def begin() -> Any:
+        child = ChildProcess(current(), [program, *words[1:]], name=words[0], env=env, cwd=workspace(), one_stream=True)
+        return current().launch(child, None)
+
+    return Terminal(begin(), command, again=begin)
+
+
+class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
+    """A line to change, a button that runs it, and below them its terminal."""
+
+    def __init__(self, row: Row, magics: CourseMagics) -> None:
+        self.row = row
+        self._magics = magics
+        self._cell = this_cell()
+        self.terminal: Terminal | None = None
+        self.line = ipywidgets.Text(value=row.command, layout=ipywidgets.Layout(width="50%"))
+        self.button = ipywidgets.Button(
+            icon="play",
+            disabled=not row.runs,
+            tooltip="run it" if row.runs else "for a terminal: it changes the shell",
+            layout=ipywidgets.Layout(width="36px"),
+        )
+        self.button.on_click(self._run)
+        self._head = ipywidgets.HBox([self.button, self.line, ipywidgets.Label(row.meaning)])
+        super().__init__([self._head])
+
+    def _run(self, _button: Any) -> None:
+        if self.terminal is not None and self.terminal.process.exit_code is None:
+            self.terminal.interrupt()
+        try:
+            self.terminal = start(self.line.value, self._magics)
+        except (LookupError, ValueError) as error:
+            self._below(ipywidgets.Label(str(error)))
+            return
+        give_to(self._cell, self.terminal.process)
+        self._below(self.terminal)
+
+    def _below(self, widget: Any) -> None:
+        self.children = (self._head, widget)
+
+
+class CommandTable(ipywidgets.VBox):  # type: ignore[misc]
+    """Rows of commands; printed, it is a table."""
+
+    def __init__(self, rows: list[Row], magics: CourseMagics) -> None:
+        self.rows = [CommandRow(row, magics) for row in rows]
+        super().__init__(self.rows)
+
+    def __repr__(self) -> str:
+        width = max((len(one.row.command) for one in self.rows), default=0)
+        return "\n".join(f"{one.row.command:{width}}  {one.row.meaning}" for one in self.rows)
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**kwargs)
+        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        if data is not None:
+            data["text/plain"] = repr(self)
+        return bundle
+
+
+@magics_class
+class CommandMagics(Magics):
+    """`%%commands`."""
+
+    @cell_magic
+    def commands(self, _line: str, cell: str) -> CommandTable:
+        """A table whose lines are `COMMAND | WHAT IT DOES`; each has a button that runs it, and may be changed before.
+
+        %%commands
+        ros2 node list | all nodes
+        """
+        return CommandTable(read_rows(cell), CourseMagics(self.shell))
+
+
+__all__ = ["CommandMagics", "CommandTable", "Row", "read_rows", "start"]

@@ -29,7 +29,7 @@ def register(verbs: Any) -> None:
     parser.add_argument(
         "-l", "--truncate-length", type=_not_negative, default=DEFAULT_TRUNCATE_LENGTH, help="Where to truncate"
     )
-    parser.add_argument("-s", "--spin-time", type=float, default=None, help="Spin time in seconds for discovery")
+    parser.add_argument("--spin-time", type=float, default=None, help="Spin time in seconds for discovery")
     parser.add_argument("--no-arr", action="store_true", help="Don't print array fields of messages")
     parser.add_argument("--no-str", action="store_true", help="Don't print string fields of messages")
     parser.add_argument("--flow-style", action="store_true", help="Print collections in the block style")

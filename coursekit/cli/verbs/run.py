@@ -9,6 +9,7 @@ import sys
 from typing import Any
 
 from coursekit.core.executables import ExecutableNotFound, PackageNotFound, executables_of, find, packages
+from coursekit.core.prefixed import prefixed
 from coursekit.core.process import current_process
 from coursekit.core.session import current
 
@@ -45,8 +46,9 @@ def main(args: Any) -> int:
         print("No executable found")
         print(error.args[0], file=sys.stderr)
         return 1
-    if args.prefix:
-        return _run_with_prefix([*shlex.split(args.prefix), str(path), *args.argv])
+    command = prefixed([*shlex.split(args.prefix or ""), str(path)])
+    if len(command) > 1:
+        return _run_with_prefix([*command, *args.argv])
     process = current().start_executable(path, args.argv, name=args.executable_name, on_output=_pass_on())
     return _outcome(_wait(process))
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from coursekit.core import script, session
 from coursekit.core.commands import inside
 from coursekit.core.executables import ChildProcess
+from coursekit.core.prefixed import is_package_executable, prefixed
 
 from .substitutions.find_executable import which
 
@@ -36,7 +36,7 @@ def start_process(
         FileNotFoundError: when there is no such program.
     """
     current = session.current()
-    cmd = without_terminal(cmd)
+    cmd = prefixed(without_terminal(cmd))
     words = ros2_words(" ".join(cmd)) if shell else list(cmd)
     run = inside(os.path.basename(words[0])) if words else None
     if run is not None:
@@ -88,12 +88,3 @@ def ros2_words(text: str) -> list[str]:
     except ValueError:
         return []
     return [] if any(word and set(word) <= set("();<>|&") for word in words) else words
-
-
-def is_package_executable(path: str) -> bool:
-    """Return whether a path is `<prefix>/lib/<package>/<executable>` of a prefix with an ament index."""
-    if not os.path.isabs(path) or not os.path.isfile(path):
-        return False
-    folder = Path(path).parent
-    prefix = folder.parent.parent
-    return folder.parent.name == "lib" and (prefix / "share" / folder.name).is_dir()

@@ -1,0 +1,46 @@
+"""Commands with something before an executable of a package: `nice -n 5 PATH`, `gdb --args PATH`."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from coursekit.interfaces.find import UNDERLAY
+
+from .executables import is_python
+
+_OUT_OF_REACH = ("chrt", "ionice", "nice", "stdbuf", "taskset", "time")
+_PYTHON = re.compile(r"python(3(\.\d+)?)?(\.exe)?")
+
+
+def is_package_executable(path: str) -> bool:
+    """Whether a path is `<prefix>/lib/<package>/<executable>` of a prefix with an ament index."""
+    if not os.path.isabs(path) or not os.path.isfile(path):
+        return False
+    folder = Path(path).parent
+    prefix = folder.parent.parent
+    return folder.parent.name == "lib" and (prefix / "share" / folder.name).is_dir()
+
+
+def prefixed(command: Sequence[str]) -> list[str]:
+    """The command as it can be carried out here.
+
+    A Python executable of a package runs inside the session, where a priority or a buffer of the system's processes
+    cannot be set: that goes. What else comes before it (a debugger, a profiler) is given the interpreter too, where the
+    file does not name one.
+
+    >>> prefixed(["nice", "-n", "3", "ls"])
+    ['nice', '-n', '3', 'ls']
+    """
+    words = list(command)
+    at = next((at for at, word in enumerate(words) if is_package_executable(word)), 0)
+    if not at or not is_python(Path(words[at])):
+        return words
+    if os.path.basename(words[0]) in _OUT_OF_REACH:
+        return words[at:]
+    if UNDERLAY in Path(words[at]).parents and not any(_PYTHON.fullmatch(os.path.basename(one)) for one in words[:at]):
+        words.insert(at, sys.executable)
+    return words

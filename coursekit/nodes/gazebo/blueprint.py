@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -50,7 +51,7 @@ class Blueprint:
 
     def mass(self) -> float:
         """What it weighs [kg]."""
-        return sum(link.mass for link in self.links.values())
+        return math.fsum(link.mass for link in self.links.values())
 
 
 __all__ = ["BlueLink", "Blueprint"]

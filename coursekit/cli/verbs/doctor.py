@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.cli import checks
+from coursekit.cli import checks, graph_report
 
 
 def register(subparsers: Any) -> None:
@@ -19,7 +19,7 @@ def register(subparsers: Any) -> None:
 def main(args: Any) -> int:
     """Run the checks, or print the report."""
     if args.report:
-        for title, lines in checks.report():
+        for title, lines in (*checks.report(), *graph_report.report()):
             print(f"\n   {title}")
             for key, value in lines:
                 print(f"{key:<24}: {value}")

@@ -240,6 +240,7 @@ def install() -> None:
     if builtins.input is not _input:
         _real_input = builtins.input
         builtins.input = _input
-    from . import threads
+    from . import selecting, threads
 
+    selecting.install()
     threads.install()

@@ -1,0 +1,33 @@
+"""Waiting for files, as asyncio's loops do: by the session's clock, and Ctrl-C ends it."""
+
+from __future__ import annotations
+
+import selectors
+from typing import Any
+
+from .whose import current_process
+
+STEP = 0.02
+"""Seconds between two looks at the files."""
+_real_select: Any = selectors.DefaultSelector.select
+
+
+def _select(self: Any, timeout: float | None = None) -> Any:
+    """Like `select`, for a process of a session: on the virtual clock the others go on while it waits."""
+    process = current_process()
+    if process is None or (timeout is not None and timeout <= 0):
+        return _real_select(self, timeout)
+    clock = process.session.clock
+    end = None if timeout is None else clock.steady() + round(timeout * 1e9)
+    while True:
+        left = STEP if end is None else min(STEP, (end - clock.steady()) / 1e9)
+        ready = _real_select(self, 0 if clock.virtual else max(0.0, left))
+        if ready or left <= 0:
+            return ready
+        if clock.virtual:
+            clock.sleep(left)
+
+
+def install() -> None:
+    """Put it in place; harmless when it is there already."""
+    selectors.DefaultSelector.select = _select  # type: ignore[method-assign]

@@ -23,6 +23,9 @@ from .process import Output, Process, current_process
 if TYPE_CHECKING:
     from .session import Session
 
+_HOW = "a Python node needs a line under console_scripts in setup.py, and a build; C++ is not compiled here"
+
+
 class PackageNotFound(LookupError):
     """No such package in any prefix; the text names close ones."""
 
@@ -35,7 +38,7 @@ class ExecutableNotFound(LookupError):
     """The package has no such executable; the text names those that it has."""
 
     def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
-        names = ", ".join(known) or "none (does setup.py list it under console_scripts, and was it built?)"
+        names = ", ".join(known) or f"none ({_HOW})"
         super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}")
         self.package = package
         self.executable = executable

@@ -136,3 +136,8 @@ def test_errors_of_a_child_stand_where_it_wrote_them(tmp_path):
         child = session.launch(ChildProcess(session, [sys.executable, "-c", code], name="both", one_stream=True))
         assert child.wait(60) == 0
         assert child.output == "".join(f"{i}\n" for i in range(300))
+
+
+def test_a_package_without_executables_says_what_makes_one():
+    text = str(ExecutableNotFound("cpp_talker", "talker", []))
+    assert "console_scripts" in text and "C++ is not compiled here" in text

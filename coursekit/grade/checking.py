@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from coursekit.view.working import Working
+
 from . import events
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
@@ -69,7 +71,8 @@ def check(name: str, **variants: Any) -> None:
     """
     exercise = find(name)
     progress = Progress.of_course()
-    verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
+    with Working(f"Trying out {name}"):
+        verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict)

@@ -5,7 +5,10 @@ from __future__ import annotations
 import atexit
 import os
 import sys
+import time
 from typing import Any
+
+import ipywidgets
 
 from coursekit.cli.kernel import hear_all
 from coursekit.core import streams
@@ -14,6 +17,8 @@ from coursekit.packages.environment import source_underlay
 
 from .panel import Panel, close_panels, open_panels
 
+SUBSHELL_SECONDS = 0.5
+"""A page that makes no subshell in this time is none, or is busy [s]."""
 _state: dict[str, Any] = {}
 
 
@@ -41,10 +46,21 @@ def start() -> Session:
         cells = Cells(session, shell)
         _state["cells"] = cells
         _register_magics(shell)
+        if not session.clock.virtual:
+            _have_a_subshell(shell.kernel)
     if not session.clock.virtual:
         _open_door(session)
     atexit.register(_stop)
     return session
+
+
+def _have_a_subshell(kernel: Any) -> None:
+    """Show JupyterLab a widget now: with the first it makes the subshell that answers panels while a cell runs."""
+    _state["first widget"] = ipywidgets.Layout()
+    thread = getattr(kernel, "shell_channel_thread", None)
+    give_up = time.monotonic() + SUBSHELL_SECONDS
+    while thread is not None and not thread.manager.list_subshell() and time.monotonic() < give_up:
+        time.sleep(0.02)
 
 
 def _register_magics(shell: Any) -> None:

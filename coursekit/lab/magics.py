@@ -14,6 +14,7 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
+from coursekit.view.working import Working
 
 from .kernel import adopt
 from .terminal import Terminal, Terminals
@@ -38,7 +39,8 @@ def terminals(*names: str, columns: int = 2) -> Terminals:
 
 def wait(seconds: float) -> None:
     """Let the session run: the processes work on, this cell waits."""
-    current().clock.sleep(seconds)
+    with Working("Waiting", seconds):
+        current().clock.sleep(seconds)
 
 
 def edit(path: str, old: str, new: str) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from coursekit.core.session import current
 from coursekit.sim.place import Place, wrap
+from coursekit.view.working import Working
 
 from .drive import Driver
 from .hidden import HiddenNode
@@ -108,8 +109,11 @@ def drive_along(
         buffer = Buffer()
         listener = TransformListener(buffer, hidden.node)
         current().clock.sleep(BEAT_SECONDS)
-        for x, y in points:
-            _go(tour, driver, buffer, x, y)
+        places = list(points)
+        with Working("Driving") as bar:
+            for number, (x, y) in enumerate(places):
+                bar.share = number / len(places)
+                _go(tour, driver, buffer, x, y)
         driver.stop()
         current().clock.sleep(5 * BEAT_SECONDS)
         tour.look(buffer)

@@ -1,0 +1,71 @@
+"""A bar in the notebook for work that takes a while: it comes after a moment, tells how far it is, and goes."""
+
+from __future__ import annotations
+
+import html
+import sys
+import threading
+import time
+from contextlib import AbstractContextManager
+from typing import Any
+
+PATIENCE_SECONDS = 1.5
+"""Shorter work gets no bar [s]."""
+LOOK_SECONDS = 0.3
+
+
+class Working(AbstractContextManager["Working"]):
+    """Shows `what` is going on while the block lasts; on the virtual clock, and without a notebook, nothing.
+
+    >>> with Working("Driving") as bar:
+    ...     bar.share = 0.5
+    """
+
+    def __init__(self, what: str, seconds: float = 0.0) -> None:
+        self.what, self.seconds = what, seconds
+        self.share: float | None = None
+        """How much is done, 0 to 1; None where nobody knows, or where the work lasts `seconds`."""
+        self._over = threading.Event()
+        self._lane = threading.Thread(target=self._show, daemon=True)
+        self._since = time.monotonic()
+
+    def __enter__(self) -> Working:
+        if _has_a_page():
+            self._lane.start()
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self._over.set()
+        if self._lane.ident is not None:
+            self._lane.join()
+
+    def _show(self) -> None:
+        from IPython.display import HTML, display
+
+        if self._over.wait(PATIENCE_SECONDS):
+            return
+        shown = display(HTML(self.html()), display_id=True)
+        while not self._over.wait(LOOK_SECONDS):
+            shown.update(HTML(self.html()))
+        shown.update(HTML(""))
+
+    def html(self) -> str:
+        """The bar as it is now."""
+        passed = time.monotonic() - self._since
+        share = passed / self.seconds if self.seconds else self.share
+        value = "" if share is None else f' value="{min(max(share, 0.0), 1.0):.3f}"'
+        style = "font:13px system-ui,sans-serif;color:#68757d"
+        bar = f'<progress max="1"{value} style="width:14rem;vertical-align:middle"></progress>'
+        return f'<div style="{style}">{html.escape(self.what)} {bar} {passed:.0f} s</div>'
+
+
+def _has_a_page() -> bool:
+    """Whether a notebook's page may be looked at: a kernel on the wall clock."""
+    from coursekit.core.session import current
+
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return hasattr(getattr(shell, "kernel", None), "session") and not current().clock.virtual
+
+
+__all__ = ["Working"]

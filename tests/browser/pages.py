@@ -90,8 +90,17 @@ def serving(folder: Path, command: list[str], env: dict[str, str]) -> Iterator[L
             _wait_for(f"http://127.0.0.1:{port}/api?token={token}", server)
             yield Lab(folder, f"http://127.0.0.1:{port}", token)
         finally:
-            server.terminate()
-            server.wait(30)
+            _end(server)
+
+
+def _end(server: subprocess.Popen) -> None:
+    server.terminate()
+    try:
+        server.wait(60)
+    except subprocess.TimeoutExpired:
+        warnings.warn("JupyterLab did not end within a minute: killed", stacklevel=2)
+        server.kill()
+        server.wait()
 
 
 def _free_port() -> int:

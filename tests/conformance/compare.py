@@ -53,6 +53,7 @@ def run(python: Path | str) -> Results:
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.xml"
         options = ["-q", "-o", "addopts=", "-p", "no:cacheprovider", "-W", "ignore", f"--junitxml={report}"]
+        options += ["--confcutdir", str(HERE)]  # the real rclpy's environment has nothing for other tests
         command = [str(python), "-m", "pytest", str(HERE), *options]
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False)

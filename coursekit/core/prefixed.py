@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,9 +10,9 @@ from pathlib import Path
 from coursekit.interfaces.find import UNDERLAY
 
 from .executables import is_python
+from .script import names_python
 
 _OUT_OF_REACH = ("chrt", "ionice", "nice", "stdbuf", "taskset", "time")
-_PYTHON = re.compile(r"python(3(\.\d+)?)?(\.exe)?")
 
 
 def is_package_executable(path: str) -> bool:
@@ -41,6 +40,6 @@ def prefixed(command: Sequence[str]) -> list[str]:
         return words
     if os.path.basename(words[0]) in _OUT_OF_REACH:
         return words[at:]
-    if UNDERLAY in Path(words[at]).parents and not any(_PYTHON.fullmatch(os.path.basename(one)) for one in words[:at]):
+    if UNDERLAY in Path(words[at]).parents and not any(names_python(one) for one in words[:at]):
         words.insert(at, sys.executable)
     return words

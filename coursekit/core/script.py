@@ -20,6 +20,15 @@ _USES_ROS = re.compile(rb"^\s*(import|from)\s+(rclpy|tf2_ros|launch)\b", re.MULT
 _READ = 1_000_000
 
 
+def names_python(word: str) -> bool:
+    """Whether a word of a command is the interpreter.
+
+    >>> names_python("/usr/bin/python3.11"), names_python("plain.py")
+    (True, False)
+    """
+    return _PYTHON.fullmatch(os.path.basename(word)) is not None
+
+
 def joins() -> Path | None:
     """The program that this interpreter was started for, if it should join a session."""
     main = sys.modules.get("__main__")
@@ -47,7 +56,7 @@ def join() -> None:
 
 def of_command(cmd: Sequence[str], folder: str | None) -> tuple[Path, list[str]] | None:
     """The program and arguments of a command `python3 [-u] FILE.py ...` whose file uses ROS; None for others."""
-    if not _PYTHON.fullmatch(os.path.basename(cmd[0])):
+    if not names_python(cmd[0]):
         return None
     words = [word for at, word in enumerate(cmd[1:]) if not (at == 0 and word == "-u")]
     path = Path(folder or os.getcwd(), words[0]) if words else Path()

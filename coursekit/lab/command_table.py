@@ -15,6 +15,7 @@ from IPython.core.magic import Magics, cell_magic, magics_class
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
 
+from .bundle import with_text
 from .kernel import give_to, this_cell
 from .magics import CourseMagics, workspace, workspace_environment
 from .terminal import Terminal
@@ -118,11 +119,7 @@ class CommandTable(ipywidgets.VBox):  # type: ignore[misc]
         return "\n".join(f"{one.row.command:{width}}  {one.row.meaning}" for one in self.rows)
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
-        if data is not None:
-            data["text/plain"] = repr(self)
-        return bundle
+        return with_text(super()._repr_mimebundle_(**kwargs), repr(self))
 
 
 @magics_class

@@ -25,9 +25,9 @@ class MapView:
     """A map that was received or read; shows itself. `grid` has its cells, `comparison` how good it is, if that is known."""
 
     def __init__(self, grid: GridMap, outline: np.ndarray | None, tour: Tour | None) -> None:
-        self.grid, self.outline, self.tour = grid, outline, tour
         from coursekit.nav.map_compare import compare  # SciPy, which takes half a second to import
 
+        self.grid, self.outline, self.tour = grid, outline, tour
         self.comparison = None if outline is None else compare(grid, outline)
 
     def __repr__(self) -> str:
@@ -82,14 +82,12 @@ def _window(grid: GridMap) -> tuple[float, float, float, float]:
 
 def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
     """Points (n, 2) of all true walls at a height [m], as seen from where a robot of the simulator began: map's frame."""
+    from coursekit.nav.map_compare import outline_points
+
     name, one = robot_name(robot), simulator()
     one.advance()
     scene = one.simulation.scene(height)
-    own = one.simulation.scene(height)
-    cuts = [scene.fixed, own.moving()]
-    from coursekit.nav.map_compare import outline_points
-
-    points = np.concatenate([outline_points(cut.edges, cut.circles) for cut in cuts])
+    points = np.concatenate([outline_points(cut.edges, cut.circles) for cut in (scene.fixed, scene.moving())])
     here = one.simulation.place_of(name)
     off = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)
     found: np.ndarray = one.simulation.start_of(name).inverse().move(points[off > _reach(one.simulation.robots[name])])

@@ -8,6 +8,7 @@ from typing import Any
 import anywidget
 import traitlets
 
+from .bundle import with_text
 from .drive import Driver
 
 _STATIC = Path(__file__).parent / "static"
@@ -46,11 +47,7 @@ class Pad(anywidget.AnyWidget):
         return f"[pad {self.topic}: {self.linear:.2f} m/s, {self.angular:.2f} rad/s{sideways}]"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
-        if data is not None:
-            data["text/plain"] = repr(self)
-        return bundle
+        return with_text(super()._repr_mimebundle_(**kwargs), repr(self))
 
 
 def pad(topic: str = "/cmd_vel", linear: float = 0.5, angular: float = 1.0, holonomic: bool = False) -> Pad:

@@ -10,6 +10,7 @@ import anywidget
 
 from coursekit.core.session import current
 
+from .bundle import with_text
 from .hidden import HiddenNode
 
 UPDATE_SECONDS = 0.2
@@ -135,11 +136,7 @@ class Panel(anywidget.AnyWidget):
         return self.text()
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**options)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
-        if data is not None:
-            data["text/plain"] = self.text()
-        return bundle
+        return with_text(super()._repr_mimebundle_(**options), self.text())
 
 
 __all__ = ["Panel", "close_panels", "open_panels", "static"]

@@ -13,6 +13,8 @@ import cv2
 
 from coursekit.core.session import current
 
+from .bundle import forms_of
+
 PERIOD_SECONDS = 1 / 30
 """The browser gets a new picture at most this often."""
 PATIENCE_SECONDS = 1.0
@@ -121,7 +123,7 @@ class Picture(anywidget.AnyWidget):
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         bundle = super()._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        data = forms_of(bundle)
         if data is not None:
             data["text/plain"] = repr(self)
             image = self._read()

@@ -10,6 +10,8 @@ from typing import Any
 import anywidget
 import traitlets
 
+from .bundle import with_text
+
 LINES = 500
 """Lines that the browser keeps; the process remembers more."""
 UPDATE_SECONDS = 0.1
@@ -90,11 +92,7 @@ class Terminal(anywidget.AnyWidget):
         return f"[{self.title}: {self.state}]"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
-        if data is not None:
-            data["text/plain"] = repr(self)
-        return bundle
+        return with_text(super()._repr_mimebundle_(**kwargs), repr(self))
 
     # -- to the browser
 
@@ -164,8 +162,4 @@ class Terminals:
             self.terminals,
             layout=ipywidgets.Layout(grid_template_columns=f"repeat({self.columns}, minmax(0, 1fr))", grid_gap="8px"),
         )
-        bundle = grid._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
-        if data is not None:
-            data["text/plain"] = repr(self)
-        return bundle
+        return with_text(grid._repr_mimebundle_(**kwargs), repr(self))

@@ -15,6 +15,7 @@ from coursekit.nodes.turtlesim import simulators
 from coursekit.sim.turtle import SIDE
 from coursekit.view.turtle import KINDS, describe, png, shape
 
+from .bundle import forms_of
 from .drive import Driver
 
 FRAME_SECONDS = 0.05
@@ -103,7 +104,7 @@ class TurtleWindow(anywidget.AnyWidget):
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         bundle = super()._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        data = forms_of(bundle)
         if data is not None:
             data["text/plain"] = repr(self)
             if self.simulator is not None:

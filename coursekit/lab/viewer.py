@@ -12,6 +12,7 @@ from coursekit.view.displays import Display
 from coursekit.view.scene_stage import Stage
 from coursekit.view.scene_text import described
 
+from .bundle import forms_of
 from .hidden import HiddenNode
 from .panel import Panel, static
 from .viewer_stream import Stream
@@ -113,7 +114,7 @@ class Viewer(Panel):
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         bundle = super()._repr_mimebundle_(**options)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
+        data = forms_of(bundle)
         if data is not None:
             from base64 import b64encode
 

@@ -11,6 +11,7 @@ from coursekit.core.session import current
 from coursekit.view import highgui
 from coursekit.view.highgui import Desk, Window
 
+from .bundle import with_text
 from .picture import Picture
 
 NO_WINDOWS = "No windows are open. cv2.imshow('name', image) opens one."
@@ -92,11 +93,7 @@ class Windows:
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         layout = ipywidgets.Layout(display="flex", flex_flow="row wrap", grid_gap="10px")
         self._box = ipywidgets.Box(tuple(self._pictures.values()), layout=layout)
-        bundle = self._box._repr_mimebundle_(**kwargs)
-        data = bundle[0] if isinstance(bundle, tuple) else bundle
-        if data is not None:
-            data["text/plain"] = repr(self)
-        return bundle
+        return with_text(self._box._repr_mimebundle_(**kwargs), repr(self))
 
 
 _shown: dict[tuple[str, ...], Windows] = {}

@@ -71,8 +71,12 @@ class Trip:
     @property
     def distance(self) -> float:
         """What is left of the path [m]."""
+        return length(self._ahead())
+
+    def _ahead(self) -> np.ndarray:
+        """What is left of the path (n, 2); nothing where the robot's pose is not known."""
         here = self._where()
-        return length(remaining(self.path, here.x, here.y)) if here is not None and len(self.path) else 0.0
+        return remaining(self.path, here.x, here.y) if here is not None and len(self.path) else self.path[:0]
 
     async def run(self) -> str:
         """Go."""
@@ -148,8 +152,7 @@ class Trip:
 
     async def _keeps_its_way(self, new: np.ndarray) -> bool:
         """Whether the way that is driven is still free, and the new one is another that is hardly shorter."""
-        here = self._where()
-        old = remaining(self.path, here.x, here.y) if here is not None and len(self.path) else self.path[:0]
+        old = self._ahead()
         if not len(old) or not len(new) or worth_it(new, old):
             return False
         ahead = Path(header=self._message.header, poses=self._message.poses[-len(old) :])

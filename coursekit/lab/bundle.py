@@ -1,0 +1,30 @@
+"""What a widget is shown as where there is no browser: its forms by MIME type, which the lab adds to."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def forms_of(bundle: Any) -> dict[str, Any] | None:
+    """The forms in what a widget's `_repr_mimebundle_` gave; None when it shows nothing.
+
+    >>> forms_of(({"text/plain": "a"}, {}))
+    {'text/plain': 'a'}
+    """
+    forms: dict[str, Any] | None = bundle[0] if isinstance(bundle, tuple) else bundle
+    return forms
+
+
+def with_text(bundle: Any, text: str) -> Any:
+    """The bundle, with this text as its plain form.
+
+    >>> with_text({"text/plain": "Box()"}, "[pad /cmd_vel]")
+    {'text/plain': '[pad /cmd_vel]'}
+    """
+    forms = forms_of(bundle)
+    if forms is not None:
+        forms["text/plain"] = text
+    return bundle
+
+
+__all__ = ["forms_of", "with_text"]

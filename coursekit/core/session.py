@@ -18,14 +18,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from . import on_import, streams, threads
+from . import on_import, present, streams, threads
 from .clock import Clock, WallClock
 from .graph import Graph
 from .lane import Lane, ProcessKilled, thread_lane
 from .process import Process, current_process
 from .virtual import VirtualClock, is_lane_thread
 
-_session: Session | None = None
 _making = threading.RLock()
 
 SWITCH_INTERVAL = 0.0005
@@ -184,28 +183,26 @@ class Session:
     @contextlib.contextmanager
     def use(self) -> Iterator[Session]:
         """Make this the current session for a while, and close it afterwards."""
-        global _session
-        previous, _session = _session, self
+        previous, present.session = present.session, self
         streams.install()
         on_import.watch()
         try:
             yield self
         finally:
             self.close()
-            _session = previous
+            present.session = previous
 
 
 def current() -> Session:
     """The session in which the calling code runs; made on first use."""
-    global _session
     process = current_process()
     if process is not None:
         return process.session
-    if _session is None:
+    if present.session is None:
         with _making:
-            if _session is None:
-                _session = _make()
-    return _session
+            if present.session is None:
+                present.session = _make()
+    return present.session
 
 
 def _make() -> Session:
@@ -227,13 +224,4 @@ def _close_at_exit(session: Session) -> None:
         process.kill()
 
 
-def virtual_session_here() -> Session | None:
-    """The session whose virtual clock runs the calling lane; None for code that the clock does not run."""
-    process = current_process()
-    session = process.session if process is not None else _session
-    if session is None or not is_lane_thread(session.clock):
-        return None
-    return session if process is not None or not session.embedded or session.in_cell else None
-
-
-__all__ = ["Clock", "Session", "current", "virtual_session_here"]
+__all__ = ["Clock", "Session", "current"]

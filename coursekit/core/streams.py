@@ -11,6 +11,7 @@ import types
 from collections.abc import Iterator, MutableMapping
 from typing import Any
 
+from .present import virtual_session_here
 from .process import Process, current_process
 
 _real_sleep = time.sleep
@@ -176,20 +177,13 @@ class _Sys(types.ModuleType):
 
 def _sleep(seconds: float) -> None:
     process = current_process()
-    session = process.session if process is not None else _session_here()
+    session = process.session if process is not None else virtual_session_here()
     if session is None or sys._getframe(1).f_globals.get("__name__") == "subprocess":
         _real_sleep(seconds)  # who waits for a child of the system waits as long as that one takes
         return
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")
     session.clock.sleep(seconds)
-
-
-def _session_here() -> Any:
-    """The session whose virtual clock runs the calling thread, if any: its sleep is virtual outside processes too."""
-    from .session import virtual_session_here
-
-    return virtual_session_here()
 
 
 def _signal(signum: int, handler: Any) -> Any:

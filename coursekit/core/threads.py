@@ -17,6 +17,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .lane import ProcessKilled
+from .present import virtual_session_here
 from .process import Process, current_process
 
 _start = threading.Thread.start
@@ -29,19 +30,13 @@ _real_clocks = {name: getattr(time, name) for name in ("time", "monotonic", "per
 _real_clocks_ns = {name: getattr(time, f"{name}_ns") for name in ("time", "monotonic", "perf_counter")}
 
 
-def _virtual_session() -> Any:
-    from .session import virtual_session_here
-
-    return virtual_session_here()
-
-
 _OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywidgets", "tornado", "traitlets", "zmq")
 _OF_PYTHON = ("concurrent", "coursekit", "queue", "threading")
 
 
 def _waiting_session() -> Any:
     """The virtual session on whose clock the caller waits; None for a kernel's own libraries, which wait for real."""
-    session = _virtual_session()
+    session = virtual_session_here()
     if session is None or not session.embedded or current_process() is not None:
         return session
     frame = sys._getframe(1)
@@ -75,7 +70,7 @@ def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], N
 def start(self: threading.Thread) -> None:
     """`Thread.start`, for processes and the virtual clock."""
     process = current_process()
-    session = _virtual_session()
+    session = virtual_session_here()
     if process is None and session is None:
         _start(self)
         return
@@ -123,7 +118,7 @@ def is_alive(self: threading.Thread) -> bool:
 
 def current_thread() -> threading.Thread:
     """`threading.current_thread`, which knows the virtual clock's lanes."""
-    session = _virtual_session()
+    session = virtual_session_here()
     lane = session.clock.running if session is not None else None
     return getattr(lane, "thread", None) or _current_thread()
 
@@ -215,7 +210,7 @@ class LaneRLock:
 
     @staticmethod
     def _me() -> Any:
-        session = _virtual_session()
+        session = virtual_session_here()
         return threading.get_ident() if session is None else session.clock.running
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:

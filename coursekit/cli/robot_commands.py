@@ -30,6 +30,8 @@ def check_urdf(argv: Sequence[str] | None = None) -> int:
         print(error_text(error), end="", file=sys.stderr)
         print("ERROR: Model Parsing the xml failed", file=sys.stderr)
         return FAILED
+    for fault in robot.faults:
+        print(error_text(fault), end="", file=sys.stderr)
     for warning in (*robot.warnings, *check(robot)):
         print(f"Warning: {warning}", file=sys.stderr)
     print(check_text(robot), end="")

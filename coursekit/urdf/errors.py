@@ -48,6 +48,10 @@ class UrdfError(ValueError):
         )
 
 
+class Negative(UrdfError):
+    """A mass or a size below zero, of which urdfdom says nothing and which is refused here all the same."""
+
+
 class MeshError(UrdfError):
     """A mesh file that is not there or cannot be read; the text names the folders that were searched."""
 

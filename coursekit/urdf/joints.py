@@ -103,9 +103,6 @@ def _read_limit(limit: Element, name: str) -> Limit:
         if limit.get(needed) is None:
             cure = f'Add {needed}="{10 if needed == "effort" else 1}" to <limit>: both effort and velocity are needed.'
             raise limit.error(f"joint [{name}]: limit has no {needed}", cure)
-    if lower > upper:
-        what = f"joint [{name}]: lower limit ({limit.get('lower')}) is above the upper one ({limit.get('upper')})"
-        raise limit.error(what, "Exchange the two numbers.")
     return Limit(lower, upper, number(limit, "effort", 0.0, what), number(limit, "velocity", 0.0, what))
 
 

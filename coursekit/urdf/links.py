@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeVar
 
-from .errors import UrdfError
+from .errors import Negative, UrdfError
 from .model import Box, Collision, Cylinder, Geometry, Inertial, Link, Material, Mesh, Sphere, Visual
 from .values import colour, number, origin, plain, vector
 from .xml_tree import Element
@@ -16,24 +16,36 @@ _NOT_A_FLOAT = "{name} [{text}] is not a valid float"
 _ABOUT_GEOMETRY = 'Put a shape in it, such as <geometry><box size="0.1 0.1 0.1"/></geometry>.'
 
 
-def read_link(element: Element) -> Link:
-    """A link; raises UrdfError."""
+def read_link(element: Element, faults: list[UrdfError]) -> Link:
+    """A link; raises UrdfError where it has no name or something of it is negative.
+
+    As in urdfdom another fault ends only the reading of this link: it keeps what came before, and `faults` grows.
+    """
     name = element.get("name")
     if not name:
         raise element.error("No name given for the link.", 'Write <link name="...">, for example name="base_link".')
-    inertial = element.first("inertial")
-    return Link(
-        name,
-        tuple(_part(one, name, _visual) for one in element.all("visual")),
-        tuple(_part(one, name, _collision) for one in element.all("collision")),
-        None if inertial is None else _part(inertial, name, _inertial),
-        element.line,
-    )
+    inertial: Inertial | None = None
+    visuals: list[Visual] = []
+    collisions: list[Collision] = []
+    try:
+        for one in [*element.all("inertial")][:1]:
+            inertial = _part(one, name, _inertial)
+        for one in element.all("visual"):
+            visuals.append(_part(one, name, _visual))
+        for one in element.all("collision"):
+            collisions.append(_part(one, name, _collision))
+    except Negative:
+        raise
+    except UrdfError as error:
+        faults.append(error)
+    return Link(name, tuple(visuals), tuple(collisions), inertial, element.line)
 
 
 def _part(element: Element, link: str, read: Callable[[Element], T]) -> T:
     try:
         return read(element)
+    except Negative:
+        raise
     except UrdfError as error:
         raise error.within(f"Could not parse {element.tag} element for Link [{link}]") from None
 
@@ -65,7 +77,8 @@ def _inertial(element: Element) -> Inertial:
         raise mass.error(what, 'Write a number of kilograms, without a unit: <mass value="1.0"/>.')
     if kilograms < 0:
         what = f"Inertial: mass [{mass.get('value')}] is negative"
-        raise mass.error(what, "Nothing weighs less than nothing: write the mass in kg, or leave <inertial> out.")
+        cure = "Nothing weighs less than nothing: write the mass in kg, or leave <inertial> out."
+        raise mass.error(what, cure, kind=Negative)
     if inertia is None:
         raise element.error("Inertial element must have inertia element", "Add <inertia ixx=... iyy=... izz=.../>.")
     ixx, ixy, ixz, iyy, iyz, izz = (_moment(inertia, name) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
@@ -141,7 +154,8 @@ def _size(shape: Element, name: str) -> float:
 
 def _not_negative(shape: Element, name: str, value: float) -> None:
     if value < 0:
-        raise shape.error(f"{name} [{shape.get(name)}] is negative", "Sizes are given in metres, from 0 up.")
+        what = f"{name} [{shape.get(name)}] is negative"
+        raise shape.error(what, "Sizes are given in metres, from 0 up.", kind=Negative)
 
 
 def read_material(element: Element, *, visual: bool = False) -> Material:

@@ -175,6 +175,8 @@ class Robot:
     """The `<gazebo>` elements, for simulators."""
     warnings: tuple[str, ...] = ()
     """What is allowed and probably not meant, with its place."""
+    faults: tuple[UrdfError, ...] = ()
+    """What urdfdom reports as an error and passes over: the link in question lacks what stands there and after it."""
     file: Path | None = None
     """Where it was read from; paths of meshes are relative to its folder."""
 

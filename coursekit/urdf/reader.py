@@ -38,8 +38,9 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
     materials = _materials(root)
     links: dict[str, Link] = {}
     warnings: list[str] = []
+    faults: list[UrdfError] = []
     for element in root.all("link"):
-        link = read_link(element)
+        link = read_link(element, faults)
         if link.name in links:
             cure = f"The first one is in line {links[link.name].line}: give one of them another name."
             raise element.error(f"link '{link.name}' is not unique.", cure)
@@ -50,10 +51,10 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
         raise root.error("No link elements found in urdf file", cure)
     joints = _joints(root, warnings)
     top = find_root(root, links, joints)
-    check_mimics(root, joints)
+    joints = check_mimics(root, joints, warnings)
     gazebo = tuple(root.all("gazebo"))
     name = root.attributes["name"]
-    return Robot(name, links, joints, top, materials, gazebo, tuple(warnings), Path(path) if path else None)
+    return Robot(name, links, joints, top, materials, gazebo, tuple(warnings), tuple(faults), Path(path) if path else None)
 
 
 def load(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Robot:
@@ -143,6 +144,9 @@ def _joints(root: Element, warnings: list[str]) -> dict[str, Joint]:
         if joint.moves and element.first("axis") is None:
             place = f"{element.file or 'robot description'}:{joint.line}"
             warnings.append(f"{place}: joint '{joint.name}' has no <axis>; it moves along or about x.")
+        if joint.moves and joint.limit is not None and joint.limit.lower > joint.limit.upper:
+            place = f"{element.file or 'robot description'}:{joint.line}"
+            warnings.append(f"{place}: joint '{joint.name}' has its lower limit above the upper one: exchange them.")
         joints[joint.name] = joint
     return joints
 

@@ -96,6 +96,8 @@ def _load(path: Path, _changed: int) -> tuple[Surface, ...]:
         )
     try:
         scene = trimesh.load_scene(path)
+        if path.suffix.lower() == ".dae" and scene.units:  # COLLADA says its unit; RViz and Gazebo heed it, as we do
+            scene = scene.convert_units("meters")
         parts = [_surface(part) for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
     except Exception as error:  # the readers of six formats fail in as many ways
         what = f"is no {path.suffix[1:].upper()} mesh that can be read: {type(error).__name__}: {error}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from .errors import UrdfError, close
 from .model import Joint, Link
@@ -96,8 +97,9 @@ def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> U
     return _element(root, "joint", last.name).error(what, cure)
 
 
-def check_mimics(root: Element, joints: Mapping[str, Joint]) -> None:
-    """Raise UrdfError if a joint mimics nothing, or itself by way of others."""
+def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
+    """The joints, those that mimic an unmoving one without that; UrdfError if one mimics nothing, or itself."""
+    checked = dict(joints)
     for joint in joints.values():
         if joint.mimic is None:
             continue
@@ -106,8 +108,11 @@ def check_mimics(root: Element, joints: Mapping[str, Joint]) -> None:
             what = f"joint [{joint.name}] mimics joint [{joint.mimic.joint}], which does not exist"
             raise element.error(what, close(joint.mimic.joint, joints))
         if not joints[joint.mimic.joint].moves:
-            what = f"joint [{joint.name}] mimics joint [{joint.mimic.joint}], which is {joints[joint.mimic.joint].type}"
-            raise element.error(what, "Name a joint that moves: revolute, continuous or prismatic.")
+            place = f"{element.file or 'robot description'}:{element.line}"
+            kind = joints[joint.mimic.joint].type
+            what = f"joint '{joint.name}' mimics '{joint.mimic.joint}', which is {kind}; it moves by itself."
+            warnings.append(f"{place}: {what}")
+            checked[joint.name] = replace(joint, mimic=None)
         way = [joint.name]
         follows: str | None = joint.mimic.joint
         while follows is not None and follows in joints:
@@ -117,6 +122,7 @@ def check_mimics(root: Element, joints: Mapping[str, Joint]) -> None:
             way.append(follows)
             mimic = joints[follows].mimic
             follows = None if mimic is None else mimic.joint
+    return checked
 
 
 __all__ = ["check_mimics", "find_root"]

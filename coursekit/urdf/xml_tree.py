@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
@@ -11,6 +12,8 @@ from .errors import UrdfError
 DEEPEST = 200
 """Elements in elements; a robot needs about 10."""
 TRUNCATED = {expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS], 5, 4, 15}
+_EARLY = re.compile(r"\A\s+<\?xml\b[^>]*\?>")
+"""Blank lines before the declaration: TinyXML, which urdfdom reads with, takes them."""
 
 
 @dataclass(eq=False)
@@ -47,9 +50,11 @@ class Element:
             return own
         return f'{own} of <{above.tag} name="{above.attributes["name"]}">'
 
-    def error(self, what: str, cure: str = "", chain: tuple[str, ...] = ()) -> UrdfError:
+    def error(
+        self, what: str, cure: str = "", chain: tuple[str, ...] = (), kind: type[UrdfError] = UrdfError
+    ) -> UrdfError:
         """A fault at this place, to be raised."""
-        return UrdfError(what, file=self.file, line=self.line, element=self.label(), cure=cure, chain=chain)
+        return kind(what, file=self.file, line=self.line, element=self.label(), cure=cure, chain=chain)
 
     def tell(self, path: str) -> str:
         """The text of a descendant ('ray/range/min'), stripped; '' where there is none."""
@@ -137,7 +142,7 @@ def read(text: str, file: str = "") -> Element:
     >>> read("<robot name='r'><link name='a'/></robot>").first("link").label()
     '<link name="a">'
     """
-    return _Builder(file).build(text)
+    return _Builder(file).build(_EARLY.sub(lambda early: "\n" * early[0].count("\n"), text, 1))
 
 
 __all__ = ["Element", "read"]

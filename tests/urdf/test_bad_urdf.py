@@ -109,12 +109,6 @@ BAD = {
         '<limit> of <joint name="j">',
         7,
     ),
-    "limits exchanged": (
-        AB + joint('<limit lower="2" upper="1" effort="1" velocity="1"/>', "revolute"),
-        "joint [j]: lower limit (2) is above the upper one (1)",
-        '<limit> of <joint name="j">',
-        7,
-    ),
     "short axis": (
         AB + joint('<axis xyz="0 0"/>'),
         "Malformed axis element for joint [j]: Parser found 2 elements but 3 expected while parsing vector [0 0]",
@@ -181,6 +175,37 @@ BAD = {
         '<mass> of <link name="a">',
         4,
     ),
+    "negative size": (
+        visual('<geometry><sphere radius="-1"/></geometry>'),
+        "radius [-1] is negative",
+        '<sphere> of <link name="a">',
+        3,
+    ),
+    "negative length": (
+        visual('<geometry><cylinder length="-1" radius="1"/></geometry>'),
+        "length [-1] is negative",
+        '<cylinder> of <link name="a">',
+        3,
+    ),
+    "xacro": ("<xacro:wheel/>", "<xacro:wheel> is xacro, not URDF", "<xacro:wheel>", 2),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_a_bad_robot_is_refused_with_its_place(name):
+    inner, what, element, line = BAD[name]
+    bound = "" if "xacro" not in inner else ' xmlns:xacro="x"'
+    with pytest.raises(UrdfError) as caught:
+        parse(f'<robot name="r"{bound}>\n{inner}</robot>', "my.urdf")
+    error = caught.value
+    assert error.what == what
+    assert error.element.startswith(element)
+    assert line is None or error.line == line
+    assert error.cure
+    assert str(error).startswith(f"my.urdf:{error.line}: {error.element}: {what}\n")
+
+
+PASSED_OVER = {
     "no mass": (
         inertial(INERTIA),
         "Inertial element must have a mass element",
@@ -218,12 +243,6 @@ BAD = {
         '<sphere> of <link name="a">',
         3,
     ),
-    "negative size": (
-        visual('<geometry><sphere radius="-1"/></geometry>'),
-        "radius [-1] is negative",
-        '<sphere> of <link name="a">',
-        3,
-    ),
     "mesh without file": (
         visual("<geometry><mesh/></geometry>"),
         "Mesh must contain a filename attribute",
@@ -238,22 +257,40 @@ BAD = {
         '<color> of <material name="m">',
         3,
     ),
-    "xacro": ("<xacro:wheel/>", "<xacro:wheel> is xacro, not URDF", "<xacro:wheel>", 2),
 }
+"""What urdfdom reports as an error, and then builds the robot all the same."""
 
 
-@pytest.mark.parametrize("name", BAD)
-def test_a_bad_robot_is_refused_with_its_place(name):
-    inner, what, element, line = BAD[name]
-    bound = "" if "xacro" not in inner else ' xmlns:xacro="x"'
-    with pytest.raises(UrdfError) as caught:
-        parse(f'<robot name="r"{bound}>\n{inner}</robot>', "my.urdf")
-    error = caught.value
-    assert error.what == what
-    assert error.element.startswith(element)
-    assert line is None or error.line == line
-    assert error.cure
-    assert str(error).startswith(f"my.urdf:{error.line}: {error.element}: {what}\n")
+@pytest.mark.parametrize("name", PASSED_OVER)
+def test_a_bad_part_of_a_link_is_reported_and_the_robot_built_as_urdfdom_does(name):
+    inner, what, element, line = PASSED_OVER[name]
+    robot = parse(f'<robot name="r">\n{inner}{links("b")}{joint()}</robot>', "my.urdf")
+    (fault,) = robot.faults
+    assert (fault.what, fault.element, fault.line) == (what, element, line)
+    assert fault.cure and fault.chain[-1].endswith("element for Link [a]")
+    assert robot.link("a").visuals == robot.link("a").collisions == ()
+
+
+def test_a_link_keeps_what_stands_before_its_fault():
+    ball = "<geometry><sphere radius='1'/></geometry>"
+    first = f"<visual>{ball}</visual><visual/><collision>{ball}</collision>"
+    robot = parse(f'<robot name="r"><link name="a">{first}</link></robot>')
+    assert len(robot.link("a").visuals) == 1 and not robot.link("a").collisions
+
+
+def test_what_urdfdom_says_nothing_of_is_a_warning():
+    limit = joint('<limit lower="2" upper="1" effort="1" velocity="1"/>', "revolute")
+    mimic = joint('<mimic joint="j"/>', name="k", parent="b", child="c")
+    robot = parse(f'<robot name="r">{links("a", "b", "c")}{limit}{mimic}</robot>')
+    assert "joint 'j' has its lower limit above the upper one" in robot.warnings[0] + robot.warnings[1]
+    fixed = parse(f'<robot name="r">{links("a", "b", "c")}{joint(type_="fixed")}{mimic}</robot>')
+    assert any("'k' mimics 'j', which is fixed" in one for one in fixed.warnings)
+    assert fixed.joints["k"].mimic is None
+
+
+def test_blank_lines_before_the_declaration_are_taken_and_counted():
+    text = '\n\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
+    assert parse(text).link("a").line == 4
 
 
 @pytest.mark.parametrize(

@@ -77,6 +77,8 @@ class RobotStatePublisher(Node):
 
     def _set_robot(self, text: str) -> None:
         robot = parse(text, self._source or "robot_description")
+        for fault in robot.faults:
+            print(error_text(fault), end="", file=sys.stderr)
         root = robot.links[robot.root]
         if root.inertial is not None:
             self.get_logger().get_child("kdl_parser").warning(

@@ -52,6 +52,8 @@ class RobotModel(Display):
             self.unsay("Links")
             return
         self.say("URDF", "Ok", "URDF parsed OK")
+        if self.robot.faults:
+            self.say("URDF", "Warn", f"{self.robot.faults[0]}")
         faults = [fault for link in self.robot.links if (fault := self._shape(link, scene))]
         if faults:
             self.say("URDF", "Error", faults[0])

@@ -88,16 +88,14 @@ def _zero(kind: FieldType, alias: Alias) -> str:
     return _ZEROS.get(kind.base, "0") if kind.is_primitive else f"{alias(kind.base)}()"
 
 
-def kwarg_of(field: Field, alias: Alias) -> str:
-    """Return the statement by which the constructor takes this field from its arguments."""
+def kwarg_lines(field: Field, alias: Alias) -> list[str]:
+    """Return the statements by which the constructor takes this field from its arguments; defaults need no check."""
     kind, name = field.type, field.name
     given = f"kwargs[{name!r}]"
     if kind.is_number_block and kind.is_sequence and field.default is None:
-        code = TYPE_CODES[kind.base]
-        return (
-            f"self.{name} = array.array('{code}', {given}) if {name!r} in kwargs else array.array('{code}')"
-        )
-    return f"self.{name} = {given} if {name!r} in kwargs else {default_of(field, alias)}"
+        given = f"array.array('{TYPE_CODES[kind.base]}', {given})"
+    default = default_of(field, alias)
+    return [f"if {name!r} in kwargs:", f"    self.{name} = {given}", "else:", f"    self._{name} = {default}"]
 
 
 def clone_of(field: Field) -> str:

@@ -11,7 +11,7 @@ from coursekit.interfaces.fields import (
     clone_of,
     default_of,
     difference_of,
-    kwarg_of,
+    kwarg_lines,
     setter_lines,
     value_source,
 )
@@ -112,8 +112,9 @@ def _init(message: Message) -> str:
         )
     lines.append("        if not kwargs:")
     lines += [f"            self._{f.name} = {default_of(f, alias)}" for f in fields]
-    lines += ["            return", f"        reject_unknown({message.name}, kwargs)"]
-    lines += [f"        {kwarg_of(f, alias)}" for f in fields]
+    lines += ["            return", f"        if not kwargs.keys() <= {message.name}._fields_and_field_types.keys():"]
+    lines.append(f"            reject_unknown({message.name}, kwargs)")
+    lines += [f"        {line}" for f in fields for line in kwarg_lines(f, alias)]
     return "\n".join(lines)
 
 

@@ -65,6 +65,8 @@ class TimeoutObject:
 
 def deadline_of(timeout_sec: Any) -> int | None:
     """When a timeout [s] ends, in ns of the steady clock; None for never."""
+    if timeout_sec is None:
+        return None
     if isinstance(timeout_sec, TimeoutObject):
         timeout_sec = timeout_sec.timeout
     nanoseconds = timeout_sec_to_nsec(timeout_sec)
@@ -179,9 +181,11 @@ class Work:
     def _begin(self, entity: Any) -> Any:
         """Take an entity's data if its group lets it begin; None if there is nothing to do now."""
         sources = entity._sources()
+        served = False
         for source in sources:
             source.queued = False
-        if not any(source.sink is self._queue for source in sources) or not self._serves(entity):
+            served = served or source.sink is self._queue
+        if not served:
             return None
         group = entity.callback_group
         if self._overrides_can_execute and not self.can_execute(entity):
@@ -203,9 +207,6 @@ class Work:
             if not source.queued and source.has_work():
                 source.signal()
         return work
-
-    def _serves(self, entity: Any) -> bool:
-        return True
 
     def _ended(self, entity: Any) -> None:
         """The entity's callback has ended: its group is free for others."""

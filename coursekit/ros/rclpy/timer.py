@@ -41,6 +41,7 @@ class Timer:
         if timer_period_ns < 0:
             raise RCLError("failed to create timer: timer period must be non-negative")
         self.__timer = _Handle(clock.handle, self._context.handle, int(timer_period_ns))
+        self._sources_list = [self.__timer.core]
         if not autostart:
             self.__timer.cancel_timer()
         self.callback = callback
@@ -103,7 +104,7 @@ class Timer:
             return self.__timer.time_until_next_call()
 
     def _sources(self) -> list[Any]:
-        return [self.__timer.core]
+        return self._sources_list
 
     def _take(self) -> Any:
         timer = self.__timer.core

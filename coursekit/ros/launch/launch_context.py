@@ -169,7 +169,7 @@ class LaunchContext:
 
 
 class EventQueue:
-    """Events in order, and a future for whoever waits for the next one."""
+    """Events in order, and a future for whoever waits for something to happen."""
 
     def __init__(self) -> None:
         self.__events: deque[Event] = deque()
@@ -178,6 +178,10 @@ class EventQueue:
     def put_nowait(self, event: Event) -> None:
         """Add an event."""
         self.__events.append(event)
+        self.stir()
+
+    def stir(self, _done: object = None) -> None:
+        """Wake whoever waits."""
         if self.__waiting is not None and not self.__waiting.done():
             self.__waiting.set_result(None)
 
@@ -193,8 +197,8 @@ class EventQueue:
         """Return how many events there are."""
         return len(self.__events)
 
-    def arrival(self, loop: asyncio.AbstractEventLoop) -> asyncio.Future[None]:
-        """Return a future that is done as soon as there is an event."""
+    def stirred(self, loop: asyncio.AbstractEventLoop) -> asyncio.Future[None]:
+        """Return a future that is done as soon as there is an event, or `stir` is called."""
         self.__waiting = loop.create_future()
         if self.__events:
             self.__waiting.set_result(None)

@@ -41,6 +41,7 @@ class LaunchService:
         self.__context.register_event_handler(OnIncludeLaunchDescription())
         self.__context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
         self.__futures: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
+        self.__watched: set[asyncio.Future[Any]] = set()
         self.__loop: asyncio.AbstractEventLoop | None = None
         self.__shutting_down = False
         self.__interrupted = False
@@ -136,6 +137,8 @@ class LaunchService:
         while True:
             while not self.__context._event_queue.empty():
                 self.__handle_safely(self.__context._event_queue.get_nowait())
+            if self._is_idle():
+                await asyncio.sleep(0)  # what has just ended may still tell of it
             if not self._is_idle():
                 await self.__something_happens()
             elif self.__shutting_down:
@@ -148,10 +151,13 @@ class LaunchService:
     async def __something_happens(self) -> None:
         """Wait for an event, or for some ongoing work to be done."""
         assert self.__loop is not None
-        arrival = self.__context._event_queue.arrival(self.__loop)
-        waiting = [arrival, *self.__unfinished()]
-        await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
-        arrival.cancel()
+        queue = self.__context._event_queue
+        for future in self.__unfinished():
+            if future not in self.__watched:
+                self.__watched.add(future)
+                future.add_done_callback(self.__watched.discard)
+                future.add_done_callback(queue.stir)
+        await queue.stirred(self.__loop)
 
     def __unfinished(self) -> list[asyncio.Future[Any]]:
         for future in [future for _, future in self.__futures if future.done()]:

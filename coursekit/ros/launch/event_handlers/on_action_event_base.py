@@ -41,18 +41,20 @@ class OnActionEventBase(BaseEventHandler):
                 f"function, got {type(action_matcher).__name__}"
             )
         self.__target = action_matcher
+        is_action = isinstance(action_matcher, LaunchDescriptionEntity)
+        self.__wants_action: Any = None if is_action else action_matcher
         self.__on_event: Any = on_event
         self.__target_event_cls = target_event_cls
-        super().__init__(matcher=self.__wants, **kwargs)
+        super().__init__(matcher=self.matches, **kwargs)
 
-    def __wants(self, event: Event) -> bool:
+    def matches(self, event: Event) -> bool:
+        """Return whether `event` is of that kind and of a wanted action."""
         if not isinstance(event, self.__target_event_cls):
             return False
         action = getattr(event, "action", None)
         if self.__target is None or action is self.__target:
             return True
-        is_action = isinstance(self.__target, LaunchDescriptionEntity)
-        return not is_action and callable(self.__target) and bool(self.__target(action))  # type: ignore[arg-type]
+        return self.__wants_action is not None and bool(self.__wants_action(action))
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """Return what is to be done now."""

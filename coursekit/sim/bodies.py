@@ -18,12 +18,16 @@ FIXED, LOOSE, ROBOT = 1, 2, 3
 """Kinds of shapes."""
 SKIN_HEIGHTS = (0.05, 0.15, 0.3)
 """Where meshes that stand fast are cut for bumping [m]."""
+SILL, FLOOR, FLAT = 0.02, 0.15, 0.05
+"""Wheels roll over what is lower than a sill [m]; what is lower than FLOOR and FLAT times as thick as wide is stood upon."""
 
 
 def shapes_of(parts: Iterable[Part], body: pymunk.Body, name: str, kind: int, friction: float = 0.6) -> list[Any]:
     """The shapes of a thing's parts; each knows its thing's `name` and from where to where it reaches (`span`)."""
     found = []
     for part in parts:
+        if kind == FIXED and is_floor(part):
+            continue
         for shape in _shapes(part, body, kind == FIXED):
             shape.friction, shape.elasticity, shape.collision_type = friction, 0.0, kind
             shape.name, shape.span = name, (part.low, part.high)
@@ -56,6 +60,18 @@ def _skin(part: Skin, body: pymunk.Body, fixed: bool) -> Iterator[Any]:
             if key not in seen:
                 seen.add(key)
                 yield pymunk.Segment(body, (x1, y1), (x2, y2), 0.0)
+
+
+def is_floor(part: Part) -> bool:
+    """Whether robots stand on it instead of bumping into it.
+
+    >>> from coursekit.sim import Disc
+    >>> is_floor(Disc(0.0, 0.0, 3.0, -0.05, 0.05)), is_floor(Disc(0.0, 0.0, 0.3, 0.0, 0.1))
+    (True, False)
+    """
+    corners = part.corners()
+    across = float(np.min(np.ptp(corners, axis=0))) if len(corners) else 0.0
+    return part.high <= SILL or (part.high <= FLOOR and part.high - part.low <= FLAT * across)
 
 
 def convex(points: Iterable[tuple[float, float]]) -> list[Any]:
@@ -101,4 +117,4 @@ def put(body: pymunk.Body, place: tuple[float, float, float]) -> None:
     body.position, body.angle = (place[0], place[1]), place[2]
 
 
-__all__ = ["FIXED", "LOOSE", "ROBOT", "body_of", "convex", "moment", "put", "shapes_of"]
+__all__ = ["FIXED", "LOOSE", "ROBOT", "body_of", "convex", "is_floor", "moment", "put", "shapes_of"]

@@ -46,6 +46,8 @@ class Simulation:
         self._starts: dict[str, Place] = {}
         self._doors: dict[str, list[Any]] = {}
         self._fixed: dict[str, Thing] = {}
+        self._posts: dict[str, pymunk.Body] = {}
+        """The bodies of what stands fast."""
         self._scenes: dict[float, OutlineScene] = {}
         self.space.on_collision(ROBOT, None, begin=self._touch, separate=self._part)
         self.space.on_collision(LOOSE, None, begin=_pass)
@@ -65,7 +67,7 @@ class Simulation:
                 self._hang(thing, body)
         else:
             self._fixed[thing.name] = thing
-            body = pymunk.Body(body_type=pymunk.Body.STATIC)
+            body = self._posts[thing.name] = pymunk.Body(body_type=pymunk.Body.STATIC)
             put(body, thing.place)
             self.space.add(body, *shapes_of(thing.parts, body, thing.name, FIXED))
         self._starts[thing.name] = thing.place
@@ -119,7 +121,7 @@ class Simulation:
         """Take a robot or thing out; LookupError names near ones."""
         body = self._body(name)
         self.space.remove(*self._doors.pop(name, []), *body.shapes, body)
-        for table in (self.robots, self.things, self._fixed, self._starts):
+        for table in (self.robots, self.things, self._fixed, self._posts, self._starts):
             table.pop(name, None)  # type: ignore[attr-defined]
         for robot in self.robots.values():
             robot.contacts.pop(name, None)
@@ -135,9 +137,8 @@ class Simulation:
             return body
         if name in self.things:
             return self.things[name][1]
-        for shape in self.space.shapes:
-            if shape.name == name and shape.body is not None:
-                return shape.body
+        if name in self._posts:
+            return self._posts[name]
         raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
 
     def place_of(self, name: str) -> Place:
@@ -247,7 +248,7 @@ class Simulation:
 
 
 def _overlap(one: Any, other: Any) -> bool:
-    return bool(one.span[0] <= other.span[1] and other.span[0] <= one.span[1])
+    return bool(one.span[0] < other.span[1] and other.span[0] < one.span[1])
 
 
 def _meet(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> bool:

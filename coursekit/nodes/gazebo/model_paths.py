@@ -8,19 +8,45 @@ from urllib.parse import unquote
 
 from coursekit.urdf import MeshError
 from coursekit.urdf.errors import close
-from coursekit.urdf.resources import find_file
+from coursekit.urdf.resources import find_file, package_paths
 from coursekit.urdf.xml_tree import read
 
-PATH = "GAZEBO_MODEL_PATH"
+PATH, RESOURCES = "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"
 SCENERY = ("sun", "ground_plane")
 """Models that a flat world with light has by itself."""
 
 
+class MissingModel(MeshError):
+    """No folder has a model; a world goes on without it, as Gazebo's does."""
+
+
 def model_paths(near: Path | None = None) -> list[Path]:
-    """The folders: GAZEBO_MODEL_PATH, then `models` beside and above the file that asks."""
-    told = [Path(one).expanduser() for one in os.environ.get(PATH, "").split(os.pathsep) if one]
+    """The folders: GAZEBO_MODEL_PATH, `models` beside and above the file that asks, what packages export, resources."""
     above = list(near.resolve().parents)[:4] if near is not None else []
-    return [*told, *above[1:3], *(folder / "models" for folder in above)]
+    beside = [*above[1:3], *(folder / "models" for folder in above)]
+    return [*told_by(PATH), *beside, *exported("gazebo_model_path"), *resource_paths()]
+
+
+def resource_paths() -> list[Path]:
+    """GAZEBO_RESOURCE_PATH, and what packages export: where worlds and `file://` without a leading slash are looked for."""
+    return [*told_by(RESOURCES), *exported("gazebo_media_path")]
+
+
+def told_by(variable: str) -> list[Path]:
+    """The folders of an environment variable."""
+    return [Path(one).expanduser() for one in os.environ.get(variable, "").split(os.pathsep) if one]
+
+
+def exported(attribute: str) -> list[Path]:
+    """Folders that packages export: `<gazebo_ros gazebo_model_path="${prefix}/models"/>` in package.xml."""
+    found = []
+    for file in (one for share in package_paths() for one in sorted(share.glob("*/package.xml"))):
+        text = file.read_text("utf-8", errors="replace")
+        export = read(text, str(file)).first("export") if "<gazebo_ros" in text else None
+        for element in export.all("gazebo_ros") if export is not None else ():
+            told = (element.get(attribute) or "").replace("${prefix}", str(file.parent))
+            found += [Path(one) for one in told.split(os.pathsep) if one]
+    return found
 
 
 def find_model(uri: str, near: Path | None = None) -> Path:
@@ -34,8 +60,8 @@ def find_model(uri: str, near: Path | None = None) -> Path:
             return _sdf_in(place)
     there = sorted({one.parent.name for folder in folders if folder.is_dir() for one in folder.glob("*/model.config")})
     searched = "\n".join(f"  {folder}" for folder in folders) or "  (none)"
-    raise MeshError(
-        f"model '{uri}' not found", file=str(near or "SDF"),
+    raise MissingModel(
+        f"model '{uri}' not found; is its folder in {PATH}?", file=str(near or "SDF"),
         cure=f"{close(name, there)} Searched were:\n{searched}\nAdd its folder: export {PATH}=/folder/of/models:${PATH}",
     )  # fmt: skip
 
@@ -54,9 +80,9 @@ def _sdf_in(folder: Path) -> Path:
 
 def find_mesh(uri: str, near: Path | None = None) -> Path:
     """The file of a mesh's uri: model://, package://, file:// or a path. Raises MeshError."""
-    if not uri.startswith("model://"):
+    rest = unquote(uri.removeprefix("model://").removeprefix("file://"))
+    if rest == uri or rest.startswith("/"):
         return find_file(uri, near)
-    rest = unquote(uri.removeprefix("model://"))
     for folder in model_paths(near):
         if (folder / rest).is_file():
             return folder / rest
@@ -66,4 +92,4 @@ def find_mesh(uri: str, near: Path | None = None) -> Path:
         raise MeshError(f"'{uri}' not found", file=str(near or "SDF"), cure=f"Is its model's folder in {PATH}?") from None
 
 
-__all__ = ["SCENERY", "find_mesh", "find_model"]
+__all__ = ["SCENERY", "MissingModel", "find_mesh", "find_model", "resource_paths"]

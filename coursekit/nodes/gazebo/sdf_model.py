@@ -13,7 +13,7 @@ from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.xml_tree import Element, read
 
 from .blueprint import BlueLink, Blueprint
-from .model_paths import find_mesh, find_model
+from .model_paths import MissingModel, find_mesh, find_model
 from .moved import moved
 from .solids import Outline, Shape, part_of
 from .values import flag, number, numbers, pose, pose_of
@@ -31,8 +31,8 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
     if depth > DEEPEST:
         raise element.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
     made = Blueprint(element.get("name") or "model", file=file, static=flag(element, "static", False))
-    made.pose = pose(element)
-    frames = _frames(element)
+    frames = frames_of(element)
+    made.pose = pose(element) @ np.linalg.inv(frames(element.get("placement_frame") or ""))
     for joint in element.all("joint"):
         made.joints[joint.get("name") or "joint"] = joint.get("type") or ""
         made.static |= joint.tell("parent") == "world" or joint.tell("child") == "world"
@@ -58,28 +58,44 @@ def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
     made = read_model(model, path, depth + 1)
     made.name = element.tell("name") or made.name
     if element.first("pose") is not None:
-        made.pose = pose(element)
+        made.pose = pose(element) @ np.linalg.inv(frames_of(model)(element.tell("placement_frame")))
     if element.first("static") is not None:
         made.static = flag(element, "static", made.static)
+    made.plugins += element.all("plugin")
     return made
 
 
-def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, frames: Callable[[str], Array]) -> None:
-    inner = include(element, file, depth) if element.tag == "include" else read_model(element, file, depth + 1)
+def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> Blueprint:
+    """A `<model>` or `<include>` inside a world or model, its pose in the frame of that. Raises MeshError."""
+    inner = include(element, file, depth) if element.tag == "include" else read_model(element, file, depth)
     place = element.first("pose")
-    outer = frames(place.get("relative_to") or "") if place is not None else np.eye(4)
-    shift = outer @ inner.pose
-    for link in inner.links.values():
-        parts = [moved(part, shift) for part in link.parts]
-        made.links[f"{inner.name}::{link.name}"] = BlueLink(link.name, shift @ link.pose, parts, link.mass, link.sensors)
-    made.joints |= {f"{inner.name}::{name}": kind for name, kind in inner.joints.items()}
+    if place is not None:
+        inner.pose = frames(place.get("relative_to") or "") @ inner.pose
+    return inner
+
+
+def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, frames: Callable[[str], Array]) -> None:
+    try:
+        inner = entity(element, file, depth + 1, frames)
+    except MissingModel as error:
+        made.note(element, f"is left out: {error.what}")
+        return
+    name, number = inner.name, 0
+    while any(key.startswith(f"{name}::") for key in made.links):
+        name, number = f"{inner.name}_{number}", number + 1
+    for key, link in inner.links.items():
+        parts = [moved(part, inner.pose) for part in link.parts]
+        made.links[f"{name}::{key}"] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
+    made.joints |= {f"{name}::{key}": kind for key, kind in inner.joints.items()}
+    made.static |= inner.static
     made.plugins += inner.plugins
     made.notes += inner.notes
 
 
-def _frames(model: Element) -> Callable[[str], Array]:
-    """A function from the name of a link, joint or frame to its pose in the model."""
-    named = {one.get("name") or "": one for one in model.children if one.tag in ("link", "joint", "frame", "model")}
+def frames_of(model: Element) -> Callable[[str], Array]:
+    """A function from the name of something in a model or world to its pose there."""
+    tags = ("link", "joint", "frame", "model", "include")
+    named = {one.get("name") or one.tell("name"): one for one in model.children if one.tag in tags}
 
     def of(name: str, above: tuple[str, ...] = ()) -> Array:
         if name in ("", "__model__", "world"):
@@ -160,4 +176,4 @@ def _polyline(kind: Element) -> list[Shape]:
     return [Outline(tuple((x, y) for x, y in points), _sizes(kind, "height", 1)[0])]
 
 
-__all__ = ["include", "read_model"]
+__all__ = ["entity", "frames_of", "include", "read_model"]

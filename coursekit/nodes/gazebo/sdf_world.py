@@ -17,9 +17,9 @@ from coursekit.urdf.xml_tree import Element, read
 
 from .assembly import Assembly, assemble
 from .blueprint import Blueprint
-from .model_paths import SCENERY
+from .model_paths import SCENERY, MissingModel
 from .moved import moved
-from .sdf_model import include, read_model
+from .sdf_model import entity, frames_of, include, read_model
 from .urdf_model import blueprint_of
 from .values import pose, yaw_of
 
@@ -63,7 +63,7 @@ def _root(text: str, file: str) -> Element:
 
 def _read_world(element: Element, file: Path) -> SdfWorld:
     notes: list[str] = []
-    blueprints = list(_models(element, file))
+    blueprints = list(_models(element, file, notes))
     state = element.first("state")
     if state is not None:
         _restore(state, blueprints)
@@ -90,16 +90,17 @@ def _placed(made: Blueprint) -> Thing:
     return Thing(made.name, (), Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose)))
 
 
-def _models(element: Element, file: Path) -> Iterator[Blueprint]:
+def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:
+    frames = frames_of(element)
     for child in element.children:
-        if child.tag == "model":
-            yield read_model(child, file)
-        elif child.tag == "include":
-            name = child.tell("uri").removeprefix("model://")
-            if name not in SCENERY:
-                yield include(child, file)
-            else:
-                yield Blueprint(child.tell("name") or name, static=True)
+        name = child.tell("uri").removeprefix("model://")
+        if child.tag == "include" and name in SCENERY:
+            yield Blueprint(child.tell("name") or name, static=True)
+        elif child.tag in ("model", "include"):
+            try:
+                yield entity(child, file, 0, frames)
+            except MissingModel as error:
+                notes.append(f"{file}:{child.line}: {child.label()} is left out: {error.what}")
 
 
 def _restore(state: Element, blueprints: list[Blueprint]) -> None:

@@ -13,6 +13,7 @@ from coursekit.sim.errors import known
 from coursekit.sim.world_map import world_from_grid
 
 from .assembly import Assembly
+from .model_paths import resource_paths
 from .sdf_world import load_sdf
 
 COURSE = Path(__file__).parents[2] / "share" / "coursekit_maps" / "worlds"
@@ -23,8 +24,11 @@ def find_world(name: str) -> Path:
     path = Path(name).expanduser()
     if path.is_file():
         return path
+    for folder in resource_paths():
+        if not path.is_absolute() and (folder / path).is_file():
+            return folder / path
     ours = COURSE / f"{path.stem}.yaml"
-    if path.parent == Path(".") and ours.is_file():
+    if str(path.parent) in (".", "worlds") and ours.is_file():
         return ours
     worlds = [one.stem for one in COURSE.glob("*.yaml")]
     cure = f"Give a file, or a name. {known(path.stem, worlds)}"

@@ -23,19 +23,21 @@ class ProcessOutput:
         if self.__cache:
             self.__cache[stream].write(text)
         *lines, self.__rest[stream] = (self.__rest[stream] + text).split("\n")
-        for line in lines:
-            self.__log(stream, line)
+        if lines:
+            self.__log(stream, lines)
 
     def flush(self) -> None:
         """Log what is left without a line end."""
         for stream, rest in self.__rest.items():
             if rest:
-                self.__log(stream, rest)
+                self.__log(stream, [rest])
                 self.__rest[stream] = ""
 
     def cached(self, stream: str) -> str:
         """Return all that was written to a stream."""
         return self.__cache[stream].getvalue()
 
-    def __log(self, stream: str, line: str) -> None:
-        self.__loggers[stream].info("%s", self.__format.format(line=line, this=self.__action))
+    def __log(self, stream: str, lines: list[str]) -> None:
+        """Log lines that came together as one record: a record costs more than a line."""
+        shown = (self.__format.format(line=line, this=self.__action) for line in lines)
+        self.__loggers[stream].info("%s", "\n".join(shown))

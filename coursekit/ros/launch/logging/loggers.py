@@ -51,11 +51,13 @@ class StampedFormatter(logging.Formatter):
     """Adds the session's time, so that logs on the virtual clock repeat."""
 
     def format(self, record: logging.LogRecord) -> str:
-        """Return the line with its time in seconds before it."""
-        return f"{session.current().clock.now() / 1e9:.7f} {super().format(record)}"
+        """Return the line, or each line of a process's output, with the time in seconds before it."""
+        stamp, text = f"{session.current().clock.now() / 1e9:.7f} ", super().format(record)
+        return stamp + (text.replace("\n", "\n" + stamp) if self._fmt == PLAIN else text)
 
 
 NAMED = "[%(levelname)s] [%(name)s]: %(message)s"
+PLAIN = "%(message)s"
 
 
 def get_logger(name: str | None = None) -> LaunchLogger:
@@ -109,14 +111,14 @@ def _output_logger(process_name: str, stream: str, targets: Mapping[str, Any]) -
     wanted = {*targets.get("both", ()), *targets.get(stream, ())}
     if "screen" in wanted:
         screen = ScreenHandler()
-        screen.setFormatter(logging.Formatter("%(message)s"))
+        screen.setFormatter(logging.Formatter(PLAIN))
         logger.addHandler(screen)
     if "log" in wanted:
-        logger.addHandler(_file(config, "launch.log", "%(message)s"))
+        logger.addHandler(_file(config, "launch.log", PLAIN))
     if "own_log" in targets.get("both", ()):
-        logger.addHandler(_file(config, f"{process_name}.log", "%(message)s"))
+        logger.addHandler(_file(config, f"{process_name}.log", PLAIN))
     if "own_log" in targets.get(stream, ()):
-        logger.addHandler(_file(config, f"{process_name}-{stream}.log", "%(message)s"))
+        logger.addHandler(_file(config, f"{process_name}-{stream}.log", PLAIN))
     config.loggers[logger.name] = logger
     return logger
 

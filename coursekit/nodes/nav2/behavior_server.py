@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 from geometry_msgs.msg import PolygonStamped, Twist
-from nav2_msgs.action import BackUp, DriveOnHeading, Spin, Wait
 from nav2_msgs.msg import Costmap as CostmapMessage
 from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
@@ -17,17 +16,18 @@ from tf2_ros import TransformException
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
+from coursekit.nodes.nav2.behaviors import KINDS, USUAL
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import Whereabouts
-from coursekit.slam.pose import Pose2, wrap
+from coursekit.slam.pose import Pose2
 
 _SERVER: dict[str, Any] = {
     "costmap_topic": "local_costmap/costmap_raw",
     "footprint_topic": "local_costmap/published_footprint",
     "cycle_frequency": 10.0,
-    "behavior_plugins": ["spin", "backup", "drive_on_heading", "wait"],
+    "behavior_plugins": list(USUAL),
     "global_frame": "odom",
     "robot_base_frame": "base_link",
     "transform_tolerance": 0.1,
@@ -35,13 +35,16 @@ _SERVER: dict[str, Any] = {
     "max_rotational_vel": 1.0,
     "min_rotational_vel": 0.4,
     "rotational_acc_lim": 3.2,
+    "projection_time": 1.0,
+    "simulation_time_step": 0.1,
+    "cmd_vel_teleop": "cmd_vel_teleop",
 }
 Step = Callable[[float], tuple[float, float] | None]
 """Seconds since it began → forward and turning speed, or None when it is done."""
 
 
 class BehaviorServer(Server):
-    """The actions spin, backup, drive_on_heading and wait."""
+    """The actions of `behavior_plugins`: spin, backup, drive_on_heading, wait, assisted_teleop."""
 
     def __init__(self) -> None:
         super().__init__("behavior_server")
@@ -52,6 +55,7 @@ class BehaviorServer(Server):
         self.get_logger().info("Configuring")
         try:
             given = self.given = declare(self, _SERVER)
+            chosen = {name: self._kind(name) for name in given["behavior_plugins"]}
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
@@ -64,14 +68,17 @@ class BehaviorServer(Server):
             self.create_subscription(CostmapMessage, given["costmap_topic"], self._take_costmap, MAP_QOS),
             self.create_subscription(PolygonStamped, given["footprint_topic"], self._take_outline, 10),
         ]
-        kinds = {"spin": (Spin, self._spin), "backup": (BackUp, self._back_up), "wait": (Wait, self._wait)}
-        kinds["drive_on_heading"] = (DriveOnHeading, self._straight)
-        for name in given["behavior_plugins"]:
-            if name in kinds:
-                self.serve(kinds[name][0], name, kinds[name][1])
-            else:
-                self.get_logger().warning(f"There is no behavior '{name}' here; known are {', '.join(kinds)}")
+        for name, (action, work) in chosen.items():
+            self.serve(action, name, partial(work, self, name))
         return super().on_configure(state)
+
+    def _kind(self, name: str) -> Any:
+        """The action and the work of a behaviour by its plugin's name; ValueError for what is not known."""
+        plugin = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
+        self.get_logger().info(f"Creating behavior plugin {name} of type {plugin}")
+        if plugin not in KINDS:
+            raise ValueError(no_such_plugin("behavior", name, plugin, "nav2_core::Behavior", KINDS))
+        return KINDS[plugin]
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget all."""
@@ -101,62 +108,11 @@ class BehaviorServer(Server):
 
     # -- behaviours
 
-    async def _spin(self, handle: Any) -> Any:
-        target, turned, last = handle.request.target_yaw, 0.0, self._heading()
-        self.get_logger().info(f"Turning {target:.2f} for spin behavior.")
+    async def behave(self, handle: Any, kind: Any, name: str, step: Step, *, blind: bool = False) -> Any:
+        """Do a behaviour step by step until it is done, or cannot go on, or someone says stop.
 
-        def step(_seconds: float) -> tuple[float, float] | None:
-            nonlocal turned, last
-            now = self._heading()
-            turned, last = turned + wrap(now - last), now
-            left = abs(target) - abs(turned)
-            handle.publish_feedback(Spin.Feedback(angular_distance_traveled=float(turned)))
-            if left < 1e-2:
-                return None
-            fastest, slowest = self.given["max_rotational_vel"], self.given["min_rotational_vel"]
-            rate = min(fastest, max(slowest, math.sqrt(2 * self.given["rotational_acc_lim"] * left)))
-            return 0.0, math.copysign(min(rate, max(left * 3.0, 0.1)), target)
-
-        return await self._behave(handle, Spin, "spin", step)
-
-    async def _back_up(self, handle: Any) -> Any:
-        return await self._go(handle, BackUp, "backup", -abs(handle.request.target.x), -abs(handle.request.speed))
-
-    async def _straight(self, handle: Any) -> Any:
-        request = handle.request
-        if request.target.x * request.speed < 0:
-            self.get_logger().error("Speed and command sign did not match")
-            handle.abort()
-            return DriveOnHeading.Result()
-        return await self._go(handle, DriveOnHeading, "drive_on_heading", request.target.x, request.speed)
-
-    async def _go(self, handle: Any, kind: Any, name: str, distance: float, speed: float) -> Any:
-        if handle.request.target.y or handle.request.target.z:
-            self.get_logger().info(f"Backing up in Y and Z not supported, will only move in X ({name}).")
-            handle.abort()
-            return kind.Result()
-        begin = self._pose()
-
-        def step(_seconds: float) -> tuple[float, float] | None:
-            here = self._pose()
-            gone = 0.0 if begin is None or here is None else begin.distance(here)
-            handle.publish_feedback(kind.Feedback(distance_traveled=float(gone)))
-            return None if gone >= abs(distance) else (speed, 0.0)
-
-        return await self._behave(handle, kind, name, step)
-
-    async def _wait(self, handle: Any) -> Any:
-        seconds = handle.request.time.sec + handle.request.time.nanosec * 1e-9
-
-        def step(gone: float) -> tuple[float, float] | None:
-            left = max(seconds - gone, 0.0)
-            handle.publish_feedback(Wait.Feedback(time_left=Duration(seconds=left).to_msg()))
-            return None if gone >= seconds else (0.0, 0.0)
-
-        return await self._behave(handle, Wait, "wait", step)
-
-    async def _behave(self, handle: Any, kind: Any, name: str, step: Step) -> Any:
-        """Do a behaviour step by step until it is done, or cannot go on, or someone says stop."""
+        It ends as well when something is in the way, unless it is `blind`: then it looks itself.
+        """
         self.get_logger().info(f"Running {name}")
         action = next(one for one in self.actions if one.current is handle)
         result, begin = kind.Result(), self.get_clock().now()
@@ -166,18 +122,18 @@ class BehaviorServer(Server):
         try:
             while True:
                 gone = (self.get_clock().now() - begin).nanoseconds * 1e-9
-                end = self._step(action, handle, name, step, gone, most)
+                end = self._step(action, handle, name, step, gone, most, blind)
                 if end is not None:
                     break
                 await beat.next()
         finally:
             beat.stop()
-        self._drive((0.0, 0.0))
+        self.drive((0.0, 0.0))
         result.total_elapsed_time = (self.get_clock().now() - begin).to_msg()
         end()
         return result
 
-    def _step(self, action: Any, handle: Any, name: str, step: Step, gone: float, most: float) -> Any:
+    def _step(self, action: Any, handle: Any, name: str, step: Step, gone: float, most: float, blind: bool) -> Any:
         """One command; how the goal ends, once it does."""
         log = self.get_logger()
         if action.replaced(handle):
@@ -192,43 +148,54 @@ class BehaviorServer(Server):
         if speeds is None:
             log.info(f"{name} completed successfully")
             return handle.succeed
-        if speeds != (0.0, 0.0) and self._pose() is None:
+        if speeds != (0.0, 0.0) and self.pose() is None:
             log.error(f"Current robot pose is not available: tf does not know {self.given['robot_base_frame']}.")
             return handle.abort
-        if speeds != (0.0, 0.0) and self._collides(speeds):
+        if speeds != (0.0, 0.0) and not blind and self.free_for(speeds, self.given["simulate_ahead_time"]) < 1.0:
             log.warning(f"Collision Ahead - Exiting {name}")
             return handle.abort
-        self._drive(speeds)
+        self.drive(speeds)
         return None
 
     # -- the robot
 
-    def _pose(self) -> Pose2 | None:
+    def pose(self) -> Pose2 | None:
+        """The robot in `global_frame`; None when tf does not know."""
         try:
             return self._where.robot(self.given["global_frame"])
         except TransformException:
             return None
 
-    def _heading(self) -> float:
-        here = self._pose()
+    def heading(self) -> float:
+        """Where the robot looks [rad]."""
+        here = self.pose()
         return here.theta if here is not None else 0.0
 
-    def _collides(self, speeds: tuple[float, float]) -> bool:
-        """Whether the robot would touch something soon that it does not touch already."""
-        here, costs, robot = self._pose(), self._costs, self._robot
+    def free_for(self, speeds: tuple[float, float], seconds: float) -> float:
+        """How long the robot can go on before it touches something that it does not touch already, 1 s at the most."""
+        here, costs, robot = self.pose(), self._costs, self._robot
+        most, step = min(seconds, 1.0), self.given["simulation_time_step"]
         if here is None or costs is None or robot is None:
-            return False
-        body = Controller(Limits(), robot, scaling=(0.0, 1.0))
-        at, step = here, 0.1
+            return 1.0
+        body, at = Controller(Limits(), robot, scaling=(0.0, 1.0)), here
         if body.blocked(costs, here):
-            return False
-        for _ in range(max(round(min(self.given["simulate_ahead_time"], 1.0) / step), 1)):
+            return 1.0
+        for k in range(1, max(round(most / step), 1) + 1):
             at = at @ Pose2(speeds[0] * step, 0.0, speeds[1] * step)
             if body.blocked(costs, at):
-                return True
-        return False
+                return (k - 1) * step
+        return 1.0
 
-    def _drive(self, speeds: tuple[float, float]) -> None:
+    def slowed(self, speeds: tuple[float, float]) -> tuple[float, float]:
+        """Speeds made so slow that nothing is touched within `projection_time`."""
+        most = self.given["projection_time"]
+        share = min(self.free_for(speeds, most) / most, 1.0)
+        if share < 1.0:
+            self.get_logger().info(f"Collision approaching in {share * most:.2f} seconds", throttle_duration_sec=1.0)
+        return speeds[0] * share, speeds[1] * share
+
+    def drive(self, speeds: tuple[float, float]) -> None:
+        """Tell the wheels."""
         msg = Twist()
         msg.linear.x, msg.angular.z = speeds
         self._cmd_out.publish(msg)

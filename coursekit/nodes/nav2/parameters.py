@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 _ANY = ParameterDescriptor(dynamic_typing=True)
 
@@ -16,13 +17,40 @@ def declare(node: Node, defaults: Mapping[str, Any], prefix: str = "") -> dict[s
 
     The kind of a value must be that of its default, else ValueError.
     """
-    found = {}
+    found, asked = {}, getattr(node, "asked_for", {})
     for name, default in defaults.items():
         full = f"{prefix}.{name}" if prefix else name
         if not node.has_parameter(full):
             node.declare_parameter(full, default, _ANY)
-        found[name] = _checked(f"{node.get_name()}: {full}", node.get_parameter(full).value, default)
+        found[name] = _checked(f"{node.get_name()}: {full}", asked.get(full, node.get_parameter(full).value), default)
     return found
+
+
+class Obedience:
+    """Lets a node follow `ros2 param set` while it runs: `read()` takes all from `declare` anew.
+
+    What makes `read()` raise ValueError is refused with its words.
+    """
+
+    def __init__(self, node: Any, read: Callable[[], None]) -> None:
+        self._node, self._read = node, read
+        node.asked_for = {}
+        node.add_on_set_parameters_callback(self._asked)
+
+    def _asked(self, parameters: list[Parameter]) -> SetParametersResult:
+        self._node.asked_for = {one.name: one.value for one in parameters}
+        try:
+            self._read()
+        except ValueError as fault:
+            self._node.get_logger().error(str(fault))
+            return SetParametersResult(successful=False, reason=str(fault))
+        finally:
+            self._node.asked_for = {}
+        return SetParametersResult(successful=True)
+
+    def end(self) -> None:
+        """Parameters are only kept from now on."""
+        self._node.remove_on_set_parameters_callback(self._asked)
 
 
 def _checked(name: str, value: Any, default: Any) -> Any:
@@ -33,3 +61,15 @@ def _checked(name: str, value: Any, default: Any) -> Any:
     if type(value) is not type(default):
         raise ValueError(f"{name} is {value!r}: give a value like {default!r}")
     return value
+
+
+def no_such_plugin(what: str, name: str, kind: str, base: str, known: Iterable[str]) -> str:
+    """Words, as nav2's own, about a plugin that is not there.
+
+    >>> no_such_plugin("global planner", "GridBased", "Astar", "nav2_core::GlobalPlanner", ["a/B", "c/D"])[-67:]
+    'nav2_core::GlobalPlanner does not exist. Declared types are a/B c/D'
+    """
+    return (
+        f"Failed to create {what} {name} of type '{kind}'. Exception: According to the loaded plugin descriptions the class "
+        f"{kind} with base class type {base} does not exist. Declared types are {' '.join(known)}"
+    )

@@ -24,13 +24,12 @@ class Servers(Node):
         self.result_future: Any = None
         self.feedback: Any = None
         self.status: int | None = None
-        self._actions: dict[str, ActionClient] = {}
+        self._actions: list[ActionClient] = []
 
     def action(self, kind: Any, name: str) -> ActionClient:
-        """The client of an action, made when first asked for."""
-        if name not in self._actions:
-            self._actions[name] = ActionClient(self, kind, name)
-        return self._actions[name]
+        """A client of an action, destroyed with the node."""
+        self._actions.append(ActionClient(self, kind, name))
+        return self._actions[-1]
 
     def destroyNode(self) -> None:
         """Destroy the node."""
@@ -38,24 +37,23 @@ class Servers(Node):
 
     def destroy_node(self) -> None:
         """Destroy the node and its clients."""
-        for client in self._actions.values():
+        for client in self._actions:
             client.destroy()
         self._actions.clear()
         super().destroy_node()
 
     # -- tasks
 
-    def _give(self, kind: Any, name: str, goal: Any, what: str) -> bool:
+    def _give(self, client: ActionClient, name: str, goal: Any, what: str) -> bool:
         """Give a goal to an action; whether it was taken."""
-        handle = self._send(kind, name, goal, self._feedbackCallback)
+        handle = self._send(client, name, goal, self._feedbackCallback)
         if not handle.accepted:
             self.error(f"{what} was rejected!")
             return False
         self.goal_handle, self.result_future = handle, handle.get_result_async()
         return True
 
-    def _send(self, kind: Any, name: str, goal: Any, feedback: Any = None) -> Any:
-        client = self.action(kind, name)
+    def _send(self, client: ActionClient, name: str, goal: Any, feedback: Any = None) -> Any:
         self.debug(f"Waiting for '{name}' action server")
         while not client.wait_for_server(timeout_sec=1.0):
             self.info(f"'{name}' action server not available, waiting...")
@@ -63,9 +61,9 @@ class Servers(Node):
         rclpy.spin_until_future_complete(self, sent)
         return sent.result()
 
-    def _have_done(self, kind: Any, name: str, goal: Any, what: str) -> Any:
+    def _have_done(self, client: ActionClient, name: str, goal: Any, what: str) -> Any:
         """Give a goal and wait for its end; the action's result, or None when it was not taken or went wrong."""
-        handle = self._send(kind, name, goal)
+        handle = self._send(client, name, goal)
         if not handle.accepted:
             self.error(f"{what} was rejected!")
             return None
@@ -74,7 +72,7 @@ class Servers(Node):
         answer = self.result_future.result()
         self.status = answer.status
         if self.status != GoalStatus.STATUS_SUCCEEDED:
-            self.warn(f"{what} failed with status code: {self.status}")
+            self.warn(f"Getting path failed with status code: {self.status}")
             return None
         return answer.result
 
@@ -116,14 +114,12 @@ class Servers(Node):
 
     # -- services
 
-    def _call(self, kind: Any, name: str, request: Any) -> Any:
+    def _call(self, client: Any, what: str, request: Any) -> Any:
         """Call a service, and wait for it to be there."""
-        client = self.create_client(kind, name)
         while not client.wait_for_service(timeout_sec=1.0):
-            self.info(f"{name} service not available, waiting...")
+            self.info(f"{what} service not available, waiting...")
         future = client.call_async(request)
         rclpy.spin_until_future_complete(self, future)
-        self.destroy_client(client)
         return future.result()
 
     def _waitForNodeToActivate(self, node_name: str) -> None:
@@ -152,8 +148,9 @@ class Servers(Node):
         """Give a command to every lifecycle manager."""
         for name, kinds in self.get_service_names_and_types():
             if "nav2_msgs/srv/ManageLifecycleNodes" in kinds:
-                self.info(f"Calling {name}")
-                self._call(ManageLifecycleNodes, name, ManageLifecycleNodes.Request(command=command))
+                client = self.create_client(ManageLifecycleNodes, name)
+                self._call(client, name, ManageLifecycleNodes.Request(command=command))
+                self.destroy_client(client)
 
     # -- words
 

@@ -149,6 +149,15 @@ def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -
     return (turned + places[:, None, :]).reshape(-1, 3), (faces[None] + shifts).reshape(-1, 3)
 
 
+def towards(direction: np.ndarray) -> np.ndarray:
+    """A rotation that turns x to a direction."""
+    x = direction / np.linalg.norm(direction)
+    other = np.array([0.0, 0.0, 1.0]) if abs(x[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
+    y = np.cross(other, x)
+    y /= np.linalg.norm(y)
+    return np.stack([x, y, np.cross(x, y)], axis=1)
+
+
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """(3m, 3): the normal of each corner of each face: smooth over flat edges, sharp over others."""
     from scipy.sparse import csr_matrix
@@ -182,5 +191,6 @@ __all__ = [
     "join",
     "rotation",
     "scattered",
+    "towards",
     "tube",
 ]

@@ -182,9 +182,19 @@ class Stage:
             types = [one for one in resolved.get(topic, []) if one != wanted]
             if types:
                 return f"{topic} has the type {types[0]}, not {wanted}"
-            return f"{topic} has a publisher that has not published, or whose QoS does not fit"
+            return self._unfit(display) or f"{topic} has a publisher that has not published yet"
         others = sorted(name for name, kinds in resolved.items() if wanted in kinds and self.node.count_publishers(name))
         return f"Nobody publishes {topic}." + (f" There is: {', '.join(others[:4])}" if others else "")
+
+    def _unfit(self, display: Display) -> str:
+        """Which publisher's QoS does not fit what a display asks for, in rclpy's words."""
+        from rclpy.qos import QoSCompatibility, qos_check_compatible
+
+        for one in self.node.get_publishers_info_by_topic(display.config.topic):
+            verdict, reason = qos_check_compatible(one.qos_profile, display.quality)
+            if verdict == QoSCompatibility.ERROR:
+                return f"The QoS of {one.node_name} on {display.config.topic} does not fit: {reason.strip(' ;')}"
+        return ""
 
     def robots(self) -> list[RobotModel]:
         """The displays of robots that are on."""

@@ -15,7 +15,7 @@ Visualization Manager:
       Displays:
         - {Class: rviz_default_plugins/LaserScan, Name: Front, Topic: {Value: /front/scan}, Size (m): 0.05}
     - {Class: rviz_default_plugins/RobotModel, Name: R1, TF Prefix: r1, Description Topic: {Value: /r1/robot_description}}
-    - {Class: rviz_default_plugins/FluidPressure, Name: Weather}
+    - {Class: rviz_default_plugins/InteractiveMarkers, Name: Hands}
   Global Options: {Fixed Frame: odom}
   Views: {Current: {Class: rviz_default_plugins/Orbit, Distance: 4, Yaw: 1, Pitch: 0.5, Focal Point: {X: 1, Y: 2, Z: 0}}}
 """
@@ -31,8 +31,75 @@ def test_an_rviz_file_gives_the_displays_that_are_known_and_lists_the_others(tmp
     assert floor.options["color"] == [10, 20, 30]
     assert (front.topic, front.options["size"]) == ("/front/scan", 0.05)
     assert (robot.topic, robot.options["tf_prefix"]) == ("/r1/robot_description", "r1")
-    assert config.skipped == ["Weather (rviz_default_plugins/FluidPressure)"]
+    assert config.skipped == ["Hands (rviz_default_plugins/InteractiveMarkers)"]
     assert config.view == {"distance": 4.0, "yaw": 1.0, "pitch": 0.5, "target": [1.0, 2.0, 0.0]}
+
+
+NAV2 = """
+Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/RobotModel
+      Name: RobotModel
+      Description Topic: {Depth: 5, Durability Policy: Volatile, Reliability Policy: Reliable, Value: robot_description}
+    - Class: rviz_default_plugins/LaserScan
+      Name: Scan
+      Color Transformer: Intensity
+      Decay Time: 2
+      Style: Points
+      Size (m): 0.5
+      Topic: {Depth: 7, Durability Policy: Volatile, Reliability Policy: Best Effort, Value: scan}
+    - Class: rviz_default_plugins/PointCloud2
+      Name: Voxels
+      Style: Boxes
+      Size (m): 0.05
+      Topic: voxels
+    - {Class: nav2_rviz_plugins/ParticleCloud, Name: Swarm, Topic: {Value: particle_cloud, Reliability Policy: Best Effort}}
+    - Class: rviz_default_plugins/Odometry
+      Name: Wheels
+      Shape: {Value: Arrow, Color: 1;2;3, Alpha: 0.5, Shaft Length: 2}
+      Covariance: {Value: true, Position: {Value: true, Alpha: 0.3}}
+      Keep: 3
+      Topic: {Value: /odom}
+    - {Class: rviz_default_plugins/PoseWithCovariance, Name: Amcl, Shape: Axes, Axes Length: 0.3, Topic: {Value: /amcl_pose}}
+    - {Class: rviz_default_plugins/Polygon, Name: Footprint, Color: 25; 255; 0, Topic: {Value: local_costmap/footprint}}
+    - {Class: rviz_default_plugins/Map, Name: Map, Topic: {Durability Policy: Transient Local, Value: /map}}
+    - {Class: rviz_default_plugins/Axes, Name: Axes, Reference Frame: <Fixed Frame>, Length: 0.5, Radius: 0.05}
+    - {Class: moveit_rviz_plugin/MotionPlanning, Name: Plan}
+"""
+
+
+def test_what_navigations_file_says_of_topics_and_looks_is_taken_over(tmp_path):
+    file = tmp_path / "nav2.rviz"
+    file.write_text(NAV2)
+    config = read(file)
+    robot, scan, voxels, swarm, wheels, amcl, footprint, grid, axes = config.displays
+    assert (robot.topic, robot.options["durability"]) == ("/robot_description", "")
+    assert [scan.options[key] for key in ("depth", "reliability", "durability")] == [7, "Best Effort", "Volatile"]
+    assert (scan.options["decay_time"], scan.options["color_transformer"]) == (2, "Intensity")
+    assert scan.options["size"] == 0.03, "points are counted in pixels"
+    assert (voxels.topic, voxels.options["style"], voxels.options["size"]) == ("/voxels", "Boxes", 0.05)
+    assert (swarm.kind, swarm.options["reliability"]) == ("ParticleCloud", "Best Effort")
+    assert [wheels.options[key] for key in ("shape", "color", "alpha", "shaft_length")] == ["Arrow", [1, 2, 3], 0.5, 2]
+    assert (wheels.options["covariance"], wheels.options["keep"]) == (True, 3)
+    assert (amcl.options["shape"], amcl.options["axes_length"]) == ("Axes", 0.3)
+    assert (footprint.topic, footprint.options["color"]) == ("/local_costmap/footprint", [25, 255, 0])
+    assert grid.options["durability"] == "Transient Local"
+    assert (axes.topic, axes.options["reference_frame"], axes.options["length"]) == ("", "", 0.5)
+    assert config.skipped == ["Plan (moveit_rviz_plugin/MotionPlanning)"]
+    save(config, tmp_path / "ours.yaml")
+    assert read(tmp_path / "ours.yaml").displays == config.displays
+
+
+def test_a_namespaced_rviz_listens_in_its_namespace_and_where_it_is_remapped_to(tmp_path):
+    (tmp_path / "nav2.rviz").write_text(NAV2)
+    words = ["-d", str(tmp_path / "nav2.rviz"), "--ros-args", "-r", "__ns:=/r1", "-r", "/map:=map"]
+    with Session(virtual=True).use() as session:
+        process = session.start_executable(find("rviz2", "rviz2"), words, name="rviz2")
+        session.clock.sleep(1.0)
+        assert {"/r1/scan", "/r1/map", "/odom"} <= set(session.graph(0).subscriptions)
+        process.interrupt()
+        process.wait(2.0)
+    assert "LaserScan): /r1/scan" in process.output
 
 
 def test_what_is_saved_is_read_back_and_is_small(tmp_path):

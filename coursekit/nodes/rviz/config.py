@@ -11,8 +11,9 @@ from typing import Any
 
 import yaml
 
-from .kinds import KINDS, kind_name
+from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
+_WORDS = {"reliability": RELIABILITIES, "durability": DURABILITIES}
 VIEWS = ("distance", "yaw", "pitch", "target")
 
 
@@ -62,7 +63,8 @@ def display_config(given: str | Mapping[str, Any] | DisplayConfig) -> DisplayCon
         topic = f"/{topic}"
     shown = str(rest.pop("name", name))
     enabled = bool(rest.pop("enabled", True))
-    return DisplayConfig(name, topic, shown, enabled, _options(name, kind.options, rest))
+    known = {**kind.options, **QOS} if kind.type else kind.options
+    return DisplayConfig(name, topic, shown, enabled, _options(name, known, rest))
 
 
 def _options(kind: str, known: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
@@ -74,6 +76,8 @@ def _options(kind: str, known: Mapping[str, Any], given: Mapping[str, Any]) -> d
             raise ValueError(f"{kind} has no option '{key}'. {hint}{there}")
         if not _fits(known[key], value):
             raise ValueError(f"{kind}: '{key}' cannot be {value!r}; it is like {known[key]!r}.")
+        if value not in (allowed := _WORDS.get(key, (value,))):
+            raise ValueError(f"{kind}: '{key}' cannot be {value!r}; it is one of {', '.join(allowed[1:])}.")
     return {**known, **given}
 
 
@@ -105,8 +109,11 @@ def _view(given: Any) -> dict[str, Any] | None:
     return {key: value if key == "target" else float(value) for key, value in made.items()}
 
 
-def read(path: str | Path) -> Config:
-    """The view in a file: ours, or one that RViz saved. Raises OSError, and ValueError which names the file."""
+def read(path: str | Path, rooted: bool = True) -> Config:
+    """The view in a file: ours, or one that RViz saved. Raises OSError, and ValueError which names the file.
+
+    With `rooted` topics are absolute; else those of an .rviz file stay as written, for a node to resolve.
+    """
     file = Path(path)
     try:
         data = yaml.safe_load(file.read_text(encoding="utf-8"))
@@ -115,7 +122,10 @@ def read(path: str | Path) -> Config:
         if "Visualization Manager" in data:
             from .rviz_file import from_rviz
 
-            return from_rviz(data)
+            config = from_rviz(data)
+            for one in config.displays if rooted else ():
+                one.topic = one.topic if one.topic.startswith("/") or not KINDS[one.kind].type else f"/{one.topic}"
+            return config
         unknown = [key for key in data if key not in ("fixed_frame", "displays", "view")]
         if unknown:
             raise ValueError(f"'{unknown[0]}' is not known; there are fixed_frame, displays and view")
@@ -141,7 +151,7 @@ def _small(display: DisplayConfig) -> dict[str, Any]:
         made["name"] = display.name
     if not display.enabled:
         made["enabled"] = False
-    return made | {key: value for key, value in display.options.items() if value != kind.options.get(key)}
+    return made | {key: value for key, value in display.options.items() if value != {**QOS, **kind.options}.get(key)}
 
 
 __all__ = ["Config", "DisplayConfig", "display_config", "make_config", "read", "save"]

@@ -18,9 +18,26 @@ class Kind:
     """Whether it asks for the last message of before it came (transient local)"""
 
 
-_ARROW = {"color": [255, 25, 0], "alpha": 1.0, "shape": "Arrow", "shaft_length": 1.0, "head_length": 0.3,
+_ARROW: dict[str, Any] = {"color": [255, 25, 0], "alpha": 1.0, "shape": "Arrow", "shaft_length": 1.0, "head_length": 0.3,
           "shaft_radius": 0.05, "head_radius": 0.1}  # fmt: skip
-_POINTS = {"size": 0.02, "alpha": 1.0, "color": [255, 255, 255], "color_transformer": "", "decay_time": 0.0}
+_POINTS: dict[str, Any] = {"size": 0.02, "alpha": 1.0, "color": [255, 255, 255], "color_transformer": "", "decay_time": 0.0,
+           "style": "Flat Squares"}  # fmt: skip
+_COVARIANCE = {"covariance": True, "axes_length": 1.0, "axes_radius": 0.1}
+_SCREW = {"alpha": 1.0, "arrow_width": 0.5, "hide_small_values": True}
+_TWIST = {**_SCREW, "linear_color": [204, 51, 51], "angular_color": [204, 204, 51], "linear_arrow_scale": 1.0,
+          "angular_arrow_scale": 1.0}  # fmt: skip
+_WRENCH = {**_SCREW, "force_color": [204, 51, 51], "torque_color": [204, 204, 51], "force_arrow_scale": 2.0,
+           "torque_arrow_scale": 2.0}  # fmt: skip
+
+
+def _reading(low: float, high: float) -> dict[str, Any]:
+    return {"size": 0.05, "alpha": 1.0, "min_intensity": low, "max_intensity": high}
+
+
+QOS: dict[str, Any] = {"reliability": "", "durability": "", "depth": 5}
+"""The options of every display with a topic; '' is what fits every publisher of its kind"""
+RELIABILITIES = ("", "Reliable", "Best Effort", "System Default")
+DURABILITIES = ("", "Volatile", "Transient Local", "System Default")
 
 KINDS: dict[str, Kind] = {
     "Grid": Kind(
@@ -38,7 +55,10 @@ KINDS: dict[str, Kind] = {
     "Map": Kind("nav_msgs/msg/OccupancyGrid", "/map", {"alpha": 0.7, "color_scheme": "map"}, lasting=True),
     "LaserScan": Kind("sensor_msgs/msg/LaserScan", "/scan", {**_POINTS, "size": 0.03, "color": [230, 60, 40]}),
     "Path": Kind("nav_msgs/msg/Path", "/plan", {"color": [40, 160, 90], "alpha": 1.0, "line_width": 0.02}),
-    "Pose": Kind("geometry_msgs/msg/PoseStamped", "/goal_pose", _ARROW),
+    "Pose": Kind("geometry_msgs/msg/PoseStamped", "/goal_pose", {**_ARROW, "axes_length": 1.0, "axes_radius": 0.1}),
+    "PoseWithCovariance": Kind(
+        "geometry_msgs/msg/PoseWithCovarianceStamped", "/amcl_pose", {**_ARROW, **_COVARIANCE}
+    ),
     "PoseArray": Kind(
         "geometry_msgs/msg/PoseArray", "/particlecloud", {"color": [255, 25, 0], "alpha": 1.0, "arrow_length": 0.3}
     ),
@@ -46,16 +66,39 @@ KINDS: dict[str, Kind] = {
         "nav_msgs/msg/Odometry",
         "/odom",
         {**_ARROW, "keep": 100, "position_tolerance": 0.1, "angle_tolerance": 0.1, "shaft_length": 0.4,
-         "head_length": 0.12, "shaft_radius": 0.02, "head_radius": 0.05},
+         "head_length": 0.12, "shaft_radius": 0.02, "head_radius": 0.05, **_COVARIANCE, "covariance": False},
     ),
     "Marker": Kind("visualization_msgs/msg/Marker", "/visualization_marker"),
     "MarkerArray": Kind("visualization_msgs/msg/MarkerArray", "/visualization_marker_array"),
     "PointCloud2": Kind("sensor_msgs/msg/PointCloud2", "/points", _POINTS),
     "Image": Kind("sensor_msgs/msg/Image", "/image"),
+    "Axes": Kind(options={"length": 1.0, "radius": 0.1, "alpha": 1.0, "reference_frame": ""}),
+    "Polygon": Kind("geometry_msgs/msg/PolygonStamped", "/footprint", {"color": [25, 255, 0], "alpha": 1.0}),
+    "PointStamped": Kind(
+        "geometry_msgs/msg/PointStamped",
+        "/clicked_point",
+        {"color": [204, 41, 204], "alpha": 1.0, "radius": 0.2, "history_length": 1},
+    ),
+    "GridCells": Kind("nav_msgs/msg/GridCells", "/cells", {"color": [25, 255, 0], "alpha": 1.0}),
+    "Range": Kind("sensor_msgs/msg/Range", "/range", {"color": [255, 255, 255], "alpha": 0.5}),
+    "Wrench": Kind("geometry_msgs/msg/WrenchStamped", "/wrench", _WRENCH),
+    "TwistStamped": Kind("geometry_msgs/msg/TwistStamped", "/twist", _TWIST),
+    "AccelStamped": Kind("geometry_msgs/msg/AccelStamped", "/accel", _TWIST),
+    "PointCloud": Kind("sensor_msgs/msg/PointCloud", "/points", _POINTS),
+    "ParticleCloud": Kind(
+        "nav2_msgs/msg/ParticleCloud",
+        "/particle_cloud",
+        {"color": [0, 180, 0], "alpha": 1.0, "min_arrow_length": 0.02, "max_arrow_length": 0.3},
+    ),
+    "Temperature": Kind("sensor_msgs/msg/Temperature", "/temperature", _reading(0.0, 100.0)),
+    "RelativeHumidity": Kind("sensor_msgs/msg/RelativeHumidity", "/humidity", _reading(0.0, 1.0)),
+    "FluidPressure": Kind("sensor_msgs/msg/FluidPressure", "/pressure", _reading(98000.0, 105000.0)),
+    "Illuminance": Kind("sensor_msgs/msg/Illuminance", "/illuminance", _reading(0.0, 1000.0)),
 }  # fmt: skip
 """The kinds by RViz's names."""
 
-ALIASES = {"PoseStamped": "Pose", "OccupancyGrid": "Map", "Robot": "RobotModel", "Camera": "Image"}
+ALIASES = {"PoseStamped": "Pose", "OccupancyGrid": "Map", "Robot": "RobotModel", "Camera": "Image",
+           "PoseWithCovarianceStamped": "PoseWithCovariance", "PolygonStamped": "Polygon", "WrenchStamped": "Wrench"}
 """Other names that are understood: those of the messages."""
 
 
@@ -76,4 +119,4 @@ def kind_name(name: str) -> str:
     return short
 
 
-__all__ = ["ALIASES", "KINDS", "Kind", "kind_name"]
+__all__ = ["ALIASES", "DURABILITIES", "KINDS", "QOS", "RELIABILITIES", "Kind", "kind_name"]

@@ -37,6 +37,8 @@ class Rviz(Node):
         self.config = config
         self.running = True
         self.full_name = self.get_fully_qualified_name()
+        for one in config.displays:
+            one.topic = self.resolve_topic_name(one.topic) if one.topic else ""
         for skipped in config.skipped:
             LOG.warning(f"Not known here, left out: {skipped}")
         if windows.add(self):
@@ -96,7 +98,7 @@ def _config(argv: list[str]) -> Config:
     if args.display_config:
         process = current_process()
         folder = Path(process.cwd) if process is not None else Path()
-        config = read(folder / args.display_config)
+        config = read(folder / args.display_config, rooted=False)
     config.fixed_frame = args.fixed_frame or config.fixed_frame
     return config
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from .config import Config, DisplayConfig, display_config
-from .kinds import KINDS, kind_name
+from .kinds import KINDS, QOS, kind_name
 
-_RENAMED = {"size_(m)": "size", "head_diameter": "head_radius", "shaft_diameter": "shaft_radius"}
+_RENAMED = {"size_(m)": "size"}
 
 
 def from_rviz(data: Mapping[str, Any]) -> Config:
@@ -44,20 +44,45 @@ def _display(entry: Mapping[str, Any]) -> DisplayConfig | None:
     given: dict[str, Any] = {"type": kind, "name": str(entry.get("Name", kind))}
     given["enabled"] = bool(entry.get("Enabled", True))
     topic = entry.get("Description Topic") if kind == "RobotModel" else entry.get("Topic")
-    topic = topic.get("Value") if isinstance(topic, Mapping) else topic
-    if topic:
-        given["topic"] = str(topic)
-    for key, value in entry.items():
+    if isinstance(topic, Mapping):
+        _take_quality(given, kind, topic)
+        topic = topic.get("Value")
+    for key, value in _options(entry):
         _take(given, kind, str(key).lower().replace(" ", "_"), value)
-    return display_config(given)
+    made = display_config(given)
+    if topic:
+        made.topic = str(topic)
+    return made
+
+
+def _options(entry: Mapping[str, Any]) -> Iterator[tuple[Any, Any]]:
+    """Names and values; Odometry has those of its shape one level deeper."""
+    for key, value in entry.items():
+        if key == "Shape" and isinstance(value, Mapping):
+            yield "shape", value.get("Value")
+            yield from value.items()
+        elif key == "Covariance" and isinstance(value, Mapping):
+            yield "covariance", value.get("Value")
+        else:
+            yield key, value
+
+
+def _take_quality(given: dict[str, Any], kind: str, topic: Mapping[str, Any]) -> None:
+    """The QoS of a topic; a RobotModel asks for the last description whatever the file says, as RViz does."""
+    _take(given, kind, "depth", topic.get("Depth"))
+    if kind != "RobotModel":
+        _take(given, kind, "reliability", topic.get("Reliability Policy"))
+        _take(given, kind, "durability", topic.get("Durability Policy"))
 
 
 def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
     """Take over an option, if it is known and can be read."""
     key = _RENAMED.get(key, key)
-    like = KINDS[kind].options.get(key)
-    if like is None or key in ("color_transformer", "decay_time", "shape"):
+    like = {**QOS, **KINDS[kind].options}.get(key)
+    if like is None or value is None:
         return
+    if key == "size" and given.get("style") == "Points":
+        return  # that style counts in pixels
     if isinstance(like, list) and isinstance(value, str):
         value = [int(one) for one in value.split(";") if one.strip().isdigit()]
     if key == "reference_frame" and value == "<Fixed Frame>":

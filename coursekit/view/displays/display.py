@@ -51,14 +51,23 @@ class Display:
         kind = KINDS[self.kind]
         if not kind.type or not self.config.enabled or self._subscription is not None:
             return
-        from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-
         from coursekit.interfaces import load
 
-        lasting = DurabilityPolicy.TRANSIENT_LOCAL if kind.lasting else DurabilityPolicy.VOLATILE
-        reliability = ReliabilityPolicy.RELIABLE if kind.lasting else ReliabilityPolicy.BEST_EFFORT
-        quality = QoSProfile(depth=WAITING, durability=lasting, reliability=reliability)
-        self._subscription = node.create_subscription(load(kind.type), self.config.topic, self._take, quality)
+        self._subscription = node.create_subscription(load(kind.type), self.config.topic, self._take, self.quality)
+
+    @property
+    def quality(self) -> Any:
+        """The QoS it asks for: as told, else what fits every publisher."""
+        from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+        lasting = KINDS[self.kind].lasting
+        durability = self.options["durability"] or ("Transient Local" if lasting else "Volatile")
+        reliability = self.options["reliability"] or ("Reliable" if lasting else "Best Effort")
+        return QoSProfile(
+            depth=max(1, int(self.options["depth"])),
+            durability=DurabilityPolicy[durability.upper().replace(" ", "_")],
+            reliability=ReliabilityPolicy[reliability.upper().replace(" ", "_")],
+        )
 
     def disconnect(self, node: Any) -> None:
         """Forget the topic and what came."""

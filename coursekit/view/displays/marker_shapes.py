@@ -10,7 +10,7 @@ import numpy as np
 
 from coursekit.urdf import Mesh
 from coursekit.urdf.shapes import surfaces_of
-from coursekit.view.scene_shapes import Colour, Label, Points, Shape, Triangles, arrow, ball, box, scattered, tube
+from coursekit.view.scene_shapes import Colour, Label, Points, Shape, Triangles, arrow, ball, box, scattered, towards, tube
 
 from .poses import ribbon
 
@@ -70,16 +70,7 @@ def _arrow(msg: Any) -> list[Shape]:
     head = msg.scale.z or 0.23 * length
     head = min(head, length)
     shape = arrow(length - head, msg.scale.x / 2, head, msg.scale.y / 2, _colour(msg))
-    return [Triangles(shape.vertices @ _towards(end - start).T + start, shape.faces, shape.colour)]
-
-
-def _towards(direction: np.ndarray) -> np.ndarray:
-    """A rotation that turns x to a direction."""
-    x = direction / np.linalg.norm(direction)
-    other = np.array([0.0, 0.0, 1.0]) if abs(x[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
-    y = np.cross(other, x)
-    y /= np.linalg.norm(y)
-    return np.stack([x, y, np.cross(x, y)], axis=1)
+    return [Triangles(shape.vertices @ towards(end - start).T + start, shape.faces, shape.colour)]
 
 
 def _line(msg: Any, pairs: bool) -> list[Shape]:

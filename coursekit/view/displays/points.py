@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.view.scene import Pose, Scene
-from coursekit.view.scene_shapes import Points, colour_of
+from coursekit.view.scene_shapes import Points, Triangles, box, colour_of, scattered
 
 from .display import StampedDisplay
 
@@ -16,6 +17,10 @@ if TYPE_CHECKING:
 
 MOST = 200_000
 """Of larger clouds every second, third, ... point is shown."""
+KEPT = 1000
+"""So many messages at most are kept for decay_time."""
+MOST_BOXES = 5000
+"""More than that are dots, whatever the style."""
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
 
 
@@ -30,19 +35,49 @@ def rainbow(values: np.ndarray) -> np.ndarray:
 
 
 class _Dots(StampedDisplay):
-    def dots(self, points: np.ndarray, colours: np.ndarray | None, pose: Pose, scene: Scene) -> None:
+    """What came within the last `decay_time` seconds; 0: only the newest."""
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self._made = 0
+        self._ends: dict[str, int] = {}
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """Take away what is too old."""
+        super().draw(stage, scene)
+        for name in [name for name, end in self._ends.items() if end <= stage.now() and name != f"{self._made}"]:
+            del self._ends[name]
+            scene.remove(self.key, name)
+
+    def move(self, pose: Pose, scene: Scene) -> None:
+        """The newest to its place; those before stay."""
+        if scene.has(self.key, f"{self._made}"):
+            scene.place(self.key, f"{self._made}", pose)
+
+    def dots(self, points: np.ndarray, colours: np.ndarray | None, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Show points, where they are numbers."""
         good = np.isfinite(points).all(axis=1)
         points, colours = points[good], None if colours is None else colours[good]
         step = -(-len(points) // MOST) or 1
         self.say("Points", "Ok", f"Showing {len(points[::step])} points")
-        shape = Points(
-            points[::step],
-            float(self.options["size"]),
-            colour_of(self.options["color"], self.options["alpha"]),
-            None if colours is None else colours[::step],
-        )
-        scene.put(self.key, "points", *([shape] if len(points) else []), pose=pose)
+        shape = self._shape(points[::step], None if colours is None else colours[::step])
+        if self.options["decay_time"] > 0:
+            self._made += 1
+            self._ends[f"{self._made}"] = stage.now() + round(self.options["decay_time"] * 1e9)
+            if len(self._ends) > KEPT:
+                self._ends.pop(gone := next(iter(self._ends)))
+                scene.remove(self.key, gone)
+        scene.put(self.key, f"{self._made}", *([shape] if len(points) else []), pose=pose)
+
+    def _shape(self, points: np.ndarray, colours: np.ndarray | None) -> Points | Triangles:
+        size, colour = float(self.options["size"]), colour_of(self.options["color"], self.options["alpha"])
+        if self.options["style"] != "Boxes" or len(points) > MOST_BOXES:
+            return Points(points, size, colour, colours)
+        body = box(size, size, size)
+        vertices, faces = scattered(body, points)
+        if colours is not None:
+            colours = np.concatenate([colours, np.full((len(points), 1), colour[3])], axis=1).repeat(len(body[1]), axis=0)
+        return Triangles(vertices, faces, colour, colours)
 
 
 class LaserScan(_Dots):
@@ -60,7 +95,20 @@ class LaserScan(_Dots):
         points = np.stack([far * np.cos(turn), far * np.sin(turn), np.zeros_like(far)], axis=1)
         bright = np.asarray(msg.intensities, float)
         by_brightness = self.options["color_transformer"] == "Intensity" and len(bright) == len(ranges)
-        self.dots(points, rainbow(bright[hit]) if by_brightness else None, pose, scene)
+        self.dots(points, rainbow(bright[hit]) if by_brightness else None, pose, stage, scene)
+
+
+class PointCloud(_Dots):
+    """The newest cloud of the older kind, of a list of points and named channels."""
+
+    kind = "PointCloud"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """Dots."""
+        points = np.array([(one.x, one.y, one.z) for one in msg.points], float).reshape(-1, 3)
+        bright = next((np.array(one.values, float) for one in msg.channels if one.name == "intensity"), None)
+        shown = bright is not None and len(bright) == len(points) and self.options["color_transformer"] != "FlatColor"
+        self.dots(points, rainbow(bright) if shown and bright is not None else None, pose, stage, scene)
 
 
 class PointCloud2(_Dots):
@@ -77,7 +125,7 @@ class PointCloud2(_Dots):
             self.say("Message", "Error", f"The cloud cannot be read: {error}")
             return
         self.unsay("Message")
-        self.dots(points, self._colours(table, points), pose, scene)
+        self.dots(points, self._colours(table, points), pose, stage, scene)
 
     def _colours(self, table: np.ndarray, points: np.ndarray) -> np.ndarray | None:
         names, how = table.dtype.names or (), self.options["color_transformer"]

@@ -10,8 +10,10 @@ import numpy as np
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
 from coursekit.view.scene import Pose, Scene
-from coursekit.view.scene_shapes import Shape, Triangles, arrow, colour_of, scattered, tube
+from coursekit.view.scene_shapes import Shape, Triangles, arrow, colour_of, rotation, scattered, tube
 
+from .axes import axes
+from .covariance import doubt
 from .display import Display, NoTransform, StampedDisplay
 
 if TYPE_CHECKING:
@@ -31,10 +33,12 @@ def finite(pose: Pose) -> bool:
     return all(map(math.isfinite, pose))
 
 
-def arrow_of(o: dict[str, Any]) -> Shape:
-    """An arrow as a display's options say."""
+def shapes_of_pose(o: dict[str, Any]) -> list[Shape]:
+    """An arrow, or axes, as a display's options say."""
+    if o["shape"] == "Axes":
+        return [*axes(o["axes_length"], o["axes_radius"], o["alpha"])]
     colour = colour_of(o["color"], o["alpha"])
-    return arrow(o["shaft_length"], o["shaft_radius"], o["head_length"], o["head_radius"], colour)
+    return [arrow(o["shaft_length"], o["shaft_radius"], o["head_length"], o["head_radius"], colour)]
 
 
 class PoseStamped(StampedDisplay):
@@ -45,16 +49,41 @@ class PoseStamped(StampedDisplay):
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """An arrow."""
         if not finite(numbers(msg.pose)):
-            self.say("Topic", "Error", "Message contained invalid floating point values (nans or infs)")
+            self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
             return
+        self.unsay("Message")
         if not scene.has(self.key, "pose"):
-            scene.put(self.key, "pose", arrow_of(self.options))
+            scene.put(self.key, "pose", *shapes_of_pose(self.options))
         self.move(pose, scene)
 
     def move(self, pose: Pose, scene: Scene) -> None:
         """Put it to its place in its frame."""
         if scene.has(self.key, "pose"):
             scene.place(self.key, "pose", compose(pose, numbers(self.shown.pose)))
+
+
+class PoseWithCovariance(StampedDisplay):
+    """The newest pose, such as amcl's."""
+
+    kind = "PoseWithCovariance"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """The pose's shape and its doubt."""
+        here = numbers(msg.pose.pose)
+        if not finite(here):
+            self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
+            return
+        self.unsay("Message")
+        shapes = shapes_of_pose(self.options)
+        if self.options["covariance"]:
+            shapes += doubt(msg.pose.covariance, here)
+        scene.put(self.key, "pose", *shapes)
+        self.move(pose, scene)
+
+    def move(self, pose: Pose, scene: Scene) -> None:
+        """Put it to its place in its frame."""
+        if scene.has(self.key, "pose"):
+            scene.place(self.key, "pose", compose(pose, numbers(self.shown.pose.pose)))
 
 
 class PoseArray(StampedDisplay):
@@ -70,6 +99,36 @@ class PoseArray(StampedDisplay):
         parts = [tube(0.0, 0.77 * length, 0.03 * length, sides=6), tube(0.77 * length, length, 0.1 * length, 0.0, sides=8)]
         bodies = [scattered(body, poses[:, :3], poses[:, 3:]) for body in parts]
         scene.put(self.key, "poses", *(Triangles(*body, colour) for body in bodies if len(poses)), pose=pose)
+
+
+class ParticleCloud(StampedDisplay):
+    """All particles of the newest message of nav2's amcl; the likelier one is, the longer its arrow."""
+
+    kind = "ParticleCloud"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """Flat arrows."""
+        found = [(numbers(one.pose), one.weight) for one in msg.particles]
+        good = [(place, weight) for place, weight in found if finite(place) and math.isfinite(weight)]
+        self.say("Particles", "Ok", f"{len(good)} particles")
+        if not good:
+            scene.put(self.key, "particles", pose=pose)
+            return
+        places, weights = np.array([place for place, _ in good]), np.array([weight for _, weight in good])
+        least, most = self.options["min_arrow_length"], self.options["max_arrow_length"]
+        lengths = least + (most - least) * weights / max(float(weights.max()), 1e-12)
+        vertices, faces = scattered(_FLAT_ARROW, np.zeros((len(good), 3)))
+        sized = vertices.reshape(len(good), -1, 3) * lengths[:, None, None]
+        turned = np.einsum("nij,nvj->nvi", rotation(places[:, 3:]), sized) + places[:, None, :3]
+        colour = colour_of(self.options["color"], self.options["alpha"])
+        scene.put(self.key, "particles", Triangles(turned.reshape(-1, 3), faces, colour), pose=pose)
+
+
+_FLAT_ARROW = (
+    np.array([[0, -0.05, 0], [0, 0.05, 0], [0.7, 0.05, 0], [0.7, -0.05, 0], [0.7, 0.2, 0], [0.7, -0.2, 0], [1, 0, 0]]),
+    np.array([[0, 3, 2], [0, 2, 1], [5, 6, 4], [0, 2, 3], [0, 1, 2], [5, 4, 6]]),
+)
+"""Of one metre, seen from both sides."""
 
 
 class Odometry(Display):
@@ -111,7 +170,10 @@ class Odometry(Display):
     def _add(self, msg: Any, here: Pose, pose: Pose, scene: Scene) -> None:
         self.trail.append((msg.header, here))
         self._made += 1
-        scene.put(self.key, f"{self._made}", arrow_of(self.options), pose=pose)
+        shapes = shapes_of_pose(self.options)
+        if self.options["covariance"]:
+            shapes += doubt(msg.pose.covariance, here)
+        scene.put(self.key, f"{self._made}", *shapes, pose=pose)
         if len(self.trail) > max(1, int(self.options["keep"])):
             self.trail.pop(0)
             scene.remove(self.key, f"{self._made - len(self.trail)}")

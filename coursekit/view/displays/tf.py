@@ -10,6 +10,7 @@ import numpy as np
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Label, Triangles, scattered, tube
 
+from .axes import axes
 from .display import Display, NoTransform
 
 if TYPE_CHECKING:
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 
 LENGTH, RADIUS = 0.12, 0.005
 """An axis [m] at marker_scale 1"""
-_RED, _GREEN, _BLUE = (0.86, 0.2, 0.18, 1.0), (0.2, 0.68, 0.3, 1.0), (0.18, 0.42, 0.85, 1.0)
 _ARROW = (0.93, 0.72, 0.2, 1.0)
 
 
@@ -57,9 +57,9 @@ class TF(Display):
         made = {f"axes {frame}"}
         scale = float(self.options["marker_scale"])
         if not scene.has(self.key, f"axes {frame}"):
-            axes = _axes(scale) if self.options["show_axes"] else ()
+            bars = axes(LENGTH * scale, RADIUS * scale) if self.options["show_axes"] else ()
             label = (Label(frame),) if self.options["show_names"] else ()
-            scene.put(self.key, f"axes {frame}", *axes, *label, pose=pose)
+            scene.put(self.key, f"axes {frame}", *bars, *label, pose=pose)
         scene.place(self.key, f"axes {frame}", pose)
         return made
 
@@ -92,14 +92,6 @@ class TF(Display):
 def _few(names: list[str]) -> str:
     more = f" and {len(names) - 3} more" if len(names) > 3 else ""
     return ", ".join(f"[{one}]" for one in names[:3]) + more
-
-
-def _axes(scale: float) -> tuple[Triangles, ...]:
-    length, radius = LENGTH * scale, RADIUS * scale
-    vertices, faces = tube(0.0, length, radius, sides=10)
-    around = {"x": [0, 1, 2], "y": [2, 0, 1], "z": [1, 2, 0]}
-    colours = (_RED, _GREEN, _BLUE)
-    return tuple(Triangles(vertices[:, order], faces, c) for order, c in zip(around.values(), colours, strict=True))
 
 
 def _unit_arrow(scale: float) -> Triangles:

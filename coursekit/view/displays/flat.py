@@ -1,0 +1,105 @@
+"""Polygon: a closed line. GridCells: squares on the floor. PointStamped: a ball, or the last few."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from coursekit.nodes.rviz.config import DisplayConfig
+from coursekit.tf import compose
+from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene_shapes import Lines, Triangles, ball, box, colour_of, scattered
+
+from .display import StampedDisplay
+
+if TYPE_CHECKING:
+    from coursekit.view.scene_stage import Stage
+
+_THIN = 0.002
+"""Height of a cell [m]"""
+
+
+def places(points: Any) -> np.ndarray:
+    """(n, 3) of a list of points; ValueError if one has no number."""
+    found = np.array([(one.x, one.y, one.z) for one in points], float).reshape(-1, 3)
+    if not np.isfinite(found).all():
+        raise ValueError("Message contained invalid floating point values (nans or infs)")
+    return found
+
+
+class _Points(StampedDisplay):
+    def points_of(self, points: Any, scene: Scene) -> np.ndarray | None:
+        """The points, or None and a word about it."""
+        try:
+            found = places(points)
+        except ValueError as error:
+            self.say("Message", "Error", str(error))
+            scene.clear(self.key)
+            return None
+        self.unsay("Message")
+        return found
+
+    @property
+    def colour(self) -> tuple[float, float, float, float]:
+        """As the options say."""
+        return colour_of(self.options["color"], self.options["alpha"])
+
+
+class Polygon(_Points):
+    """The newest polygon, such as a robot's footprint."""
+
+    kind = "Polygon"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """From corner to corner and back to the first."""
+        corners = self.points_of(msg.polygon.points, scene)
+        if corners is None:
+            return
+        self.say("Polygon", "Ok", f"{len(corners)} points")
+        edges = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1).reshape(-1, 3)
+        scene.put(self.key, "polygon", *([Lines(edges, self.colour)] if len(corners) else []), pose=pose)
+
+
+class GridCells(_Points):
+    """The newest cells, each about its point."""
+
+    kind = "GridCells"
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """One flat box for each."""
+        centres = self.points_of(msg.cells, scene)
+        if centres is None:
+            return
+        if not msg.cell_width or not msg.cell_height:
+            self.say("Message", "Error", f"Cells of {msg.cell_width:g} by {msg.cell_height:g} m cannot be seen")
+            return
+        self.say("Cells", "Ok", f"{len(centres)} cells of {msg.cell_width:.3g} by {msg.cell_height:.3g} m")
+        body = scattered(box(msg.cell_width, msg.cell_height, _THIN), centres)
+        scene.put(self.key, "cells", *([Triangles(*body, self.colour)] if len(centres) else []), pose=pose)
+
+
+class PointStamped(_Points):
+    """The last `history_length` points."""
+
+    kind = "PointStamped"
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self._made = 0
+
+    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+        """A ball of `radius`."""
+        if self.points_of([msg.point], scene) is None:
+            return
+        self._made += 1
+        vertices, faces = ball()
+        scene.put(self.key, f"{self._made}", Triangles(vertices * 2 * self.options["radius"], faces, self.colour))
+        scene.remove(self.key, f"{self._made - max(1, int(self.options['history_length']))}")
+        self.move(pose, scene)
+
+    def move(self, pose: Pose, scene: Scene) -> None:
+        """The newest to its place in its frame; those before stay."""
+        point = self.shown.point
+        if scene.has(self.key, f"{self._made}"):
+            scene.place(self.key, f"{self._made}", compose(pose, (point.x, point.y, point.z, 0.0, 0.0, 0.0, 1.0)))

@@ -12,6 +12,8 @@ Pose = tuple[float, float, float]
 class GoalChecker:
     """Near enough: position [m] and heading [rad]. With `stateful` a position once reached stays reached.
 
+    With `still` the robot must also be slower than that [m/s, rad/s].
+
     >>> checker = GoalChecker()
     >>> checker.reached((0.1, 0.0, 1.0), (0.0, 0.0, 0.0)), checker.near((0.3, 0.0, 0.0), (0.0, 0.0, 0.0))
     (False, True)
@@ -22,6 +24,7 @@ class GoalChecker:
     xy_tolerance: float = 0.25
     yaw_tolerance: float = 0.25
     stateful: bool = True
+    still: tuple[float, float] | None = None
     _near: bool = False
 
     def reset(self) -> None:
@@ -34,15 +37,17 @@ class GoalChecker:
         self._near = near or (self.stateful and self._near)
         return self._near
 
-    def reached(self, pose: Pose, goal: Pose) -> bool:
-        """Whether position and heading are reached."""
+    def reached(self, pose: Pose, goal: Pose, speeds: tuple[float, float] = (0.0, 0.0)) -> bool:
+        """Whether position and heading are reached, by a robot with these speeds."""
+        if self.still and (abs(speeds[0]) > self.still[0] or abs(speeds[1]) > self.still[1]):
+            return False
         turn = (pose[2] - goal[2] + math.pi) % (2 * math.pi) - math.pi
         return self.near(pose, goal) and abs(turn) <= self.yaw_tolerance
 
 
 @dataclass
 class ProgressChecker:
-    """A robot gets on when it moves `radius` metres in `seconds`.
+    """A robot gets on when it moves `radius` metres, or turns by `angle` [rad], in `seconds`.
 
     >>> checker = ProgressChecker(0.5, 10.0)
     >>> [checker.gets_on(x, 0.0, t) for x, t in ((0.0, 0.0), (0.4, 9.0), (0.6, 9.9), (0.7, 19.0), (0.7, 20.5))]
@@ -51,14 +56,19 @@ class ProgressChecker:
 
     radius: float = 0.5
     seconds: float = 10.0
-    _mark: tuple[float, float, float] | None = None
+    angle: float = math.inf
+    _mark: tuple[float, float, float, float] | None = None
 
     def reset(self) -> None:
         """It may stand still until now."""
         self._mark = None
 
-    def gets_on(self, x: float, y: float, now: float) -> bool:
-        """Whether it does, at a place [m] and time [s]."""
-        if self._mark is None or math.hypot(x - self._mark[0], y - self._mark[1]) > self.radius:
-            self._mark = (x, y, now)
-        return now - self._mark[2] <= self.seconds
+    def gets_on(self, x: float, y: float, now: float, yaw: float = 0.0) -> bool:
+        """Whether it does, at a place [m], time [s] and heading [rad]."""
+        if self._mark is None or self._moved(self._mark, x, y, yaw):
+            self._mark = (x, y, yaw, now)
+        return now - self._mark[3] <= self.seconds
+
+    def _moved(self, mark: tuple[float, float, float, float], x: float, y: float, yaw: float) -> bool:
+        turn = abs((yaw - mark[2] + math.pi) % (2 * math.pi) - math.pi)
+        return math.hypot(x - mark[0], y - mark[1]) > self.radius or turn > self.angle

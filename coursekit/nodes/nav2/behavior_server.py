@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from geometry_msgs.msg import PolygonStamped, Twist
 from nav2_msgs.msg import Costmap as CostmapMessage
-from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
@@ -18,7 +17,7 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
 from coursekit.nodes.nav2.behaviors import KINDS, USUAL
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from coursekit.nodes.nav2.parameters import declare, no_such_plugin
+from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 from coursekit.slam.pose import Pose2
@@ -54,11 +53,13 @@ class BehaviorServer(Server):
         """Offer the behaviours of `behavior_plugins`."""
         self.get_logger().info("Configuring")
         try:
-            given = self.given = declare(self, _SERVER)
+            self._read()
+            given = self.given
             chosen = {name: self._kind(name) for name in given["behavior_plugins"]}
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
+        self._obedience = Obedience(self, self._read)
         self._costs: Costmap | None = None
         self._robot: Footprint | None = None
         self._raw: PolygonStamped | None = None
@@ -72,6 +73,13 @@ class BehaviorServer(Server):
             self.serve(action, name, partial(work, self, name))
         return super().on_configure(state)
 
+    def _read(self) -> None:
+        """Take the parameters; ValueError when they cannot work."""
+        given = declare(self, _SERVER)
+        if not (given["cycle_frequency"] > 0 and given["simulation_time_step"] > 0 and given["projection_time"] > 0):
+            raise ValueError("cycle_frequency, simulation_time_step and projection_time should be greater than 0")
+        self.given = given
+
     def _kind(self, name: str) -> Any:
         """The action and the work of a behaviour by its plugin's name; ValueError for what is not known."""
         plugin = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
@@ -82,6 +90,7 @@ class BehaviorServer(Server):
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget all."""
+        self._obedience.end()
         for heard in self._heard:
             self.destroy_subscription(heard)
         self._where.close()

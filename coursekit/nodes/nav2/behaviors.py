@@ -79,7 +79,7 @@ async def wait(server: Any, name: str, handle: Any) -> Any:
 
 
 async def assisted_teleop(server: Any, name: str, handle: Any) -> Any:
-    """Drive as someone says on `cmd_vel_teleop`, slower the nearer something is; until `preempt_teleop` or the time is up."""
+    """Drive as someone says on `cmd_vel_teleop`, slower near things, until `preempt_teleop` or the time is up."""
     wish, ended = Twist(), False
 
     def hear(msg: Twist) -> None:

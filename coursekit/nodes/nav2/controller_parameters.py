@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from rclpy.node import Node
@@ -10,7 +11,7 @@ from rclpy.node import Node
 from coursekit.nav.checkers import GoalChecker, ProgressChecker
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import declare, no_such_plugin
 
 SERVER: dict[str, Any] = {
     "controller_frequency": 20.0,
@@ -24,15 +25,17 @@ SERVER: dict[str, Any] = {
     "progress_checker_plugin": "progress_checker",
     "speed_limit_topic": "speed_limit",
 }
+_GOAL_KINDS = ("nav2_controller::SimpleGoalChecker", "nav2_controller::StoppedGoalChecker")
+_GOAL_KIND = {"plugin": _GOAL_KINDS[0]}
 _GOAL = {
-    "plugin": "nav2_controller::SimpleGoalChecker",
     "xy_goal_tolerance": 0.25,
     "yaw_goal_tolerance": 0.25,
     "stateful": True,
 }
-_PROGRESS = {
-    "plugin": "nav2_controller::SimpleProgressChecker", "required_movement_radius": 0.5, "movement_time_allowance": 10.0,
-}  # fmt: skip
+_STOPPED = {"trans_stopped_velocity": 0.25, "rot_stopped_velocity": 0.25}
+_PROGRESS_KINDS = ("nav2_controller::SimpleProgressChecker", "nav2_controller::PoseProgressChecker")
+_PROGRESS_KIND = {"plugin": _PROGRESS_KINDS[0]}
+_PROGRESS = {"required_movement_radius": 0.5, "movement_time_allowance": 10.0}
 _DWB: dict[str, Any] = {
     "min_vel_x": 0.0,
     "max_vel_x": 0.26,
@@ -56,23 +59,39 @@ _PURSUIT: dict[str, Any] = {
     "rotate_to_heading_angular_vel": 1.8,
     "rotate_to_heading_min_angle": 0.785,
 }
+_MPPI: dict[str, Any] = {
+    "vx_max": 0.5,
+    "vx_min": -0.35,
+    "wz_max": 1.9,
+    "time_steps": 56,
+    "model_dt": 0.05,
+}
+_SHIM_ANGLE = {"angular_dist_threshold": 0.785, "rotate_to_heading_angular_vel": 1.8, "max_angular_accel": 3.2}
 _DWB_NAME, _SHIM = "dwb_core::DWBLocalPlanner", "nav2_rotation_shim_controller::RotationShimController"
 _PURSUIT_NAME = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
+_MPPI_NAME = "nav2_mppi_controller::MPPIController"
 
 
 def controller(node: Node, name: str, costmap: CostmapNode, period: float) -> Controller:
     """A controller by its plugin's name: all are made by the same sampling of speeds, with the limits that they name."""
     kind = declare(node, {"plugin": _DWB_NAME}, name)["plugin"]
+    turn_first = None
     if kind == _SHIM:
         kind = declare(node, {"primary_controller": _DWB_NAME}, name)["primary_controller"]
-    if kind not in (_DWB_NAME, _PURSUIT_NAME):
-        raise ValueError(f"{name}.plugin is '{kind}': use one of {_DWB_NAME}, {_PURSUIT_NAME}, {_SHIM}")
-    given = declare(node, _DWB if kind == _DWB_NAME else _PURSUIT, name)
-    made = _of_dwb(given) if kind == _DWB_NAME else _of_pursuit(given)
-    made.footprint, made.period = costmap.robot, period
-    layer = costmap.layers.inflation or {"inflation_radius": 0.0, "cost_scaling_factor": 10.0}
-    made.scaling = layer["inflation_radius"], layer["cost_scaling_factor"]
+        turn_first = declare(node, _SHIM_ANGLE, name)["angular_dist_threshold"]
+    if kind not in _MAKERS:
+        raise ValueError(no_such_plugin("controller", name, kind, "nav2_core::Controller", [*_MAKERS, _SHIM]))
+    make, defaults = _MAKERS[kind]
+    made = make(declare(node, defaults, name))
+    made.turn_first, made.period = turn_first or made.turn_first, period
+    fit(made, costmap)
     return made
+
+
+def fit(one: Controller, costmap: CostmapNode) -> None:
+    """Tell a controller the robot's outline and the inflation of the costmap."""
+    layer = costmap.layers.inflation or {"inflation_radius": 0.0, "cost_scaling_factor": 10.0}
+    one.footprint, one.scaling = costmap.robot, (layer["inflation_radius"], layer["cost_scaling_factor"])
 
 
 def _of_dwb(given: dict[str, Any]) -> Controller:
@@ -94,16 +113,36 @@ def _of_pursuit(given: dict[str, Any]) -> Controller:
     return Controller(limits, turn_first=given["rotate_to_heading_min_angle"])
 
 
+def _of_mppi(given: dict[str, Any]) -> Controller:
+    limits = Limits(0.0, given["vx_max"], given["wz_max"])
+    return Controller(limits, horizon=min(given["time_steps"] * given["model_dt"], 2.0))
+
+
+_MAKERS: dict[str, tuple[Callable[[dict[str, Any]], Controller], dict[str, Any]]] = {
+    _DWB_NAME: (_of_dwb, _DWB),
+    _PURSUIT_NAME: (_of_pursuit, _PURSUIT),
+    _MPPI_NAME: (_of_mppi, _MPPI),
+}
+
+
 def goal_checkers(node: Node, names: Iterable[str]) -> dict[str, GoalChecker]:
-    """The goal checkers by their names."""
-    given = {name: declare(node, _GOAL, name) for name in names}
-    return {
-        name: GoalChecker(one["xy_goal_tolerance"], one["yaw_goal_tolerance"], one["stateful"])
-        for name, one in given.items()
-    }
+    """The goal checkers by their names; StoppedGoalChecker is one that waits for its robot to stand still."""
+    found = {}
+    for name in names:
+        kind, one = declare(node, _GOAL_KIND, name)["plugin"], declare(node, _GOAL, name)
+        if kind not in _GOAL_KINDS:
+            raise ValueError(no_such_plugin("goal checker", name, kind, "nav2_core::GoalChecker", _GOAL_KINDS))
+        still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
+        speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
+        found[name] = GoalChecker(one["xy_goal_tolerance"], one["yaw_goal_tolerance"], one["stateful"], speeds)
+    return found
 
 
 def progress_checker(node: Node, name: str) -> ProgressChecker:
-    """The progress checker."""
-    given = declare(node, _PROGRESS, name)
-    return ProgressChecker(given["required_movement_radius"], given["movement_time_allowance"])
+    """The progress checker; PoseProgressChecker counts turning as well."""
+    kind, given = declare(node, _PROGRESS_KIND, name)["plugin"], declare(node, _PROGRESS, name)
+    if kind not in _PROGRESS_KINDS:
+        raise ValueError(no_such_plugin("progress_checker", name, kind, "nav2_core::ProgressChecker", _PROGRESS_KINDS))
+    turns = declare(node, {"required_movement_angle": 0.5}, name) if kind == _PROGRESS_KINDS[1] else {}
+    angle = turns.get("required_movement_angle", math.inf)
+    return ProgressChecker(given["required_movement_radius"], given["movement_time_allowance"], angle)

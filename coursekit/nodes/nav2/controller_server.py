@@ -15,9 +15,9 @@ from tf2_ros import TransformException
 from coursekit.nav.checkers import GoalChecker
 from coursekit.nav.controller import ControlError, Controller
 from coursekit.nav.planner import length
-from coursekit.nodes.nav2.controller_parameters import SERVER, controller, goal_checkers, progress_checker
+from coursekit.nodes.nav2.controller_parameters import SERVER, controller, fit, goal_checkers, progress_checker
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.slam_toolbox.geometry import plane
 from coursekit.slam.pose import Pose2, wrap
@@ -39,27 +39,30 @@ class ControllerServer(Server):
         if self.costmap.trigger_configure() != TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
         try:
-            self._make_plugins(declare(self, SERVER))
+            self._make_plugins()
         except ValueError as fault:
             self.get_logger().error(str(fault))
             self.costmap.trigger_cleanup()
             return TransitionCallbackReturn.FAILURE
+        self.get_logger().info(f"Controller frequency set to {1 / self._period:.4f}Hz")
+        self.get_logger().info(f"Controller Server has {' '.join(self._controllers)} controllers available.")
         self._make_topics()
+        self._obedience = Obedience(self, self._make_plugins)
         self.serve(FollowPath, "follow_path", self._follow)
         return super().on_configure(state)
 
-    def _make_plugins(self, given: dict[str, Any]) -> None:
+    def _make_plugins(self) -> None:
+        """Take the parameters; ValueError when they cannot work."""
+        given = declare(self, SERVER)
         frequency = given["controller_frequency"]
         if not frequency > 0:
             raise ValueError(f"controller_frequency is {frequency}: give Hz, for example 20.0")
         self._period, self._patience = 1.0 / frequency, given["failure_tolerance"]
-        self.get_logger().info(f"Controller frequency set to {frequency:.4f}Hz")
         self._progress = progress_checker(self, given["progress_checker_plugin"])
         self._goals = goal_checkers(self, given["goal_checker_plugins"])
         self._controllers = {
             name: controller(self, name, self.costmap, self._period) for name in given["controller_plugins"]
         }
-        self.get_logger().info(f"Controller Server has {' '.join(self._controllers)} controllers available.")
 
     def _make_topics(self) -> None:
         self._speeds, self._limit, self._limit_share = (0.0, 0.0), 0.0, 0.0
@@ -84,6 +87,7 @@ class ControllerServer(Server):
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget plugins and costmap."""
+        self._obedience.end()
         self.costmap.trigger_cleanup()
         for heard in self._heard:
             self.destroy_subscription(heard)
@@ -162,6 +166,7 @@ class _Drive:
         self.poses = np.array(poses, dtype=float)
         self.checker = server.goal_checker(handle.request.goal_checker_id)
         self.checker.reset()
+        fit(one, server.costmap)
         one.begin()
         if server.actions[0].fresh:
             server._progress.reset()
@@ -195,10 +200,10 @@ class _Drive:
         shift = server.costmap.where.between(frame, self.frame)
         points = shift.transform(self.poses[:, :2])
         goal = shift @ Pose2.of(self.poses[-1])
-        if self.checker.reached(here, goal):
+        if self.checker.reached(here, goal, server._speeds):
             return self._arrived()
         now = server.get_clock().now().nanoseconds * 1e-9
-        if not server._progress.gets_on(here.x, here.y, now):
+        if not server._progress.gets_on(here.x, here.y, now, here.theta):
             server.get_logger().error("Failed to make progress")
             return self._end()
         server.drive(self._speeds(costs, here, goal, points))

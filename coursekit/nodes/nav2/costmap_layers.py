@@ -30,15 +30,16 @@ class Layers:
         self.obstacles: list[tuple[ObstacleLayer, dict[str, Any]]] = []
         self._sources: list[ScanSource] = []
         self._heard: list[Any] = []
-        self.inflation: dict[str, Any] | None = None
+        self._given: dict[str, dict[str, Any]] = {}
+        self._inflation: dict[str, Any] | None = None
         self.has_static = False
         for name, kind, layer in layers(node, given["plugins"]):
-            if layer["enabled"]:
-                getattr(self, f"_add_{kind}")(name, layer, where)
+            self._given[name] = layer
+            getattr(self, f"_add_{kind}")(name, layer, where)
         where.buffer.wake = self._wake
 
     def _add_static(self, _name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
-        self.has_static = True
+        self.has_static, self._static_given = True, layer
         topic = layer["map_topic"] or self.given["map_topic"]
         topic = in_server_space(self.node, topic)
         self._heard.append(self.node.create_subscription(OccupancyGrid, topic, self._take_map, MAP_QOS))
@@ -51,16 +52,31 @@ class Layers:
         self._sources += [ScanSource(self.node, where, frame, made, source) for source in given]
 
     def _add_inflation(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
-        self.inflation = layer
+        self._inflation = layer
+        self._make_spread(self.given["resolution"])
         if layer["inflation_radius"] < self.robot.inscribed:
             self.node.get_logger().error(
                 f"The configured inflation radius ({layer['inflation_radius']:.3f}) is smaller than the computed inscribed "
                 f"radius ({self.robot.inscribed:.3f}) of your footprint, it is highly recommended to set inflation radius "
                 "to be at least as big as the inscribed radius to avoid collisions"
             )
-        self._spread = Inflation(
-            layer["inflation_radius"], layer["cost_scaling_factor"], self.robot.inscribed, self.given["resolution"]
-        )
+
+    def _make_spread(self, resolution: float) -> None:
+        if self._inflation is not None:
+            radius, scaling = self._inflation["inflation_radius"], self._inflation["cost_scaling_factor"]
+            self._spread = Inflation(radius, scaling, self.robot.inscribed, resolution)
+
+    @property
+    def inflation(self) -> dict[str, Any] | None:
+        """The inflation's parameters; None when there is none, or it is not enabled."""
+        return self._inflation if self._inflation is not None and self._inflation["enabled"] else None
+
+    def read(self, given: dict[str, Any], robot: Footprint) -> None:
+        """Take the parameters of the node and of all layers again."""
+        for name, _, fresh in layers(self.node, given["plugins"]):
+            self._given.get(name, {}).update(fresh)
+        self.given, self.robot = given, robot
+        self._make_spread(self.costmap.resolution)
 
     def close(self) -> None:
         """Listen no more."""
@@ -106,19 +122,19 @@ class Layers:
             return
         for layer, _ in self.obstacles:
             layer.map = like.like(UNKNOWN)
-        if self.inflation is not None:
-            scaling = self.inflation["cost_scaling_factor"]
-            self._spread = Inflation(self.inflation["inflation_radius"], scaling, self.robot.inscribed, like.resolution)
+        self._make_spread(like.resolution)
 
     def update(self, x: float, y: float, yaw: float) -> Costmap:
         """The costs now, for a robot that stands there."""
         if self.given["rolling_window"]:
             self._roll(x, y)
         made = self.costmap.like(self.empty)
-        if self._static is not None:
+        if self._static is not None and self._static_given["enabled"]:
             self._lay_static(made)
         outline = self.robot.at(x, y, yaw)
         for layer, given in self.obstacles:
+            if not given["enabled"]:
+                continue
             if given["footprint_clearing_enabled"]:
                 layer.free(outline)
             combine(made.cells, layer.map.cells)

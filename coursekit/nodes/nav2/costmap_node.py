@@ -16,7 +16,7 @@ from coursekit.nav.costmap import Costmap, occupancy
 from coursekit.nodes.nav2.costmap_layers import Layers
 from coursekit.nodes.nav2.costmap_parameters import COSTMAP, footprint
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 from coursekit.slam.pose import Pose2
 
@@ -42,16 +42,26 @@ class CostmapNode(LifecycleNode):
         """Read parameters, offer topics and services; FAILURE when a parameter cannot work."""
         self.get_logger().info("Configuring")
         try:
-            self.given = declare(self, COSTMAP)
-            self.robot = footprint(self.given)
+            self._read()
             self.frame = self.given["global_frame"]
             self.where = Whereabouts(self, self.given["robot_base_frame"], self._parent)
             self.layers = Layers(self, self.where, self.given, self.robot)
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
+        self._obedience = Obedience(self, self._read_again)
         self._make_topics()
         return super().on_configure(state)
+
+    def _read(self) -> None:
+        """Take the parameters; ValueError when they cannot work."""
+        given = declare(self, COSTMAP)
+        self.robot = footprint(given)
+        self.given = given
+
+    def _read_again(self) -> None:
+        self._read()
+        self.layers.read(self.given, self.robot)
 
     def _make_topics(self) -> None:
         name = self.get_name()
@@ -84,6 +94,7 @@ class CostmapNode(LifecycleNode):
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget all."""
         self.get_logger().info("Cleaning up")
+        self._obedience.end()
         self.layers.close()
         self.where.close()
         for service in self._services_made:

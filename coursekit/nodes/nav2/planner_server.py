@@ -16,7 +16,7 @@ from tf2_ros import TransformException
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.slam_toolbox.geometry import plane
@@ -25,6 +25,14 @@ _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
 PATIENCE = 30
 """Tenths of a second that a goal waits for the first costmap."""
 _USUAL = "nav2_navfn_planner/NavfnPlanner"
+_KINDS = {
+    _USUAL: 0.5,
+    "nav2_smac_planner/SmacPlanner2D": 0.125,
+    "nav2_smac_planner/SmacPlannerHybrid": 0.25,
+    "nav2_smac_planner/SmacPlannerLattice": 0.25,
+    "nav2_theta_star_planner/ThetaStarPlanner": 0.5,
+}
+"""Planner plugins, all made by the same search, and their tolerances [m]."""
 _PLUGIN = {"tolerance": 0.5, "allow_unknown": True, "use_astar": False, "cost_factor": 0.8}
 
 
@@ -43,22 +51,29 @@ class PlannerServer(Server):
         if self.costmap.trigger_configure() != TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
         try:
-            for name in declare(self, _SERVER)["planner_plugins"]:
-                self._planners[name] = self._make(name)
+            self._make_planners()
         except ValueError as fault:
             self.get_logger().error(str(fault))
             self.costmap.trigger_cleanup()
             return TransitionCallbackReturn.FAILURE
+        self._obedience = Obedience(self, self._make_planners)
         self._plan_out = self.create_lifecycle_publisher(Path, "plan", 1)
         self.serve(ComputePathToPose, "compute_path_to_pose", self._to_pose)
         self.serve(ComputePathThroughPoses, "compute_path_through_poses", self._through_poses)
         self._valid = self.create_service(IsPathValid, "is_path_valid", self._is_valid)
         return super().on_configure(state)
 
+    def _make_planners(self) -> None:
+        """Take the parameters; ValueError when they cannot work."""
+        self._planners = {name: self._make(name) for name in declare(self, _SERVER)["planner_plugins"]}
+
     def _make(self, name: str) -> Planner:
         kind = declare(self, {"plugin": _USUAL}, name)["plugin"]
-        given = declare(self, _PLUGIN, name)
-        self.get_logger().info(f"Created global planner plugin {name} of type {kind}")
+        if kind not in _KINDS:
+            raise ValueError(no_such_plugin("global planner", name, kind, "nav2_core::GlobalPlanner", _KINDS))
+        given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
+        if name not in self._planners:
+            self.get_logger().info(f"Created global planner plugin {name} of type {kind}")
         return Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -74,6 +89,7 @@ class PlannerServer(Server):
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget planners and costmap."""
+        self._obedience.end()
         self.costmap.trigger_cleanup()
         self._planners.clear()
         self.destroy_service(self._valid)

@@ -13,7 +13,7 @@ from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner import smoothed
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.slam_toolbox.geometry import plane
@@ -35,6 +35,11 @@ _PLUGIN: dict[str, Any] = {
 }
 
 
+_KINDS = (
+    "nav2_smoother::SimpleSmoother", "nav2_smoother::SavitzkyGolaySmoother", "nav2_constrained_smoother/ConstrainedSmoother",
+)  # fmt: skip
+
+
 class SmootherServer(Server):
     """The action smooth_path."""
 
@@ -47,18 +52,30 @@ class SmootherServer(Server):
         self.get_logger().info("Configuring smoother server")
         try:
             given = declare(self, _SERVER)
-            self._rounds = {name: declare(self, _PLUGIN, name)["max_its"] for name in given["smoother_plugins"]}
+            self._make_plugins()
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
+        self._obedience = Obedience(self, self._make_plugins)
         self._costs: Costmap | None = None
         self._heard = self.create_subscription(CostmapMessage, given["costmap_topic"], self._take, MAP_QOS)
         self._plan_out = self.create_lifecycle_publisher(Path, "plan_smoothed", 1)
         self.serve(SmoothPath, "smooth_path", self._smooth)
         return super().on_configure(state)
 
+    def _make_plugins(self) -> None:
+        """Take the parameters; ValueError when they cannot work."""
+        rounds = {}
+        for name in declare(self, _SERVER)["smoother_plugins"]:
+            given = declare(self, _PLUGIN, name)
+            if given["plugin"] not in _KINDS:
+                raise ValueError(no_such_plugin("smoother", name, given["plugin"], "nav2_core::Smoother", _KINDS))
+            rounds[name] = given["max_its"]
+        self._rounds = rounds
+
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Offer nothing any more."""
+        self._obedience.end()
         self.destroy_subscription(self._heard)
         self.destroy_lifecycle_publisher(self._plan_out)
         return super().on_cleanup(state)

@@ -51,7 +51,7 @@ class VelocitySmoother(Server):
         if not given["smoothing_frequency"] > 0:
             raise ValueError(f"smoothing_frequency is {given['smoothing_frequency']}: give Hz, for example 20.0")
         self._given = given
-        self._gentle = Gentle(*(given[name] for name in axes[:4]), together=given["scale_velocities"])
+        self._gentle = Gentle(*(tuple(given[name]) for name in axes[:4]), together=given["scale_velocities"])  # type: ignore[misc, arg-type]
 
     # -- states
 
@@ -114,7 +114,8 @@ class VelocitySmoother(Server):
             self._wish = _STILL
         now = self._now if self._given["feedback"] == "OPEN_LOOP" else self._odometry
         self._now = self._gentle.toward(now, self._wish, 1.0 / self._given["smoothing_frequency"])
-        self._say([0.0 if abs(one) < dead else one for one, dead in zip(self._now, self._given["deadband_velocity"])])
+        dead = self._given["deadband_velocity"]
+        self._say([0.0 if abs(one) < dead[k] else one for k, one in enumerate(self._now)])
 
     def _say(self, speeds: list[float]) -> None:
         msg = Twist()

@@ -8,7 +8,7 @@ from nav2_msgs.action import FollowWaypoints, NavigateToPose
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
 from coursekit.nodes.nav2.errands import Errand
-from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.parameters import declare, no_such_plugin
 from coursekit.nodes.nav2.running import Server, pause, run
 
 _SERVER: dict[str, Any] = {
@@ -17,6 +17,8 @@ _SERVER: dict[str, Any] = {
     "waypoint_task_executor_plugin": "wait_at_waypoint",
 }
 _WAIT: dict[str, Any] = {"plugin": "nav2_waypoint_follower::WaitAtWaypoint", "enabled": True, "waypoint_pause_duration": 0}
+
+_KINDS, _BASE = ("nav2_waypoint_follower::WaitAtWaypoint",), "nav2_core::WaypointTaskExecutor"
 
 
 class WaypointFollower(Server):
@@ -32,6 +34,9 @@ class WaypointFollower(Server):
         try:
             self._given = declare(self, _SERVER)
             wait = declare(self, _WAIT, self._given["waypoint_task_executor_plugin"])
+            if wait["plugin"] not in _KINDS:
+                name = self._given["waypoint_task_executor_plugin"]
+                raise ValueError(no_such_plugin("waypoint task executor", name, wait["plugin"], _BASE, _KINDS))
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE

@@ -68,4 +68,4 @@ class FootprintCollisionChecker:
 
     def pointCost(self, x: int, y: int) -> float:
         """The cost of a cell."""
-        return self._costs.getCostXY(x, y)
+        return self._costs.getCostXY(x, y)  # type: ignore[return-value]  # np.uint8, as nav2 gives it

@@ -27,6 +27,7 @@ def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool
     try:
         buffer = listen_to_frames(hidden.node)
         hidden.session.clock.sleep(seconds)
+        buffer.catch_up()
         return FrameTree(buffer, buffer.now(hidden.session.clock.now()), details=details)
     finally:
         hidden.close()

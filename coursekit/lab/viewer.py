@@ -48,6 +48,7 @@ class Viewer(Panel):
 
     def _complete(self) -> bool:
         waits = [one for one in self.stage.displays if one.config.enabled and KINDS[one.kind].type and not one.count]
+        self.stage.buffer.catch_up()
         return not waits and bool(self.stage.buffer.frames) and not self.session.clock.virtual
 
     # -- from code

@@ -82,7 +82,14 @@ class FrameBuffer:
                 return False
             pose = normalized(pose)
         with self._lock:
-            kept = self._insert(parent, child, stamp, pose, authority, static)
+            cache = self.frames.get(child)
+            if static or cache is None or cache.static or not cache.follow(stamp, pose, parent):
+                kept = self._insert(parent, child, stamp, pose, static)
+            else:
+                kept = True
+            if kept:
+                self.authorities[child] = authority
+                self.version += 1
         if not kept:
             self.report(
                 "Warning",
@@ -96,7 +103,7 @@ class FrameBuffer:
         """Tell the pose of `child` in `parent` for all times."""
         return self.set(parent, child, 0, pose, authority, static=True)
 
-    def _insert(self, parent: str, child: str, stamp: int, pose: Pose, authority: str, static: bool) -> bool:
+    def _insert(self, parent: str, child: str, stamp: int, pose: Pose, static: bool) -> bool:
         frames = self.frames
         cache = frames.get(child)
         if cache is None or cache.static != static:
@@ -110,8 +117,6 @@ class FrameBuffer:
             self._paths.clear()
         if parent not in frames:
             frames[parent] = None
-        self.authorities[child] = authority
-        self.version += 1
         return True
 
     def clear(self) -> None:

@@ -35,6 +35,19 @@ class FrameCache:
         self.newest_pose = IDENTITY
         self.single_parent = True
 
+    def follow(self, stamp: int, pose: Pose, parent: str) -> bool:
+        """Add a newer sample in the same parent, which is what nearly all are; False when this one is not."""
+        stamps = self.stamps
+        if stamp <= self.newest or not stamps or not self.single_parent or parent != self.parents[-1]:
+            return False
+        stamps.append(stamp)
+        self.poses.append(pose)
+        self.parents.append(parent)
+        self.newest, self.newest_pose = stamp, pose
+        while stamps[0] < stamp - self.span_ns:
+            del stamps[0], self.poses[0], self.parents[0]
+        return True
+
     def insert(self, stamp: int, pose: Pose, parent: str) -> bool:
         """Add a sample; False when it is older than the cache holds."""
         if self.static:

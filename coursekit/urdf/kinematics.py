@@ -61,14 +61,24 @@ def compose(a: Pose, b: Pose) -> Pose:
 
 def joint_pose(joint: Joint, position: float = 0.0) -> Pose:
     """The child link's pose in the parent link, with the joint at `position` (rad or m)."""
+    return joint_motion(joint)(position)
+
+
+def joint_motion(joint: Joint) -> Callable[[float], Pose]:
+    """The function from a joint's position (rad or m) to the child link's pose in the parent link."""
     origin = pose_of(joint.origin)
     x, y, z = joint.axis
-    if joint.type == "prismatic":
+
+    def shifted(position: float) -> Pose:
         return compose(origin, (x * position, y * position, z * position, 0.0, 0.0, 0.0, 1.0))
-    if not joint.moves:
-        return origin
-    sin, cos = math.sin(position / 2), math.cos(position / 2)
-    return compose(origin, (0.0, 0.0, 0.0, x * sin, y * sin, z * sin, cos))
+
+    def turned(position: float) -> Pose:
+        sin, cos = math.sin(position / 2), math.cos(position / 2)
+        return compose(origin, (0.0, 0.0, 0.0, x * sin, y * sin, z * sin, cos))
+
+    if joint.type == "prismatic":
+        return shifted
+    return turned if joint.moves else lambda _position: origin
 
 
 class Kinematics:
@@ -253,4 +263,4 @@ def _compose(writer: _Writer, a: list[Term], b: list[Term]) -> list[Term]:
     ]
 
 
-__all__ = ["Kinematics", "Pose", "compose", "joint_pose", "pose_of", "quaternion_of"]
+__all__ = ["Kinematics", "Pose", "compose", "joint_motion", "joint_pose", "pose_of", "quaternion_of"]

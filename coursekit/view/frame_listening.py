@@ -8,6 +8,9 @@ from typing import Any
 from coursekit.core.session import current
 from coursekit.tf import FrameBuffer
 
+HEAR_SECONDS = 1.0
+"""Frames that nobody asks for are heard so often, so that they do not pile up."""
+
 
 class BroadcastFrames(FrameBuffer):
     """Frames as they are broadcast, and the broadcasters' time."""
@@ -15,11 +18,31 @@ class BroadcastFrames(FrameBuffer):
     def __init__(self) -> None:
         super().__init__(report=lambda _level, _text: None)
         self.newest = self._arrived = 0
+        self._unheard: list[tuple[Any, bool]] = []
 
-    def arrive(self, stamp: int, now_ns: int) -> None:
-        """A transform of this stamp has come [ns]."""
-        if stamp > self.newest:
-            self.newest, self._arrived = stamp, now_ns
+    def hear(self, msg: Any, fixed: bool, now_ns: int) -> None:
+        """Take a tf2_msgs/TFMessage that came at this time [ns]."""
+        from tf2_py._convert import nanoseconds, pose_of
+
+        for transform in msg.transforms:
+            header = transform._header
+            stamp = 0 if fixed else nanoseconds(header._stamp)
+            pose = pose_of(transform._transform, ("", ""))
+            self.set(header._frame_id, transform._child_frame_id, stamp, pose, static=fixed)
+            if stamp > self.newest:
+                self.newest, self._arrived = stamp, now_ns
+
+    def collect(self, subscription: Any, fixed: bool) -> None:
+        """Let the messages of a subscription lie until `catch_up`: that is much cheaper than a callback for each."""
+        core = subscription.handle.core
+        core.attach(None, None)
+        self._unheard.append((core, fixed))
+
+    def catch_up(self) -> None:
+        """Hear all that has come meanwhile."""
+        for core, fixed in self._unheard:
+            while core.queue and (entry := core.take()) is not None:
+                self.hear(entry[0], fixed, entry[1])
 
     def now(self, now_ns: int) -> int:
         """What time it is for who broadcasts [ns]: a simulator's clock need not be the session's."""
@@ -27,25 +50,30 @@ class BroadcastFrames(FrameBuffer):
 
 
 def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> BroadcastFrames:
-    """A buffer that follows what is broadcast; `heard()` is called after every message."""
-    from rclpy.qos import DurabilityPolicy, QoSProfile
+    """A buffer that follows what is broadcast; `heard()` is called after every message.
+
+    Without `heard` it is up to date after `catch_up()`.
+    """
+    from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
     from tf2_msgs.msg import TFMessage
-    from tf2_py._convert import nanoseconds, pose_of
 
     clock, buffer = current().clock, BroadcastFrames()
+    for topic, fixed, durability in (
+        ("/tf", False, DurabilityPolicy.VOLATILE),
+        ("/tf_static", True, DurabilityPolicy.TRANSIENT_LOCAL),
+    ):
 
-    def take(msg: TFMessage, fixed: bool) -> None:
-        for transform in msg.transforms:
-            pose = pose_of(transform.transform, ("", ""))
-            stamp = 0 if fixed else nanoseconds(transform.header.stamp)
-            buffer.set(transform.header.frame_id, transform.child_frame_id, stamp, pose, static=fixed)
-            buffer.arrive(stamp, clock.now())
-        if heard is not None:
-            heard()
+        def take(msg: TFMessage, fixed: bool = fixed) -> None:
+            buffer.hear(msg, fixed, clock.now())
+            if heard is not None:
+                heard()
 
-    lasting = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-    node.create_subscription(TFMessage, "/tf", lambda msg: take(msg, False), QoSProfile(depth=100))
-    node.create_subscription(TFMessage, "/tf_static", lambda msg: take(msg, True), lasting)
+        qos = QoSProfile(history=HistoryPolicy.KEEP_ALL, durability=durability)
+        subscription = node.create_subscription(TFMessage, topic, take, qos)
+        if heard is None:
+            buffer.collect(subscription, fixed)
+    if heard is None:
+        node.create_timer(HEAR_SECONDS, buffer.catch_up)
     return buffer
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from coursekit.nodes.rviz.config import Config, DisplayConfig
 from coursekit.nodes.rviz.kinds import KINDS
-from coursekit.tf import ExtrapolationException, FrameBuffer, Pose, TransformException
+from coursekit.tf import ExtrapolationException, Pose, TransformException
 
 from .displays import Display, NoTransform, make_display
 from .displays.image import Image
@@ -32,7 +32,7 @@ class Stage:
         self.node = node
         self.config = config
         self.scene = Scene()
-        self.buffer: FrameBuffer = listen_to_frames(node)
+        self.buffer = listen_to_frames(node)
         self.displays: list[Display] = []
         self.lock = threading.RLock()
         self._guessed = ""
@@ -161,6 +161,7 @@ class Stage:
     def update(self) -> Scene:
         """Bring the scene up to date."""
         with self.lock:
+            self.buffer.catch_up()
             self._guess()
             for one in self.displays:
                 one.update(self)

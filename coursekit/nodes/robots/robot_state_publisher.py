@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import signal
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
 
 import rclpy
-from builtin_interfaces.msg import Time
 from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
@@ -17,11 +17,12 @@ from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
+from tf2_py._convert import nanoseconds, stamped
 
 from coursekit.core.process import ProcessKilled, current_process
 from coursekit.nodes.running import spin_to_the_end
-from coursekit.urdf import Joint, Robot, UrdfError, load_text, parse
-from coursekit.urdf.kinematics import joint_pose
+from coursekit.urdf import Robot, UrdfError, load_text, parse
+from coursekit.urdf.kinematics import Pose, joint_motion
 from coursekit.urdf.texts import error_text
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -85,7 +86,7 @@ class RobotStatePublisher(Node):
                 f"The root link {robot.root} has an inertia specified in the URDF, but KDL does not support a root link "
                 "with an inertia.  As a workaround, you can add an extra dummy link to your URDF."
             )
-        self._moving, self._fixed = _sorted_joints(robot)
+        self._moving, self._fixed = _edges(robot)
         self._mimics = [joint for joint in robot.joints.values() if joint.mimic is not None]
         self._published.clear()
         for name in sorted(robot.links):
@@ -100,20 +101,12 @@ class RobotStatePublisher(Node):
     # -- publishing
 
     def _publish_fixed(self) -> None:
-        stamp = self.get_clock().now().to_msg()
-        transforms = [self._transform(joint, 0.0, stamp) for joint in self._fixed]
+        stamp = self.get_clock().now().nanoseconds
+        transforms = [self._transform(edge, 0.0, stamp) for edge in self._fixed]
         (self._tf_static if self._use_static else self._tf).publish(TFMessage(transforms=transforms))
 
-    def _transform(self, joint: Joint, position: float, stamp: Time) -> TransformStamped:
-        made = TransformStamped()
-        made.header.stamp = stamp
-        made.header.frame_id = self._prefix + joint.parent
-        made.child_frame_id = self._prefix + joint.child
-        x, y, z, qx, qy, qz, qw = joint_pose(joint, position)
-        shift, turn = made.transform.translation, made.transform.rotation
-        shift.x, shift.y, shift.z = x, y, z
-        turn.x, turn.y, turn.z, turn.w = qx, qy, qz, qw
-        return made
+    def _transform(self, edge: Edge, position: float, stamp_ns: int) -> TransformStamped:
+        return stamped(self._prefix + edge.parent, self._prefix + edge.child, stamp_ns, edge.motion(position))
 
     def _joint_states(self, msg: JointState) -> None:
         if len(msg.name) != len(msg.position):
@@ -125,24 +118,24 @@ class RobotStatePublisher(Node):
                     f'"{msg.name[0]}"(,...) whose position member was empty.'
                 )
             return
-        if self._is_due(msg.name, msg.header.stamp):
-            self._publish_moving(dict(zip(msg.name, msg.position, strict=True)), msg.header.stamp)
+        sent = nanoseconds(msg.header.stamp)
+        if self._is_due(msg.name, sent):
+            self._publish_moving(dict(zip(msg.name, msg.position, strict=True)), sent)
 
-    def _is_due(self, names: Sequence[str], stamp: Time) -> bool:
+    def _is_due(self, names: Sequence[str], sent: int) -> bool:
         """Whether the interval since the joint that was published longest ago is over."""
         now = self.get_clock().now().nanoseconds
         if self._last_call > now:
             self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
             self._published.clear()
         self._last_call = now
-        sent = stamp.sec * 1_000_000_000 + stamp.nanosec
         oldest = min((self._published.get(name, 0) for name in names), default=now)
         if not self._ignore_timestamp and sent < min(oldest, now) + self._interval_ns and oldest:
             return False
         self._published.update(dict.fromkeys(names, sent))
         return True
 
-    def _publish_moving(self, positions: dict[str, float], stamp: Time) -> None:
+    def _publish_moving(self, positions: dict[str, float], stamp: int) -> None:
         for joint in self._mimics:
             mimic = joint.mimic
             if mimic is not None and mimic.joint in positions:
@@ -197,11 +190,19 @@ class RobotStatePublisher(Node):
         return ""
 
 
-def _sorted_joints(robot: Robot) -> tuple[dict[str, Joint], list[Joint]]:
+class Edge(NamedTuple):
+    """A joint as an edge between two frames."""
+
+    parent: str
+    child: str
+    motion: Callable[[float], Pose]
+
+
+def _edges(robot: Robot) -> tuple[dict[str, Edge], list[Edge]]:
     """The joints that move, by name, and those that do not; a floating joint is neither: somebody else publishes it."""
     joints = [robot.joints[name] for name in sorted(robot.joints)]
-    moving = {joint.name: joint for joint in joints if joint.moves}
-    return moving, [joint for joint in joints if joint.type in ("fixed", "planar")]
+    moving = {one.name: Edge(one.parent, one.child, joint_motion(one)) for one in joints if one.moves}
+    return moving, [Edge(one.parent, one.child, joint_motion(one)) for one in joints if one.type in ("fixed", "planar")]
 
 
 def main(args: list[str] | None = None) -> int:

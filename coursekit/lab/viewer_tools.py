@@ -26,7 +26,7 @@ class Tools:
         numbers = [message.get(name, 0.0) for name in ("x", "y", "z", "yaw")]
         if not all(isinstance(one, int | float) and math.isfinite(one) for one in numbers):
             return
-        x, y, z, yaw = map(float, numbers)
+        x, y, z, yaw = (float(one) + 0.0 for one in numbers)  # no -0.00
         if message.get("tool") == "goal":
             self.goal_pose(x, y, yaw)
         elif message.get("tool") == "estimate":

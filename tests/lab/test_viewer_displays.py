@@ -14,8 +14,9 @@ from geometry_msgs.msg import (
     TwistStamped,
     WrenchStamped,
 )
+from map_msgs.msg import OccupancyGridUpdate
 from nav2_msgs.msg import Particle, ParticleCloud
-from nav_msgs.msg import GridCells, Odometry
+from nav_msgs.msg import GridCells, OccupancyGrid, Odometry
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
 
@@ -211,3 +212,21 @@ def test_the_qos_of_the_options_is_asked_for(session, talker):
     assert quality.depth == 1
     with pytest.raises(ValueError, match="it is one of Reliable, Best Effort"):
         viewer(displays=[{"type": "Polygon", "reliability": "reliable"}])
+
+
+def test_what_changes_in_a_map_is_painted(session, talker):
+    grid = OccupancyGrid(data=[0] * 6)
+    grid.header.frame_id, grid.info.width, grid.info.height, grid.info.resolution = "map", 3, 2, 0.5
+    panel = viewer(fixed_frame="map", displays=["Map /costmap"])
+    updates = talker.create_publisher(OccupancyGridUpdate, "/costmap_updates", 10)
+    lasting = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    talker.create_publisher(OccupancyGrid, "/costmap", lasting).publish(grid)
+    session.clock.sleep(0.1)
+    panel.stage.update()
+    updates.publish(OccupancyGridUpdate(x=1, y=1, width=2, height=1, data=[100, 50]))
+    updates.publish(OccupancyGridUpdate(x=2, y=1, width=2, height=1, data=[1, 1]))
+    session.clock.sleep(0.1)
+    assert "2 x 1 cells at (2, 1) is outside" in panel.status("Map")
+    ((picture,),) = [thing.shapes for thing in panel.stage.scene.things.values()]
+    assert picture.image[0, :, 0].tolist() == [255, 0, 128], "the upper row"
+    assert picture.image[1, :, 0].tolist() == [255, 255, 255]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections import deque
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coursekit.interfaces import load
+from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Picture
@@ -46,6 +49,56 @@ class Map(StampedDisplay):
 
     kind = "Map"
 
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self._parts: deque[Any] = deque(maxlen=100)
+        self._updates: Any = None
+
+    def connect(self, node: Any) -> None:
+        """Listen to the map, and to the parts of it that change, on the topic with `_updates` behind its name."""
+        super().connect(node)
+        if self._subscription is not None and self._updates is None:
+            kind = load("map_msgs/msg/OccupancyGridUpdate")
+            self._updates = node.create_subscription(kind, f"{self.config.topic}_updates", self._parts.append, 10)
+
+    def disconnect(self, node: Any) -> None:
+        """Listen no more."""
+        if self._updates is not None:
+            node.destroy_subscription(self._updates)
+        self._updates = None
+        super().disconnect(node)
+
+    def forget(self) -> None:
+        """No map."""
+        super().forget()
+        self._parts.clear()
+
+    def draw(self, stage: Stage, scene: Scene) -> None:
+        """The newest map, with what has changed in it since."""
+        if self.count:
+            super().draw(stage, scene)
+        changed = False
+        while self._parts and self.shown is not None:
+            changed = self._change(self._parts.popleft()) or changed
+        if changed:
+            self._paint(scene)
+            self._stay(stage, scene)
+
+    def _change(self, part: Any) -> bool:
+        """Put a part into the map that is shown; whether it fits."""
+        info = self.shown.info
+        fits = 0 <= part.x <= info.width - part.width and 0 <= part.y <= info.height - part.height
+        if not fits or part.width * part.height != len(part.data):
+            size = f"{part.width} x {part.height} cells at ({part.x}, {part.y})"
+            self.say("Update", "Error", f"An update of {size} is outside")
+            return False
+        self.unsay("Update")
+        cells = np.asarray(self.shown.data, np.int8).reshape(info.height, info.width)
+        below, left = part.y, part.x
+        cells[below : below + part.height, left : left + part.width] = np.reshape(part.data, (part.height, part.width))
+        self.shown.data = cells.ravel().tolist()
+        return True
+
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Paint it."""
         info = msg.info
@@ -53,12 +106,16 @@ class Map(StampedDisplay):
             self.say("Map", "Error", f"{info.width} x {info.height} cells, but {len(msg.data)} numbers in data")
             scene.clear(self.key)
             return
-        cells = np.asarray(msg.data, np.int8).reshape(info.height, info.width)
         self.say("Map", "Ok", f"{info.width} x {info.height} cells of {info.resolution:.3g} m")
+        self._paint(scene)
+        self.move(pose, scene)
+
+    def _paint(self, scene: Scene) -> None:
+        info = self.shown.info
+        cells = np.asarray(self.shown.data, np.int8).reshape(info.height, info.width)
         size = info.width * info.resolution, info.height * info.resolution
         image = painted(cells, self.options["color_scheme"])
         scene.put(self.key, "map", Picture(image, *size, self.options["alpha"]))
-        self.move(pose, scene)
 
     def move(self, pose: Pose, scene: Scene) -> None:
         """A little below the floor, so that the grid is seen."""

@@ -14,6 +14,7 @@ from numba import njit
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.scan import Scan
+from coursekit.slam.scan_kernels import usual_gap
 
 TOLERANCE, TOLERANCE_PER_METRE = 0.2, 0.03
 """A point so far in front of where the other's beam ended stands in its way [m]: poses err, and edges are hit or missed."""
@@ -45,7 +46,7 @@ def _count(points: Array, bearings: Array, ranges: Array, widest: float, fixed: 
 
 def _one_way(viewer: Scan, seen: Scan, motion: Pose2) -> tuple[int, int]:
     bearings, ranges = viewer.polar
-    widest = max(WIDEST * float(np.median(np.diff(bearings))), 0.03)
+    widest = max(WIDEST * usual_gap(bearings), 0.03)
     points = motion.transform(seen.hits) - np.array([viewer.origin.x, viewer.origin.y])
     return _count(points, bearings, ranges, widest, TOLERANCE, TOLERANCE_PER_METRE)
 

@@ -7,8 +7,6 @@ from collections import OrderedDict
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csr_matrix
-from scipy.sparse.csgraph import dijkstra
 
 from coursekit.slam.contradiction import Usual, contradiction
 from coursekit.slam.graph import PoseGraph
@@ -19,6 +17,7 @@ from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.refine import refine
 from coursekit.slam.submap import Submap
+from coursekit.slam.ways import shortest_ways
 
 WITNESSES = 4
 """Keyframes of a submap that a loop is compared with."""
@@ -153,8 +152,8 @@ def _ways(graph: PoseGraph, number: int) -> Array:
     """Shortest way [m] from a keyframe to every other along the graph's edges; a turn of a radian counts as a metre."""
     edges = graph.edges
     lengths = np.hypot(edges.z[:, 0], edges.z[:, 1]) + np.abs(edges.z[:, 2]) + 1e-6
-    matrix = csr_matrix((lengths, (edges.i, edges.j)), shape=(graph.size, graph.size))
-    return dijkstra(matrix, directed=False, indices=number)
+    ways: Array = shortest_ways(edges.i, edges.j, lengths, graph.size, number)
+    return ways
 
 
 def _agree(one: Loop, other: Loop, graph: PoseGraph) -> bool:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Array, Pose2
-from coursekit.slam.scan_kernels import fill_walls, normals_of, thin
+from coursekit.slam.scan_kernels import fill_walls, normals_of, thin, usual_gap
 
 HERE = Pose2()
 """The laser sits in the middle of the robot, and looks ahead."""
@@ -45,6 +45,13 @@ class Laser:
         """The 180° lasers of old logs: even counts from -90° on, the last end left out; odd counts with both ends."""
         steps = count - 1 if count % 2 else count
         return cls(-math.pi / 2, math.pi / max(steps, 1), range_max=range_max, offset=offset)
+
+
+@lru_cache(maxsize=16)
+def _directions(laser: Laser, count: int) -> Array:
+    """Unit vectors (count, 2) along the beams, in the robot's frame."""
+    angles = laser.angles(count) + laser.offset.theta
+    return np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +90,6 @@ class Scan:
         2
         """
         values = np.asarray(ranges, dtype=np.float64).reshape(-1)
-        angles = laser.angles(len(values)) + laser.offset.theta
         with np.errstate(invalid="ignore"):
             good = (
                 (values > max(laser.range_min, params.range_min))
@@ -92,7 +98,7 @@ class Scan:
             )
             nothing = (values >= laser.range_max) | np.isposinf(values)
         centre = np.array([laser.offset.x, laser.offset.y])
-        directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        directions = _directions(laser, len(values))
         hits = centre + directions[good] * values[good, None]
         clear = min(params.clear_no_return, laser.range_max)
         misses = centre + directions[nothing] * clear if clear > 0 else np.zeros((0, 2))
@@ -116,7 +122,7 @@ class Scan:
         order = np.argsort(bearings, kind="stable")
         hits, bearings = np.ascontiguousarray(hits[order]), bearings[order]
         distances = np.hypot(relative[order, 0], relative[order, 1])
-        spacing = float(np.median(np.diff(bearings))) if len(bearings) > 1 else 0.0
+        spacing = usual_gap(bearings)
         slope = max(0.02, min(2.5 * spacing, 0.2))  # two neighbours on either side of a wall across the beams
         normals = normals_of(hits, distances, params.normal_reach, slope)
         normals[np.einsum("ij,ij->i", normals, relative[order]) > 0] *= -1  # towards the laser

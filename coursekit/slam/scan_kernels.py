@@ -59,6 +59,12 @@ def normals_of(points, distances, reach, slope):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
+def usual_gap(bearings):  # type: ignore[no-untyped-def]
+    """The median gap between neighbours of rising bearings [rad]; 0 for fewer than two."""
+    return np.median(np.diff(bearings)) if len(bearings) > 1 else 0.0
+
+
+@njit(cache=True)
 def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
     """Indices of the wanted points that are at least `spacing` [m] from the one kept before."""
     keep = np.empty(len(points), dtype=np.int64)

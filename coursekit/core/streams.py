@@ -8,7 +8,7 @@ import signal
 import sys
 import time
 import types
-from collections.abc import Iterator, MutableMapping
+from collections.abc import Callable, Iterator, MutableMapping
 from typing import Any
 
 from .present import virtual_session_here
@@ -24,7 +24,7 @@ class StreamProxy:
     """Stands in sys.stdout's place: writes go to the process that writes, otherwise to the stream it replaced."""
 
     def __init__(self, name: str, real: Any) -> None:
-        self.__dict__.update(_name=name, _real=real)
+        self.__dict__.update(_name=name, _real=real, _replaced=None)
 
     def _target(self) -> Any:
         process = current_process()
@@ -32,7 +32,16 @@ class StreamProxy:
             return self._real
         return process.stdin if self._name == "stdin" else ProcessStream(process, self._name)
 
-    def write(self, text: str) -> int:
+    @property
+    def write(self) -> Callable[[str], int]:
+        """What writes; who replaces it (IPython does while a cell runs) gets what the interpreter itself writes."""
+        return self._replaced if self._replaced is not None and current_process() is None else self._write
+
+    @write.setter
+    def write(self, value: Callable[[str], int]) -> None:
+        self.__dict__["_replaced"] = None if value == self._write else value
+
+    def _write(self, text: str) -> int:
         process = current_process()
         if process is None:
             return self._real.write(text)
@@ -51,7 +60,7 @@ class StreamProxy:
 
     def __setattr__(self, name: str, value: Any) -> None:
         if hasattr(type(self), name):
-            self.__dict__[name] = value  # who replaces our `write` (IPython does) goes on to call the old one
+            object.__setattr__(self, name, value)
         else:
             setattr(self._real, name, value)
 

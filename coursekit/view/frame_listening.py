@@ -8,7 +8,7 @@ from typing import Any
 from coursekit.core.session import current
 from coursekit.tf import FrameBuffer
 
-HEAR_SECONDS = 1.0
+HEAR_SECONDS = 0.1
 """Frames that nobody asks for are heard so often, so that they do not pile up."""
 
 

@@ -32,6 +32,8 @@ _ERRORS = {
     TF2Error.INVALID_ARGUMENT_ERROR: InvalidArgumentException,
     TF2Error.TIMEOUT_ERROR: TimeoutException,
 }
+GRACE_SECONDS = 2.0
+"""The answer may come so much later than the goal could wait: also without padding the server's reason is heard."""
 
 
 class BufferClient(BufferInterface):
@@ -128,7 +130,7 @@ class BufferClient(BufferInterface):
                 "Something is likely wrong with the server."
             )
         result = handle.get_result_async()
-        if not _wait(result, patience):
+        if not _wait(result, patience + GRACE_SECONDS):
             raise TimeoutException(
                 "The LookupTransform goal sent to the BufferServer did not come back in the specified time. "
                 "Something is likely wrong with the server."

@@ -183,3 +183,15 @@ def test_a_static_turtle_takes_seven_words(run, session):
     assert "- Translation: [0.000, 0.000, 1.000]" in echo.output
     process.interrupt()
     assert run("turtle_tf2_py", "static_turtle_tf2_broadcaster", "world").wait(1.0) == 1
+
+
+def test_points_with_time_and_frame_are_taken_into_another_turtles_frame(ros2, session):
+    from coursekit.cli.parser import run as run_cli
+
+    session.start(lambda: run_cli(["launch", "turtle_tf2_py", "turtle_tf2_sensor_message.launch.py"]), name="ros2")
+    session.clock.sleep(5.0)
+    point = ros2("topic", "echo", "/turtle3/turtle_point_stamped", "--once")
+    assert "frame_id: world" in point
+    one = ros2("topic", "echo", "/turtle3/pose", "--once").splitlines()
+    session.clock.sleep(1.0)
+    assert ros2("topic", "echo", "/turtle3/pose", "--once").splitlines()[:2] != one[:2], "it goes round"

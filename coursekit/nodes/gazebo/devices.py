@@ -59,6 +59,7 @@ class OdometryDevice(Device):
     exact: bool = True
     """Whether it tells where the robot really is (Gazebo's odometry_source WORLD) or what wheels turned (ENCODER)."""
     covariance: tuple[float, float, float] = (1e-5, 1e-5, 1e-3)
+    tf_topic: str = "/tf"
 
 
 @dataclass(frozen=True)

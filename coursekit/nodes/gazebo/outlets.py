@@ -116,7 +116,7 @@ class OdometryOutlet(Outlet):
     def open(self) -> None:
         device = self.device
         self._out = self.publisher(Odometry, device.topic, 50) if device.publish_odom else None
-        self._tf = self.publisher(TFMessage, "/tf", 100) if device.publish_tf or device.wheel_tf else None
+        self._tf = self.publisher(TFMessage, device.tf_topic, 100) if device.publish_tf or device.wheel_tf else None
 
     def publish(self, time_ns: int) -> None:
         device, robot = self.device, self.robot

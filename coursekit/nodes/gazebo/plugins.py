@@ -59,6 +59,7 @@ def _odometry(plugin: Element, namespace: str, rate: float, shown: bool, exact: 
         flag(plugin, "publish_wheel_tf", False),
         exact,
         (x, y, turn),
+        names.topic("/tf"),
     )
 
 

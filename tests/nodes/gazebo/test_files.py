@@ -152,6 +152,13 @@ def test_a_namespace_of_the_spawner_wins():
     assert topics == {"/r1/scan", "/r1/odom", "/r1/truth"}
 
 
+def test_tf_goes_where_a_drive_remaps_it():
+    moved = BURGER.replace("<ros><namespace>tb</namespace></ros>", "<ros><remapping>/tf:=tf</remapping></ros>")
+    for text, topic in ((BURGER, "/tf"), (moved, "/r1/tf")):
+        drive = next(one for one in read_entity(text, "r1").devices if isinstance(one, OdometryDevice))
+        assert drive.tf_topic == topic
+
+
 URDF = """<robot name='r'><link name='base'><collision><geometry><cylinder radius='0.2' length='0.2'/></geometry></collision>
 </link><link name='eye'/><joint name='j' type='fixed'><parent link='base'/><child link='eye'/>
 <origin xyz='0.1 0 0.3' rpy='{rpy}'/></joint>

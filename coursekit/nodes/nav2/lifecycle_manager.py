@@ -45,7 +45,9 @@ class LifecycleManager(Node):
         name = self.get_name()
         self.create_service(ManageLifecycleNodes, f"{name}/manage_nodes", self._manage)
         self.create_service(Trigger, f"{name}/is_active", self._is_active)
-        self._asker = rclpy.create_node(f"{name}_service_client", use_global_arguments=False, context=self.context)
+        self._asker = rclpy.create_node(
+            f"{name}_service_client", namespace=self.get_namespace(), use_global_arguments=False, context=self.context
+        )
         self._executor_of_asker = SingleThreadedExecutor(context=self.context)
         self._executor_of_asker.add_node(self._asker)
         self.get_logger().info("Creating and initializing lifecycle service clients")

@@ -24,6 +24,7 @@ class Whereabouts:
         """`listener` is the node that hears tf, if it is another one: remappings of tf are meant for its namespace."""
         self.node, self.base = node, base
         self.buffer = WakingBuffer(node=node)
+        self._space = (listener or node).get_namespace()
         self._listener = TransformListener(self.buffer, listener or node)
 
     def close(self) -> None:
@@ -36,7 +37,7 @@ class Whereabouts:
         Meant for a callback: the node's own executor rests meanwhile, so tf is heard by ears of its own.
         """
         name = f"{self.node.get_name()}_waits_for_tf"
-        ears = rclpy.create_node(name, namespace=self.node.get_namespace(), context=self.node.context)
+        ears = rclpy.create_node(name, namespace=self._space, context=self.node.context)
         executor = SingleThreadedExecutor(context=self.node.context)
         executor.add_node(ears)
         listener = TransformListener(self.buffer, ears)

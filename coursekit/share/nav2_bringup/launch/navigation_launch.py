@@ -36,7 +36,7 @@ def generate_launch_description():
     arguments = ["--ros-args", "--log-level", given["log_level"]]
     servers = [
         Node(
-            package=package, executable=name, name=name, namespace=given["namespace"], output="screen",
+            package=package, executable=name, name=name, output="screen",
             respawn=given["use_respawn"], respawn_delay=2.0,
             parameters=[parameters], arguments=arguments, remappings=TF,
         )
@@ -44,7 +44,7 @@ def generate_launch_description():
     ]
     manager = Node(
         package="nav2_lifecycle_manager", executable="lifecycle_manager", name="lifecycle_manager_navigation",
-        namespace=given["namespace"], output="screen", arguments=arguments,
+        output="screen", arguments=arguments,
         parameters=[
             {"use_sim_time": given["use_sim_time"]}, {"autostart": given["autostart"]}, {"node_names": list(SERVERS)},
         ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from .errors import WorldError, known
 from .lidar import Lidar
 from .outline_scene import OutlineScene
 from .place import Array, Place
+from .push import Push
 from .robot import GRAVITY, Robot, RobotModel
 from .world import Thing, World
 
@@ -43,6 +45,8 @@ class Simulation:
         self.space = pymunk.Space()
         self.space.iterations = 12
         self.space.collision_slop = 1e-3  # m; the library's own 0.1 is meant for pixels
+        self.pushes: list[Push] = []
+        """Forces from outside; what is over, or whose target is gone, is dropped."""
         self._starts: dict[str, Place] = {}
         self._doors: dict[str, list[Any]] = {}
         self._fixed: dict[str, Thing] = {}
@@ -107,15 +111,21 @@ class Simulation:
     def _check_room(self, name: str, shapes: list[Any], at: Place) -> None:
         self.space.reindex_static()
         for shape in shapes:
-            shape.cache_bb()
-            for hit in self.space.shape_query(shape):
-                depth = min((point.distance for point in hit.contact_point_set.points), default=0.0)
-                if depth < -1e-3 and hit.shape is not None and _overlap(shape, hit.shape):
+            for other, depth in self._hits(shape):
+                if depth < -1e-3 and _overlap(shape, other):
                     where = f"x {at.x:.2f}, y {at.y:.2f}"
                     raise WorldError(
-                        f"'{hit.shape.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
+                        f"'{other.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
                         cure=f"Spawn it somewhere free, for example at {self.world.start.x:g}, {self.world.start.y:g}.",
                     )  # fmt: skip
+
+    def _hits(self, shape: Any) -> Iterator[tuple[Any, float]]:
+        """What a shape would meet, and how deep (below 0)."""
+        middle = shape.cache_bb().center()
+        for hit in self.space.shape_query(shape):
+            yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
+        for found in self.space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # shapes about one middle meet nowhere
+            yield found.shape, found.distance
 
     def remove(self, name: str) -> None:
         """Take a robot or thing out; LookupError names near ones."""
@@ -179,6 +189,7 @@ class Simulation:
                 self.put(name, place, thing.velocity if thing else (0.0, 0.0, 0.0))
         for robot in self.robots.values():
             robot.restart()
+        self.pushes.clear()
         if time:
             self.now_ns = 0
 
@@ -208,8 +219,17 @@ class Simulation:
         for thing, body in self.things.values():
             if thing.mass != math.inf and (body.velocity.length or body.angular_velocity):
                 _drag(body, thing.friction if thing.hinge is None else 0.1)
+        if self.pushes:
+            self._push()
         self.space.step(_DT)
         self.now_ns += STEP_NS
+
+    def _push(self) -> None:
+        there = {*self.robots, *self.things}
+        self.pushes[:] = [one for one in self.pushes if one.name in there and not _over(one, self.now_ns)]
+        for one in self.pushes:
+            if one.begin_ns <= self.now_ns:
+                one.work(self._body(one.name))
 
     # -- what is sensed
 
@@ -245,6 +265,10 @@ class Simulation:
                 robot.contacts[other.name] -= 1
                 if robot.contacts[other.name] <= 0:
                     del robot.contacts[other.name]
+
+
+def _over(push: Push, now_ns: int) -> bool:
+    return push.end_ns is not None and push.end_ns <= now_ns
 
 
 def _overlap(one: Any, other: Any) -> bool:

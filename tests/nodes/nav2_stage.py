@@ -26,7 +26,7 @@ HEIGHT, CELL = 0.15, 0.05
 
 def true_map(world: str, cell: float = CELL) -> GridMap:
     """The map of a world without what moves: walls as a LiDAR meets them, free where the start's floor goes on."""
-    made, _ = open_world(world)
+    made = open_world(world).world
     outline = Simulation(made).scene(HEIGHT).fixed
     x0, y0, x1, y1 = (round(edge / cell) * cell for edge in made.bounds())
     x0, y0 = x0 - 10 * cell, y0 - 10 * cell

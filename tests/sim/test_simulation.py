@@ -178,6 +178,14 @@ def test_a_robot_in_a_wall_is_refused_with_the_wall_s_name():
         simulation.spawn(CART, place=Place(1.0, 1.0))
 
 
+def test_a_robot_in_the_very_place_of_another_is_refused():
+    simulation = Simulation(World("plain"))
+    simulation.spawn(RobotModel("one"))
+    for turn in (0.0, 1.5707963267948966, 3.0):
+        with pytest.raises(WorldError, match="'one' is in the way"):
+            simulation.spawn(RobotModel("two"), place=Place(0.0, 0.0, turn))
+
+
 def test_a_name_that_is_not_there_gets_a_hint():
     with pytest.raises(LookupError, match="Did you mean 'wall'"):
         Simulation(read_world(ROOM)).place_of("wal")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +22,7 @@ from .moved import moved
 from .sdf_model import entity, frames_of, include, read_model
 from .urdf_model import blueprint_of
 from .values import pose, yaw_of
+from .world_plugins import StatePlugin, state_plugin
 
 VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10")
 QUIET = {
@@ -32,10 +33,11 @@ QUIET = {
 
 @dataclass
 class SdfWorld:
-    """A world and the robots that its file has in it."""
+    """A world, the models that its file has in it (things of theirs are in the world already), its plugins."""
 
     world: World
-    robots: list[Assembly]
+    models: list[Assembly] = field(default_factory=list)
+    state: StatePlugin | None = None
 
 
 def load_sdf(path: str | Path) -> SdfWorld:
@@ -67,10 +69,12 @@ def _read_world(element: Element, file: Path) -> SdfWorld:
     state = element.first("state")
     if state is not None:
         _restore(state, blueprints)
+    plugins = [state_plugin(one) for one in element.all("plugin")]
     for child in element.children:
-        if child.tag not in QUIET:
+        told = child.tag == "plugin" and state_plugin(child) is not None
+        if child.tag not in QUIET and not told:
             notes.append(f"{file}:{child.line}: {child.label()} is not simulated")
-    robots, things = [], []
+    models, things = [], []
     names: dict[str, int] = {}
     for made in blueprints:
         count = names[made.name] = names.get(made.name, -1) + 1
@@ -79,10 +83,10 @@ def _read_world(element: Element, file: Path) -> SdfWorld:
         done = assemble(made)
         notes += done.notes
         things += done.things
-        robots += [done] if done.robot is not None else []
+        models.append(done)
     places = {one.name: one.place for one in map(_placed, blueprints)}
     world = World(element.get("name") or file.stem, tuple(things), file=str(file), notes=tuple(notes), models=places)
-    return SdfWorld(world, robots)
+    return SdfWorld(world, models, next((one for one in plugins if one is not None), None))
 
 
 def _placed(made: Blueprint) -> Thing:

@@ -22,11 +22,14 @@ from coursekit.urdf import UrdfError
 from . import simulators
 from .assembly import Assembly
 from .devices import CameraDevice, OdometryDevice
+from .forces import Forces
 from .outlets import OUTLETS, Outlet, stamp_of
 from .pictures import CameraOutlet
 from .services import Services
 from .sim_time import SimTime
+from .states import States
 from .warm_up import warm_up
+from .whereabouts import Whereabouts
 from .world_of import open_world
 
 
@@ -37,7 +40,8 @@ class Gazebo(Node):
         super().__init__("gazebo")
         self.session = current()
         self.verbose = verbose
-        made, robots = open_world(world)
+        opened = open_world(world)
+        made = opened.world
         self.simulation = Simulation(made, seed)
         self.time = SimTime(self.session.clock, paused)
         self.assemblies: dict[str, Assembly] = {}
@@ -49,25 +53,25 @@ class Gazebo(Node):
         self._rate = float(self.declare_parameter("publish_rate", 100.0).value) or 100.0
         self._clock_out = self.create_publisher(Clock, "/clock", QoSProfile(depth=10))
         self._clock_count = self._planned = 0
-        self._api = Services(self)
+        self.around = Whereabouts(self)
+        self._api = (Services(self), States(self, opened.state), Forces(self))
         warm_up()
         self.tell(list(made.notes))
-        for robot in robots:
-            self.put(robot)
-        self.get_logger().info(f"World '{made.name}' with {len(self.models())} models")
+        for model in opened.models:
+            self._admit(model)
+        self.get_logger().info(f"World '{made.name}' with {len(self.around.models())} models")
         simulators.add(self)
 
     # -- models
 
-    def models(self) -> list[str]:
-        """The names of all models, as they came."""
-        world = self.simulation.world
-        names = list(world.models) or [thing.name for thing in world.things]
-        there = set(self.simulation.names()) | {name for name in world.models if name not in self.simulation.names()}
-        gone = self._api.deleted
-        return [name for name in names if name in there and name not in gone] + [
-            name for name in self.assemblies if name not in names or name in gone
-        ]
+    def _admit(self, model: Assembly) -> None:
+        """Take in a model of the world's file, whose things are there already. A robot with no room is listed."""
+        try:
+            if model.robot is not None:
+                self._equip(model, self.simulation.spawn(model.robot, model.name, model.place))
+        except WorldError as error:
+            self.get_logger().error(str(error))
+        self.assemblies[model.name] = model
 
     def put(self, model: Assembly) -> None:
         """Put a model into the world and its devices to work. Raises WorldError."""
@@ -186,7 +190,9 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument("--verbose", action="store_true", help="list all that is not simulated")
     parser.add_argument("--brief", action="store_true", help="list some of it (the default)")
     parser.add_argument("-s", dest="plugins", action="append", default=[], help="accepted: a system plugin")
-    return parser.parse_args(argv)
+    told, rest = parser.parse_known_args(argv)
+    told.rest = rest
+    return told
 
 
 def main(args: list[str] | None = None) -> Any:
@@ -195,6 +201,7 @@ def main(args: list[str] | None = None) -> Any:
     rclpy.init(args=args)
     try:
         node = Gazebo(told.world, paused=told.pause, seed=told.seed, verbose=told.verbose)
+        node.tell([f"option {word} of Gazebo" for word in told.rest])
     except (WorldError, UrdfError) as error:
         print(f"[Err] {error}", file=sys.stderr)
         rclpy.try_shutdown()

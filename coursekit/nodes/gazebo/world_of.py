@@ -12,9 +12,8 @@ from coursekit.sim import World, WorldError, load_world
 from coursekit.sim.errors import known
 from coursekit.sim.world_map import world_from_grid
 
-from .assembly import Assembly
 from .model_paths import resource_paths
-from .sdf_world import load_sdf
+from .sdf_world import SdfWorld, load_sdf
 
 COURSE = Path(__file__).parents[2] / "share" / "coursekit_maps" / "worlds"
 
@@ -35,15 +34,14 @@ def find_world(name: str) -> Path:
     raise WorldError(f"there is no world '{name}'", file=str(path), cure=cure)
 
 
-def open_world(name: str) -> tuple[World, list[Assembly]]:
-    """The world of a file or name, and the robots in it; '' is an empty one. Raises WorldError and UrdfError."""
+def open_world(name: str) -> SdfWorld:
+    """The world of a file or name, and the models in it; '' is an empty one. Raises WorldError and UrdfError."""
     if not name:
-        return World("default"), []
+        return SdfWorld(World("default"))
     path = find_world(name)
     if path.suffix in (".yaml", ".yml"):
-        return (_of_map(path) if _is_map(path) else load_world(path)), []
-    found = load_sdf(path)
-    return found.world, found.robots
+        return SdfWorld(_of_map(path) if _is_map(path) else load_world(path))
+    return load_sdf(path)
 
 
 def _is_map(path: Path) -> bool:

@@ -1,0 +1,104 @@
+"""gazebo_ros_state: services and topics that tell and set where things are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from gazebo_msgs.msg import EntityState, LinkStates, ModelStates
+from gazebo_msgs.srv import GetEntityState, SetEntityState, SetModelConfiguration
+from geometry_msgs.msg import Pose, Twist
+
+from coursekit.sim import Place
+
+from .outlets import heading, stamp_of
+from .whereabouts import WORLD, Speed, place_of
+from .world_plugins import StatePlugin
+
+
+class States:
+    """The plugin at work; a world whose file does not load it has it in the simulator's own node, without link states."""
+
+    def __init__(self, gazebo: Any, plugin: StatePlugin | None) -> None:
+        self._gazebo, self._around = gazebo, gazebo.around
+        node = self._node = gazebo.node_of(plugin.names.full_node) if plugin else gazebo
+        named = plugin.names.topic if plugin else str
+        node.create_service(GetEntityState, named("get_entity_state"), self._get)
+        node.create_service(SetEntityState, named("set_entity_state"), self._set)
+        node.create_service(SetModelConfiguration, named("set_joint_positions"), self._joints)
+        self._models = node.create_publisher(ModelStates, named("model_states"), 10)
+        self._links = node.create_publisher(LinkStates, named("link_states"), 10) if plugin else None
+        node.create_timer(1.0 / (plugin.rate if plugin else 10.0), self._tell)
+
+    def _get(self, request: Any, answer: Any) -> Any:
+        answer.header.stamp = stamp_of(self._gazebo.advance())
+        answer.header.frame_id = request.reference_frame or "world"
+        try:
+            place, speed = self._around.where(request.name)
+            if request.reference_frame not in WORLD:
+                base, drift = self._around.where(request.reference_frame)
+                speed = tuple(one - other for one, other in zip(speed, drift, strict=True))
+                place, speed = base.inverse() @ place, _turned(speed, -base.theta)
+        except LookupError as error:
+            self._node.get_logger().error(f"GetEntityState: {error.args[0]}")
+            return answer
+        answer.state = _state(request.name, place, speed, request.reference_frame)
+        answer.success = True
+        return answer
+
+    def _set(self, request: Any, answer: Any) -> Any:
+        state = request.state
+        speed = (state.twist.linear.x, state.twist.linear.y, state.twist.angular.z)
+        try:
+            self._gazebo.advance()
+            base = self._around.frame(state.reference_frame)
+            place = base @ place_of(state.pose)
+            if not all(map(math.isfinite, (*place, *speed))):
+                raise LookupError("pose and twist must be finite numbers")
+            self._gazebo.simulation.put(state.name, place, _turned(speed, base.theta))
+        except LookupError as error:
+            self._node.get_logger().error(f"SetEntityState: {error.args[0]}")
+            return answer
+        answer.success = True
+        return answer
+
+    def _joints(self, request: Any, answer: Any) -> Any:
+        robot = self._gazebo.simulation.robots.get(request.model_name)
+        if robot is None:
+            answer.status_message = f"set_joint_positions: model [{request.model_name}] does not exist"
+            return answer
+        if len(request.joint_names) != len(request.joint_positions):
+            answer.status_message = "set_joint_positions: joint names and positions differ in number"
+            return answer
+        robot.angles.update(zip(request.joint_names, request.joint_positions, strict=True))
+        answer.success, answer.status_message = True, "set_joint_positions: success"
+        return answer
+
+    def _tell(self) -> None:
+        self._publish(self._models, ModelStates, self._around.models())
+        if self._links is not None:
+            self._publish(self._links, LinkStates, self._around.links())
+
+    def _publish(self, publisher: Any, kind: Any, names: list[str]) -> None:
+        if not publisher.get_subscription_count():
+            return
+        self._gazebo.advance()
+        now = map(self._around.where, names)
+        states = [_state(name, place, speed, "") for name, (place, speed) in zip(names, now, strict=True)]
+        publisher.publish(kind(name=names, pose=[one.pose for one in states], twist=[one.twist for one in states]))
+
+
+def _turned(speed: Sequence[float], theta: float) -> Speed:
+    c, s = math.cos(theta), math.sin(theta)
+    return c * speed[0] - s * speed[1], s * speed[0] + c * speed[1], speed[2]
+
+
+def _state(name: str, place: Place, speed: Sequence[float], frame: str) -> EntityState:
+    pose, twist = Pose(orientation=heading(place.theta)), Twist()
+    pose.position.x, pose.position.y = place.x, place.y
+    twist.linear.x, twist.linear.y, twist.angular.z = speed
+    return EntityState(name=name, pose=pose, twist=twist, reference_frame=frame)
+
+
+__all__ = ["States"]

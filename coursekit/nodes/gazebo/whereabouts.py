@@ -1,0 +1,71 @@
+"""Which models and links a simulator has, and where they are now."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from geometry_msgs.msg import Pose
+
+from coursekit.sim import Place
+from coursekit.sim.errors import known
+
+WORLD = ("", "world", "map", "/map")
+"""Names of the world as a frame."""
+Speed = tuple[float, float, float]
+
+
+class Whereabouts:
+    """Places of what a simulator's node has; `name` is that of a model, or `model::link`."""
+
+    def __init__(self, node: Any) -> None:
+        self._node = node
+        self.deleted: set[str] = set()
+        """Models of the world's file that were taken out."""
+
+    def models(self) -> list[str]:
+        """The names of all models, as they came."""
+        simulation, gone = self._node.simulation, self.deleted
+        names = list(simulation.world.models) or [thing.name for thing in simulation.world.things]
+        there = {*simulation.names(), *simulation.world.models}
+        later = [name for name in self._node.assemblies if name not in names or name in gone]
+        return [name for name in names if name in there and name not in gone] + later
+
+    def links(self) -> list[str]:
+        """All links, as `model::link`."""
+        models, made = self.models(), self._node.assemblies
+        return [f"{name}::{link}" for name in models if name in made for link in made[name].frames]
+
+    def where(self, name: str) -> tuple[Place, Speed]:
+        """Place and velocity in the world; LookupError names near ones."""
+        model, _, link = name.partition("::")
+        if model not in self.models():
+            raise LookupError(f"entity [{name}] does not exist. {known(model, self.models())}")
+        place, speed = self._model(model)
+        if link:
+            made = self._node.assemblies.get(model)
+            if made is None or link not in made.frames:
+                there = ", ".join(made.frames) if made is not None else "none that are told apart"
+                raise LookupError(f"entity [{name}] does not exist. Links of '{model}' are: {there}.")
+            pose = made.frames[link]
+            place = place @ Place(float(pose[0, 3]), float(pose[1, 3]), math.atan2(pose[1, 0], pose[0, 0]))
+        return place, speed
+
+    def _model(self, name: str) -> tuple[Place, Speed]:
+        simulation = self._node.simulation
+        if name in simulation.names():
+            return simulation.place_of(name), simulation.velocity_of(name)
+        return simulation.world.models[name], (0.0, 0.0, 0.0)
+
+    def frame(self, name: str) -> Place:
+        """Where a reference frame is; LookupError."""
+        return Place() if name in WORLD else self.where(name)[0]
+
+
+def place_of(pose: Pose) -> Place:
+    """A pose seen from above."""
+    q = pose.orientation
+    return Place(pose.position.x, pose.position.y, math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z)))
+
+
+__all__ = ["WORLD", "Speed", "Whereabouts", "place_of"]

@@ -1,0 +1,31 @@
+"""`<plugin>` elements of worlds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coursekit.urdf.xml_tree import Element
+
+from .ros_names import RosNames, names_of
+from .values import number
+
+
+@dataclass(frozen=True)
+class StatePlugin:
+    """gazebo_ros_state: its names, and how often it tells states [1/s]."""
+
+    names: RosNames
+    rate: float = 100.0
+
+
+def state_plugin(plugin: Element) -> StatePlugin | None:
+    """What a world's plugin says, if it is gazebo_ros_state. Raises UrdfError for a rate that is none."""
+    if "gazebo_ros_state" not in (plugin.get("filename") or ""):
+        return None
+    rate = number(plugin, "update_rate", 100.0)
+    if not 0.0 <= rate <= 10_000.0:
+        raise plugin.error(f"has an update_rate of {rate:g}", "Give one from 0 (as fast as can be) to 10000 a second.")
+    return StatePlugin(names_of(plugin), rate or 200.0)
+
+
+__all__ = ["StatePlugin", "state_plugin"]

@@ -1,0 +1,44 @@
+"""Forces from outside on robots and things."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Push:
+    """A force [N] and torque [Nm] on something, by its name, from `begin_ns` until `end_ns` (None: for ever).
+
+    >>> Push("crate", 1.0, 0.0, 0.0, 0, None).finite
+    True
+    """
+
+    name: str
+    x: float
+    y: float
+    torque: float
+    begin_ns: int
+    end_ns: int | None
+    along: bool = False
+    """Whether x points where the body looks, instead of along the world's x."""
+    label: str = ""
+    """What it is to be ended by."""
+
+    @property
+    def finite(self) -> bool:
+        """Whether all is numbers."""
+        return all(map(math.isfinite, (self.x, self.y, self.torque)))
+
+    def work(self, body: Any) -> None:
+        """Let it act on a body during the next step."""
+        force = (self.x, self.y)
+        if not self.along:
+            c, s = math.cos(body.angle), math.sin(body.angle)
+            force = (c * self.x + s * self.y, c * self.y - s * self.x)
+        body.apply_force_at_local_point(force, body.center_of_gravity)
+        body.torque += self.torque
+
+
+__all__ = ["Push"]

@@ -5,9 +5,11 @@ from pathlib import Path
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.conditions import IfCondition, UnlessCondition
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
+from nav2_common.launch import HasNodeParams
 
 
 def generate_launch_description():
@@ -17,6 +19,7 @@ def generate_launch_description():
     given = {
         name: LaunchConfiguration(name) for name in ("namespace", "use_sim_time", "autostart", "params_file", "log_level")
     }
+    has_own = HasNodeParams(source_file=given["params_file"], node_name="slam_toolbox")
     arguments = ["--ros-args", "--log-level", given["log_level"]]
     return LaunchDescription(
         [
@@ -41,7 +44,11 @@ def generate_launch_description():
                 ],
             ),
             IncludeLaunchDescription(
-                PythonLaunchDescriptionSource(str(slam)),
+                PythonLaunchDescriptionSource(str(slam)), condition=UnlessCondition(has_own),
+                launch_arguments={"use_sim_time": given["use_sim_time"]}.items(),
+            ),
+            IncludeLaunchDescription(
+                PythonLaunchDescriptionSource(str(slam)), condition=IfCondition(has_own),
                 launch_arguments={
                     "use_sim_time": given["use_sim_time"], "slam_params_file": given["params_file"],
                 }.items(),

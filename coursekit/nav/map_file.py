@@ -42,6 +42,11 @@ class MapDescription:
     free_thresh: float = FREE_BELOW
     mode: str = "trinary"
 
+    @property
+    def crossed(self) -> bool:
+        """Whether some shades are both below `free_thresh` and above `occupied_thresh`: they become walls."""
+        return self.free_thresh > self.occupied_thresh
+
 
 def load_map(path: str | Path) -> GridMap:
     """The map of a .yaml file; MapError when the description or its picture is no good."""
@@ -119,12 +124,14 @@ def read_description(path: str | Path) -> MapDescription:
     if not isinstance(image, str) or not image:
         raise MapError(name, "the key 'image' is missing or no file name", _CURE_KEYS)
     mode = entries.get("mode", "trinary")
+    mode = mode.lower() if isinstance(mode, str) else mode
     _check_mode(name, mode)
     resolution = _number(name, entries, "resolution")
     if resolution <= 0:
         raise MapError(name, f"resolution is {resolution:g}", "it is metres a cell, for example 0.05")
     occupied, free = _number(name, entries, "occupied_thresh"), _number(name, entries, "free_thresh")
-    _check_thresholds(name, mode, occupied, free)
+    if mode == "scale":
+        _check_thresholds(name, mode, occupied, free)
     where = file.absolute().parent / image
     return MapDescription(where, resolution, _origin(name, entries), _negate(name, entries), occupied, free, mode)
 

@@ -51,6 +51,31 @@ def test_a_saved_map_has_the_shades_and_thresholds_that_keep_unknown_unknown(tmp
     ]
 
 
+def test_crossed_thresholds_are_read_as_nav2_reads_them(tmp_path):
+    path = write(tmp_path, [[0, 120, 205, 254]])
+    path.write_text(path.read_text().replace("free_thresh: 0.196", "free_thresh: 0.9").replace("0.65", "0.25"))
+    assert load_map(path).cells.tolist() == [[100, 100, 0, 0]]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("negate: 0", "negate: false"),
+        ("image: room.png", "image: ./room.png"),
+        ("image: room.png", "image: {folder}/room.png"),
+        ("negate: 0", "negate: 0\nmode: Trinary"),
+        ("\n", "\r\n"),
+        ("origin: [-1.0, 2.5, 0.3]", "origin: [-10, 5, 0]"),
+        ("image:", "# made by a friend\n---\nimage:"),
+    ],
+)
+def test_other_peoples_spellings_are_read(tmp_path, old, new):
+    path = write(tmp_path, [[0, 254]])
+    text = path.read_text().replace(old, new.format(folder=tmp_path))
+    path.write_bytes(text.encode())
+    assert load_map(path).cells.tolist() == [[100, 0]]
+
+
 def test_row_0_of_the_picture_is_the_top(tmp_path):
     assert load_map(write(tmp_path, [[0, 254], [254, 254]])).cells.tolist() == [[0, 0], [100, 0]]
 
@@ -112,7 +137,8 @@ def test_pgm_files_of_every_kind_are_read(tmp_path, data):
         ("resolution: 0.05", "resolution: -1", "metadata", "metres a cell"),
         ("origin: [-1.0, 2.5, 0.3]", "origin: [1, 2]", "metadata", "[x, y, yaw]"),
         ("negate: 0", "negate: maybe", "metadata", "negate is 'maybe'"),
-        ("free_thresh: 0.196", "free_thresh: 0.7", "metadata", "do not go together"),
+        ("free_thresh: 0.196", "free_thresh: 0.7\nmode: scale", "metadata", "do not go together"),
+        ("free_thresh: 0.196\n", "", "metadata", "'free_thresh' is missing"),
         ("negate: 0", "negate: 0\nmode: fuzzy", "metadata", "trinary, scale, raw"),
         ("negate: 0", "negate: [", "metadata", "no YAML"),
         ("negate: 0", "negate: " + "[" * 5000, "metadata", "no YAML"),

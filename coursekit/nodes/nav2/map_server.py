@@ -95,6 +95,11 @@ class MapServer(LifecycleNode):
             return LoadMap.Response.RESULT_INVALID_MAP_DATA if picture else LoadMap.Response.RESULT_INVALID_MAP_METADATA
         rows, columns = grid.cells.shape
         log.info(f"Read map {description.image}: {columns} X {rows} map @ {grid.resolution:g} m/cell")
+        if description.crossed:
+            log.warning(
+                f"free_thresh {description.free_thresh:g} is above occupied_thresh {description.occupied_thresh:g}: "
+                "nothing is unknown in this map. Are the two exchanged? Usual are 0.196 and 0.65"
+            )
         if grid.origin[2]:
             log.warning("The origin is turned, which most readers of a map ignore: write 0 as its yaw")
         self._map = to_message(grid, self.get_parameter("frame_id").value, self.get_clock().now().to_msg())

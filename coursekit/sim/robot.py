@@ -46,6 +46,8 @@ class RobotModel:
     mass: float = 3.0
     drive: Drive | None = field(default_factory=Drive)
     drift: Drift = EXACT
+    fixed: bool = False
+    """Whether it stands fast: a mast with sensors. It may stand in things, and have no parts."""
     grip: float = 1.0
     """Friction between its wheels and the floor."""
 

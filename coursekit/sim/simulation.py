@@ -92,10 +92,14 @@ class Simulation:
         at = self.world.start if place is None else Place(*place)
         if not all(math.isfinite(part) for part in at):
             raise WorldError(f"cannot stand at {tuple(at)}", element=f"robot '{name}'", cure="Give numbers for x, y, yaw.")
-        body = pymunk.Body(model.mass, moment(np.concatenate([part.corners() for part in model.parts]), model.mass))
+        if model.fixed:
+            body = pymunk.Body(body_type=pymunk.Body.STATIC)
+        else:
+            body = pymunk.Body(model.mass, moment(np.concatenate([part.corners() for part in model.parts]), model.mass))
         put(body, at)
         shapes = shapes_of(model.parts, body, name, ROBOT)
-        self._check_room(name, shapes, at)
+        if not model.fixed:
+            self._check_room(name, shapes, at)
         robot = Robot(model, name, body, self.seed * 1000 + len(self.robots))
         body.robot = robot
         self.space.add(body, *shapes)

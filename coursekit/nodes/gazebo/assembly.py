@@ -44,22 +44,34 @@ class Assembly:
 
 def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     """A robot where something of the model drives or senses, else a thing. Raises UrdfError and WorldError."""
+    place = Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
+    mast = made.static and any(link.sensors for link in made.links.values())
+    if mast:
+        _raise(made, _lean(made.pose, place))
     drive, devices = _read_plugins(made, namespace)
     parts = made.parts()
-    floor = min((part.low for part in parts), default=0.0)
+    floor = min((part.low for part in parts), default=0.0) if not mast else 0.0
     for link in made.links.values():
         for sensor in link.sensors:
             device = device_of(sensor, link, made, namespace, floor)
             devices += [device] if device is not None else []
-    place = Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
     done = Assembly(made.name, None, devices, [], made.notes, place=place)
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
     done.frames = {name: link.pose for name, link in made.links.items()}
-    if made.static or not (drive or devices):
-        done.things = _things(made)
-        return done
-    done.robot = _robot(made, drive, devices, [raised(part, -floor) for part in parts])
+    if mast and devices:
+        done.robot = RobotModel(made.name, tuple(parts), drive=None, fixed=True)
+    elif made.static or not (drive or devices):
+        done.things = _things(made, place)
+    else:
+        done.robot = _robot(made, drive, devices, [raised(part, -floor) for part in parts])
     return done
+
+
+def _raise(made: Blueprint, level: Array) -> None:
+    """Links and parts where they are above the floor, so that place and heading tell the rest of the model's pose."""
+    for link in made.links.values():
+        link.pose, link.parts = level @ link.pose, [moved(part, level) for part in link.parts]
+    made.pose = made.pose @ np.linalg.inv(level)
 
 
 def _read_plugins(made: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
@@ -85,12 +97,11 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
     return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift)
 
 
-def _things(made: Blueprint) -> list[Thing]:
+def _things(made: Blueprint, place: Place) -> list[Thing]:
     """One thing, its parts in the frame of the model seen from above."""
     parts = made.parts()
     if not parts:
         return []
-    place = Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
     level = _lean(made.pose, place)
     turned = [moved(part, level) for part in parts]
     for part in turned:

@@ -20,9 +20,12 @@ class Device:
 
 @dataclass(frozen=True)
 class RayDevice(Device):
-    """A LiDAR."""
+    """A LiDAR, sonar or infrared sensor; `output` is the type of its messages."""
 
     lidar: Lidar = field(default_factory=Lidar)
+    output: str = "sensor_msgs/LaserScan"
+    radiation: int = 1
+    """Of sensor_msgs/Range: 0 ultrasound, 1 infrared."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,9 @@ class CameraDevice(Device):
     fov: float = 1.3
     far: float = 30.0
     pose: Array | None = None
+    encoding: str = "rgb8"
+    noise: float = 0.0
+    """Standard deviation of a point's brightness, from 0 to 1."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +61,6 @@ class OdometryDevice(Device):
     base_frame: str = "base_footprint"
     publish_odom: bool = True
     publish_tf: bool = True
-    wheel_tf: bool = False
     exact: bool = True
     """Whether it tells where the robot really is (Gazebo's odometry_source WORLD) or what wheels turned (ENCODER)."""
     covariance: tuple[float, float, float] = (1e-5, 1e-5, 1e-3)

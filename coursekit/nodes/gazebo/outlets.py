@@ -12,7 +12,7 @@ from gazebo_msgs.msg import ContactsState, ContactState
 from geometry_msgs.msg import Quaternion, TransformStamped
 from nav_msgs.msg import Odometry
 from rclpy.qos import QoSProfile
-from sensor_msgs.msg import Imu, JointState, LaserScan
+from sensor_msgs.msg import Imu, JointState
 from tf2_msgs.msg import TFMessage
 
 from coursekit.sim.place import Place
@@ -20,6 +20,7 @@ from coursekit.sim.robot import GRAVITY, Robot
 from coursekit.sim.simulation import Simulation
 
 from .devices import BumpDevice, Device, ImuDevice, JointDevice, OdometryDevice, RayDevice, TruthDevice
+from .ray_messages import RAY_TYPES
 
 SENSOR = QoSProfile(depth=5)
 """Reliable, so that everybody can listen."""
@@ -92,7 +93,8 @@ class ScanOutlet(Outlet):
     device: RayDevice
 
     def open(self) -> None:
-        self._out = self.publisher(LaserScan, self.device.topic, SENSOR)
+        kind, self._message = RAY_TYPES[self.device.output]
+        self._out = self.publisher(kind, self.device.topic, SENSOR)
 
     def publish(self, time_ns: int) -> None:
         if not self._out.get_subscription_count():
@@ -100,11 +102,8 @@ class ScanOutlet(Outlet):
         lidar = self.device.lidar
         place = place_at(self.simulation, self.robot, time_ns) @ lidar.mount
         ranges = lidar.measure(self.simulation.scan(lidar, self.robot, place), self.chance)
-        msg = LaserScan(range_min=lidar.range_min, range_max=lidar.range_max)
-        msg.angle_min, msg.angle_max, msg.angle_increment = lidar.angle_min, lidar.angle_max, lidar.step
+        msg = self._message(self.device, ranges)
         msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
-        msg.ranges = ranges.astype(np.float32).tolist()
-        msg.intensities = [0.0] * lidar.beams
         self._out.publish(msg)
 
 
@@ -116,14 +115,14 @@ class OdometryOutlet(Outlet):
     def open(self) -> None:
         device = self.device
         self._out = self.publisher(Odometry, device.topic, 50) if device.publish_odom else None
-        self._tf = self.publisher(TFMessage, device.tf_topic, 100) if device.publish_tf or device.wheel_tf else None
+        self._tf = self.publisher(TFMessage, device.tf_topic, 100) if device.publish_tf else None
 
     def publish(self, time_ns: int) -> None:
         device, robot = self.device, self.robot
         place = place_at(self.simulation, robot, time_ns) if device.exact else robot.odometer.place
         forward, left, turn = robot.velocity if device.exact else robot.wheels
         stamp = stamp_of(time_ns)
-        if self._tf is not None and device.publish_tf:
+        if self._tf is not None:
             one = TransformStamped(child_frame_id=device.base_frame)
             one.header.stamp, one.header.frame_id = stamp, device.frame
             one.transform.translation.x, one.transform.translation.y = place.x, place.y

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 from sensor_msgs.msg import CameraInfo, Image
 
-from coursekit.sim.view import View
+from coursekit.sim.view import Picture, View
 
 from .devices import CameraDevice
 from .outlets import SENSOR, Outlet, place_at, stamp_of
@@ -28,11 +29,21 @@ class CameraOutlet(Outlet):
             self._info.publish(self._calibration(time_ns))
         if self._image.get_subscription_count():
             place = place_at(self.simulation, self.robot, time_ns)
-            picture = self._view.render(self.simulation, place, without=self.robot)[:, :, ::-1]
-            msg = Image(height=device.height, width=device.width, encoding="rgb8", step=3 * device.width)
+            picture = self._coded(self._view.render(self.simulation, place, without=self.robot))
+            step = picture.nbytes // device.height
+            msg = Image(height=device.height, width=device.width, encoding=device.encoding, step=step)
             msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), device.frame
             msg.data = np.ascontiguousarray(picture).tobytes()
             self._image.publish(msg)
+
+    def _coded(self, picture: Picture) -> Picture:
+        """A picture, blue first, with noise and in the camera's encoding."""
+        if self.device.noise:
+            shake = self.chance.standard_normal(picture.shape, np.float32) * np.float32(255.0 * self.device.noise)
+            picture = np.clip(picture + shake, 0, 255).astype(np.uint8)
+        if self.device.encoding == "mono8":
+            return cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY).astype(np.uint8)
+        return picture if self.device.encoding == "bgr8" else picture[:, :, ::-1]
 
     def _calibration(self, time_ns: int) -> CameraInfo:
         device, view = self.device, self._view

@@ -44,8 +44,12 @@ def _check_joints(plugin: Element, model: Blueprint, joints: tuple[str, ...]) ->
             raise plugin.error(f"joint [{name}] not found", f"Joints of {model.name} are: {known}.")
 
 
-def _odometry(plugin: Element, namespace: str, rate: float, shown: bool, exact: bool) -> OdometryDevice:
+def _odometry(
+    plugin: Element, model: Blueprint, namespace: str, rate: float, shown: bool, exact: bool
+) -> OdometryDevice:
     names = names_of(plugin, namespace)
+    if flag(plugin, "publish_wheel_tf", False):
+        model.note(plugin, "shall publish the wheels' tf: robot_state_publisher does, from /joint_states")
     x, y, turn = (number(plugin, f"covariance_{one}", size) for one, size in (("x", 1e-5), ("y", 1e-5), ("yaw", 1e-3)))
     return OdometryDevice(
         names.topic(plugin.tell("odometry_topic") or plugin.tell("odometryTopic") or "odom"),
@@ -56,7 +60,6 @@ def _odometry(plugin: Element, namespace: str, rate: float, shown: bool, exact: 
         plugin.tell("robot_base_frame") or plugin.tell("robotBaseFrame") or "base_footprint",
         flag(plugin, "publish_odom", shown),
         flag(plugin, "publish_odom_tf", shown),
-        flag(plugin, "publish_wheel_tf", False),
         exact,
         (x, y, turn),
         names.topic("/tf"),
@@ -77,19 +80,19 @@ def _differential(plugin: Element, model: Blueprint, namespace: str) -> Found:
     _check_joints(plugin, model, left + right)
     push = number(plugin, "max_wheel_acceleration", 0.0)
     separation, diameter = number(plugin, "wheel_separation", 0.34), number(plugin, "wheel_diameter", 0.15)
-    return _wheels(plugin, namespace, left, right, separation, diameter, push, "odometry_source", "1")
+    return _wheels(plugin, model, namespace, left, right, separation, diameter, push, "odometry_source", "1")
 
 
 def _skid_steer(plugin: Element, model: Blueprint, namespace: str) -> Found:
     left, right = _all(plugin, "leftFrontJoint", "leftRearJoint"), _all(plugin, "rightFrontJoint", "rightRearJoint")
     _check_joints(plugin, model, left + right)
     separation, diameter = number(plugin, "wheelSeparation", 0.4), number(plugin, "wheelDiameter", 0.15)
-    return _wheels(plugin, namespace, left, right, separation, diameter, 0.0, "odometrySource", "0")
+    return _wheels(plugin, model, namespace, left, right, separation, diameter, 0.0, "odometrySource", "0")
 
 
 def _wheels(
-    plugin: Element, namespace: str, left: tuple[str, ...], right: tuple[str, ...], separation: float, diameter: float,
-    push: float, source: str, usual: str,
+    plugin: Element, model: Blueprint, namespace: str, left: tuple[str, ...], right: tuple[str, ...], separation: float,
+    diameter: float, push: float, source: str, usual: str,
 ) -> Found:  # fmt: skip
     if separation <= 0 or diameter <= 0:
         raise plugin.error(f"has wheels {diameter:g} m wide, {separation:g} m apart", "Both must be more than 0.")
@@ -100,13 +103,13 @@ def _wheels(
         radius=diameter / 2, left=left, right=right,
     )  # fmt: skip
     rate = _rate(plugin, "update_rate", 100.0)
-    return drive, [_odometry(plugin, namespace, rate, shown=False, exact=not encoder)]
+    return drive, [_odometry(plugin, model, namespace, rate, shown=False, exact=not encoder)]
 
 
 def _planar(plugin: Element, model: Blueprint, namespace: str) -> Found:
     rate = _rate(plugin, "publish_rate", 20.0)
     drive = Drive("planar", acceleration=math.inf, turn_acceleration=math.inf)
-    return drive, [_odometry(plugin, namespace, rate, shown=True, exact=True)]
+    return drive, [_odometry(plugin, model, namespace, rate, shown=True, exact=True)]
 
 
 def _joint_states(plugin: Element, model: Blueprint, namespace: str) -> Found:

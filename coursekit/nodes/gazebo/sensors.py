@@ -10,11 +10,14 @@ from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
 from .devices import BumpDevice, CameraDevice, Device, ImuDevice, RayDevice
+from .ray_messages import CLOUD, LASER, RAY_TYPES
 from .ros_names import RosNames, names_of
 from .values import flag, number, pose, yaw_of
 
 RAYS = ("ray", "gpu_ray", "lidar", "gpu_lidar")
 CAMERAS = ("camera", "wideanglecamera")
+ENCODINGS = {"R8G8B8": "rgb8", "RGB_INT8": "rgb8", "B8G8R8": "bgr8", "BGR_INT8": "bgr8", "L8": "mono8", "L_INT8": "mono8"}
+"""Formats of pictures in SDF and in messages."""
 
 
 def device_of(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> Device | None:
@@ -33,7 +36,7 @@ def device_of(sensor: Element, link: BlueLink, model: Blueprint, namespace: str,
     if kind == "imu":
         return _imu(sensor, plugin, names, frame, rate)
     if kind in CAMERAS:
-        return _camera(sensor, plugin, names, frame, rate, where)
+        return _camera(sensor, names, frame, rate, where, model)
     if kind == "contact":
         topic = plugin.tell("bumperTopicName") or "bumper_states"
         return BumpDevice(names.topic(topic), frame, rate, names.full_node, link.name)
@@ -47,9 +50,7 @@ def _ray(
     ray = sensor.first("ray") or sensor.first("lidar")
     if ray is None:
         raise sensor.error("has no <ray>", "Say <ray><scan><horizontal>... and <range>.")
-    kind = plugin.tell("output_type") or "sensor_msgs/LaserScan"
-    if kind not in ("sensor_msgs/LaserScan",):
-        model.note(plugin, f"publishes {kind}, which is not simulated: sensor_msgs/LaserScan is published instead")
+    output = _output(plugin, model)
     if number(ray, "scan/vertical/samples", 1) > 1:
         model.note(sensor, "has several layers; the middle one is simulated")
     if abs(abs(where[2, 2]) - 1.0) > 1e-3:
@@ -70,7 +71,21 @@ def _ray(
         upside_down=bool(where[2, 2] < 0),
     )
     old = plugin.tell("topicName")
-    return RayDevice(names.topic(old or "~/out"), frame, rate, names.full_node, lidar)
+    sound = plugin.tell("radiation_type").lower() == "ultrasound"
+    return RayDevice(names.topic(old or "~/out"), frame, rate, names.full_node, lidar, output, int(not sound))
+
+
+def _output(plugin: Element, model: Blueprint) -> str:
+    """The type of a ray sensor's messages: the plugin's own usual one is a cloud."""
+    told = plugin.tell("output_type")
+    if told in RAY_TYPES:
+        return told
+    if told:
+        model.note(plugin, f"publishes {told}, which is not simulated: {LASER} is published instead")
+    elif "gazebo_ros_ray_sensor" in (plugin.get("filename") or ""):
+        model.note(plugin, f"has no <output_type>: it publishes {CLOUD}, as in Gazebo")
+        return CLOUD
+    return LASER
 
 
 def _imu(sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float) -> Device:
@@ -83,8 +98,9 @@ def _imu(sensor: Element, plugin: Element, names: RosNames, frame: str, rate: fl
     )  # fmt: skip
 
 
-def _camera(sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float, where: Array) -> Device:
-    camera = sensor.first("camera")
+def _camera(sensor: Element, names: RosNames, frame: str, rate: float, where: Array, model: Blueprint) -> Device:
+    camera, plugin = sensor.first("camera"), sensor.first("plugin")
+    assert plugin is not None
     name = plugin.tell("camera_name") or plugin.tell("cameraName") or sensor.get("name") or "camera"
     width, height = (round(number(camera, f"image/{one}", size)) for one, size in (("width", 320), ("height", 240)))
     if not (16 <= width <= 4096 and 16 <= height <= 4096):
@@ -93,10 +109,13 @@ def _camera(sensor: Element, plugin: Element, names: RosNames, frame: str, rate:
     if not 0.05 <= fov <= math.pi - 0.05:
         raise sensor.error(f"has a horizontal_fov of {fov}", "Give one from 0.05 to 3.09 rad.")
     image, info = (names.topic(f"{name}/{one}") for one in ("image_raw", "camera_info"))
-    inner = pose(camera) if camera is not None else where * 0
+    told = camera.tell("image/format") if camera is not None else ""
+    if told and told not in ENCODINGS:
+        model.note(sensor, f"has pictures of format {told}, which is not simulated: R8G8B8 is published")
     return CameraDevice(
-        image, frame, rate, names.full_node, info, width, height, fov, number(camera, "clip/far", 100.0), where @ inner
-    )
+        image, frame, rate, names.full_node, info, width, height, fov, number(camera, "clip/far", 100.0),
+        where @ pose(camera), ENCODINGS.get(told, "rgb8"), number(camera, "noise/stddev", 0.0),
+    )  # fmt: skip
 
 
 def active(sensor: Element) -> bool:

@@ -123,7 +123,7 @@ class Scan:
         hits, bearings = np.ascontiguousarray(hits[order]), bearings[order]
         distances = np.hypot(relative[order, 0], relative[order, 1])
         spacing = usual_gap(bearings)
-        slope = max(0.02, min(2.5 * spacing, 0.2))  # two neighbours on either side of a wall across the beams
+        slope = max(0.02, min(2.5 * spacing, 0.5))  # two neighbours on either side of a wall across the beams
         normals = normals_of(hits, distances, params.normal_reach, slope)
         normals[np.einsum("ij,ij->i", normals, relative[order]) > 0] *= -1  # towards the laser
         near = distances < params.match_range

@@ -83,3 +83,10 @@ def test_points_may_come_in_any_order() -> None:
     mixed = np.random.default_rng(1).permutation(scan.hits)
     again = Scan.from_points(mixed, PARAMS)
     assert np.array_equal(again.points, scan.points) and np.array_equal(again.normals, scan.normals)
+
+
+def test_few_beams_far_apart_still_tell_how_the_walls_run() -> None:
+    scan = seen(Laser(-math.pi, math.radians(10)), 36)
+    clear = np.abs(scan.normals).max(axis=1) > 0.999
+    assert clear.sum() > len(scan.points) / 2
+    assert all(np.isclose(np.abs(scan.normals[clear]).min(axis=1), 0.0, atol=0.01))

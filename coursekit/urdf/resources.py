@@ -108,6 +108,8 @@ def find_file(uri: str, near: Path | None = None) -> Path:
         raise MeshError(f"'{uri}' cannot be read: '{parts.scheme}://' is not known here", cure=cure)
     else:
         path = Path(uri) if near is None else near.resolve().parent / uri
+    if path.exists() and not path.is_file():
+        raise MeshError(f"'{uri}' is no file: {path} is a folder or a device", cure="Name the mesh file itself.")
     if not path.is_file():
         raise MeshError(f"'{uri}' not found: there is no file {path}", cure=_beside(path))
     return path

@@ -9,6 +9,8 @@ from .errors import UrdfError, close
 from .model import Joint, Link
 from .xml_tree import Element
 
+MOST_NAMES = 12
+"""Of a longer loop only the beginning is told."""
 _TREE = "Failed to build tree: "
 _ROOT = "Failed to find root link: "
 
@@ -19,8 +21,9 @@ def _element(root: Element, tag: str, name: str) -> Element:
 
 def find_root(root: Element, links: Mapping[str, Link], joints: Mapping[str, Joint]) -> str:
     """The name of the only link without a parent; raises UrdfError if the joints do not make one tree of the links."""
+    elements = {element.get("name"): element for element in root.all("joint")}
     for joint in joints.values():
-        _check_ends(_element(root, "joint", joint.name), joint, links)
+        _check_ends(elements[joint.name], joint, links)
     above: dict[str, Joint] = {}
     for joint in joints.values():
         if joint.child in above:
@@ -75,11 +78,11 @@ def _two_roots(root: Element, tops: list[str]) -> UrdfError:
 
 def _climbs(name: str, above: Mapping[str, Joint], reached: set[str]) -> bool:
     """Whether the way up ends at a link that is known to hang on the root; then all on the way are known too."""
-    way = []
+    way: set[str] = set()
     while name not in reached:
         if name in way:
             return False
-        way.append(name)
+        way.add(name)
         name = above[name].parent
     reached.update(way)
     return True
@@ -87,42 +90,54 @@ def _climbs(name: str, above: Mapping[str, Joint], reached: set[str]) -> bool:
 
 def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> UrdfError:
     """The error that names the loop which the way up from `start` ends in."""
-    way: list[str] = []
+    way: dict[str, None] = {}
     while start not in way:
-        way.append(start)
+        way[start] = None
         start = above[start].parent
-    loop = [*way[way.index(start) :], start][::-1]
+    names = [*way]
+    loop = [*names[names.index(start) :], start][::-1]
     last = above[loop[-1]]
-    cure = f"The links go round in a loop: {' -> '.join(loop)}. Remove one of its joints, for example [{last.name}]."
+    shown = loop if len(loop) <= MOST_NAMES else [*loop[: MOST_NAMES - 2], "...", loop[-1]]
+    cure = f"The links go round in a loop: {' -> '.join(shown)}. Remove one of its joints, for example [{last.name}]."
     return _element(root, "joint", last.name).error(what, cure)
 
 
 def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
     """The joints, those that mimic an unmoving one without that; UrdfError if one mimics nothing, or itself."""
+    elements = {one.get("name"): one.first("mimic") or one for one in root.all("joint")}
     checked = dict(joints)
     for joint in joints.values():
         if joint.mimic is None:
             continue
-        element = _element(root, "joint", joint.name).first("mimic") or root
-        if joint.mimic.joint not in joints:
-            what = f"joint [{joint.name}] mimics joint [{joint.mimic.joint}], which does not exist"
-            raise element.error(what, close(joint.mimic.joint, joints))
-        if not joints[joint.mimic.joint].moves:
+        element, leader = elements[joint.name], joint.mimic.joint
+        if leader not in joints:
+            what = f"joint [{joint.name}] mimics joint [{leader}], which does not exist"
+            raise element.error(what, close(leader, joints))
+        if not joints[leader].moves:
             place = f"{element.file or 'robot description'}:{element.line}"
-            kind = joints[joint.mimic.joint].type
-            what = f"joint '{joint.name}' mimics '{joint.mimic.joint}', which is {kind}; it moves by itself."
+            what = f"joint '{joint.name}' mimics '{leader}', which is {joints[leader].type}; it moves by itself."
             warnings.append(f"{place}: {what}")
             checked[joint.name] = replace(joint, mimic=None)
-        way = [joint.name]
-        follows: str | None = joint.mimic.joint
-        while follows is not None and follows in joints:
-            if follows in way:
-                what = f"joint [{joint.name}] mimics itself: {' -> '.join([*way, follows])}"
-                raise element.error(what, "One of them has to move by itself: remove its <mimic>.")
-            way.append(follows)
-            mimic = joints[follows].mimic
-            follows = None if mimic is None else mimic.joint
+    free = {name for name, joint in checked.items() if joint.mimic is None}
+    for name in checked:
+        way = _leaders(name, checked, free)
+        if way[-1] in way[:-1]:
+            loop = way[way.index(way[-1]) :]
+            what = f"joint [{loop[0]}] mimics itself: {' -> '.join(loop)}"
+            raise elements[loop[0]].error(what, "One of them has to move by itself: remove its <mimic>.")
+        free.update(way)
     return checked
+
+
+def _leaders(name: str, joints: Mapping[str, Joint], free: set[str]) -> list[str]:
+    """Whom a joint follows, and whom that one does, until one that is free, or until the first comes again."""
+    way: dict[str, None] = {}
+    while name not in free and name not in way:
+        way[name] = None
+        mimic = joints[name].mimic
+        assert mimic is not None
+        name = mimic.joint
+    return [*way, name]
 
 
 __all__ = ["check_mimics", "find_root"]

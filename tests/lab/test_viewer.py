@@ -303,3 +303,13 @@ def test_a_bad_description_is_told(session, talker):
     lasting = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     talker.create_publisher(String, "/robot_description", lasting).publish(String(data="<robot name='x'>"))
     assert viewer(displays=["RobotModel"]).status("RobotModel").startswith("Error: URDF:")
+
+
+def test_a_topic_that_cannot_be_is_told_and_may_be_mended(session, talker):
+    panel = viewer(fixed_frame="map", displays=["LaserScan /front scan"])
+    panel._hear(panel, {"type": "topic", "row": 0, "topic": "/front-scan"}, [])
+    assert "Error subscribing: Invalid topic name" in panel.status("LaserScan")
+    panel._hear(panel, {"type": "topic", "row": 0, "topic": "/front"}, [])
+    said(talker, LaserScan, "/front", ranges=[1.0], range_max=5.0)
+    session.clock.sleep(0.1)
+    assert panel.status("LaserScan").startswith("Ok")

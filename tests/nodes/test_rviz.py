@@ -125,7 +125,21 @@ def test_what_is_not_known_is_refused_with_what_there_is(given, text):
         display_config(given)
 
 
-@pytest.mark.parametrize("text", ["- a list", "{{", "displays: 3", "fixed: odom", "view: 4"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "- a list",
+        "{{",
+        "displays: 3",
+        "fixed: odom",
+        "view: 4",
+        "[" * 3000,
+        "Visualization Manager: 4",
+        "Visualization Manager: {Displays: &a [{Class: c/Group, Displays: *a}]}",
+        "Visualization Manager: {Displays: &a [{Class: c/Group, Displays: *a}, {Class: x/Grid}]}",
+        "Visualization Manager: {Displays: [{Class: x/Grid}], Global Options: 4}",
+    ],
+)
 def test_a_file_that_is_no_configuration_is_named(tmp_path, text):
     file = tmp_path / "bad.yaml"
     file.write_text(text)

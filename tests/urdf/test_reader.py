@@ -143,3 +143,24 @@ def test_a_faulty_xacro_file_is_named(tmp_path, text, words):
 
 def test_angles_are_kept_as_written():
     assert load(ROBOTS / "wheel.urdf").joints["base_joint"].origin.rpy == (math.pi / 2, 0.0, 0.0)
+
+
+def test_long_chains_of_joints_that_follow_each_other_are_read():
+    count = 5000
+    text = '<robot name="r">' + "".join(f'<link name="l{n}"/>' for n in range(count))
+    for n in range(1, count):
+        mimic = f'<mimic joint="j{n + 1}"/>' if n < count - 1 else ""
+        ends = f'<parent link="l{n - 1}"/><child link="l{n}"/>'
+        text += f'<joint name="j{n}" type="continuous">{ends}{mimic}</joint>'
+    robot = parse(text + "</robot>")
+    assert (robot.root, len(robot.joints), len(robot.moving_joints())) == ("l0", count - 1, 1)
+
+
+def test_of_a_long_loop_only_the_beginning_is_told():
+    text = '<robot name="r">' + "".join(f'<link name="l{n}"/>' for n in range(100))
+    joints = "".join(
+        f'<joint name="j{n}" type="fixed"><parent link="l{n}"/><child link="l{(n + 1) % 100}"/></joint>' for n in range(100)
+    )
+    with pytest.raises(UrdfError) as caught:
+        parse(text + joints + "</robot>")
+    assert "-> ... ->" in caught.value.cure and len(caught.value.cure) < 300

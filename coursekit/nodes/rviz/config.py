@@ -130,7 +130,7 @@ def read(path: str | Path, rooted: bool = True) -> Config:
         if unknown:
             raise ValueError(f"'{unknown[0]}' is not known; there are fixed_frame, displays and view")
         return make_config(data.get("fixed_frame", ""), data.get("displays") or [], data.get("view"))
-    except (ValueError, TypeError, yaml.YAMLError) as error:
+    except (ValueError, TypeError, AttributeError, RecursionError, yaml.YAMLError) as error:
         raise ValueError(f"{file} cannot be read as a viewer's configuration: {error}") from None
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from .config import Config, DisplayConfig, display_config
 from .kinds import KINDS, QOS, kind_name
 
+MOST_DISPLAYS = 500
 _RENAMED = {"size_(m)": "size"}
 
 
@@ -27,12 +28,21 @@ def from_rviz(data: Mapping[str, Any]) -> Config:
 
 
 def _flat(entries: Any) -> list[Mapping[str, Any]]:
-    """The displays, those in groups too."""
+    """The displays, those in groups too; those of a group that is off are off."""
     found: list[Mapping[str, Any]] = []
-    for entry in entries:
-        if isinstance(entry, Mapping):
-            group = str(entry.get("Class", "")).endswith("/Group")
-            found += _flat(entry.get("Displays") or []) if group else [entry]
+    waiting, count = [(entry, True) for entry in reversed(entries)], 0
+    while waiting:
+        entry, on = waiting.pop()
+        count += 1
+        if count + len(waiting) > MOST_DISPLAYS:
+            raise ValueError(f"it has more than {MOST_DISPLAYS} displays")
+        if not isinstance(entry, Mapping):
+            continue
+        on = on and bool(entry.get("Enabled", True))
+        if str(entry.get("Class", "")).endswith("/Group"):
+            waiting += [(one, on) for one in reversed(entry.get("Displays") or [])]
+        else:
+            found.append({**entry, "Enabled": on})
     return found
 
 

@@ -37,6 +37,7 @@ class Display:
         self.count = 0
         self._waiting: deque[Any] = deque(maxlen=WAITING)
         self._subscription: Any = None
+        self._fault = ""
         self._lock = threading.Lock()
 
     # -- the topic
@@ -51,9 +52,15 @@ class Display:
         kind = KINDS[self.kind]
         if not kind.type or not self.config.enabled or self._subscription is not None:
             return
+        from rclpy.exceptions import NameValidationException
+
         from coursekit.interfaces import load
 
-        self._subscription = node.create_subscription(load(kind.type), self.config.topic, self._take, self.quality)
+        self._fault = ""
+        try:
+            self._subscription = node.create_subscription(load(kind.type), self.config.topic, self._take, self.quality)
+        except NameValidationException as error:
+            self._fault = f"Error subscribing: {error}"
 
     @property
     def quality(self) -> Any:
@@ -122,7 +129,9 @@ class Display:
         self.draw(stage, stage.scene)
 
     def _tell_topic(self, stage: Stage) -> None:
-        if self.count:
+        if self._fault:
+            self.say("Topic", "Error", self._fault)
+        elif self.count:
             plural = "" if self.count == 1 else "s"
             self.say("Topic", "Ok", f"{self.count} message{plural} received")
         else:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Make the two commands known."""
-    slam = commands.add_parser("slam", help="run SLAM on a CARMEN log (.clf, .log, also .gz and .xz)")
+    slam = commands.add_parser("slam", help="run SLAM on a CARMEN log (.clf, .log, also .gz, .bz2 and .xz)")
     slam.add_argument("log", metavar="LOG")
     slam.add_argument(
         "--trajectory", metavar="OUT", required=True, help="write 'stamp x y theta', a line for each scan"

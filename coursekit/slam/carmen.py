@@ -1,14 +1,18 @@
-"""Logs of the CARMEN toolkit, the form in which the classic SLAM data sets are kept: FLASER, ROBOTLASER1, ODOM, PARAM."""
+"""Logs of the CARMEN toolkit, the form in which the classic SLAM data sets are kept.
+
+Read are FLASER, ROBOTLASER1 and, in a log that has neither, RAWLASER1; ODOM where scans bring no pose; PARAM.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
 from coursekit.slam.carmen_line import Reading, parse_laser, parse_parameter
+from coursekit.slam.carmen_odometry import OdometryTrack
 from coursekit.slam.files import read_lines
 from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
@@ -17,7 +21,8 @@ TOLD = 20
 """So many bad lines are told one by one; further ones are counted."""
 MOST = 100_000_000
 """More readings than this are refused instead of filling the memory."""
-_LASERS = ("FLASER", "ROBOTLASER1")
+_LASERS = ("FLASER", "ROBOTLASER1", "RAWLASER1")
+_WANTED = "FLASER, ROBOTLASER1 or RAWLASER1"
 
 
 @dataclass
@@ -76,7 +81,7 @@ class CarmenLog:
 
     def _offset(self) -> Pose2:
         """Where the laser sits: from the two poses of each line when they always differ alike, else from PARAM."""
-        seen = np.array([tuple(r.odometry.to(r.laser_pose)) for r in self.readings[:1000]])
+        seen = np.array([tuple(r.odometry.to(r.laser_pose)) for r in self.readings[:1000] if r.odometry is not None])
         if len(seen) and np.abs(seen - seen[0]).max() < 2e-3 and 1e-4 < np.hypot(*seen[0, :2]) < 3.0:
             return Pose2.of(np.median(seen, axis=0))
         try:
@@ -116,15 +121,18 @@ def saturation(ranges: np.ndarray) -> float:
 
 
 def read_log(path: str | Path) -> CarmenLog:
-    """Read a log (.clf, .log, also packed as .gz or .xz). Bad lines are noted with their number and left out.
+    """Read a log (.clf, .log, also packed as .gz, .bz2 or .xz). Bad lines are noted with their number and left out.
 
     Raises FileNotFoundError, and ValueError when nothing in the file is a scan.
     """
-    log, kinds, total = CarmenLog(), Counter[str](), 0
+    log, kinds, total, track = CarmenLog(), Counter[str](), 0, OdometryTrack()
     for number, line in enumerate(read_lines(path), start=1):
         word = line.split(None, 1)[0] if line.strip() else ""
-        if word in _LASERS:
+        if word in _LASERS or word == "ODOM":
             try:
+                if word == "ODOM":
+                    track.add(line)
+                    continue
                 reading = parse_laser(line)
             except ValueError as fault:
                 _complain(log, number, str(fault))
@@ -141,7 +149,16 @@ def read_log(path: str | Path) -> CarmenLog:
             kinds[word[:20]] += 1
     if not log.readings:
         raise ValueError(_nothing(path, log, kinds))
+    if any(reading.kind != "RAWLASER1" for reading in log.readings):  # those are the same scans again
+        log.readings = [reading for reading in log.readings if reading.kind != "RAWLASER1"]
+    log.readings = [one if one.odometry is not None else _placed(one, track) for one in log.readings]
     return log
+
+
+def _placed(reading: Reading, track: OdometryTrack) -> Reading:
+    """A scan without a pose, with that of the ODOM lines."""
+    here = track.at(reading.stamp)
+    return replace(reading, odometry=here, laser_pose=here)
 
 
 def _complain(log: CarmenLog, number: int, fault: str) -> None:
@@ -156,6 +173,6 @@ def _nothing(path: str | Path, log: CarmenLog, kinds: Counter[str]) -> str:
     if log.bad:
         return f"{path}: none of its {log.bad} scans can be read; {log.complaints[0]}"
     if not kinds:
-        return f"{path} is empty: expected a CARMEN log with FLASER or ROBOTLASER1 lines"
+        return f"{path} is empty: expected a CARMEN log with {_WANTED} lines"
     found = ", ".join(repr(kind) for kind in kinds)
-    return f"{path} is no CARMEN log: no line begins with FLASER or ROBOTLASER1 (found {found})"
+    return f"{path} is no CARMEN log: no line begins with {_WANTED} (found {found})"

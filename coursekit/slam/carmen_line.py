@@ -21,14 +21,15 @@ class Reading:
     stamp: float
     ranges: np.ndarray
     """(n,) float32 [m], as written."""
-    odometry: Pose2
+    odometry: Pose2 | None
+    """None where the line has no pose: the log's ODOM lines tell it."""
     laser_pose: Pose2
     laser: tuple[float, float, float] | None = None
     """Start angle, angle step, maximum range, where the line has them."""
 
 
 def parse_laser(line: str) -> Reading:
-    """A FLASER or ROBOTLASER1 line.
+    """A FLASER, ROBOTLASER1 or RAWLASER1 line.
 
     Raises ValueError that says what is wrong.
 
@@ -36,7 +37,20 @@ def parse_laser(line: str) -> Reading:
     0.5
     """
     words = line.split()
-    return _flaser(words) if words[0] == "FLASER" else _robotlaser(words)
+    return {"FLASER": _flaser, "ROBOTLASER1": _robotlaser, "RAWLASER1": _rawlaser}[words[0]](words)
+
+
+def parse_odometry(line: str) -> tuple[float, float, float, float]:
+    """Stamp and pose of `ODOM x y theta speed turn acceleration stamp host stamp`; ValueError says what is wrong.
+
+    >>> parse_odometry("ODOM 1 2 0.5 0 0 0 7.5 host 7.5")
+    (7.5, 1.0, 2.0, 0.5)
+    """
+    words = line.split()
+    if len(words) < 8:
+        raise ValueError(f"ODOM has {len(words)} words: expected 10")
+    pose = _pose(words[1:4], "the odometry")
+    return _number(words[7], "the stamp"), pose.x, pose.y, pose.theta
 
 
 def parse_parameter(line: str) -> tuple[str, str]:
@@ -90,9 +104,12 @@ def _pose(words: list[str], what: str) -> Pose2:
 
 
 def _flaser(words: list[str]) -> Reading:
-    """FLASER n ranges laser_pose robot_pose stamp host stamp."""
-    count = _count(words, 1, 7)
+    """FLASER n ranges laser_pose robot_pose stamp host stamp; the poses may be left out."""
+    count = _count(words, 1, 3)
     tail = words[2 + count :]
+    if len(tail) == 3:
+        return Reading("FLASER", _number(tail[0], "the stamp"), _ranges(words[2 : 2 + count]), None, Pose2())
+    _count(words, 1, 7)
     if len(tail) > 9:
         raise ValueError(f"{count} beams announced, but {len(tail)} words follow them instead of 9")
     return Reading(
@@ -106,24 +123,28 @@ def _flaser(words: list[str]) -> Reading:
 
 def _robotlaser(words: list[str]) -> Reading:
     """ROBOTLASER1 type start view step max accuracy remission n ranges m remissions poses speeds safety stamp host stamp."""
-    count = _count(words, 8, 12)
+    ranges, laser, tail = _with_header(words, 12, 14)
+    stamp = _number(tail[11], "the stamp")
+    return Reading("ROBOTLASER1", stamp, ranges, _pose(tail[3:6], "the odometry"), _pose(tail[:3], "the laser's pose"), laser)
+
+
+def _rawlaser(words: list[str]) -> Reading:
+    """RAWLASER1 type start view step max accuracy remission n ranges m remissions stamp host stamp."""
+    ranges, laser, tail = _with_header(words, 1, 3)
+    return Reading("RAWLASER1", _number(tail[0], "the stamp"), ranges, None, Pose2(), laser)
+
+
+def _with_header(words: list[str], rest: int, usual: int) -> tuple[np.ndarray, tuple[float, float, float], list[str]]:
+    """Ranges, the laser, and what follows the remission values: at least `rest` words, usually so many."""
+    count = _count(words, 8, rest)
     start, view, step, limit = (_number(word, "the laser's header") for word in words[2:6])
     try:
         remissions = int(words[9 + count])
     except ValueError:
         raise ValueError("the number of remission values is missing") from None
     tail = words[10 + count + max(remissions, 0) :]
-    if remissions < 0 or len(tail) < 12:
-        raise ValueError(
-            f"{remissions} remission values announced, but {len(tail)} words follow instead of 14"
-        )
+    if remissions < 0 or len(tail) < rest:
+        raise ValueError(f"{remissions} remission values announced, but {len(tail)} words follow instead of {usual}")
     if not 0 < step < math.pi:
         step = view / count if view > 0 else math.pi / count
-    return Reading(
-        "ROBOTLASER1",
-        _number(tail[11], "the stamp"),
-        _ranges(words[9 : 9 + count]),
-        _pose(tail[3:6], "the odometry"),
-        _pose(tail[:3], "the laser's pose"),
-        (start, step, limit if limit > 0 else math.inf),
-    )
+    return _ranges(words[9 : 9 + count]), (start, step, limit if limit > 0 else math.inf), tail

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bz2
 import gzip
 import lzma
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ LONGEST = 1 << 20
 
 
 def read_lines(path: str | Path) -> Iterator[str]:
-    """The lines of a text file, `.gz` and `.xz` unpacked on the way; what is no text becomes a replacement character.
+    """The lines of a text file, `.gz`, `.bz2` and `.xz` unpacked on the way; what is no text becomes a replacement character.
 
     Raises FileNotFoundError, IsADirectoryError, or ValueError when the compressed data are damaged.
     """
@@ -37,6 +38,8 @@ def _open(file: Path) -> IO[bytes]:
         return gzip.open(file, "rb")  # type: ignore[return-value]
     if magic == b"\xfd7zXZ\x00":
         return lzma.open(file, "rb")  # type: ignore[return-value]
+    if magic[:3] == b"BZh":
+        return bz2.open(file, "rb")  # type: ignore[return-value]
     return file.open("rb")
 
 

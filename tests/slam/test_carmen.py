@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bz2
 import gzip
 import lzma
 import math
@@ -84,7 +85,7 @@ def test_a_constant_pose_is_no_odometry(tmp_path: Path) -> None:
     assert read(tmp_path, GOOD + GOOD.replace("0.1 0.2 0.3 12.5", "0.2 0.2 0.3 12.5")).has_odometry
 
 
-@pytest.mark.parametrize("pack", [gzip.compress, lzma.compress])
+@pytest.mark.parametrize("pack", [gzip.compress, lzma.compress, bz2.compress])
 @pytest.mark.parametrize("name", ["a.clf.gz", "a.log", "a.xz"])
 def test_packed_logs_are_known_by_their_first_bytes(tmp_path: Path, pack, name: str) -> None:
     (tmp_path / name).write_bytes(pack(GOOD.encode() * 3))
@@ -106,6 +107,9 @@ def test_packed_logs_are_known_by_their_first_bytes(tmp_path: Path, pack, name: 
         ("FLASER 1 1.0 0 0 0 1e300 0 0 1 h 1", "farther than"),
         ("FLASER 1 1.0 0 0 0 0 0 0 soon h 1", "the stamp should be a number"),
         ("ROBOTLASER1 0 0 0", "the number of beams is missing"),
+        ("RAWLASER1 0 -1.57 3.14 0.01 8.0 0.01 0 2 1.0 2.0", "the line ends"),
+        ("ODOM 1 2", "ODOM has 3 words: expected 10"),
+        ("ODOM 1 2 x 0 0 0 1.0 h 1.0", "the odometry should be a number"),
         (ROBOT.replace(" 2 0 1 ", " 999999999 0 1 ").strip(), "999999999 remission values announced"),
     ],
 )
@@ -113,6 +117,24 @@ def test_bad_lines_are_told_with_their_number_and_left_out(tmp_path: Path, line:
     log = read(tmp_path, f"# a comment\n{GOOD}{line}\n{GOOD}")
     assert len(log.readings) == 2 and log.bad == 1
     assert log.complaints[0].startswith("line 3: ") and says in log.complaints[0]
+
+
+ODOM = "ODOM {0} 0 0 0.5 0 0 {0}.0 host {0}.0\n"
+RAW = "RAWLASER1 0 -1.570796 3.141593 0.017453 8.0 0.01 0 3 1.0 2.0 8.1 0 {} host 1.0\n"
+
+
+@pytest.mark.parametrize("line", [RAW, "FLASER 3 1.0 2.0 8.1 {} host 1.0\n"])
+def test_scans_without_a_pose_take_it_from_the_odometry_s_own_lines(tmp_path: Path, line: str) -> None:
+    text = "SYNC tag\nTRUEPOS 0 0 0 0 0 0 1 h 1\n" + line.format(1.25) + line.format(9.0)
+    log = read(tmp_path, text + "".join(ODOM.format(k) for k in (3, 1, 2)))
+    assert [one.odometry.x for one in log.readings if one.odometry] == pytest.approx([1.25, 3.0]) and log.has_odometry
+    assert log.lasers()[0].angle_min == pytest.approx(-math.pi / 2)
+    assert not read(tmp_path, text).has_odometry
+
+
+def test_raw_scans_beside_those_of_the_robot_are_not_taken_twice(tmp_path: Path) -> None:
+    log = read(tmp_path, RAW.format(99.2) + ROBOT + RAW.format(99.3) + ROBOT)
+    assert [one.kind for one in log.readings] == ["ROBOTLASER1"] * 2
 
 
 def test_many_bad_lines_are_counted_not_listed(tmp_path: Path) -> None:
@@ -127,7 +149,7 @@ def test_many_bad_lines_are_counted_not_listed(tmp_path: Path) -> None:
         (b"\n\n# only comments\n", "is empty"),
         (
             b"<html>\n<body>",
-            "is no CARMEN log: no line begins with FLASER or ROBOTLASER1 (found '<html>', '<body>')",
+            "is no CARMEN log: no line begins with FLASER, ROBOTLASER1 or RAWLASER1 (found '<html>', '<body>')",
         ),
         (b"FLASER 9 1.0\n", "none of its 1 scans can be read; line 1"),
         (b"\xfd7zXZ\x00broken", "is damaged"),

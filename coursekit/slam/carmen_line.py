@@ -124,8 +124,8 @@ def _flaser(words: list[str]) -> Reading:
 def _robotlaser(words: list[str]) -> Reading:
     """ROBOTLASER1 type start view step max accuracy remission n ranges m remissions poses speeds safety stamp host stamp."""
     ranges, laser, tail = _with_header(words, 12, 14)
-    stamp = _number(tail[11], "the stamp")
-    return Reading("ROBOTLASER1", stamp, ranges, _pose(tail[3:6], "the odometry"), _pose(tail[:3], "the laser's pose"), laser)
+    stamp, odometry = _number(tail[11], "the stamp"), _pose(tail[3:6], "the odometry")
+    return Reading("ROBOTLASER1", stamp, ranges, odometry, _pose(tail[:3], "the laser's pose"), laser)
 
 
 def _rawlaser(words: list[str]) -> Reading:

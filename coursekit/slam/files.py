@@ -14,7 +14,7 @@ LONGEST = 1 << 20
 
 
 def read_lines(path: str | Path) -> Iterator[str]:
-    """The lines of a text file, `.gz`, `.bz2` and `.xz` unpacked on the way; what is no text becomes a replacement character.
+    """The lines of a text file, `.gz`, `.bz2` and `.xz` unpacked; what is no text becomes a replacement character.
 
     Raises FileNotFoundError, IsADirectoryError, or ValueError when the compressed data are damaged.
     """

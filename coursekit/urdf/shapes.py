@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import os
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,6 +21,8 @@ from .resources import find_file
 GREY: Colour = (0.7, 0.7, 0.7, 1.0)
 """What has no material: as grey as a part fresh from the machine."""
 FORMATS = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".off")
+_MATERIALS = re.compile(rb"<bind_material\b.*?</bind_material>", re.DOTALL)
+"""Where a DAE file looks for a texture that is not there, its reader leaves the whole shape out."""
 ROUND = 32
 """Corners of a cylinder's circle."""
 
@@ -86,8 +90,6 @@ def _scaled(surface: Surface, scale: tuple[float, float, float]) -> Surface:
 @lru_cache(maxsize=256)
 def _load(path: Path, _changed: int) -> tuple[Surface, ...]:
     """The surfaces of a mesh file, as long as the file does not change."""
-    import trimesh
-
     if path.suffix.lower() not in FORMATS:
         raise MeshError(
             f"cannot read '{path.suffix}' files as meshes",
@@ -95,16 +97,25 @@ def _load(path: Path, _changed: int) -> tuple[Surface, ...]:
             cure=f"Save it as one of: {', '.join(FORMATS)}.",
         )
     try:
-        scene = trimesh.load_scene(path)
-        if path.suffix.lower() == ".dae" and scene.units:  # COLLADA says its unit; RViz and Gazebo heed it, as we do
-            scene = scene.convert_units("meters")
-        parts = [_surface(part) for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
+        parts = _parts(path)
+        if not parts and path.suffix.lower() == ".dae":
+            parts = _parts(path, io.BytesIO(_MATERIALS.sub(b"", path.read_bytes())))
     except Exception as error:  # the readers of six formats fail in as many ways
         what = f"is no {path.suffix[1:].upper()} mesh that can be read: {type(error).__name__}: {error}"
         raise MeshError(what, file=str(path), cure="Export it again, or try another format.") from None
     if not parts or not any(len(part.faces) for part in parts):
         raise MeshError("has no triangles", file=str(path), cure="Is the file complete? Export it again.")
     return tuple(parts)
+
+
+def _parts(path: Path, data: io.BytesIO | None = None) -> list[Surface]:
+    import trimesh
+
+    kind = path.suffix[1:].lower()
+    scene = trimesh.load_scene(path) if data is None else trimesh.load_scene(data, file_type=kind)
+    if kind == "dae" and scene.units:  # COLLADA says its unit; RViz and Gazebo heed it, as we do
+        scene = scene.convert_units("meters")
+    return [_surface(part) for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
 
 
 def _surface(mesh: Any) -> Surface:

@@ -1,5 +1,7 @@
 """Shapes as triangles, and where their files are."""
 
+import re
+
 import numpy as np
 import pytest
 import trimesh
@@ -79,6 +81,16 @@ def test_the_four_robots_differ_in_colour_only():
 def test_a_dae_file_keeps_its_colours():
     surfaces = surfaces_of(Mesh("package://coursekit_robots/meshes/rdk_x3/camera.dae"))
     assert len({surface.colour for surface in surfaces}) == 4
+
+
+def test_a_dae_file_whose_texture_is_missing_is_drawn_without_it(tmp_path):
+    from coursekit.urdf.resources import find_file
+
+    text = find_file("package://coursekit_robots/meshes/rdk_x3/camera.dae").read_text()
+    broken = tmp_path / "camera.dae"
+    broken.write_text(re.sub(r'(<instance_effect url=")[^"]*', r"\1#gone", text))
+    whole = sum(len(one.faces) for one in surfaces_of(Mesh("package://coursekit_robots/meshes/rdk_x3/camera.dae")))
+    assert sum(len(one.faces) for one in surfaces_of(Mesh(str(broken)))) == whole
 
 
 def test_the_material_of_the_visual_wins():

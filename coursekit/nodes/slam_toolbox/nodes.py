@@ -12,6 +12,7 @@ from std_srvs.srv import Empty, SetBool
 
 from coursekit.nodes.slam_toolbox.engines import Localizing
 from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.nodes.slam_toolbox.parameters import declare_lifelong
 from coursekit.nodes.slam_toolbox.services import Services
 from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox
 from coursekit.slam.pose import Pose2
@@ -59,6 +60,15 @@ def make_sync() -> SlamToolbox:
     """Uses every scan, even if that takes longer than the drive."""
     node = SlamToolbox(keep_all=True)
     load_by_parameters(node, Services(node, queue=True), localize=False)
+    return node
+
+
+def make_lifelong() -> SlamToolbox:
+    """Goes on with a kept map for good; scans that newer ones cover are not forgotten, though."""
+    node = SlamToolbox()
+    declare_lifelong(node)
+    node.get_logger().warning("LifelongSlamToolbox: all scans are kept, so that lifelong_* parameters have no effect")
+    load_by_parameters(node, Services(node), localize=False)
     return node
 
 
@@ -133,6 +143,11 @@ def main_async(args: list[str] | None = None) -> int:
 def main_sync(args: list[str] | None = None) -> int:
     """sync_slam_toolbox_node."""
     return _run(make_sync, args)
+
+
+def main_lifelong(args: list[str] | None = None) -> int:
+    """lifelong_slam_toolbox_node."""
+    return _run(make_lifelong, args)
 
 
 def main_localization(args: list[str] | None = None) -> int:

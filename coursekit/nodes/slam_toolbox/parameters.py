@@ -82,11 +82,30 @@ ACCEPTED: dict[str, Any] = {
 """Those of the Karto matcher and its solver: taken, shown, without effect, because ours has no such part."""
 
 
+LIFELONG: dict[str, Any] = {
+    "lifelong_search_use_tree": False,
+    "lifelong_minimum_score": 0.1,
+    "lifelong_iou_match": 0.85,
+    "lifelong_node_removal_score": 0.04,
+    "lifelong_overlap_score_scale": 0.06,
+    "lifelong_constraint_multiplier": 0.08,
+    "lifelong_nearby_penalty": 0.001,
+    "lifelong_candidates_scale": 0.03,
+}
+"""Those of the lifelong node: taken, shown, without effect, because ours keeps all scans."""
+
+
 def declare(node: Node) -> None:
     """Declare all of them; whole numbers may stand for real ones, as people write them in files."""
     loose = ParameterDescriptor(dynamic_typing=True)
     for name, default in {**DEFAULTS, **ACCEPTED}.items():
         node.declare_parameter(name, default, loose)
+
+
+def declare_lifelong(node: Node) -> None:
+    """Declare those of the lifelong node too."""
+    for name, default in LIFELONG.items():
+        node.declare_parameter(name, default, ParameterDescriptor(dynamic_typing=True))
 
 
 def number(node: Node, name: str, *, least: float = -math.inf) -> float:

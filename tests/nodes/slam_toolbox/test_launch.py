@@ -7,13 +7,14 @@ import pytest
 from coursekit.cli.parser import run as run_cli
 
 
-@pytest.mark.parametrize("name", ["online_async", "online_sync", "localization"])
+@pytest.mark.parametrize("name", ["online_async", "online_sync", "localization", "lifelong", "offline"])
 def test_a_launch_file_starts_its_node_with_its_parameters(session, ros2, tmp_path, name):
     words = ["launch", "slam_toolbox", f"{name}_launch.py", "use_sim_time:=false"]
     process = session.start(lambda: run_cli(words), name="ros2", argv=words)
     session.clock.sleep(3.0)
     assert "[slam_toolbox]: Using solver plugin solver_plugins::CeresSolver" in process.output
-    assert "Double value is: 0.5" in ros2("param", "get", "/slam_toolbox", "map_update_interval")
+    often = "10.0" if name == "offline" else "0.5"
+    assert f"Double value is: {often}" in ros2("param", "get", "/slam_toolbox", "map_update_interval")
     mode = "localization" if name == "localization" else "mapping"
     assert f"String value is: {mode}" in ros2("param", "get", "/slam_toolbox", "mode")
     process.interrupt()

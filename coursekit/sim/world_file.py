@@ -117,8 +117,9 @@ def _world(data: Lines, file: str) -> World:
 def _element(row: Any, kind: str, number: int, build: Callable[[Fields], Thing], file: str) -> list[Thing]:
     if not isinstance(row, Lines):
         raise WorldError(f"'{row}' is no element", file=file, element=f"{kind}[{number}]", cure="Write {name: ..., ...}.")
-    label = str(row.get("name", f"{kind.removesuffix('s')}_{number}"))
-    fields = Fields(row, f"{kind.removesuffix('s')} '{label}'", file, row.line)
+    one = "box" if kind == "boxes" else kind.removesuffix("s")
+    label = str(row.get("name", f"{one}_{number}"))
+    fields = Fields(row, f"{one} '{label}'", file, row.line)
     thing = replace(build(fields), name=label, model=label)
     copies = _copies(fields, thing)
     fields.finish()

@@ -84,13 +84,14 @@ class Controller:
         bearing = _wrap(math.atan2(carrot[1] - pose[1], carrot[0] - pose[0]) - pose[2])
         far = math.hypot(carrot[0] - pose[0], carrot[1] - pose[1]) > 0.1
         limit = self.turn_first * (0.4 if self._turning else 1.0)
-        self._turning = far and abs(bearing) > limit
+        held = self.blocked(costs, pose)
+        self._turning = far and abs(bearing) > limit and not held
         if self._turning:
             try:
                 return self.turn(costs, pose, now, bearing)
             except ControlError:
                 pass  # no room to turn here: perhaps there is while driving
-        return self._best(costs, pose, now, ahead, carrot, top)
+        return self._best(costs, pose, now, ahead, carrot, top, -top if held else min(self.limits.min_speed, top))
 
     def turn(self, costs: Costmap, pose: Pose, now: Speeds, angle: float) -> Speeds:
         """The speeds that turn the robot on the spot by `angle` [rad]; ControlError when it would touch something."""
@@ -139,9 +140,9 @@ class Controller:
 
     def _best(
         self, costs: Costmap, pose: Pose, now: Speeds,
-        ahead: np.ndarray, carrot: tuple[float, float], top: float,
+        ahead: np.ndarray, carrot: tuple[float, float], top: float, low: float,
     ) -> Speeds:  # fmt: skip
-        speeds = np.linspace(min(self.limits.min_speed, top), top, self.speeds)
+        speeds = np.linspace(low, top, self.speeds)
         turns = np.append(np.linspace(-self.limits.max_turn, self.limits.max_turn, self.turns), 0.0)
         gap = math.hypot(carrot[0] - pose[0], carrot[1] - pose[1])
         ux, uy = ((carrot[0] - pose[0]) / gap, (carrot[1] - pose[1]) / gap) if gap > 1e-3 else (0.0, 0.0)

@@ -36,6 +36,14 @@ def touches(cells, x0, y0, cell, x, y, yaw, outline, near):  # type: ignore[no-u
 
 
 @njit(cache=True)
+def solid(cells, x0, y0, cell, x, y):  # type: ignore[no-untyped-def]
+    """Whether an obstacle itself is there."""
+    rows, columns = cells.shape
+    i, j = math.floor((y - y0) / cell), math.floor((x - x0) / cell)
+    return 0 <= i < rows and 0 <= j < columns and cells[i, j] == 254
+
+
+@njit(cache=True)
 def gap_to(path, x, y):  # type: ignore[no-untyped-def]
     """Distance from a place to a path (n, 2)."""
     least = np.inf
@@ -52,12 +60,15 @@ def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, h
 
     `now` are the present speeds, `gains` how much they may change a second; `weights` are those of the distance to the
     path, to the carrot, of both for a point ahead, of the worst cost, and of how far ahead that point is [m].
+    A robot that touches something already may leave it, the sooner the better, but not drive into an obstacle itself.
     """
     found = np.full((len(speeds), len(turns)), np.inf)
     steps = max(round(horizon / dt), 1)
+    held = touches(cells, x0, y0, cell, pose[0], pose[1], pose[2], outline, near) == 255
     for a in range(len(speeds)):
         for b in range(len(turns)):
             x, y, yaw, v, w, worst, free = pose[0], pose[1], pose[2], now[0], now[1], 0, True
+            inside, late = held, 0
             for _ in range(steps):
                 v += min(max(speeds[a] - v, -gains[0] * dt), gains[0] * dt)
                 w += min(max(turns[b] - w, -gains[1] * dt), gains[1] * dt)
@@ -66,10 +77,14 @@ def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, h
                 yaw += w * dt
                 cost = touches(cells, x0, y0, cell, x, y, yaw, outline, near)
                 if cost == 255:
-                    free = False
-                    break
-                worst = max(worst, cost)
-            if not free:
+                    if not inside or solid(cells, x0, y0, cell, x, y):
+                        free = False
+                        break
+                    late += 1
+                else:
+                    inside = False
+                    worst = max(worst, cost)
+            if not free or inside:
                 continue
             ax, ay = x + weights[5] * math.cos(yaw), y + weights[5] * math.sin(yaw)
             found[a, b] = (
@@ -78,5 +93,6 @@ def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, h
                 + weights[2] * gap_to(path, ax, ay)
                 + weights[3] * math.hypot(carrot[2] - ax, carrot[3] - ay)
                 + weights[4] * worst
+                + 5.0 * late
             )
     return found

@@ -10,6 +10,7 @@ from nav_msgs.msg import OccupancyGrid
 from coursekit.nav.costmap import FREE, UNKNOWN, Costmap, combine, static_costs
 from coursekit.nav.footprint import Footprint
 from coursekit.nav.inflation import Inflation
+from coursekit.nav.movers import Movers
 from coursekit.nav.obstacles import ObstacleLayer
 from coursekit.nodes.nav2.costmap_parameters import layers, sources
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
@@ -25,6 +26,8 @@ class Layers:
         size = given["width"], given["height"], given["resolution"], given["origin_x"], given["origin_y"]
         self.empty = UNKNOWN if given["track_unknown_space"] else FREE
         self.costmap = Costmap.of_size(*size, fill=self.empty)
+        looks_ahead = given["rolling_window"] and given["predicted_seconds"] > 0
+        self._movers = Movers(given["predicted_seconds"]) if looks_ahead else None
         self._static: Costmap | None = None
         self._map: OccupancyGrid | None = None
         self.obstacles: list[tuple[ObstacleLayer, dict[str, Any]]] = []
@@ -124,8 +127,8 @@ class Layers:
             layer.map = like.like(UNKNOWN)
         self._make_spread(like.resolution)
 
-    def update(self, x: float, y: float, yaw: float) -> Costmap:
-        """The costs now, for a robot that stands there."""
+    def update(self, x: float, y: float, yaw: float, now: float) -> Costmap:
+        """The costs now [s], for a robot that stands there."""
         if self.given["rolling_window"]:
             self._roll(x, y)
         made = self.costmap.like(self.empty)
@@ -138,8 +141,12 @@ class Layers:
             if given["footprint_clearing_enabled"]:
                 layer.free(outline)
             combine(made.cells, layer.map.cells)
+        if self._movers is not None:
+            self._movers.see(made, now)
         if self.inflation is not None:
             self._spread.spread(made.cells, self.inflation["inflate_unknown"])
+        if self._movers is not None:
+            self._movers.mark(made, self.robot.inscribed)
         self.costmap = made
         return made
 

@@ -119,7 +119,7 @@ class CostmapNode(LifecycleNode):
         except TransformException as fault:
             self._tell_no_pose(str(fault))
             return None
-        self.latest = self.layers.update(*here)
+        self.latest = self.layers.update(*here, self.get_clock().now().nanoseconds * 1e-9)
         return self.latest
 
     def _tell_no_pose(self, fault: str) -> None:

@@ -30,7 +30,9 @@ COSTMAP: dict[str, Any] = {
     "transform_tolerance": 0.3,
     "trinary_costmap": True,
     "update_frequency": 5.0,
+    "predicted_seconds": 1.2,
 }
+"""`predicted_seconds` is ours: so far ahead a rolling costmap keeps the way of things that move free; 0 is not at all."""
 STATIC: dict[str, Any] = {"enabled": True, "map_subscribe_transient_local": True, "map_topic": ""}
 OBSTACLES: dict[str, Any] = {"enabled": True, "footprint_clearing_enabled": True, "observation_sources": ""}
 INFLATION: dict[str, Any] = {

@@ -13,7 +13,7 @@ LOOK_BACK = (0.9, 1.7)
 """Obstacles are compared with those of so many seconds ago; the older ones only tell what has been there all along."""
 JITTER = 2.2
 """Cells by which the edge of a thing that stands may seem to move."""
-FASTEST = 2.0
+FASTEST = 1.0
 """Nothing here is faster [m/s]; what seems to be is something that has come into sight."""
 EVERY = 0.09
 """Seconds between two looks."""

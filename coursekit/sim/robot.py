@@ -66,7 +66,6 @@ class Robot:
         self.odometer = Odometer(model.drift, seed)
         self.contacts: dict[str, int] = {}
         """What it touches now, by name, and at how many places."""
-        self.speed_before = (0.0, 0.0)
         self.restart()
 
     def restart(self) -> None:
@@ -85,8 +84,9 @@ class Robot:
     @property
     def velocity(self) -> tuple[float, float, float]:
         """How it really moves: forward and to the left [m/s], turning [rad/s]."""
-        along = self.body.velocity.rotated(-self.body.angle)
-        return along.x, along.y, self.body.angular_velocity
+        x, y = self.body.velocity
+        c, s = math.cos(self.body.angle), math.sin(self.body.angle)
+        return c * x + s * y, c * y - s * x, self.body.angular_velocity
 
     def command(self, forward: float, turn: float = 0.0, left: float = 0.0, *, now_ns: int | None = None) -> None:
         """Drive like this from now on; what is no number is ignored, what is too fast is cut."""
@@ -117,10 +117,10 @@ class Robot:
 
     def _push(self, dt: float) -> None:
         body, (forward, left, turn) = self.body, self.wheels
-        if self.target == (0.0, 0.0, 0.0) == self.wheels and not body.angular_velocity and not body.velocity.length:
+        u, w, turning = self.velocity
+        if self.target == (0.0, 0.0, 0.0) == self.wheels and not (u or w or turning):
             return
         most = self.model.grip * GRAVITY * dt
-        u, w, turning = self.velocity
         wish = (forward - u, left - w)
         size = math.hypot(*wish)
         share = min(1.0, most / size) if size else 0.0

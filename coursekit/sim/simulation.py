@@ -218,7 +218,6 @@ class Simulation:
 
     def _step(self) -> None:
         for robot in self.robots.values():
-            robot.speed_before = robot.velocity[:2]
             robot.before_step(_DT, self.now_ns)
         for thing, body in self.things.values():
             if thing.mass != math.inf and (body.velocity.length or body.angular_velocity):

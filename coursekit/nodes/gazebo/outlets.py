@@ -51,23 +51,21 @@ class Outlet:
         self.node, self.simulation, self.robot, self.device = node, simulation, robot, device
         self.chance = np.random.default_rng(seed)
         self.publishers: list[Any] = []
-        self._begin, self._count = begin_ns, 0
+        self.restart(begin_ns)
         self.open()
-
-    @property
-    def due_ns(self) -> int:
-        """When the next message is due."""
-        return self._begin + round(self._count * 1e9 / self.device.rate)
 
     def work(self) -> None:
         """Make the message that is due, if anybody wants it."""
         due = self.due_ns
         self._count += 1
+        self.due_ns = self._begin + round(self._count * 1e9 / self.device.rate)
         self.publish(due)
 
     def restart(self, begin_ns: int) -> None:
         """Begin again at a time."""
         self._begin, self._count = begin_ns, 0
+        self.due_ns = begin_ns
+        """When the next message is due."""
 
     def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
         """A publisher that is closed with the outlet."""

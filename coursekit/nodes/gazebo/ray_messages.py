@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from array import array
 from collections.abc import Callable
 from typing import Any
 
@@ -22,8 +23,8 @@ def laser_scan(device: RayDevice, ranges: Array) -> LaserScan:
     lidar = device.lidar
     msg = LaserScan(range_min=lidar.range_min, range_max=lidar.range_max)
     msg.angle_min, msg.angle_max, msg.angle_increment = lidar.angle_min, lidar.angle_max, lidar.step
-    msg.ranges = ranges.astype(np.float32).tolist()
-    msg.intensities = [0.0] * lidar.beams
+    msg.ranges = array("f", ranges.astype(np.float32).tobytes())
+    msg.intensities = array("f", bytes(4 * lidar.beams))
     return msg
 
 

@@ -158,6 +158,32 @@ def towards(direction: np.ndarray) -> np.ndarray:
     return np.stack([x, y, np.cross(x, y)], axis=1)
 
 
+def simpler(body: Body, most: int) -> Body:
+    """A body of at most about `most` faces: where it has more, corners that are near each other become one."""
+    cells = 128.0
+    made = body
+    while len(made[1]) > most and cells >= 2:
+        made = _clustered(body, cells)
+        cells = min(cells * 0.8, cells * math.sqrt(most / max(1, len(made[1]))))
+    return made
+
+
+def _clustered(body: Body, cells: float) -> Body:
+    """Corners in the same cell of a lattice as one, at their mean; `cells` is their number along the longest edge."""
+    vertices, faces = body
+    low = vertices.min(axis=0)
+    edge = max(float(np.ptp(vertices, axis=0).max()) / cells, 1e-12)
+    lattice = ((vertices - low) / edge).astype(np.int64)
+    _, place = np.unique(lattice @ (1, 1 << 21, 1 << 42), return_inverse=True)
+    count = np.bincount(place)
+    means = np.stack([np.bincount(place, vertices[:, axis]) / count for axis in range(3)], axis=1)
+    corners = place.ravel()[faces]
+    flat = (corners[:, 0] == corners[:, 1]) | (corners[:, 1] == corners[:, 2]) | (corners[:, 2] == corners[:, 0])
+    corners = corners[~flat]
+    _, first = np.unique(np.sort(corners, axis=1) @ (1, 1 << 21, 1 << 42), return_index=True)
+    return means, corners[np.sort(first)]
+
+
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """(3m, 3): the normal of each corner of each face: smooth over flat edges, sharp over others."""
     from scipy.sparse import csr_matrix
@@ -191,6 +217,7 @@ __all__ = [
     "join",
     "rotation",
     "scattered",
+    "simpler",
     "towards",
     "tube",
 ]

@@ -6,7 +6,19 @@ import umsgpack
 
 from coursekit.view.scene import HERE, Scene
 from coursekit.view.scene_camera import Camera, camera_of
-from coursekit.view.scene_shapes import Label, Lines, Picture, Points, Triangles, arrow, box, corner_normals, tube
+from coursekit.view.scene_shapes import (
+    Label,
+    Lines,
+    Picture,
+    Points,
+    Triangles,
+    arrow,
+    ball,
+    box,
+    corner_normals,
+    simpler,
+    tube,
+)
 from coursekit.view.scene_still import Still
 from coursekit.view.scene_wire import BLOCK, packed
 
@@ -140,3 +152,12 @@ def test_a_new_picture_takes_the_place_of_the_old_one_so_that_nothing_flickers()
     assert (changes.gone, [(thing.number, thing.shapes) for thing in changes.made]) == ([], [(first, (light,))])
     scene.put("map", "map", Label("no map"))
     assert scene.changes().gone == [first]
+
+
+def test_a_body_of_too_many_faces_becomes_simpler_and_keeps_its_shape():
+    body = ball(6)
+    assert simpler(body, 10**6) is body
+    vertices, faces = simpler(body, 3000)
+    assert 500 < len(faces) <= 3000 < len(body[1])
+    np.testing.assert_allclose(np.linalg.norm(vertices, axis=1), 0.5, atol=0.02)
+    assert faces.max() < len(vertices) and len(np.unique(np.sort(faces, axis=1), axis=0)) == len(faces)

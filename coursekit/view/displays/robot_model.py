@@ -8,12 +8,16 @@ from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.urdf import MeshError, Robot, UrdfError, parse
 from coursekit.urdf.shapes import link_surfaces
 from coursekit.view.scene import Pose, Scene
-from coursekit.view.scene_shapes import Triangles
+from coursekit.view.scene_shapes import Triangles, simpler
 
 from .display import Display, NoTransform
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
+
+
+MOST_FACES = 10_000
+"""Of each surface: a robot from a drawing office has a hundred times what the eye and a notebook need."""
 
 
 class RobotModel(Display):
@@ -71,7 +75,7 @@ class RobotModel(Display):
                 continue
             for one in surfaces:
                 colour = (*one.colour[:3], one.colour[3] * self.options["alpha"])
-                shapes.append(Triangles(one.vertices, one.faces, colour))
+                shapes.append(Triangles(*simpler((one.vertices, one.faces), MOST_FACES), colour))
         self._shapes = getattr(self, "_shapes", {})
         self._shapes[link] = tuple(shapes)
         return fault

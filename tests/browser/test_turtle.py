@@ -96,3 +96,23 @@ def test_the_pad_drives_any_twist_topic(notebook, picture):
     page.keyboard.up("w")
     page.keyboard.up("a")
     opened.eventually(SPEED, "0.0 0.0")
+
+
+def test_a_gamepad_drives_and_stops_with_the_stick_and_with_the_window_s_focus(notebook):
+    opened = notebook(
+        "from coursekit.lab import *\n%ros2 run turtlesim turtlesim_node &",
+        "window = turtlesim_window()",
+        "pad('/turtle1/cmd_vel', linear=1.0, angular=2.0)",
+    )
+    opened.page.evaluate("window.axes = [0, 0]; navigator.getGamepads = () => [null, { axes: window.axes }]")
+    opened.run()
+    page = opened.page
+    page.locator(".ck-pad .ck-field").wait_for()
+    page.evaluate("window.axes = [-0.5, -1]")
+    opened.eventually(SPEED, "1.0 1.0")
+    page.evaluate("window.axes = [0.05, 0.05]")
+    opened.eventually(SPEED, "0.0 0.0")
+    page.evaluate("window.axes = [0.5, 0]")
+    opened.eventually(SPEED, "0.0 -1.0")
+    page.evaluate("document.hasFocus = () => false; window.dispatchEvent(new Event('blur'))")
+    opened.eventually(SPEED, "0.0 0.0")

@@ -1,5 +1,5 @@
 // Keys, a touch stick and a gamepad, as one wish {x: forward, y: left, turn: left}, each from -1 to 1.
-// The wish is sent when it changes and every 100 ms while it is not zero; keys end with the focus.
+// The wish is sent when it changes and every 100 ms while it is not zero. Keys end with the focus; all ends with the window's.
 const ARROWS = { ArrowUp: ["x", 1], ArrowDown: ["x", -1], ArrowLeft: ["turn", 1], ArrowRight: ["turn", -1] };
 const LETTERS = { KeyW: ["x", 1], KeyS: ["x", -1], KeyA: ["turn", 1], KeyD: ["turn", -1] };
 const STRAFE = { KeyQ: ["y", 1], KeyE: ["y", -1] };
@@ -46,18 +46,23 @@ function steering(field, say, { letters = false, strafe = false, gamepad = false
     event.stopPropagation();
     update();
   };
-  const hidden = () => { if (document.hidden) { stick.x = stick.y = stick.turn = 0; release(); } };
+  const away = () => {
+    for (const hand of [stick, joy]) hand.x = hand.y = hand.turn = 0;
+    release();
+  };
+  const hidden = () => { if (document.hidden) away(); };
   field.tabIndex = 0;
   field.dataset.lmSuppressShortcuts = "true";
   field.addEventListener("keydown", down);
   field.addEventListener("keyup", up);
   field.addEventListener("blur", release);
-  window.addEventListener("blur", release);
+  window.addEventListener("blur", away);
   document.addEventListener("visibilitychange", hidden);
 
   let frame = null;
   const poll = () => {
-    const pad = [...(navigator.getGamepads?.() ?? [])].find((one) => one);
+    const here = document.hasFocus() && !document.hidden;
+    const pad = here ? [...(navigator.getGamepads?.() ?? [])].find((one) => one) : null;
     const axis = (number) => (pad && Math.abs(pad.axes[number] ?? 0) > 0.12 ? -pad.axes[number] : 0);
     [joy.x, joy.turn] = [axis(1), axis(0)];
     if (strafe) [joy.y, joy.turn] = [axis(0), axis(2)];
@@ -70,10 +75,9 @@ function steering(field, say, { letters = false, strafe = false, gamepad = false
     set(part) { Object.assign(stick, part); update(); },
     close() {
       if (frame) cancelAnimationFrame(frame);
-      window.removeEventListener("blur", release);
+      window.removeEventListener("blur", away);
       document.removeEventListener("visibilitychange", hidden);
-      stick.x = stick.y = stick.turn = joy.x = joy.y = joy.turn = 0;
-      release();
+      away();
     },
   };
 }

@@ -51,6 +51,12 @@ costs = navigator.getGlobalCostmap()
 print("costmap", costs.metadata.size_x * costs.metadata.size_y == len(costs.data))
 rclpy.shutdown()
 """
+PLAN_AND_FOLLOW = """
+<PipelineSequence>
+  <RateController hz="1.0"><ComputePathToPose goal="{goal}" path="{path}" planner_id="GridBased"/></RateController>
+  <FollowPath path="{path}" controller_id="FollowPath"/>
+</PipelineSequence>
+"""
 
 
 @pytest.fixture
@@ -90,6 +96,44 @@ def test_goals_are_reached_replaced_cancelled_and_refused(stage):
     refused = give(stage, client, Pose2(1.2, 40.0, 0.0))
     assert stage.until(refused.get_result_async()).status == 6
     assert "is off the global costmap, which reaches from" in stage.launch.output
+
+
+def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path):
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+
+    def status(text, pose):
+        file = tmp_path / "tree.xml"
+        file.write_text(f'<root main_tree_to_execute="M"><BehaviorTree ID="M">{text}</BehaviorTree></root>')
+        goal = NavigateToPose.Goal(pose=stage.stamped(pose), behavior_tree=str(file))
+        return stage.until(stage.until(client.send_goal_async(goal)).get_result_async()).status
+
+    assert status(PLAN_AND_FOLLOW, Pose2(1.5, 0.0, 0.0)) == 4 and stage.distance_to(Pose2(1.5, 0.0, 0.0)) < 0.4
+    heading = stage.robot.place.theta
+    assert status('<Sequence><Spin spin_dist="1.0"/><Wait wait_duration="1"/></Sequence>', START) == 4
+    assert stage.robot.place.theta - heading == pytest.approx(1.0, abs=0.1)
+    assert status(PLAN_AND_FOLLOW, Pose2(1.2, 40.0, 0.0)) == 6
+    assert status("<Dance/>", START) == 6
+    assert "has a node 'Dance', which is not known here; known are: AlwaysFailure" in stage.launch.output
+
+
+def test_parameters_set_while_it_runs_are_obeyed(stage, ros2):
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+    for name, value in (("FollowPath.max_vel_x", "0.1"), ("FollowPath.max_vel_theta", "0.5")):
+        assert "successful" in ros2("param", "set", "/controller_server", name, value)
+    give(stage, client, Pose2(4.0, 0.0, 0.0))
+    fastest = 0.0
+    for _ in range(20):
+        stage.spin(0.2)
+        fastest = max(fastest, stage.robot.velocity[0])
+    assert 0.05 < fastest < 0.11
+    assert "controller_frequency is 0.0: give Hz" in ros2("param", "set", "/controller_server", "controller_frequency", "0.0")
+    assert "successful" in ros2("param", "set", "/local_costmap/local_costmap", "obstacle_layer.enabled", "False")
+    assert "successful" in ros2("param", "set", "/local_costmap/local_costmap", "robot_radius", "0.3")
+    assert "robot_radius is -1.0" in ros2("param", "set", "/local_costmap/local_costmap", "robot_radius", "-1.0")
 
 
 def test_a_program_with_a_basic_navigator_runs_unchanged(stage):

@@ -14,6 +14,7 @@ from tf2_ros import TransformException
 
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.tree_trip import Crew, TreeTrip, load_tree
 from coursekit.nodes.nav2.trip import Helpers, Trip
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
 from coursekit.slam.pose import Pose2
@@ -28,6 +29,8 @@ _SERVER: dict[str, Any] = {
     "default_nav_to_pose_bt_xml": "",
     "default_nav_through_poses_bt_xml": "",
 }
+_TREES = {NavigateToPose: "default_nav_to_pose_bt_xml", NavigateThroughPoses: "default_nav_through_poses_bt_xml"}
+"""Parameters that name a tree's file; without one the way is that of nav2's own default trees (see Trip)."""
 
 
 class BtNavigator(Server):
@@ -48,6 +51,8 @@ class BtNavigator(Server):
         self._frame, self._speed = given["global_frame"], 0.0
         self._where = Whereabouts(self, given["robot_base_frame"])
         self._helpers = Helpers(self)
+        self._crew = Crew(self, self._pose, lambda goal: self._where.pose_in(self._frame, goal))
+        self._period = max(given["bt_loop_duration"], 1) * 1e-3
         self._to_pose = self.serve(NavigateToPose, "navigate_to_pose", self._go_to)
         self._through = self.serve(NavigateThroughPoses, "navigate_through_poses", self._go_through)
         self._self_client = ActionClient(self, NavigateToPose, "navigate_to_pose")
@@ -57,12 +62,24 @@ class BtNavigator(Server):
         ]
         return super().on_configure(state)
 
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Take goals; FAILURE when a default tree cannot be loaded."""
+        for name in _TREES.values():
+            try:
+                if self.text(name):
+                    load_tree(self.text(name), self._crew, [])
+            except ValueError as fault:
+                self.get_logger().error(str(fault))
+                return TransitionCallbackReturn.FAILURE
+        return super().on_activate(state)
+
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Offer nothing any more."""
         for heard in self._heard:
             self.destroy_subscription(heard)
         self._self_client.destroy()
         self._helpers.destroy()
+        self._crew.destroy()
         self._where.close()
         return super().on_cleanup(state)
 
@@ -98,10 +115,21 @@ class BtNavigator(Server):
         log.info(f"Begin navigating from current location ({here.x:.2f}, {here.y:.2f}) to ({to.x:.2f}, {to.y:.2f})")
         begin = self.get_clock().now()
 
-        def tell(trip: Trip) -> None:
+        def tell(trip: Trip | TreeTrip) -> None:
             handle.publish_feedback(self._feedback(kind.Feedback(), trip, begin))
 
-        trip = Trip(self._helpers, goals, self._pose, lambda: handle.is_cancel_requested or action.replaced(handle), tell)
+        def stop() -> bool:
+            return bool(handle.is_cancel_requested or action.replaced(handle))
+
+        trip: Trip | TreeTrip = Trip(self._helpers, goals, self._pose, stop, tell)
+        file = handle.request.behavior_tree or self.text(_TREES[kind])
+        if file:
+            try:
+                trip = TreeTrip(load_tree(file, self._crew, goals), self._crew, stop, tell, self._period)
+            except ValueError as fault:
+                log.error(f"{fault}. Navigation canceled.")
+                handle.abort()
+                return kind.Result()
         end = await trip.run()
         await self._finish(handle, action, end)
         return kind.Result()
@@ -125,7 +153,7 @@ class BtNavigator(Server):
             log.error("Goal failed")
             handle.abort()
 
-    def _feedback(self, feedback: Any, trip: Trip, begin: Any) -> Any:
+    def _feedback(self, feedback: Any, trip: Trip | TreeTrip, begin: Any) -> Any:
         here, now = self._pose(), self.get_clock().now()
         if here is not None:
             feedback.current_pose = stamped(here, self._frame, now.to_msg())

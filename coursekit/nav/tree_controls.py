@@ -1,0 +1,231 @@
+"""The nodes of behaviour trees that only steer others, with BehaviorTree.CPP's and nav2's names."""
+
+from __future__ import annotations
+
+import math
+
+from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
+
+
+class _Control(TreeNode):
+    arity = (1, math.inf)
+    at = 0
+
+    def stop(self) -> None:
+        self.at = 0
+
+    def _end(self, status: str) -> str:
+        self.at = 0
+        for child in self.children:
+            child.halt()
+        return status
+
+
+class Sequence(_Control):
+    """One child after the other; ends with the first that fails."""
+
+    ends_with = FAILURE
+
+    def step(self) -> str:
+        while self.at < len(self.children):
+            status = self.children[self.at].tick()
+            if status == RUNNING:
+                return status
+            if status == self.ends_with:
+                return self._end(status)
+            self.at += 1
+        return self._end(SUCCESS if self.ends_with == FAILURE else FAILURE)
+
+
+class Fallback(Sequence):
+    """One child after the other; ends with the first that succeeds."""
+
+    ends_with = SUCCESS
+
+
+class SequenceStar(Sequence):
+    """A Sequence that goes on where it failed."""
+
+    def _end(self, status: str) -> str:
+        at = self.at if status == FAILURE else 0
+        super()._end(status)
+        self.at = at
+        return status
+
+
+class ReactiveSequence(_Control):
+    """All children from the first on, at every tick."""
+
+    ends_with = FAILURE
+
+    def step(self) -> str:
+        for k, child in enumerate(self.children):
+            status = child.tick()
+            if status == RUNNING:
+                for other in self.children[k + 1 :]:
+                    other.halt()
+                return status
+            if status == self.ends_with:
+                return self._end(status)
+        return self._end(SUCCESS if self.ends_with == FAILURE else FAILURE)
+
+
+class ReactiveFallback(ReactiveSequence):
+    """All children from the first on at every tick, until one succeeds."""
+
+    ends_with = SUCCESS
+
+
+class PipelineSequence(_Control):
+    """A sequence that ticks the children before the running one as well, again and again."""
+
+    def step(self) -> str:
+        for k, child in enumerate(self.children):
+            status = child.tick()
+            if status == FAILURE:
+                return self._end(status)
+            if status == RUNNING and k >= self.at:
+                self.at = k
+                return status
+        return self._end(SUCCESS)
+
+
+class RoundRobin(_Control):
+    """The next child each time, until one succeeds; fails when all have."""
+
+    def step(self) -> str:
+        for _ in self.children:
+            status = self.children[self.at].tick()
+            if status == RUNNING:
+                return status
+            self.at = (self.at + 1) % len(self.children)
+            if status == SUCCESS:
+                return status
+        return self._end(FAILURE)
+
+
+class RecoveryNode(_Control):
+    """The first child; when it fails the second, and then the first again, `number_of_retries` times."""
+
+    arity = (2, 2)
+    tries = 0
+
+    def step(self) -> str:
+        while True:
+            status = self.children[self.at].tick()
+            if status == RUNNING:
+                return status
+            if self.at == 0:
+                if status == SUCCESS or self.tries >= self.number("number_of_retries", 1):
+                    self.tries = 0
+                    return self._end(status)
+                self.at = 1
+            elif status == FAILURE:
+                self.tries = 0
+                return self._end(status)
+            else:
+                self.tries, self.at = self.tries + 1, 0
+
+    def stop(self) -> None:
+        self.tries = self.at = 0
+
+
+class _Decorator(TreeNode):
+    arity = (1, 1)
+
+    @property
+    def child(self) -> TreeNode:
+        return self.children[0]
+
+
+class Inverter(_Decorator):
+    """Says the contrary."""
+
+    def step(self) -> str:
+        return {SUCCESS: FAILURE, FAILURE: SUCCESS}.get(self.child.tick(), RUNNING)
+
+
+class ForceSuccess(_Decorator):
+    """Calls every end a success."""
+
+    def step(self) -> str:
+        return RUNNING if self.child.tick() == RUNNING else SUCCESS
+
+
+class ForceFailure(_Decorator):
+    """Calls every end a failure."""
+
+    def step(self) -> str:
+        return RUNNING if self.child.tick() == RUNNING else FAILURE
+
+
+class KeepRunningUntilFailure(_Decorator):
+    """Again and again, until it fails."""
+
+    def step(self) -> str:
+        return FAILURE if self.child.tick() == FAILURE else RUNNING
+
+
+class Repeat(_Decorator):
+    """Again `num_cycles` times while it succeeds; -1 is without end."""
+
+    counted, port = SUCCESS, "num_cycles"
+    count = 0
+
+    def step(self) -> str:
+        status = self.child.tick()
+        if status == RUNNING:
+            return status
+        self.count += 1
+        most = self.number(self.port, 1)
+        if status == self.counted and (most < 0 or self.count < most):
+            return RUNNING
+        self.count = 0
+        return status
+
+    def stop(self) -> None:
+        self.count = 0
+
+
+class RetryUntilSuccessful(Repeat):
+    """Again while it fails, `num_attempts` times at the most."""
+
+    counted, port = FAILURE, "num_attempts"
+
+
+class SingleTrigger(_Decorator):
+    """Only once: fails from then on."""
+
+    done = False
+
+    def step(self) -> str:
+        if self.done:
+            return FAILURE
+        status = self.child.tick()
+        self.done = status != RUNNING
+        return status
+
+
+class AlwaysSuccess(TreeNode):
+    """Succeeds."""
+
+    def step(self) -> str:
+        return SUCCESS
+
+
+class AlwaysFailure(TreeNode):
+    """Fails."""
+
+    def step(self) -> str:
+        return FAILURE
+
+
+CONTROLS: dict[str, type[TreeNode]] = {
+    kind.__name__: kind
+    for kind in (
+        Sequence, Fallback, SequenceStar, ReactiveSequence, ReactiveFallback, PipelineSequence, RoundRobin, RecoveryNode,
+        Inverter, ForceSuccess, ForceFailure, KeepRunningUntilFailure, Repeat, RetryUntilSuccessful, SingleTrigger,
+        AlwaysSuccess, AlwaysFailure,
+    )
+}  # fmt: skip
+"""By their names in XML."""

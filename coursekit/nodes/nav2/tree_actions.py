@@ -1,0 +1,239 @@
+"""The nodes of behaviour trees that ask servers: actions and services, with nav2's names and ports."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from action_msgs.msg import GoalStatus
+from geometry_msgs.msg import Point
+from nav2_msgs.action import (
+    AssistedTeleop,
+    BackUp,
+    ComputePathThroughPoses,
+    ComputePathToPose,
+    DriveOnHeading,
+    FollowPath,
+    NavigateToPose,
+    SmoothPath,
+    Spin,
+    Wait,
+)
+from nav2_msgs.srv import ClearCostmapAroundRobot, ClearCostmapExceptRegion, ClearEntireCostmap, IsPathValid
+from rclpy.action import ActionClient
+from rclpy.duration import Duration
+from std_srvs.srv import Empty
+
+from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
+
+
+def _time(node: TreeNode, port: str, default: float) -> Any:
+    return Duration(seconds=node.number(port, default)).to_msg()
+
+
+class ActionNode(TreeNode):
+    """An action of a server: `kind`, its name, `goal(node)`, and `done(node, result)` for its good end."""
+
+    kind: Any
+    server = ""
+    recovers = False
+    again: Callable[[TreeNode], bool] = staticmethod(lambda node: False)
+
+    def goal(self) -> Any:
+        """The goal of this moment."""
+        raise NotImplementedError(self.server)
+
+    def done(self, result: Any) -> None:
+        """Leave what came of it on the board."""
+
+    def prepare(self) -> None:
+        """Have a client."""
+        crew = self.board["crew"]
+        self.client: ActionClient = crew.client(self.kind, self.ports.get("server_name") or self.server)
+        self._sent: Any = None
+
+    def step(self) -> str:
+        """Give the goal, and wait for its end over many ticks."""
+        if self.status != RUNNING or self.again(self):
+            if not self.client.server_is_ready():
+                return FAILURE
+            if self.recovers and self.status != RUNNING:
+                self.board["number_recoveries"] = self.board.get("number_recoveries", 0) + 1
+            self._sent, self._result = self.client.send_goal_async(self.goal()), None
+            return RUNNING
+        if self._result is None:
+            if self._sent.done():
+                if not self._sent.result().accepted:
+                    return FAILURE
+                self._result = self._sent.result().get_result_async()
+            return RUNNING
+        if not self._result.done():
+            return RUNNING
+        answer = self._result.result()
+        if answer.status != GoalStatus.STATUS_SUCCEEDED:
+            return FAILURE
+        self.done(answer.result)
+        return SUCCESS
+
+    def stop(self) -> None:
+        """Cancel the goal, once it has been taken."""
+        self._sent.add_done_callback(lambda sent: sent.result().accepted and sent.result().cancel_goal_async())
+
+
+class PlanToPose(ActionNode):
+    """ComputePathToPose."""
+
+    kind: Any
+    kind, server = ComputePathToPose, "compute_path_to_pose"
+
+    def goal(self) -> Any:
+        """To the pose of `goal`; from `start`, where that is given."""
+        asked = ComputePathToPose.Goal(goal=self.get("goal"), planner_id=self.get("planner_id", ""))
+        if self.get("start") is not None:
+            asked.start, asked.use_start = self.get("start"), True
+        return asked
+
+    def done(self, result: Any) -> None:
+        """Leave the path."""
+        self.put("path", result.path)
+
+
+class PlanThroughPoses(PlanToPose):
+    """ComputePathThroughPoses."""
+
+    kind, server = ComputePathThroughPoses, "compute_path_through_poses"
+
+    def goal(self) -> Any:
+        """Through the poses of `goals`."""
+        return ComputePathThroughPoses.Goal(goals=self.get("goals"), planner_id=self.get("planner_id", ""))
+
+
+class Follow(ActionNode):
+    """FollowPath: a new path takes the place of the one that is driven."""
+
+    kind, server = FollowPath, "follow_path"
+    again = staticmethod(lambda node: node.get("path") is not node.path)
+
+    def goal(self) -> Any:
+        """Along the path."""
+        self.path = self.get("path")
+        names = {name: self.get(name, "") for name in ("controller_id", "goal_checker_id")}
+        return FollowPath.Goal(path=self.path, **names)
+
+
+class Smooth(ActionNode):
+    """SmoothPath."""
+
+    kind, server = SmoothPath, "smooth_path"
+
+    def goal(self) -> Any:
+        """The path as it is."""
+        return SmoothPath.Goal(
+            path=self.get("unsmoothed_path"), smoother_id=self.get("smoother_id", ""),
+            max_smoothing_duration=_time(self, "max_smoothing_duration", 3.0),
+            check_for_collisions=str(self.get("check_for_collisions", "")).lower() in ("true", "1"),
+        )  # fmt: skip
+
+    def done(self, result: Any) -> None:
+        """Leave the path."""
+        self.put("smoothed_path", result.path)
+        self.put("was_completed", result.was_completed)
+
+
+def _ordered(name: str, action: Any, by: str, make: Callable[[TreeNode], Any]) -> type[ActionNode]:
+    """A recovery that is one goal of an action."""
+    return type(name, (ActionNode,), {"kind": action, "server": by, "recovers": True, "goal": make})
+
+
+class CallNode(TreeNode):
+    """A service: `kind` and `request(node)`; succeeds when it answers."""
+
+    kind: Any
+    server = ""
+
+    def prepare(self) -> None:
+        """Have a client."""
+        self.client = self.board["crew"].service(self.kind, self.ports.get("service_name") or self.server)
+        self._sent: Any = None
+
+    def request(self) -> Any:
+        """What is asked."""
+        return self.kind.Request()
+
+    def answered(self, answer: Any) -> bool:
+        """Whether the answer is a good one."""
+        return True
+
+    def step(self) -> str:
+        """Ask, and wait for the answer over many ticks."""
+        if self.status != RUNNING:
+            if not self.client.service_is_ready():
+                return FAILURE
+            self._sent = self.client.call_async(self.request())
+        if not self._sent.done():
+            return RUNNING
+        return SUCCESS if self.answered(self._sent.result()) else FAILURE
+
+
+class ClearAll(CallNode):
+    """ClearEntireCostmap."""
+
+    kind, server = ClearEntireCostmap, "local_costmap/clear_entirely_local_costmap"
+
+
+class ClearAround(CallNode):
+    """ClearCostmapAroundRobot."""
+
+    kind: Any
+    kind, server = ClearCostmapAroundRobot, "local_costmap/clear_around_local_costmap"
+
+    def request(self) -> Any:
+        """So far about the robot [m]."""
+        return self.kind.Request(reset_distance=self.number("reset_distance", 1.0))
+
+
+class ClearExcept(ClearAround):
+    """ClearCostmapExceptRegion."""
+
+    kind, server = ClearCostmapExceptRegion, "local_costmap/clear_except_local_costmap"
+
+
+class PathIsValid(CallNode):
+    """IsPathValid."""
+
+    kind, server = IsPathValid, "is_path_valid"
+
+    def request(self) -> Any:
+        """The path of the moment."""
+        return IsPathValid.Request(path=self.get("path"))
+
+    def answered(self, answer: Any) -> bool:
+        """Whether it is free."""
+        return bool(answer.is_valid)
+
+
+class LocaliseAnew(CallNode):
+    """ReinitializeGlobalLocalization."""
+
+    kind, server = Empty, "reinitialize_global_localization"
+
+
+ACTIONS: dict[str, type[TreeNode]] = {
+    "ComputePathToPose": PlanToPose, "ComputePathThroughPoses": PlanThroughPoses, "FollowPath": Follow, "SmoothPath": Smooth,
+    "NavigateToPose": _ordered("go", NavigateToPose, "navigate_to_pose", lambda n: NavigateToPose.Goal(
+        pose=n.get("goal"), behavior_tree=n.get("behavior_tree", ""))),
+    "Spin": _ordered("spin", Spin, "spin", lambda n: Spin.Goal(
+        target_yaw=n.number("spin_dist", 1.57), time_allowance=_time(n, "time_allowance", 10.0))),
+    "BackUp": _ordered("backup", BackUp, "backup", lambda n: BackUp.Goal(
+        target=Point(x=n.number("backup_dist", 0.15)), speed=n.number("backup_speed", 0.025),
+        time_allowance=_time(n, "time_allowance", 10.0))),
+    "DriveOnHeading": _ordered("drive", DriveOnHeading, "drive_on_heading", lambda n: DriveOnHeading.Goal(
+        target=Point(x=n.number("dist_to_travel", 0.15)), speed=n.number("speed", 0.025),
+        time_allowance=_time(n, "time_allowance", 10.0))),
+    "AssistedTeleop": _ordered("teleop", AssistedTeleop, "assisted_teleop", lambda n: AssistedTeleop.Goal(
+        time_allowance=_time(n, "time_allowance", 10.0))),
+    "Wait": _ordered("wait", Wait, "wait", lambda n: Wait.Goal(time=_time(n, "wait_duration", 1.0))),
+    "ClearEntireCostmap": ClearAll, "ClearCostmapAroundRobot": ClearAround, "ClearCostmapExceptRegion": ClearExcept,
+    "IsPathValid": PathIsValid, "ReinitializeGlobalLocalization": LocaliseAnew,
+}  # fmt: skip
+"""By their names in XML."""

@@ -1,0 +1,141 @@
+"""A robot's way to a goal, as somebody's behaviour tree goes it."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from geometry_msgs.msg import PoseStamped
+from rclpy.action import ActionClient
+from std_msgs.msg import String
+from tf2_ros import TransformException
+
+from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.planner import length
+from coursekit.nav.second_thoughts import remaining
+from coursekit.nav.tree_controls import CONTROLS
+from coursekit.nodes.nav2.map_message import MAP_QOS
+from coursekit.nodes.nav2.running import Beat
+from coursekit.nodes.nav2.tree_actions import ACTIONS
+from coursekit.nodes.nav2.tree_looks import LOOKS
+from coursekit.slam.pose import Pose2
+
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **LOOKS}
+MOST_BYTES = 2**20
+
+
+class Crew:
+    """What the nodes of trees share: clients, what is heard, and where the robot is."""
+
+    def __init__(self, node: Any, where: Callable[[], Pose2 | None], place_of: Callable[[PoseStamped], Pose2]) -> None:
+        self.node, self.pose, self._place_of = node, where, place_of
+        self._clients: dict[tuple[Any, str], Any] = {}
+        self._heard: dict[str, tuple[Any, deque[Any]]] = {}
+
+    def client(self, kind: Any, name: str) -> ActionClient:
+        """The client of an action."""
+        if (kind, name) not in self._clients:
+            self._clients[kind, name] = ActionClient(self.node, kind, name)
+        made: ActionClient = self._clients[kind, name]
+        return made
+
+    def service(self, kind: Any, name: str) -> Any:
+        """The client of a service."""
+        if (kind, name) not in self._clients:
+            self._clients[kind, name] = self.node.create_client(kind, name)
+        return self._clients[kind, name]
+
+    def listen(self, topic: str, kind: Any = PoseStamped, qos: Any = 10) -> deque[Any]:
+        """The newest message of a topic, or nothing."""
+        if topic not in self._heard:
+            kept: deque[Any] = deque(maxlen=1)
+            self._heard[topic] = self.node.create_subscription(kind, topic, kept.append, qos), kept
+        return self._heard[topic][1]
+
+    def listen_to_text(self, topic: str) -> list[str]:
+        """The newest text of a topic, or nothing."""
+        return [one.data for one in self.listen(topic, String, MAP_QOS)]
+
+    def seconds(self) -> float:
+        """The time."""
+        return float(self.node.get_clock().now().nanoseconds * 1e-9)
+
+    def gap(self, goal: PoseStamped) -> float:
+        """How far the robot is from a pose [m]; endlessly, where tf does not know."""
+        here = self.pose()
+        try:
+            return math.inf if here is None else here.distance(self._place_of(goal))
+        except TransformException:
+            return math.inf
+
+    def destroy(self) -> None:
+        """Ask nobody any more."""
+        for client in self._clients.values():
+            client.destroy() if isinstance(client, ActionClient) else self.node.destroy_client(client)
+        for subscription, _ in self._heard.values():
+            self.node.destroy_subscription(subscription)
+        self._clients.clear()
+        self._heard.clear()
+
+
+def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
+    """The tree of a file, for these goals; TreeError with the file, the fault and its cure."""
+    try:
+        with Path(file).open("rb") as stream:
+            text = stream.read(MOST_BYTES).decode()
+    except (OSError, ValueError) as fault:
+        reason = getattr(fault, "strerror", None) or "it is no text"
+        raise TreeError(f"Couldn't open input XML file: {file} ({reason}): name a behaviour tree's .xml in full") from None
+    try:
+        return read_tree(text, KINDS, {"crew": crew, "goal": goals[-1] if goals else None, "goals": goals})
+    except TreeError as fault:
+        raise TreeError(f"Error loading XML file: {file} {fault}") from None
+
+
+class TreeTrip:
+    """One goal, gone by a tree; like a Trip."""
+
+    def __init__(
+        self, tree: TreeNode, crew: Crew, stop: Callable[[], bool], tell: Callable[[Any], None], period: float
+    ) -> None:
+        self.tree, self.crew, self._stop, self._tell, self._period = tree, crew, stop, tell, period
+
+    @property
+    def goals(self) -> list[PoseStamped]:
+        """The goals that are left."""
+        return list(self.tree.board["goals"])
+
+    @property
+    def recoveries(self) -> int:
+        """How often something was tried to get free."""
+        return int(self.tree.board.get("number_recoveries", 0))
+
+    @property
+    def distance(self) -> float:
+        """What is left of the path [m]."""
+        here, path = self.crew.pose(), self.tree.board.get("path")
+        if here is None or path is None or not path.poses:
+            return 0.0
+        points = np.array([(one.pose.position.x, one.pose.position.y) for one in path.poses])
+        return length(remaining(points, here.x, here.y))
+
+    async def run(self) -> str:
+        """Go: 'succeeded', 'failed' or 'stopped'."""
+        beat, told = Beat(self.crew.node, self._period), -math.inf
+        try:
+            while not self._stop():
+                status = self.tree.tick()
+                if status != RUNNING:
+                    return "succeeded" if status == SUCCESS else "failed"
+                if self.crew.seconds() - told >= 0.1:
+                    told = self.crew.seconds()
+                    self._tell(self)
+                await beat.next()
+            return "stopped"
+        finally:
+            beat.stop()
+            self.tree.halt()

@@ -1,0 +1,100 @@
+"""Behaviour trees: how nodes steer others, and what is said of files that are no trees."""
+
+import pytest
+
+from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.tree_controls import CONTROLS
+
+
+class Work(TreeNode):
+    """Says what its port `says` tells: r, s, f, one a tick; notes itself on the board."""
+
+    def prepare(self):
+        self.told = list(self.ports["says"])
+
+    def step(self):
+        self.board["log"].append(self.name)
+        return {"r": RUNNING, "s": SUCCESS, "f": FAILURE}[self.told.pop(0) if len(self.told) > 1 else self.told[0]]
+
+    def stop(self):
+        self.board["log"].append(f"stop {self.name}")
+
+
+KINDS = {**CONTROLS, "Work": Work}
+
+
+def tree(inside, more=""):
+    board = {"log": []}
+    text = f'<root main_tree_to_execute="M"><BehaviorTree ID="M">{inside}</BehaviorTree>{more}</root>'
+    return read_tree(text, KINDS, board), board["log"]
+
+
+def work(name, says):
+    return f'<Work name="{name}" says="{says}"/>'
+
+
+def ticked(inside, count, more=""):
+    root, log = tree(inside, more)
+    return [root.tick() for _ in range(count)], log
+
+
+@pytest.mark.parametrize(
+    ("inside", "ends", "log"),
+    [
+        (f"<Sequence>{work('a', 's')}{work('b', 'rs')}</Sequence>", [RUNNING, SUCCESS], ["a", "b", "b"]),
+        (f"<Sequence>{work('a', 'f')}{work('b', 's')}</Sequence>", [FAILURE], ["a"]),
+        (f"<Fallback>{work('a', 'f')}{work('b', 's')}</Fallback>", [SUCCESS], ["a", "b"]),
+        (f"<ReactiveSequence>{work('a', 's')}{work('b', 'rs')}</ReactiveSequence>", [RUNNING, SUCCESS], ["a", "b", "a", "b"]),
+        (f"<ReactiveFallback>{work('a', 'fs')}{work('b', 'r')}</ReactiveFallback>", [RUNNING, SUCCESS],
+         ["a", "b", "a", "stop b"]),
+        (f"<PipelineSequence>{work('a', 'srs')}{work('b', 'rrs')}</PipelineSequence>", [RUNNING, RUNNING, SUCCESS],
+         ["a", "b", "a", "b", "a", "b"]),
+        (f"<RoundRobin>{work('a', 's')}{work('b', 's')}</RoundRobin>", [SUCCESS, SUCCESS, SUCCESS], ["a", "b", "a"]),
+        (f"<RoundRobin>{work('a', 'f')}{work('b', 'f')}</RoundRobin>", [FAILURE], ["a", "b"]),
+        (f"<RecoveryNode number_of_retries='1'>{work('a', 'fs')}{work('b', 's')}</RecoveryNode>", [SUCCESS], ["a", "b", "a"]),
+        (f"<RecoveryNode number_of_retries='1'>{work('a', 'f')}{work('b', 's')}</RecoveryNode>", [FAILURE], ["a", "b", "a"]),
+        (f"<Inverter>{work('a', 'f')}</Inverter>", [SUCCESS], ["a"]),
+        (f"<RetryUntilSuccessful num_attempts='2'>{work('a', 'f')}</RetryUntilSuccessful>", [RUNNING, FAILURE], ["a", "a"]),
+        (f"<SingleTrigger>{work('a', 's')}</SingleTrigger>", [SUCCESS, FAILURE], ["a"]),
+    ],
+)  # fmt: skip
+def test_nodes_steer_their_children_as_nav2s_do(inside, ends, log):
+    assert ticked(inside, len(ends)) == (ends, log)
+
+
+def test_recoveries_take_turns_over_several_failures():
+    recovery = f"<RoundRobin>{work('turn', 's')}{work('back', 's')}</RoundRobin>"
+    _, log = ticked(f"<RecoveryNode number_of_retries='3'>{work('go', 'ffff')}{recovery}</RecoveryNode>", 1)
+    assert log == ["go", "turn", "go", "back", "go", "turn", "go"]
+
+
+def test_halting_stops_what_runs_and_only_that():
+    root, log = tree(f"<Sequence>{work('a', 's')}{work('b', 'r')}</Sequence>")
+    root.tick()
+    root.halt()
+    assert log == ["a", "b", "stop b"]
+
+
+def test_subtrees_and_explicit_kinds_are_read():
+    more = f'<BehaviorTree ID="S"><Sequence>{work("a", "s")}</Sequence></BehaviorTree>'
+    inside = '<Fallback><Action ID="Work" name="b" says="f"/><SubTree ID="S"/></Fallback>'
+    assert ticked(inside, 1, more) == ([SUCCESS], ["b", "a"])
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("<root", "is no XML"),
+        ("<tree/>", "has no <BehaviorTree"),
+        ('<root main_tree_to_execute="X"><BehaviorTree ID="M"><AlwaysSuccess/></BehaviorTree></root>', "it has: M"),
+        ('<root><BehaviorTree ID="M"><Dance/></BehaviorTree></root>', "a node 'Dance', which is not known here"),
+        ('<root><BehaviorTree ID="M"><Inverter/></BehaviorTree></root>', "'Inverter' has 0 children; it should have 1"),
+        ('<root><BehaviorTree ID="M"/></root>', "has 0 nodes at its top"),
+        ('<root><BehaviorTree ID="M"><SubTree ID="M"/></BehaviorTree></root>', "does a subtree contain itself"),
+        ('<root><BehaviorTree ID="M"><SubTree ID="N"/></BehaviorTree></root>', "a subtree 'N', which it does not have"),
+    ],
+)
+def test_what_is_no_tree_is_told(text, says):
+    with pytest.raises(TreeError) as caught:
+        read_tree(text, KINDS, {})
+    assert says in str(caught.value)

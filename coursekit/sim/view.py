@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .place import Place
-from .view_kernels import paint, sky_and_floor
+from .view_kernels import measure, paint, sky_and_floor
 from .view_scene import ViewScene
 
 Picture = NDArray[np.uint8]
@@ -48,6 +48,22 @@ class View:
             picture, self._slopes, self._horizon, self.focal, self.above, self.far, *at, edges, looks, scene.textures
         )
         return picture
+
+
+    def depths(self, simulation: Any, place: Place, without: Any = None) -> NDArray[np.float32]:
+        """How far ahead everything is [m], height x width, from a robot at `place`; inf where nothing is near enough.
+
+        >>> from coursekit.sim import Simulation, read_world
+        >>> simulation = Simulation(read_world("world: w\\nboxes: [{name: b, center: [3, 0], size: [1, 4]}]"))
+        >>> depths = View(width=64, height=48).depths(simulation, Place())
+        >>> float(depths[20, 32]), float(depths[20, 0])
+        (2.5, 2.5)
+        """
+        scene, at = ViewScene.of(simulation), place @ self.mount
+        found = np.empty((self.height, self.width), np.float32)
+        edges, _ = scene.edges(None if without is None else without.body)
+        measure(found, self._slopes, self._horizon, self.focal, self.above, self.far, *at, edges)
+        return found
 
 
 __all__ = ["View"]

@@ -92,4 +92,32 @@ def _column(picture, column, horizon, focal, above, ahead, share, edge, look, te
             picture[row, column, k] = min(255.0, textures[texture, v, u, k] * look[k + 1] * shade)
 
 
-__all__ = ["paint", "sky_and_floor"]
+@numba.njit(cache=True)
+def measure(depths, slopes, horizon, focal, above, far, x, y, theta, edges):  # type: ignore[no-untyped-def]
+    """Fill a picture with how far ahead the floor and upright edges are [m]; inf from `far` on."""
+    height, width = depths.shape
+    c, s = math.cos(theta), math.sin(theta)
+    for row in range(height):
+        down = row - horizon
+        ahead = above * focal / down if down > 0.0 else math.inf
+        depths[row, :] = ahead if ahead < far else math.inf
+    for e in range(len(edges)):
+        ax, ay = edges[e, 0] - x, edges[e, 1] - y
+        bx, by = edges[e, 2] - x, edges[e, 3] - y
+        a1, a2 = c * ax + s * ay, c * ay - s * ax
+        b1, b2 = c * bx + s * by, c * by - s * bx
+        for column in range(width):
+            sa, sb = a2 - slopes[column] * a1, b2 - slopes[column] * b1
+            if sa * sb > 0.0 or sa == sb:
+                continue
+            ahead = a1 + sa / (sa - sb) * (b1 - a1)
+            if not 0.02 < ahead < far:
+                continue
+            scale = focal / ahead
+            top, bottom = horizon - scale * (edges[e, 5] - above), horizon - scale * (edges[e, 4] - above)
+            for row in range(max(0, math.ceil(top)), min(height - 1, math.floor(bottom)) + 1):
+                if ahead < depths[row, column]:
+                    depths[row, column] = ahead
+
+
+__all__ = ["measure", "paint", "sky_and_floor"]

@@ -54,6 +54,16 @@ class CameraDevice(Device):
 
 
 @dataclass(frozen=True)
+class DepthDevice(CameraDevice):
+    """A camera that also measures how far ahead things are, within `reach` [m]."""
+
+    reach: tuple[float, float] = (0.4, 3.0)
+    depth_topic: str = ""
+    depth_info_topic: str = ""
+    cloud_topic: str = ""
+
+
+@dataclass(frozen=True)
 class OdometryDevice(Device):
     """Commands and odometry of a drive; `topic` is that of the odometry, `frame` its frame."""
 
@@ -89,5 +99,6 @@ class BumpDevice(Device):
 
 
 __all__ = [
-    "BumpDevice", "CameraDevice", "Device", "ImuDevice", "JointDevice", "OdometryDevice", "RayDevice", "TruthDevice",
+    "BumpDevice", "CameraDevice", "DepthDevice", "Device", "ImuDevice", "JointDevice", "OdometryDevice", "RayDevice",
+    "TruthDevice",
 ]  # fmt: skip

@@ -45,13 +45,13 @@ def place_at(simulation: Simulation, robot: Robot, time_ns: int) -> Place:
 
 
 class Outlet:
-    """A device of a robot at work; the k-th message is for the time `begin + k / rate`."""
+    """A device of a robot at work; the k-th message is for the time `begin + k / rate`, the next one for `due_ns`."""
 
     def __init__(self, node: Any, simulation: Simulation, robot: Robot, device: Device, seed: int, begin_ns: int) -> None:
         self.node, self.simulation, self.robot, self.device = node, simulation, robot, device
         self.chance = np.random.default_rng(seed)
         self.publishers: list[Any] = []
-        self.restart(begin_ns)
+        self._begin, self._count, self.due_ns = begin_ns, 0, begin_ns
         self.open()
 
     def work(self) -> None:
@@ -63,9 +63,7 @@ class Outlet:
 
     def restart(self, begin_ns: int) -> None:
         """Begin again at a time."""
-        self._begin, self._count = begin_ns, 0
-        self.due_ns = begin_ns
-        """When the next message is due."""
+        self._begin, self._count, self.due_ns = begin_ns, 0, begin_ns
 
     def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
         """A publisher that is closed with the outlet."""

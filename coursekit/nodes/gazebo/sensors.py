@@ -9,13 +9,13 @@ from coursekit.sim.place import Array, Place
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
-from .devices import BumpDevice, CameraDevice, Device, ImuDevice, RayDevice
+from .devices import BumpDevice, CameraDevice, DepthDevice, Device, ImuDevice, RayDevice
 from .ray_messages import CLOUD, LASER, RAY_TYPES
 from .ros_names import RosNames, names_of
 from .values import flag, number, pose, yaw_of
 
 RAYS = ("ray", "gpu_ray", "lidar", "gpu_lidar")
-CAMERAS = ("camera", "wideanglecamera")
+CAMERAS = ("camera", "wideanglecamera", "depth", "depth_camera", "rgbd_camera")
 ENCODINGS = {"R8G8B8": "rgb8", "RGB_INT8": "rgb8", "B8G8R8": "bgr8", "BGR_INT8": "bgr8", "L8": "mono8", "L_INT8": "mono8"}
 """Formats of pictures in SDF and in messages."""
 
@@ -40,7 +40,7 @@ def device_of(sensor: Element, link: BlueLink, model: Blueprint, namespace: str,
     if kind == "contact":
         topic = plugin.tell("bumperTopicName") or "bumper_states"
         return BumpDevice(names.topic(topic), frame, rate, names.full_node, link.name)
-    model.note(sensor, f"of type '{kind}' is not simulated; simulated are ray, imu, camera and contact")
+    model.note(sensor, f"of type '{kind}' is not simulated; simulated are ray, imu, camera, depth and contact")
     return None
 
 
@@ -112,10 +112,17 @@ def _camera(sensor: Element, names: RosNames, frame: str, rate: float, where: Ar
     told = camera.tell("image/format") if camera is not None else ""
     if told and told not in ENCODINGS:
         model.note(sensor, f"has pictures of format {told}, which is not simulated: R8G8B8 is published")
-    return CameraDevice(
+    made = CameraDevice(
         image, frame, rate, names.full_node, info, width, height, fov, number(camera, "clip/far", 100.0),
         where @ pose(camera), ENCODINGS.get(told, "rgb8"), number(camera, "noise/stddev", 0.0),
     )  # fmt: skip
+    if "depth" not in (sensor.get("type") or "") and sensor.get("type") != "rgbd_camera":
+        return made
+    depth, depth_info, cloud = (
+        names.topic(f"{name}/{one}") for one in ("depth/image_raw", "depth/camera_info", "points")
+    )
+    reach = number(plugin, "min_depth", 0.4), number(plugin, "max_depth", 3.0)
+    return DepthDevice(**vars(made), reach=reach, depth_topic=depth, depth_info_topic=depth_info, cloud_topic=cloud)
 
 
 def active(sensor: Element) -> bool:

@@ -21,7 +21,8 @@ from coursekit.urdf import UrdfError
 
 from . import simulators
 from .assembly import Assembly
-from .devices import CameraDevice, OdometryDevice
+from .depth import DepthOutlet
+from .devices import CameraDevice, DepthDevice, OdometryDevice
 from .forces import Forces
 from .outlets import OUTLETS, Outlet, stamp_of
 from .pictures import CameraOutlet
@@ -31,6 +32,8 @@ from .states import States
 from .warm_up import warm_up
 from .whereabouts import Whereabouts
 from .world_of import open_world
+
+CAMERAS: dict[type, type[Outlet]] = {CameraDevice: CameraOutlet, DepthDevice: DepthOutlet}
 
 
 class Gazebo(Node):
@@ -89,7 +92,7 @@ class Gazebo(Node):
         outlets = self.outlets[model.name] = []
         for number, device in enumerate(model.devices):
             node = self.node_of(device.node)
-            kind = CameraOutlet if isinstance(device, CameraDevice) else OUTLETS[type(device)]
+            kind = CAMERAS.get(type(device)) or OUTLETS[type(device)]
             seed = (self.simulation.seed * 1000 + len(self.assemblies)) * 100 + number
             outlets.append(kind(node, self.simulation, robot, device, seed, begin))
             if isinstance(device, OdometryDevice):

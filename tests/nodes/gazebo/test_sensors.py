@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from sensor_msgs.msg import Image, LaserScan, PointCloud, PointCloud2, Range
+from sensor_msgs.msg import CameraInfo, Image, LaserScan, PointCloud, PointCloud2, Range
 from sensor_msgs_py.point_cloud2 import read_points
 
 from coursekit.nodes.gazebo.sdf_world import read_entity
@@ -86,3 +86,23 @@ def test_what_a_plugin_cannot_do_here_is_listed():
     assert any("wheels' tf" in note for note in notes)
     notes = read_entity(f"<sdf version='1.6'>{MAST.format('0 0 0 0 0 0', CAMERA.format('BAYER_RGGB8', 0))}</sdf>").notes
     assert any("BAYER_RGGB8" in note for note in notes)
+
+
+def test_a_depth_camera_measures_what_it_sees(watch):
+    camera = CAMERA.format("R8G8B8", 0.0).replace("type='camera'", "type='depth'").replace(
+        "<plugin name='eye' filename='libgazebo_ros_camera.so'/>",
+        "<plugin name='eye' filename='libgazebo_ros_camera.so'><camera_name>kinect</camera_name><max_depth>2.6</max_depth>"
+        "<frame_name>eye_optical</frame_name></plugin>",
+    )
+    image, depth, info, cloud = watch(
+        MAST.format("0 0 0.5 0 0 0", camera), (Image, "/kinect/image_raw"), (Image, "/kinect/depth/image_raw"),
+        (CameraInfo, "/kinect/depth/camera_info"), (PointCloud2, "/kinect/points"),
+    )  # fmt: skip
+    rows = np.frombuffer(depth.data, np.float32).reshape(48, 64)
+    assert (depth.encoding, depth.header.frame_id, image.encoding) == ("32FC1", "eye_optical", "rgb8")
+    assert rows[23, 32] == pytest.approx(2.5) and rows[47, 32] == pytest.approx(0.5 * info.k[0] / 23.5, rel=0.05)
+    assert np.isnan(rows[0, 0]) or rows[0, 0] == pytest.approx(2.5)
+    points = read_points(cloud, ("x", "y", "z")).reshape(48, 64)
+    assert points["z"][23, 40] == pytest.approx(2.5)
+    assert points["x"][23, 40] == pytest.approx(2.5 * 8.5 / info.k[0], rel=1e-3)
+    assert (cloud.height, cloud.width, cloud.point_step) == (48, 64, 32)

@@ -98,7 +98,7 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
 
 
 def _things(made: Blueprint, place: Place) -> list[Thing]:
-    """One thing, its parts in the frame of the model seen from above."""
+    """One thing, its parts in the frame of the model seen from above, as high as in its file."""
     parts = made.parts()
     if not parts:
         return []
@@ -107,9 +107,6 @@ def _things(made: Blueprint, place: Place) -> list[Thing]:
     for part in turned:
         _check(part, made.name)
     mass = None if made.static else max(made.mass(), 1e-3)
-    low = min(part.low for part in turned)
-    if mass is not None:  # what is loose has fallen to the floor
-        turned = [raised(part, -low) for part in turned]
     return [Thing(made.name, tuple(turned), place, mass, model=made.name)]
 
 

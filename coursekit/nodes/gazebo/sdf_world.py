@@ -20,6 +20,7 @@ from .blueprint import Blueprint
 from .model_paths import SCENERY, MissingModel
 from .moved import moved
 from .sdf_model import entity, frames_of, include, read_model
+from .settle import settled
 from .urdf_model import blueprint_of
 from .values import pose, yaw_of
 from .world_plugins import StatePlugin, state_plugin
@@ -85,7 +86,8 @@ def _read_world(element: Element, file: Path) -> SdfWorld:
         things += done.things
         models.append(done)
     places = {one.name: one.place for one in map(_placed, blueprints)}
-    world = World(element.get("name") or file.stem, tuple(things), file=str(file), notes=tuple(notes), models=places)
+    name = element.get("name") or file.stem
+    world = World(name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places)
     return SdfWorld(world, models, next((one for one in plugins if one is not None), None))
 
 

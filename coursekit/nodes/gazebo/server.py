@@ -27,6 +27,7 @@ from .forces import Forces
 from .outlets import OUTLETS, Outlet, stamp_of
 from .pictures import CameraOutlet
 from .services import Services
+from .settle import settled
 from .sim_time import SimTime
 from .states import States
 from .warm_up import warm_up
@@ -79,7 +80,7 @@ class Gazebo(Node):
     def put(self, model: Assembly) -> None:
         """Put a model into the world and its devices to work. Raises WorldError."""
         self.advance()
-        for thing in model.things:
+        for thing in settled(model.things):
             self.simulation.add(thing)
         if model.robot is not None:
             robot = self.simulation.spawn(model.robot, model.name, model.place)

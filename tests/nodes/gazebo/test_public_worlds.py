@@ -116,3 +116,19 @@ def test_nests_in_nests_keep_links_of_the_same_name_apart(shop):
     row = "<include><uri>model://post</uri><pose>{} 0 0 0 0 0</pose></include>"
     made = shop(f"<model name='yard'><model name='row'>{row.format(2)}{row.format(4)}</model></model>")
     assert ahead(made) == pytest.approx(1.9) and ahead(made, Place(3, 0)) == pytest.approx(0.9)
+
+
+def test_loose_things_rest_on_the_floor_or_on_what_they_stand_on(shop):
+    shape = BOX.format("0 0 0 0 0 0", "0.4 0.4 0.4")
+    box = "<model name='{}'><pose>2 0 {} 0 0 0</pose><link name='l'>" + shape + "</link></model>"
+    table = BOX.format("0 0 0.7 0 0 0", "1 1 0.04") + BOX.format("0.4 0.4 0.35 0 0 0", "0.05 0.05 0.7")
+    made = shop(
+        box.format("upper", 0.6) + box.format("lower", 0.2) + box.format("flying", 3.0).replace("<pose>2 0", "<pose>6 0")
+        + f"<model name='table'><static>1</static><pose>-2 0 0 0 0 0</pose><link name='l'>{table}</link></model>"
+        + box.format("lunch", 0.93).replace("<pose>2 0", "<pose>-2 0")
+    )  # fmt: skip
+    lows = {thing.name: round(thing.parts[0].low, 3) for thing in made.things}
+    assert lows == {"upper": 0.4, "lower": 0.0, "flying": 0.0, "table": 0.68, "lunch": 0.72}
+    simulation = Simulation(made)
+    simulation.advance(1.0)
+    assert simulation.place_of("upper") == simulation.place_of("lower"), "nothing is shoved aside"

@@ -9,6 +9,7 @@ from .graph_panel import graph
 from .handing_in import evidence, hand_in
 from .image_view import image_view
 from .joint_panel import joint_sliders
+from .joint_windows import show_joint_windows
 from .kernel import reset, start
 from .log_console import log_console
 from .magics import edit, terminal, terminals, wait, workspace, workspace_environment
@@ -57,3 +58,4 @@ start()
 take_environment_from(workspace_environment)
 show_new_windows()
 show_rviz_windows()
+show_joint_windows()

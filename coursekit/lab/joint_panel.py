@@ -10,6 +10,7 @@ from coursekit.nodes.robots import boards
 from coursekit.nodes.robots.boards import Board
 
 from .hidden import appears
+from .joint_windows import take_over
 from .panel import Panel, static
 
 START = "Start one: %ros2 run joint_state_publisher_gui joint_state_publisher_gui &"
@@ -131,7 +132,9 @@ def joint_sliders(node: str = "") -> JointPanel:
 
     In ROS 2: the window of `ros2 run joint_state_publisher_gui joint_state_publisher_gui`.
     """
-    return JointPanel(node)
+    made = JointPanel(node)
+    take_over(made.board)
+    return made
 
 
 __all__ = ["JointPanel", "joint_sliders"]

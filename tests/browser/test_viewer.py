@@ -88,6 +88,7 @@ VIEWER = "shown = viewer(fixed_frame='odom', displays=['Grid', 'RobotModel', {'t
  'show_names': False}, 'LaserScan', 'Path', 'MarkerArray'])\nshown"
 DRAWN = "() => Number(document.querySelector('.ck-viewer')?.dataset.messages ?? 0)"
 JOINT = "base_joint"
+FLEXIBLE = Path(__file__).parents[2] / "coursekit" / "share" / "urdf_tutorial" / "urdf" / "06-flexible.urdf"
 WHEEL = Path(__file__).parents[2] / "robots" / "urdf" / "wheel.urdf"
 TURNS = """() => { const found = []; const scene = document.querySelector('.ck-viewer')?.viewer;
   scene?.view.scene_tree.object.traverse((one) => {
@@ -198,6 +199,20 @@ def test_the_window_of_rviz2_appears_below_the_cell_that_launched_it(notebook, p
     assert page.locator(".jp-CodeCell").nth(1).locator(".ck-viewer").count() == 1
     page.locator(".ck-terminal .ck-stop").first.click()
     page.locator(".ck-viewer").first.wait_for(state="detached", timeout=20_000)
+
+
+def test_the_sliders_appear_below_the_cell_that_launched_them_until_a_cell_shows_them(notebook, picture):
+    opened = notebook(LAB, f"%ros2 launch urdf_tutorial display.launch.py model:={FLEXIBLE} &", "print('done')")
+    opened.run()
+    page = opened.page
+    page.wait_for_function(f"() => ({OBJECTS})() > 1", timeout=60_000)
+    first = page.locator(".jp-CodeCell").nth(1)
+    first.get_by_role("slider").first.wait_for(timeout=30_000)
+    picture(page.locator(".jp-Notebook"), "viewer_sliders")
+    before = page.evaluate(TURNS)
+    opened.ask("hand = joint_sliders(); hand.move(next(iter(hand.positions)), 0.3)")
+    first.get_by_role("slider").first.wait_for(state="detached", timeout=20_000)
+    page.wait_for_function(f"(before) => ({TURNS})() !== before", arg=before, timeout=20_000)
 
 
 def test_the_live_tree_of_frames_is_drawn_and_tells_where_a_frame_is(notebook, picture):

@@ -21,9 +21,15 @@ _open: list[Panel] = []
 
 
 def static(name: str) -> str:
-    """A file of the browser's side, after what all panels share (`panel.js`, `panel.css`)."""
-    shared = _STATIC / f"panel.{name.rpartition('.')[2]}"
-    return shared.read_text(encoding="utf-8") + "\n" + (_STATIC / name).read_text(encoding="utf-8")
+    """A file of the browser's side, after what all panels share (`panel.js`, `panel.css`).
+
+    Every panel brings the shared style along: the own one has to win also over that of a panel which opens later.
+    """
+    kind, _, suffix = name.rpartition(".")
+    shared, own = ((_STATIC / one).read_text(encoding="utf-8") for one in (f"panel.{suffix}", name))
+    if suffix == "css":
+        own = own.replace(f".ck-{kind} ", f".ck-panel.ck-{kind} ")
+    return f"{shared}\n{own}"
 
 
 def close_panels() -> int:

@@ -316,3 +316,12 @@ def test_the_text_of_a_panel_is_what_a_notebook_stores(session):
     data = panel._repr_mimebundle_()
     data = data[0] if isinstance(data, tuple) else data
     assert data["text/plain"] == panel.text()
+
+
+@pytest.mark.parametrize("name", ["viewer", "joints", "topics", "log"])
+def test_a_panels_own_style_wins_over_the_shared_one_of_a_panel_that_opens_later(name):
+    from coursekit.lab.panel import _STATIC, static
+
+    shared = (_STATIC / "panel.css").read_text(encoding="utf-8")
+    own = static(f"{name}.css").removeprefix(shared)
+    assert f".ck-panel.ck-{name} " in own and f"\n.ck-{name} " not in own

@@ -28,9 +28,10 @@ def shapes_of(parts: Iterable[Part], body: pymunk.Body, name: str, kind: int, fr
     for part in parts:
         if kind == FIXED and is_floor(part):
             continue
+        span = part.low, part.high
         for shape in _shapes(part, body, kind == FIXED):
             shape.friction, shape.elasticity, shape.collision_type = friction, 0.0, kind
-            shape.name, shape.span = name, (part.low, part.high)
+            shape.name, shape.span = name, span
             found.append(shape)
     return found
 

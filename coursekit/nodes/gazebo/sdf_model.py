@@ -149,6 +149,8 @@ def _shapes(kind: Element, made: Blueprint) -> list[Shape]:
     if kind.tag == "polyline":
         return _polyline(kind)
     if kind.tag == "mesh":
+        if kind.first("submesh") is not None:
+            made.note(kind, "names a submesh: all of the mesh is simulated")
         scale = kind.first("scale")
         x, y, z = numbers(scale, 3) if scale is not None else (1.0, 1.0, 1.0)
         return [Mesh(str(find_mesh(kind.tell("uri"), made.file)), (x, y, z))]

@@ -12,8 +12,8 @@ from numba import njit
 def touches(cells, x0, y0, cell, x, y, yaw, outline, near):  # type: ignore[no-untyped-def]
     """Cost of the robot's centre there; 255 where the robot would touch something.
 
-    Without an outline (m, 2) a centre from 253 on touches; with one, its points are looked at where the centre costs
-    at least `near`. Outside of the map nothing is known to be in the way.
+    A centre from 253 on touches; the points of an outline (m, 2) are looked at where the centre costs at least `near`.
+    Outside of the map nothing is known to be in the way.
     """
     rows, columns = cells.shape
     i, j = math.floor((y - y0) / cell), math.floor((x - x0) / cell)
@@ -22,7 +22,7 @@ def touches(cells, x0, y0, cell, x, y, yaw, outline, near):  # type: ignore[no-u
     cost = cells[i, j]
     if cost == 255:
         return 0
-    if cost == 254 or (len(outline) == 0 and cost == 253):
+    if cost >= 253:
         return 255
     if cost < near:
         return cost

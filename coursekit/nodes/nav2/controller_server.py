@@ -214,7 +214,9 @@ class _Drive:
     def _speeds(self, costs: Any, here: Pose2, goal: Pose2, points: np.ndarray) -> tuple[float, float]:
         now = self.server._speeds
         if self.checker.near(here, goal):
-            return self.controller.turn(costs, here, now, wrap(goal.theta - here.theta))
+            if not self.controller.blocked(costs, here):
+                return self.controller.turn(costs, here, now, wrap(goal.theta - here.theta))
+            self.checker.reset()  # something comes: out of its way first, and then back
         return self.controller.command(costs, here, now, points, self.server._top(self.controller))
 
     def _arrived(self) -> bool:

@@ -103,6 +103,12 @@ def test_an_unknown_way_to_deal_with_errors_is_a_failure(context: LaunchContext)
         Command("true", on_stderr="shrug").perform(context)
 
 
+def test_a_xacro_file_that_is_not_there_is_named(context):
+    with pytest.raises(SubstitutionFailure, match="error: No such file or directory: .*nowhere.urdf.xacro") as caught:
+        Command("xacro nowhere.urdf.xacro").perform(context)
+    assert "AttributeError" not in str(caught.value)
+
+
 def test_python_expressions_know_math_and_given_modules(context: LaunchContext) -> None:
     context.launch_configurations["n"] = "3"
     assert PythonExpression([LaunchConfiguration("n"), " * 2"]).perform(context) == "6"

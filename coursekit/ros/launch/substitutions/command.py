@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import shlex
 import subprocess
+import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..frontend.expose import expose_substitution
@@ -91,7 +93,7 @@ def _run(text: str, environment: dict[str, str], merge: bool) -> subprocess.Comp
             f"file not found executing command: {text}\n{words[0]!r} is not on the PATH"
         )
     return subprocess.run(
-        [program, *words[1:]],
+        [*_started(program), *words[1:]],
         env=environment,
         text=True,
         check=False,
@@ -99,6 +101,14 @@ def _run(text: str, environment: dict[str, str], merge: bool) -> subprocess.Comp
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT if merge else subprocess.PIPE,
     )
+
+
+def _started(program: str) -> list[str]:
+    """How to start a program: xacro's own script ends in an AttributeError where it should name the missing file."""
+    beside = Path(sys.executable).parent
+    if Path(program).parent == beside and Path(program).stem == "xacro":
+        return [sys.executable, "-c", "import sys, xml.parsers.expat, xacro; sys.exit(xacro.main())"]
+    return [program]
 
 
 def _complain(text: str, stderr: str, on_stderr: str, context: LaunchContext) -> None:

@@ -1,3 +1,4 @@
+import asyncio
 import threading
 import time
 
@@ -6,6 +7,7 @@ import rclpy
 from rclpy.executors import (
     ExternalShutdownException,
     MultiThreadedExecutor,
+    ShutdownException,
     SingleThreadedExecutor,
 )
 from rclpy.task import Future
@@ -192,3 +194,63 @@ def test_an_entity_may_be_destroyed_in_its_own_callback(world):
     world.spin_until(lambda: calls)
     world.spin_for(0.1)
     assert calls == [1]
+
+
+def resumable(steps):
+    async def coroutine():
+        steps.append(1)
+        await asyncio.sleep(0)
+        steps.append(2)
+
+    return coroutine
+
+
+def test_a_coroutine_goes_on_in_the_next_spin(world):
+    node, steps = world.node(start_parameter_services=False), []
+    guard = node.create_guard_condition(resumable(steps))
+    guard.trigger()
+    world.executor.spin_once(timeout_sec=1.0)
+    assert steps == [1]
+    world.executor.spin_once(timeout_sec=0)
+    assert steps == [1, 2]
+
+
+def test_who_awaits_a_task_goes_on_when_it_is_done(world):
+    world.node(start_parameter_services=False)
+
+    async def first():
+        return "first"
+
+    one = world.executor.create_task(first)
+
+    async def second():
+        return await one + " and second"
+
+    two = world.executor.create_task(second)
+    world.executor.spin_once(timeout_sec=0)
+    world.executor.spin_once(timeout_sec=0)
+    assert one.done()
+    world.executor.spin_once(timeout_sec=1)
+    assert two.result() == "first and second"
+
+
+def test_an_executor_may_be_shut_down_by_its_own_callback(world):
+    node, called = world.node(), threading.Event()
+
+    def stop():
+        world.executor.shutdown()
+        called.set()
+
+    node.create_timer(0.05, stop)
+    thread = threading.Thread(target=world.executor.spin, daemon=True)
+    thread.start()
+    assert called.wait(5.0)
+    thread.join(timeout=5.0)
+    assert not thread.is_alive()
+
+
+def test_ready_callbacks_can_be_generated(either):
+    ready = either.executor._wait_for_ready_callbacks()
+    either.executor.shutdown()
+    with pytest.raises(ShutdownException):
+        next(ready)

@@ -1,5 +1,5 @@
 import pytest
-from rclpy._rclpy_pybind11 import NodeNameNonExistentError
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import Int64, String
 from std_srvs.srv import Trigger
@@ -117,3 +117,18 @@ def test_every_node_has_parameter_events_and_rosout(world, node):
     topics = dict(node.get_publisher_names_and_types_by_node("n", "/ns"))
     assert topics["/parameter_events"] == ["rcl_interfaces/msg/ParameterEvent"]
     assert topics["/rosout"] == ["rcl_interfaces/msg/Log"]
+
+
+def test_a_bad_name_is_not_resolved(world):
+    with pytest.raises(RCLError, match="failed to resolve name"):
+        world.node().resolve_topic_name("bad?")
+
+
+def test_what_is_not_the_node_s_is_not_destroyed(world):
+    assert not world.node().destroy_publisher("none")
+
+
+def test_a_destroyed_node_stays_with_its_executor(world):
+    node = world.node()
+    node.destroy_node()
+    assert world.executor.get_nodes() == [node]

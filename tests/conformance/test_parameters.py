@@ -213,3 +213,20 @@ def test_changes_are_told_on_parameter_events(world):
     assert any(p.name == "speed" for e in events for p in e.new_parameters)
     assert [p.value.integer_value for e in events for p in e.changed_parameters] == [2]
     assert events[-1].node == "/n"
+
+
+def test_what_is_no_parameter_is_refused_also_where_all_may_be_set(world):
+    node = world.node(allow_undeclared_parameters=True)
+    with pytest.raises(TypeError):
+        node.set_parameters([42])
+
+
+def test_an_undeclared_parameter_has_an_empty_descriptor(world):
+    node = world.node(allow_undeclared_parameters=True)
+    assert node.describe_parameter("unheard") == ParameterDescriptor()
+
+
+def test_a_dynamic_parameter_that_loses_its_value_is_undeclared(node):
+    node.declare_parameter("loose", "value", ParameterDescriptor(dynamic_typing=True))
+    assert node.set_parameters([Parameter("loose", Type.NOT_SET, None)])[0].successful
+    assert not node.has_parameter("loose")

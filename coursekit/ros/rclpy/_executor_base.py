@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
-from rclpy._executor_work import TimeoutObject, Work, deadline_of, never
+from rclpy._executor_work import TimeoutObject, Work, never
 from rclpy.task import Future, Task
 
 
@@ -15,8 +15,6 @@ class Executor(Work):
     def __init__(self, *, context: Any = None) -> None:
         super().__init__(context)
         self._nodes: list[Any] = []
-        self._working = 0
-        self._idle = self._clock.new_event()
         self._context.on_shutdown(self.wake)
 
     @property
@@ -67,11 +65,16 @@ class Executor(Work):
         For executors of your own. Raises TimeoutException, ShutdownException, ExternalShutdownException and
         ConditionReachedException.
         """
-        entity, work = self._next_work(deadline_of(timeout_sec), condition)
+        entity, work = self._next_work(timeout_sec, condition)
         if entity is None:
             return work, None, None
         task = _Handler(self, entity, work)
         return task, entity, self._node_of(entity)
+
+    def _wait_for_ready_callbacks(self, *args: Any, **kwargs: Any) -> Iterator[tuple[Task, Any, Any]]:
+        """`wait_for_ready_callbacks`, again and again."""
+        while True:
+            yield self.wait_for_ready_callbacks(*args, **kwargs)
 
     def _node_of(self, entity: Any) -> Any:
         for node in self._nodes:
@@ -105,17 +108,9 @@ class Executor(Work):
         raise NotImplementedError()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Stop; True if no callback was left running after `timeout_sec`."""
+        """Stop; True. A callback that runs is not waited for, as in Humble: it may be the caller."""
         self._is_shutdown = True
         self.wake()
-        deadline = deadline_of(timeout_sec)
-        while self._working:
-            left = None if deadline is None else (deadline - self._clock.steady()) * 1e-9
-            if left is not None and left <= 0:
-                return False
-            self._idle.clear()
-            if self._working:
-                self._idle.wait(left)
         with self._lock:
             for node in list(self._nodes):
                 self.remove_node(node)

@@ -90,6 +90,9 @@ class Work:
         self._tasks: list[Task] = []
         self._waiting_tasks: list[Task] = []
         self._parked: list[Any] = []
+        self._errors: list[BaseException] = []
+        self._cycle: Any = None
+        self._past_waiting = False
         self._overrides_can_execute = type(self).can_execute is not Work.can_execute
 
     def wake(self) -> None:
@@ -131,13 +134,16 @@ class Work:
                 awaited_callback(awaited)
             else:
                 with awaited._lock:
-                    awaited._callbacks.append(_Direct(awaited_callback))
+                    awaited._resumptions.append(awaited_callback)
         else:
             with self._lock:
                 self._waiting_tasks.append(task)
 
-    def _poll_waiting(self) -> None:
+    def _begin_cycle(self, cycle: Any) -> None:
+        """Resume the tasks that wait for nothing special: once before each waiting, as the real executor does."""
+        self._cycle, self._past_waiting = cycle, False
         if self._waiting_tasks:
+            self._clock.poll(_POLL_WEIGHT)
             with self._lock:
                 self._tasks.extend(self._waiting_tasks)
                 self._waiting_tasks.clear()
@@ -148,11 +154,18 @@ class Work:
         """Whether the entity's callback may begin; a subclass may be stricter."""
         return entity.callback_group.can_execute(entity)
 
-    def _next_work(self, deadline: int | None, condition: Callable[[], bool]) -> tuple[Any, Any]:
-        """Wait for something to do: (entity, function) or (None, task). The entity's group has begun execution."""
+    def _next_work(self, timeout_sec: Any, condition: Callable[[], bool]) -> tuple[Any, Any]:
+        """Wait for something to do: (entity, function) or (None, task). The entity's group has begun execution.
+
+        A cycle is a look at the tasks, a waiting, and all that is ready then; it goes on in the next call with the same
+        arguments.
+        """
         queue = self._queue
         context = self._context
+        deadline = deadline_of(timeout_sec)
         waited = False
+        if self._cycle != (cycle := (timeout_sec, condition)):
+            self._begin_cycle(cycle)
         while True:
             if self._is_shutdown:
                 raise ShutdownException()
@@ -166,17 +179,24 @@ class Work:
             if entity is not None:
                 work = self._begin(entity)
                 if work is not None:
+                    self._past_waiting = True
                     return entity, work
                 continue
-            if condition():
+            if self._past_waiting:
+                self._begin_cycle(cycle)
+                continue
+            if condition() or self._errors:
+                self._cycle = None
                 raise ConditionReachedException()
             if deadline is not None and self._clock.steady() >= deadline:
+                self._cycle = None
                 if not waited:
                     self._clock.poll(_POLL_WEIGHT)
                 raise TimeoutException()
             waited = True
             queue.wait(deadline)
-            self._poll_waiting()
+            if not queue.items:
+                self._begin_cycle(cycle)
 
     def _begin(self, entity: Any) -> Any:
         """Take an entity's data if its group lets it begin; None if there is nothing to do now."""
@@ -235,16 +255,6 @@ class Work:
             self._run(None, task)
         else:
             self._ended(entity)
-
-
-class _Direct:
-    """A done callback that only puts a task back: it is not a task of its own."""
-
-    def __init__(self, call: Callable[[Any], None]) -> None:
-        self.call = call
-
-    def __call__(self, future: Any) -> None:
-        self.call(future)
 
 
 async def _finish(executor: Work, entity: Any, coroutine: Any) -> Any:

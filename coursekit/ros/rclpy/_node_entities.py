@@ -235,6 +235,9 @@ class NodeEntities:
         if entity not in kept:
             return False
         kept.remove(entity)
+        for handler in getattr(entity, "event_handlers", ()):
+            if handler in self._waitables:
+                self.remove_waitable(handler)
         for source in getattr(entity, "_sources", list)():
             source.attach(None, None)
         entity.destroy()
@@ -242,18 +245,11 @@ class NodeEntities:
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
         """Destroy a publisher; False if it is not this node's."""
-        self._drop_handlers(publisher)
         return self._destroy(self._publishers, publisher)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
         """Destroy a subscription; False if it is not this node's."""
-        self._drop_handlers(subscription)
         return self._destroy(self._subscriptions, subscription)
-
-    def _drop_handlers(self, endpoint: Any) -> None:
-        for handler in endpoint.event_handlers:
-            if handler in self._waitables:
-                self.remove_waitable(handler)
 
     def destroy_client(self, client: Client) -> bool:
         """Destroy a client; False if it is not this node's."""

@@ -86,7 +86,7 @@ class NodeParameters:
             self._descriptors[parameter.name] = descriptor
             return
         self._descriptors[parameter.name] = descriptor
-        result = self._apply([parameter], check_read_only=False)
+        result = self._apply([parameter], declares=True)
         if result.successful:
             return
         del self._descriptors[parameter.name]
@@ -109,18 +109,18 @@ class NodeParameters:
 
     # -- reading
 
-    def get_parameter_types(self, names: list[str]) -> list[Parameter.Type]:
-        """The types of several."""
+    def get_parameter_types(self, names: list[str]) -> list[int]:
+        """The types of several, as rcl_interfaces/ParameterType counts them."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError("All names must be instances of type str")
         return [self.get_parameter_type(name) for name in names]
 
-    def get_parameter_type(self, name: str) -> Parameter.Type:
-        """The type of a parameter."""
+    def get_parameter_type(self, name: str) -> int:
+        """The type of a parameter, as rcl_interfaces/ParameterType counts them."""
         if name in self._parameters:
-            return self._parameters[name].type_
+            return int(self._parameters[name].type_.value)
         if self._allow_undeclared_parameters:
-            return Parameter.Type.NOT_SET
+            return int(Parameter.Type.NOT_SET.value)
         raise ParameterNotDeclaredException(name)
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
@@ -162,7 +162,7 @@ class NodeParameters:
         if name in self._descriptors:
             return self._descriptors[name]
         if self._allow_undeclared_parameters:
-            return ParameterDescriptor(name=name)
+            return ParameterDescriptor()
         raise ParameterNotDeclaredException(name)
 
     def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
@@ -182,10 +182,10 @@ class NodeParameters:
         return self._set(parameter_list)
 
     def _check_declared(self, parameters: list[Parameter]) -> None:
-        if self._allow_undeclared_parameters:
-            return
         if not all(isinstance(parameter, Parameter) for parameter in parameters):
             raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
+        if self._allow_undeclared_parameters:
+            return
         unknown = [parameter.name for parameter in parameters if parameter.name not in self._descriptors]
         if unknown:
             raise ParameterNotDeclaredException(unknown)
@@ -196,18 +196,18 @@ class NodeParameters:
         self._check_declared(parameters)
         return self._apply(parameters)
 
-    def _apply(self, parameters: list[Parameter], check_read_only: bool = True) -> SetParametersResult:
-        """Check, ask the callbacks, set, and tell /parameter_events."""
+    def _apply(self, parameters: list[Parameter], declares: bool = False) -> SetParametersResult:
+        """Check, ask the callbacks, set, and tell /parameter_events; only declaring may leave one without a value."""
         for parameter in parameters:
             descriptor = self._descriptors.get(parameter.name)
-            result = self._check(parameter, descriptor, check_read_only)
+            result = self._check(parameter, descriptor, not declares)
             if not result.successful:
                 return result
         for callback in list(self._parameters_callbacks):
             result = callback(parameters)
             if not result.successful:
                 return result
-        self._store(parameters)
+        self._store(parameters, declares)
         for post in list(self._post_set_callbacks):
             post(parameters)
         return SetParametersResult(successful=True)
@@ -239,7 +239,7 @@ class NodeParameters:
             reason = outside_floating_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
         return SetParametersResult(successful=not reason, reason=reason)
 
-    def _store(self, parameters: list[Parameter]) -> None:
+    def _store(self, parameters: list[Parameter], declares: bool) -> None:
         event = ParameterEvent(node=self.get_fully_qualified_name())  # type: ignore[attr-defined]
         event.stamp = self.get_clock().now().to_msg()  # type: ignore[attr-defined]
         for parameter in parameters:
@@ -248,7 +248,7 @@ class NodeParameters:
             if parameter.type_ == Parameter.Type.NOT_SET:
                 if had_value:
                     event.deleted_parameters.append(Parameter(parameter.name).to_parameter_msg())
-                if parameter.name in self._descriptors and self._descriptors[parameter.name].dynamic_typing:
+                if declares:
                     self._parameters[parameter.name] = parameter
                 else:
                     self._parameters.pop(parameter.name, None)

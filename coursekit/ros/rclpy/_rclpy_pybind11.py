@@ -217,7 +217,11 @@ class Endpoint(Handle):
 
 
 def _qos_of(profile: Any) -> Any:
-    return profile.get_c_qos_profile() if hasattr(profile, "get_c_qos_profile") else profile
+    if not hasattr(profile, "get_c_qos_profile"):
+        return profile
+    from rclpy._node_graph import core_qos
+
+    return core_qos(profile)
 
 
 class Publisher(Endpoint):
@@ -344,3 +348,12 @@ def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
     """What a subscription callback's second argument holds."""
     _, stamp, publisher = entry
     return {"source_timestamp": stamp, "received_timestamp": stamp, "publisher_gid": publisher.gid}
+
+
+def __getattr__(name: str) -> Any:
+    """What is defined above this module: Humble's QoSEvent, which later ROS calls EventHandle."""
+    if name in ("QoSEvent", "EventHandle"):
+        from rclpy.event_handler import QoSEvent
+
+        return QoSEvent
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from coursekit.core.ready import Source
+from coursekit.core.session import current
 
 
 class WaitSet:
@@ -13,6 +14,10 @@ class WaitSet:
 
     def __init__(self, *_sizes: Any) -> None:
         self.handles: dict[str, list[Any]] = {}
+
+    def clear_entities(self) -> None:
+        """Wait for nothing."""
+        self.handles.clear()
 
     def _add(self, kind: str, handle: Any) -> int:
         handles = self.handles.setdefault(kind, [])
@@ -49,6 +54,15 @@ class WaitSet:
         if kind == "guard_condition":
             return handle.core.take()
         return handle.core.has_work()
+
+    def wait(self, timeout_nsec: int) -> None:
+        """Wait until one of them is ready, at most so long; negative: without end. They may be waited for elsewhere too."""
+        clock = current().clock
+        deadline = None if timeout_nsec < 0 else clock.steady() + timeout_nsec
+        while not any(source.has_work() for source in self.sources()):
+            if deadline is not None and clock.steady() >= deadline:
+                return
+            clock.sleep(0.001)
 
     def sources(self) -> Iterator[Source]:
         """All that was added."""

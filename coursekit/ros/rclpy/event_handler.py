@@ -136,6 +136,21 @@ _KINDS: dict[Any, tuple[str, Callable[[dict[str, Any]], Any]]] = {
 }
 
 
+class QoSEvent(Handle):
+    """One kind of event of one endpoint; UnsupportedEventTypeError when it has no such events."""
+
+    def __init__(self, parent: Any, event_type: Any) -> None:
+        side = "p" if isinstance(event_type, QoSPublisherEventType) else "s"
+        if (side, int(event_type)) not in _KINDS:
+            raise UnsupportedEventTypeError(f"Failed to create event: {event_type!r} is not supported")
+        kind, self._read = _KINDS[side, int(event_type)]
+        super().__init__(parent.core.status(kind))
+
+    def take_event(self) -> Any:
+        """What has happened since the last time."""
+        return self._read(self.core.take())
+
+
 class EventHandler(Waitable):
     """Calls back when one kind of event of one endpoint has happened."""
 
@@ -143,13 +158,9 @@ class EventHandler(Waitable):
         self, *, callback_group: Any, callback: Callable[[Any], Any], event_type: Any, parent_impl: Any
     ) -> None:
         super().__init__(callback_group)
-        side = "p" if isinstance(event_type, QoSPublisherEventType) else "s"
-        if (side, int(event_type)) not in _KINDS:
-            raise UnsupportedEventTypeError(f"Failed to create event: {event_type!r} is not supported")
-        kind, self._read = _KINDS[side, int(event_type)]
         self.event_type = event_type
         self.callback = callback
-        self._event = Handle(parent_impl.core.status(kind))
+        self._event = QoSEvent(parent_impl, event_type)
 
     def is_ready(self, wait_set: Any) -> bool:
         """Whether it has happened."""
@@ -157,7 +168,7 @@ class EventHandler(Waitable):
 
     def take_data(self) -> Any:
         """What has happened."""
-        return self._read(self._event.core.take())
+        return self._event.take_event()
 
     async def execute(self, taken_data: Any) -> None:
         """Call back."""
@@ -185,7 +196,7 @@ QoSEventHandler = EventHandler
 def _warn(logger_name: str, text: str) -> Callable[[Any], None]:
     def callback(event: Any) -> None:
         policy = qos_policy_name_from_kind(event.last_policy_kind)
-        get_logger(logger_name).warning(text.format(policy))
+        get_logger(logger_name).warn(text.format(policy))
 
     return callback
 

@@ -15,7 +15,6 @@ from rclpy._executor_work import (
     TimeoutException,
     TimeoutObject,
     await_or_execute,
-    deadline_of,
     never,
 )
 from rclpy._lent import lender
@@ -42,27 +41,21 @@ class SingleThreadedExecutor(Executor):
     def __init__(self, *, context: Any = None) -> None:
         super().__init__(context=context)
 
-    def _spin_once(self, deadline: int | None, condition: Callable[[], bool]) -> None:
+    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool]) -> None:
         try:
-            entity, work = self._next_work(deadline, condition)
+            entity, work = self._next_work(timeout_sec, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
             return
-        self._working += 1
-        try:
-            self._run(entity, work)
-        finally:
-            self._working -= 1
-            if self._is_shutdown:
-                self._idle.set()
+        self._run(entity, work)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback and run it, at most `timeout_sec`."""
-        self._spin_once(deadline_of(timeout_sec), never)
+        self._spin_once(timeout_sec, never)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
         """Like `spin_once`, and returns when `future` is done."""
         future.add_done_callback(lambda _: self.wake())
-        self._spin_once(deadline_of(timeout_sec), future.done)
+        self._spin_once(timeout_sec, future.done)
 
 
 class MultiThreadedExecutor(Executor):
@@ -73,13 +66,13 @@ class MultiThreadedExecutor(Executor):
         if num_threads is None:
             num_threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
         self._num_threads = max(1, num_threads or 2)
-        self._errors: list[BaseException] = []
+        self._working = 0
         self._free = self._clock.new_event()
 
-    def _spin_once(self, deadline: int | None, condition: Callable[[], bool]) -> None:
+    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool]) -> None:
         self._raise_error()
         try:
-            entity, work = self._next_work(deadline, lambda: condition() or bool(self._errors))
+            entity, work = self._next_work(timeout_sec, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
             self._raise_error()
             return
@@ -100,8 +93,6 @@ class MultiThreadedExecutor(Executor):
             with self._lock:
                 self._working -= 1
             self._free.set()
-            if self._is_shutdown:
-                self._idle.set()
             self.wake()
 
     def _raise_error(self) -> None:
@@ -110,9 +101,9 @@ class MultiThreadedExecutor(Executor):
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback and have a thread run it."""
-        self._spin_once(deadline_of(timeout_sec), never)
+        self._spin_once(timeout_sec, never)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
         """Like `spin_once`, and returns when `future` is done."""
         future.add_done_callback(lambda _: self.wake())
-        self._spin_once(deadline_of(timeout_sec), future.done)
+        self._spin_once(timeout_sec, future.done)

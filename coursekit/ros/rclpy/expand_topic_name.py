@@ -11,4 +11,7 @@ def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> s
     >>> expand_topic_name("~/pose", "turtle", "/sim")
     '/sim/turtle/pose'
     """
-    return names.expand(topic_name, node_name, node_namespace)
+    try:
+        return names.expand(topic_name, node_name, node_namespace)
+    except ValueError as error:
+        raise ValueError(str(error)) from None

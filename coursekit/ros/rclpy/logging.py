@@ -9,6 +9,8 @@ from rclpy.impl.logging_state import LoggingSeverity as LoggingSeverity
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
 
+_root_logger = RcutilsLogger()
+
 
 def get_logger(name: str) -> RcutilsLogger:
     """Return a logger of that name; ValueError for an empty one.
@@ -18,7 +20,7 @@ def get_logger(name: str) -> RcutilsLogger:
     """
     if not name:
         raise ValueError("Logger name must not be empty.")
-    return RcutilsLogger(name)
+    return _root_logger.get_child(name)
 
 
 def initialize() -> None:

@@ -128,7 +128,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         handle = self._context.handle
         self._graph_node = handle.graph.add_node(name, namespace, current_process())
         logger_name = self._graph_node.full_name.strip("/").replace("/", ".")
-        self._handle = _rclpy.NodeHandle(self._graph_node, self._remap, logger_name)
+        self._handle = _rclpy.NodeHandle(self._graph_node, self._resolve, logger_name)
 
     def _read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:
         try:
@@ -241,7 +241,10 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         return self._resolve(service, "service", only_expand)
 
     def _resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
-        full = expand_topic_name(name, self.get_name(), self.get_namespace())
+        try:
+            full = expand_topic_name(name, self.get_name(), self.get_namespace())
+        except ValueError as error:
+            raise _rclpy.RCLError(f"failed to resolve name: {error}") from None
         return full if only_expand else self._remap(full, kind)
 
     def _checked(self, name: str, kind: str) -> str:
@@ -258,7 +261,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         if self._handle is None or not self._handle.valid:
             return
         if self.executor is not None:
-            self.executor.remove_node(self)
+            self.executor.wake()
         for rate in list(self._rates):
             self.destroy_rate(rate)
         everything: tuple[tuple[Callable[[Any], bool], list[Any]], ...] = (

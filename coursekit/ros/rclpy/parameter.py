@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import array
-from enum import Enum
+from enum import Enum, IntEnum
 from typing import Any
 
 import yaml
@@ -44,7 +44,7 @@ class Parameter:
     <Type.DOUBLE: 3>
     """
 
-    class Type(Enum):
+    class Type(IntEnum):
         """What a parameter holds."""
 
         NOT_SET = ParameterType.PARAMETER_NOT_SET
@@ -57,6 +57,11 @@ class Parameter:
         INTEGER_ARRAY = ParameterType.PARAMETER_INTEGER_ARRAY
         DOUBLE_ARRAY = ParameterType.PARAMETER_DOUBLE_ARRAY
         STRING_ARRAY = ParameterType.PARAMETER_STRING_ARRAY
+
+        __str__ = Enum.__str__
+
+        def __format__(self, spec: str) -> str:
+            return format(str(self), spec)
 
         @classmethod
         def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:

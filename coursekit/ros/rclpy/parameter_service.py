@@ -68,7 +68,7 @@ class ParameterService:
 
     def _types(self, request: Any, response: Any) -> Any:
         try:
-            response.types = [type_.value for type_ in self.node.get_parameter_types(request.names)]
+            response.types = self.node.get_parameter_types(request.names)
         except ParameterNotDeclaredException:
             response.types = []
         return response

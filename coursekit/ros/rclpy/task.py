@@ -30,6 +30,7 @@ class Future:
         self._exception: BaseException | None = None
         self._exception_fetched = False
         self._callbacks: list[Callable[[Any], Any]] = []
+        self._resumptions: list[Callable[[Any], None]] = []
         self._lock = threading.Lock()
         self._executor: Any = None
         self._set_executor(executor)
@@ -109,6 +110,9 @@ class Future:
     def _run_callbacks(self) -> None:
         with self._lock:
             callbacks, self._callbacks = self._callbacks, []
+            resumptions, self._resumptions = self._resumptions, []
+        for resume in resumptions:
+            resume(self)
         for callback in callbacks:
             self._call(callback)
 

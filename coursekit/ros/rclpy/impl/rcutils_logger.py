@@ -69,7 +69,7 @@ class RcutilsLogger:
         if not name:
             raise ValueError("Child logger name must not be empty.")
         child = RcutilsLogger(f"{self.name}.{name}" if self.name else name)
-        child._rosout_name = self._rosout_name
+        child._rosout_name = self._rosout_name or child.name
         return child
 
     def set_level(self, level: LoggingSeverity | int) -> None:

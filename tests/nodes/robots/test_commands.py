@@ -102,9 +102,9 @@ def viewer(tmp_path, monkeypatch):
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
 
 
-@pytest.mark.parametrize("model", ["", "r2d2.urdf.xacro"])
+@pytest.mark.parametrize("model", ["", str(ROBOTS / "r2d2.urdf.xacro"), "urdf/05-visual.urdf"])
 def test_the_tutorials_launch_file_shows_any_model(session, ros2, viewer, model):
-    words = [f"model:={ROBOTS / model}"] if model else []
+    words = [f"model:={model}"] if model else []
     output = ros2("launch", "urdf_tutorial", "display.launch.py", "gui:=false", *words)
     assert "got segment head" in output if model else "got segment base_link" in output
     assert "[joint_state_publisher-" in output

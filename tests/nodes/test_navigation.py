@@ -5,8 +5,10 @@ from nav2_msgs.action import NavigateToPose
 from rclpy.action import ActionClient
 
 from coursekit.lab.viewer import viewer
+from coursekit.sim import Place, Prism
+from coursekit.sim.world import Thing
 from coursekit.slam.pose import Pose2
-from tests.nodes.nav2_stage import Stage
+from tests.nodes.nav2_stage import Mover, Stage
 
 START = Pose2(0.0, 0.0, 0.0)
 PROGRAM = """
@@ -116,6 +118,19 @@ def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path
     assert status(PLAN_AND_FOLLOW, Pose2(1.2, 40.0, 0.0)) == 6
     assert status("<Dance/>", START) == 6
     assert "has a node 'Dance', which is not known here; known are: AlwaysFailure" in stage.launch.output
+
+
+def test_a_cart_that_does_not_stop_is_let_by(stage):
+    square = ((-0.25, -0.25), (0.25, -0.25), (0.25, 0.25), (-0.25, 0.25))
+    ends = ((5.5, 0.0), (-1.0, 0.0))
+    stage.simulation.add(Thing("cart", (Prism(square, 0.0, 0.6),), Place(*ends[0], 0.0), mass=30.0))
+    stage.movers.append(Mover("cart", ends, 0.4))
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+    there = Pose2(4.5, 0.0, 0.0)
+    assert stage.until(give(stage, client, there).get_result_async()).status == 4
+    assert stage.touched == {} and stage.distance_to(there) < 0.4
 
 
 def test_parameters_set_while_it_runs_are_obeyed(stage, ros2):

@@ -90,7 +90,8 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
     if not parts:
         made.notes.append(f"{made.name} has no <collision> that can be met: it is simulated as a disc of 0.1 m")
         parts = [Disc(0.0, 0.0, 0.1, 0.0, 0.2)]
-    source = next((one for one in made.plugins if "drive" in (one.get("filename") or "")), None)
+    drives = ("drive", "ros2_control")
+    source = next((one for one in made.plugins if any(word in (one.get("filename") or "") for word in drives)), None)
     odometer = next((one for one in devices if isinstance(one, OdometryDevice)), None)
     encoder = odometer is not None and not odometer.exact
     drift = drift_of(source, encoder) if source is not None else EXACT

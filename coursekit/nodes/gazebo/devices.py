@@ -75,6 +75,8 @@ class OdometryDevice(Device):
     """Whether it tells where the robot really is (Gazebo's odometry_source WORLD) or what wheels turned (ENCODER)."""
     covariance: tuple[float, float, float] = (1e-5, 1e-5, 1e-3)
     tf_topic: str = "/tf"
+    stamped: bool = False
+    """Whether commands come as TwistStamped."""
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from coursekit.sim.robot import Drive
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import Blueprint
+from .controllers import read_controllers
 from .devices import Device, JointDevice, OdometryDevice, TruthDevice
 from .ros_names import names_of
 from .values import flag, number, numbers
@@ -25,6 +26,7 @@ def read_plugin(plugin: Element, model: Blueprint, namespace: str) -> Found:
         "skid_steer_drive": _skid_steer,
         "joint_state_publisher": _joint_states,
         "p3d": _truth,
+        "gazebo_ros2_control": read_controllers,
     }
     reader = readers.get(file)
     if reader is None:

@@ -7,7 +7,7 @@ import sys
 from typing import Any
 
 import rclpy
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Twist, TwistStamped
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
@@ -97,11 +97,13 @@ class Gazebo(Node):
             seed = (self.simulation.seed * 1000 + len(self.assemblies)) * 100 + number
             outlets.append(kind(node, self.simulation, robot, device, seed, begin))
             if isinstance(device, OdometryDevice):
-                heard = node.create_subscription(Twist, device.command_topic, lambda msg: self._command(robot, msg), 10)
+                twist = TwistStamped if device.stamped else Twist
+                heard = node.create_subscription(twist, device.command_topic, lambda msg: self._command(robot, msg), 10)
                 self._commands.setdefault(model.name, []).append((node, heard))
 
-    def _command(self, robot: Any, msg: Twist) -> None:
+    def _command(self, robot: Any, msg: Any) -> None:
         self.advance()
+        msg = getattr(msg, "twist", msg)
         robot.command(msg.linear.x, msg.angular.z, msg.linear.y, now_ns=self.simulation.now_ns)
 
     def node_of(self, full_name: str) -> Any:

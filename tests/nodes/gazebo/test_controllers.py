@@ -1,0 +1,111 @@
+"""Robots that drive by ros2_control: their controllers by name, and what starts them."""
+
+import pytest
+from geometry_msgs.msg import Twist, TwistStamped
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import JointState
+from tf2_msgs.msg import TFMessage
+
+from coursekit.nodes.gazebo.sdf_world import read_entity
+from coursekit.urdf import UrdfError
+
+WHEEL = """<link name='{0}'><collision><origin rpy='1.5707963 0 0'/><geometry>
+<cylinder radius='0.05' length='0.02'/></geometry></collision></link><joint name='{0}_joint' type='continuous'><parent link='base_link'/><child link='{0}'/>
+<origin xyz='0 {1} 0.05'/><axis xyz='0 1 0'/></joint>"""
+ROBOT = """<robot name='cart'><link name='base_link'><collision><origin xyz='0 0 0.1'/><geometry>
+<box size='0.3 0.2 0.1'/></geometry></collision></link>{wheels}
+<ros2_control name='GazeboSystem' type='system'><hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
+<joint name='left_joint'><command_interface name='velocity'/></joint></ros2_control>
+<gazebo><plugin filename='libgazebo_ros2_control.so' name='gazebo_ros2_control'><parameters>{file}</parameters></plugin>
+</gazebo></robot>"""
+PARAMETERS = """controller_manager:
+  ros__parameters:
+    update_rate: 30
+    use_sim_time: true
+    diff_cont:
+      type: diff_drive_controller/DiffDriveController
+    joint_broad:
+      type: joint_state_broadcaster/JointStateBroadcaster
+diff_cont:
+  ros__parameters:
+    publish_rate: 40.0
+    base_frame_id: base_link
+    left_wheel_names: ['left_joint']
+    right_wheel_names: ['right_joint']
+    wheel_separation: 0.22
+    wheel_radius: 0.05
+    use_stamped_vel: {stamped}
+    linear.x.max_velocity: 0.4
+"""
+
+
+@pytest.fixture
+def cart(tmp_path):
+    def write(parameters=PARAMETERS, stamped="false"):
+        file = tmp_path / "controllers.yaml"
+        file.write_text(parameters.replace("{stamped}", stamped))
+        wheels = WHEEL.format("left", 0.11) + WHEEL.format("right", -0.11)
+        robot = tmp_path / "cart.urdf"
+        robot.write_text(ROBOT.format(wheels=wheels, file=file))
+        return robot
+
+    return write
+
+
+KINDS = [("false", "cmd_vel_unstamped", Twist), ("true", "cmd_vel", TwistStamped)]
+
+
+@pytest.mark.parametrize(("stamped", "topic", "kind"), KINDS)
+def test_a_robot_drives_by_its_controller_s_topic(run, spawn, friend, cart, stamped, topic, kind):
+    run("gazebo_ros", "gzserver")
+    spawner = run("controller_manager", "spawner", "diff_cont", "joint_broad")
+    spawn(file=cart(stamped=stamped), name="cart")
+    assert spawner.wait(5.0) == 0 and "Configured and activated joint_broad" in spawner.output
+    odometry, joints, tf = (
+        friend.hear(Odometry, "/diff_cont/odom"), friend.hear(JointState, "/joint_states"), friend.hear(TFMessage, "/tf")
+    )  # fmt: skip
+    publisher, message = friend.node.create_publisher(kind, f"/diff_cont/{topic}", 10), kind()
+    getattr(message, "twist", message).linear.x = 1.0
+    for _ in range(10):
+        publisher.publish(message)
+        friend.spin(0.2)
+    assert odometry[-1].pose.pose.position.x == pytest.approx(0.4 * 2.0, rel=0.15), "its greatest speed"
+    assert (odometry[-1].header.frame_id, odometry[-1].child_frame_id) == ("odom", "base_link")
+    assert set(joints[-1].name) == {"left_joint", "right_joint"} and joints[-1].position[0] > 10
+    assert tf[-1].transforms[0].child_frame_id == "base_link"
+    assert 78 <= len(odometry) <= 82 and 58 <= len(joints) <= 62
+    friend.spin(2.0)
+    assert odometry[-1].twist.twist.linear.x == 0.0, "without commands it stops"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("['left_joint']", "['none']", "joint [none] not found"),
+        ("wheel_radius: 0.05", "wheel_radius: big", "numbers that are none"),
+        ("left_wheel_names: ['left_joint']", "", "needs left_wheel_names"),
+        ("ros__parameters", "parameters", "is no parameter file"),
+        ("update_rate: 30", "update_rate: [", "cannot be read"),
+        ("update_rate: 30", "update_rate: often", "has an update_rate of often"),
+    ],
+)
+def test_controllers_that_cannot_work_are_told(cart, old, new, says):
+    robot = cart(PARAMETERS.replace(old, new))
+    with pytest.raises(UrdfError) as caught:
+        read_entity(robot.read_text(), "", robot)
+    assert says in str(caught.value)
+
+
+def test_a_missing_parameter_file_and_other_controllers_are_told(cart, tmp_path):
+    arm = "    arm:\n      type: joint_trajectory_controller/JointTrajectoryController\n"
+    robot = cart(PARAMETERS.replace("    joint_broad:", arm + "    joint_broad:"))
+    notes = read_entity(robot.read_text(), "", robot).notes
+    assert any("'arm' of type joint_trajectory_controller" in note for note in notes)
+    (tmp_path / "controllers.yaml").unlink()
+    with pytest.raises(UrdfError, match="cannot be read"):
+        read_entity(robot.read_text(), "", robot)
+
+
+def test_a_spawner_whose_controller_never_comes_says_so(run):
+    spawner = run("controller_manager", "spawner", "diff_cont", "--controller-manager-timeout", "2")
+    assert spawner.wait(5.0) == 1 and "Controller 'diff_cont' does not come" in spawner.output

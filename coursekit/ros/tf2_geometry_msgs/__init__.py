@@ -1,4 +1,21 @@
-"""How the stamped types of geometry_msgs are transformed; importing it registers them with tf2_ros."""
+"""How the stamped types of geometry_msgs are transformed; importing it registers them with tf2_ros.
+
+The types can be had from here, too, as in ROS 2.
+"""
+
+from geometry_msgs.msg import (
+    Point,
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    Quaternion,
+    TransformStamped,
+    Vector3,
+    Vector3Stamped,
+    WrenchStamped,
+)
 
 from tf2_geometry_msgs.tf2_geometry_msgs import (
     do_transform_point,
@@ -14,6 +31,17 @@ from tf2_geometry_msgs.tf2_geometry_msgs import (
 )
 
 __all__ = [
+    "Point",
+    "PointStamped",
+    "PolygonStamped",
+    "Pose",
+    "PoseStamped",
+    "PoseWithCovarianceStamped",
+    "Quaternion",
+    "TransformStamped",
+    "Vector3",
+    "Vector3Stamped",
+    "WrenchStamped",
     "do_transform_point",
     "do_transform_polygon_stamped",
     "do_transform_pose",

@@ -1,5 +1,16 @@
-"""Listening to, looking up and broadcasting transforms."""
+"""Listening to, looking up and broadcasting transforms.
 
+As in ROS 2, where the modules' names are all taken over, messages and rclpy's classes can be had from here, too.
+"""
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from rclpy.time import Time
+from tf2_msgs.action import LookupTransform
+from tf2_msgs.msg import TF2Error, TFMessage
+from tf2_msgs.srv import FrameGraph
 from tf2_py import (
     BufferCore,
     ConnectivityException,
@@ -35,18 +46,29 @@ __all__ = [
     "BufferServer",
     "ConnectivityException",
     "ConvertRegistration",
+    "DurabilityPolicy",
+    "Duration",
     "ExtrapolationException",
+    "FrameGraph",
+    "HistoryPolicy",
     "InvalidArgumentException",
     "LookupException",
+    "LookupTransform",
+    "Node",
     "NotImplementedException",
+    "QoSProfile",
     "Stamped",
     "StaticTransformBroadcaster",
     "StaticTransformListener",
+    "TF2Error",
+    "TFMessage",
+    "Time",
     "TimeoutException",
     "TransformBroadcaster",
     "TransformException",
     "TransformListener",
     "TransformRegistration",
+    "TransformStamped",
     "TypeException",
     "convert",
 ]

@@ -224,3 +224,18 @@ def test_another_time_empties_the_buffer_but_for_static_frames(node, session):
     now(10)
     assert not buffer.can_transform("a", "b", Time())
     assert buffer.can_transform("b", "c", Time())
+
+
+@pytest.mark.parametrize(
+    ("module", "names"),
+    [
+        ("tf2_ros", "TransformStamped TFMessage Duration Time Node QoSProfile FrameGraph LookupTransform TF2Error"),
+        ("tf2_geometry_msgs", "PointStamped PoseStamped Pose TransformStamped Vector3Stamped WrenchStamped"),
+        ("tf2_sensor_msgs", "PointCloud2 PointField TransformStamped"),
+    ],
+)
+def test_the_names_that_tutorials_take_from_them_are_there(module, names):
+    import importlib
+
+    found = importlib.import_module(module)
+    assert [name for name in names.split() if not hasattr(found, name)] == []

@@ -10,7 +10,8 @@ from coursekit.nodes.gazebo.sdf_world import read_entity
 from coursekit.urdf import UrdfError
 
 WHEEL = """<link name='{0}'><collision><origin rpy='1.5707963 0 0'/><geometry>
-<cylinder radius='0.05' length='0.02'/></geometry></collision></link><joint name='{0}_joint' type='continuous'><parent link='base_link'/><child link='{0}'/>
+<cylinder radius='0.05' length='0.02'/></geometry></collision></link>
+<joint name='{0}_joint' type='continuous'><parent link='base_link'/><child link='{0}'/>
 <origin xyz='0 {1} 0.05'/><axis xyz='0 1 0'/></joint>"""
 ROBOT = """<robot name='cart'><link name='base_link'><collision><origin xyz='0 0 0.1'/><geometry>
 <box size='0.3 0.2 0.1'/></geometry></collision></link>{wheels}

@@ -132,6 +132,17 @@ def test_parameters_that_cannot_work_stop_the_configuration(amcl, session, param
     assert says in process.output and process.state == "running"
 
 
+def test_parameters_set_while_it_runs_are_obeyed_or_refused(amcl, robot, ros2):
+    amcl(*at(BEGIN))
+    poses = []
+    robot.node.create_subscription(PoseWithCovarianceStamped, "amcl_pose", poses.append, POSE_QOS)
+    assert "successful" in ros2("param", "set", "/amcl", "update_min_d", "5.0")
+    assert "successful" in ros2("param", "set", "/amcl", "update_min_a", "5.0")
+    robot.go([(3.0, 5.0), (7.0, 5.0)])
+    assert len(poses) == 1
+    assert "0 < min <= max" in ros2("param", "set", "/amcl", "max_particles", "10")
+
+
 def test_two_runs_are_the_same(tmp_path):
     first, second = (whole_run(tmp_path) for _ in range(2))
     assert first == second and first.distance(Pose2(5.0, 5.0, 0.0)) < 0.5

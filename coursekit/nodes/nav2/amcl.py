@@ -20,8 +20,9 @@ from tf2_ros import TransformBroadcaster, TransformException, TransformListener
 from coursekit.nav.particle_filter import Estimate, ParticleFilter
 from coursekit.nav.particle_map import ParticleMap
 from coursekit.nodes.nav2.amcl_messages import POSE_QOS, beam_ends, cloud_message, pose_message, pose_of
-from coursekit.nodes.nav2.amcl_parameters import declare, filter_parameters, number
+from coursekit.nodes.nav2.amcl_parameters import declare, filter_parameters, given, number
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+from coursekit.nodes.nav2.parameters import Obedience
 from coursekit.nodes.running import run
 from coursekit.nodes.slam_toolbox.geometry import of_transform, put
 from coursekit.nodes.slam_toolbox.lasers import Lasers
@@ -59,20 +60,29 @@ class Amcl(LifecycleNode):
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
+        self._obedience = Obedience(self, self._read_again)
         self._make_transforms()
         self._make_topics()
         return super().on_configure(state)
 
+    def _read_again(self) -> None:
+        params = filter_parameters(self)
+        self._read_parameters()
+        self._params = params
+        if self._filter is not None:
+            self._filter.params = params
+
     def _read_parameters(self) -> None:
+        """Take the node's own parameters; ValueError when they cannot work."""
         self._map_frame, self._odom_frame, self._base_frame = (
-            str(self.get_parameter(f"{name}_frame_id").value) for name in ("global", "odom", "base")
+            str(given(self, f"{name}_frame_id")) for name in ("global", "odom", "base")
         )
         self._least = number(self, "update_min_d"), number(self, "update_min_a")
         self._beams, self._ahead = int(number(self, "max_beams")), Duration(seconds=number(self, "transform_tolerance"))
         farthest, self._nearest = number(self, "laser_max_range"), number(self, "laser_min_range")
         self._farthest = farthest if farthest > 0 else math.inf
         self._far_wall = number(self, "laser_likelihood_max_dist")
-        if self.get_parameter("set_initial_pose").value:
+        if self._filter is None and given(self, "set_initial_pose"):
             start = Pose2.of([number(self, f"initial_pose.{axis}") for axis in ("x", "y", "yaw")])
             self._start = (start, _USUAL)
 
@@ -118,6 +128,7 @@ class Amcl(LifecycleNode):
         """Forget map and particles."""
         self.get_logger().info("Cleaning up")
         answer = super().on_cleanup(state)
+        self._obedience.end()
         for subscription in self._subscriptions_made:
             self.destroy_subscription(subscription)
         for service in self._services_made:

@@ -69,9 +69,15 @@ def declare(node: Node) -> None:
         node.declare_parameter(name, default, ParameterDescriptor(dynamic_typing=True))
 
 
+def given(node: Node, name: str) -> Any:
+    """A parameter: what someone just asks for, or its present value."""
+    asked: dict[str, Any] = getattr(node, "asked_for", {})
+    return asked.get(name, node.get_parameter(name).value)
+
+
 def number(node: Node, name: str) -> float:
     """A real parameter; ValueError when it is no number."""
-    value = node.get_parameter(name).value
+    value = given(node, name)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise ValueError(f"{name} should be a number, for example {DEFAULTS[name]}, not {value!r}")
     return float(value)
@@ -79,10 +85,10 @@ def number(node: Node, name: str) -> float:
 
 def filter_parameters(node: Node) -> FilterParameters:
     """What the filter needs; ValueError when a value cannot work."""
-    drive = node.get_parameter("robot_model_type").value
+    drive = given(node, "robot_model_type")
     if drive not in _DRIVES:
         raise ValueError(f"unknown robot_model_type {drive!r}: use one of {', '.join(_DRIVES)}")
-    model = node.get_parameter("laser_model_type").value
+    model = given(node, "laser_model_type")
     if model != "likelihood_field":
         node.get_logger().warning(f"laser_model_type '{model}' is not made here: 'likelihood_field' is used")
     names = ("pf_err", "pf_z", "z_hit", "z_rand", "sigma_hit", "recovery_alpha_slow", "recovery_alpha_fast")
@@ -92,5 +98,5 @@ def filter_parameters(node: Node) -> FilterParameters:
         **{name: int(number(node, name)) for name in whole},  # type: ignore[arg-type]
         alphas=tuple(max(number(node, f"alpha{k}"), 0.0) for k in range(1, 6)),
         omni=_DRIVES[drive],
-        seed=int(number(node, "random_seed")),
+        seed=max(int(number(node, "random_seed")), 0),
     )

@@ -118,7 +118,10 @@ class ControllerServer(Server):
             handle.abort()
             self._stop()
             return result
-        self.get_logger().info("Received a goal, begin computing control effort.")
+        fresh = self.actions[0].fresh
+        self.get_logger().info(
+            "Received a goal, begin computing control effort." if fresh else "Passing new path to controller."
+        )
         self._plan_out.publish(request.path)
         drive = _Drive(self, handle, self._controllers[request.controller_id or next(iter(self._controllers))])
         beat = Beat(self, self._period)

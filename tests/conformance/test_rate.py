@@ -64,3 +64,11 @@ def test_a_rate_after_shutdown_is_interrupted(spinning):
 def test_a_frequency_is_positive(world):
     with pytest.raises(ValueError):
         world.node().create_rate(0.0)
+
+
+def test_a_loop_may_spin_and_sleep_by_turns(world):
+    node = world.node()
+    rate = node.create_rate(50.0)
+    for _ in range(3):
+        rclpy.spin_once(node, executor=world.executor)
+        rate.sleep()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -140,13 +141,18 @@ def _takes_argument(callback: Callable[..., Any] | None) -> bool:
 
 
 class Rate:
-    """Sleeps so that a loop runs at a steady rate; the node must be spun meanwhile, in another thread."""
+    """Sleeps so that a loop runs at a steady rate; the node must be spun meanwhile, in another thread.
+
+    A period that began while nobody slept ends the next sleep at once: a loop may spin and sleep by turns.
+    """
 
     def __init__(self, timer: Timer, *, context: Any) -> None:
         self._clock = timer.clock
         self._timer = timer
         self._timer.callback = self._tick
         self._sleepers: list[Any] = []
+        self._ticked = False
+        self._lock = threading.Lock()
         self._is_shutdown = False
         self._is_destroyed = False
         context.on_shutdown(self._on_shutdown)
@@ -161,7 +167,9 @@ class Rate:
         self._tick()
 
     def _tick(self) -> None:
-        sleepers, self._sleepers = self._sleepers, []
+        with self._lock:
+            sleepers, self._sleepers = self._sleepers, []
+            self._ticked = not sleepers
         for sleeper in sleepers:
             sleeper.set()
 
@@ -169,7 +177,12 @@ class Rate:
         """Block until the next period begins."""
         self._check()
         tick = current().clock.new_event()
-        self._sleepers.append(tick)
+        with self._lock:
+            if self._ticked:
+                tick.set()
+            else:
+                self._sleepers.append(tick)
+            self._ticked = False
         tick.wait()
         if self._is_shutdown:
             raise ROSInterruptException()

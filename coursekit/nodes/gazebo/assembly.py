@@ -108,7 +108,8 @@ def _things(made: Blueprint, place: Place) -> list[Thing]:
     for part in turned:
         _check(part, made.name)
     mass = None if made.static else max(made.mass(), 1e-3)
-    return [Thing(made.name, tuple(turned), place, mass, model=made.name)]
+    texture, colour = made.look
+    return [Thing(made.name, tuple(turned), place, mass, texture=texture, colour=colour, model=made.name)]
 
 
 def _lean(pose: Array, place: Place) -> Array:

@@ -12,6 +12,8 @@ from coursekit.sim.parts import Part
 from coursekit.sim.place import Array
 from coursekit.urdf.xml_tree import Element
 
+from .looks import PLAIN, Look
+
 
 @dataclass
 class BlueLink:
@@ -39,6 +41,8 @@ class Blueprint:
     file: Path | None = None
     root: str = ""
     """The link at the model's origin."""
+    look: Look = PLAIN
+    """Of its first visual with a material."""
 
     def note(self, element: Element, what: str) -> None:
         """List something that is not simulated, with its place."""

@@ -13,6 +13,7 @@ from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.xml_tree import Element, read
 
 from .blueprint import BlueLink, Blueprint
+from .looks import PLAIN, look_of
 from .model_paths import MissingModel, find_mesh, find_model
 from .moved import moved
 from .solids import Outline, Shape, part_of
@@ -45,6 +46,7 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
         elif child.tag not in QUIET:
             made.note(child, "is not simulated")
     made.root = next(iter(made.links), "")
+    made.look = made.look if made.look != PLAIN else look_of(element)
     return made
 
 
@@ -88,6 +90,7 @@ def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, fram
         made.links[f"{name}::{key}"] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
     made.joints |= {f"{name}::{key}": kind for key, kind in inner.joints.items()}
     made.static |= inner.static
+    made.look = made.look if made.look != PLAIN else inner.look
     made.plugins += inner.plugins
     made.notes += inner.notes
 

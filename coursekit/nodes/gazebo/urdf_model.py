@@ -8,6 +8,7 @@ from coursekit.urdf.shapes import matrix_of
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
+from .looks import PLAIN, look_named
 from .solids import part_of
 from .values import matrix
 
@@ -49,6 +50,8 @@ def _read_block(block: Element, robot: Robot, made: Blueprint) -> None:
             raise child.error(f"sits on link '{reference}', which does not exist", f"Links are: {', '.join(made.links)}.")
         elif child.tag == "static":
             made.static = child.text.strip() in ("true", "1")
+        elif child.tag == "material" and made.look == PLAIN:
+            made.look = look_named(child.text.strip())
         elif child.tag not in QUIET:
             made.note(child, "is not simulated")
     if reference and reference not in robot.links and reference not in robot.joints:

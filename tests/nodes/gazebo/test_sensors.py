@@ -106,3 +106,20 @@ def test_a_depth_camera_measures_what_it_sees(watch):
     assert points["z"][23, 40] == pytest.approx(2.5)
     assert points["x"][23, 40] == pytest.approx(2.5 * 8.5 / info.k[0], rel=1e-3)
     assert (cloud.height, cloud.width, cloud.point_step) == (48, 64, 32)
+
+
+@pytest.mark.parametrize(
+    ("material", "wanted"),
+    [
+        ("<script><uri>file://media</uri><name>Gazebo/RedBright</name></script>", (255, 0, 0)),
+        ("<ambient>0 0 0 1</ambient><diffuse>0 0.2 1 1</diffuse>", (0, 51, 255)),
+        ("<diffuse>none at all</diffuse>", (224, 219, 204)),
+    ],
+)
+def test_a_camera_sees_a_model_s_colour(watch, material, wanted):
+    look = f"<visual name='v'><geometry><box><size>1 9 2</size></box></geometry><material>{material}</material></visual>"
+    body = MAST.format("0 0 0.5 0 0 0", CAMERA.format("R8G8B8", 0.0))
+    front = WALL.replace("name='wall'", "name='front'").replace("3 0 1 0 0 0", "2 0 1 0 0 0")
+    (image,) = watch(body + front.replace("</link>", look + "</link>"), (Image, "/eye/image_raw"))
+    seen = np.asarray(image.data, float).reshape(48, 64, 3)[20, 30]
+    assert seen / seen.max() == pytest.approx(np.array(wanted) / max(wanted), abs=0.05)

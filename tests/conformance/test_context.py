@@ -117,3 +117,8 @@ def test_unknown_ros_arguments_are_refused(args):
 def test_a_bad_rule_is_refused_with_its_text(words, reason):
     with pytest.raises(RuntimeError, match=reason):
         rclpy.init(context=Context(), args=["--ros-args", *words])
+
+
+def test_arguments_that_are_no_text_are_refused():
+    with pytest.raises(UnicodeEncodeError):
+        rclpy.init(context=Context(), args=["robot", "Ragnar\udcc3\udcb6k"])

@@ -254,3 +254,12 @@ def test_ready_callbacks_can_be_generated(either):
     either.executor.shutdown()
     with pytest.raises(ShutdownException):
         next(ready)
+
+
+def test_a_removed_node_still_gives_its_executor_tasks(world):
+    node, done = world.node(), []
+    world.executor.remove_node(node)
+    assert node.executor is world.executor
+    node.executor.create_task(lambda: done.append(1))
+    world.executor.add_node(node)
+    world.spin_until(lambda: done)

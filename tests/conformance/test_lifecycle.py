@@ -241,3 +241,13 @@ def test_the_services_can_be_declined(world):
     services = [name for name, _ in node.get_service_names_and_types_by_node("quiet", "/")]
     assert "/quiet/change_state" not in services
     assert node.trigger_configure() == SUCCESS
+
+
+def test_services_are_made_only_when_wanted(world):
+    silent = world.node("silent", node_class=LifecycleNode, enable_communication_interface=False)
+    assert not hasattr(silent, "_service_change_state")
+    assert not silent._state_machine.service_change_state
+    spoken = world.node("spoken", node_class=LifecycleNode)
+    assert spoken._state_machine.service_get_state
+    with pytest.raises(TypeError):
+        world.node("neither", node_class=LifecycleNode, enable_communication_interface="asd")

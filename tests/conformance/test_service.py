@@ -109,3 +109,18 @@ def test_the_request_and_response_have_their_types(world):
     client.wait_for_service(timeout_sec=5.0)
     world.result(client.call_async(Trigger.Request()))
     assert seen == [(Trigger.Request, Trigger.Response)]
+
+
+def test_a_request_can_be_taken_by_hand(world):
+    node = world.node()
+    service = node.create_service(SetBool, "switch", echo)
+    client = node.create_client(SetBool, "switch")
+    world.spin_until(client.service_is_ready)
+    node.executor.remove_node(node)
+    client.call_async(SetBool.Request(data=True))
+    taken = (None, None)
+    while taken == (None, None):
+        with service.handle:
+            taken = service.handle.service_take_request(SetBool.Request)
+    request, header = taken
+    assert request.data and header.source_timestamp > 0

@@ -36,13 +36,13 @@ class Executor(Work):
         return True
 
     def remove_node(self, node: Any) -> None:
-        """Serve this node no more."""
+        """Serve this node no more; it remembers who served it last, so that its tasks find their executor."""
         with self._lock:
             if node not in self._nodes:
                 return
             self._nodes.remove(node)
         if node.executor is self:
-            node.executor = None
+            node._detach()
         self.wake()
 
     def get_nodes(self) -> list[Any]:

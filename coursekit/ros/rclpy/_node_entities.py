@@ -54,9 +54,7 @@ class NodeEntities:
             return
         if old is not None:
             self._executor = None
-            for entity in self._entities():
-                for source in entity._sources():
-                    source.attach(None, None)
+            self._detach()
             old.remove_node(self)
         if new_executor is None:
             self._executor = None
@@ -78,13 +76,18 @@ class NodeEntities:
         group.add_entity(entity)
         kept.append(entity)
         executor = self.executor
-        if executor is not None:
+        if executor is not None and self in executor.get_nodes():
             executor._attach(entity)
         return entity
 
     def _attach(self, executor: Any) -> None:
         for entity in self._entities():
             executor._attach(entity)
+
+    def _detach(self) -> None:
+        for entity in self._entities():
+            for source in entity._sources():
+                source.attach(None, None)
 
     def _entities(self) -> list[Any]:
         return [

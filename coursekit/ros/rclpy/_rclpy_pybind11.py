@@ -261,7 +261,8 @@ class Service(Endpoint):
     def service_take_request(self, _request_type: Any = None) -> tuple[Any, Any]:
         """The oldest request and its header; (None, None) when there is none."""
         self.check()
-        return self.core.take() or (None, None)
+        taken = self.core.take()
+        return (None, None) if taken is None else (taken[0], service_info(taken[1]))
 
     def service_send_response(self, response: Any, header: Any) -> None:
         """Answer the request that `header` names."""
@@ -289,7 +290,7 @@ class Client(Endpoint):
         """(header, response); (None, None) when there is none."""
         self.check()
         taken = self.core.take()
-        return (None, None) if taken is None else (ServiceInfo(RequestInfo(taken[0]), 0, 0), taken[1])
+        return (None, None) if taken is None else (service_info(RequestInfo(taken[0])), taken[1])
 
 
 @dataclass
@@ -335,6 +336,12 @@ class NodeHandle(Handle):
         """For example 'robot1.camera'."""
         self.check()
         return self._logger_name
+
+
+def service_info(request_id: Any) -> ServiceInfo:
+    """The header of what is taken now: it came at once."""
+    now = current().clock.now()
+    return ServiceInfo(request_id, now, now)
 
 
 def as_bytes(msg: Any) -> bytes:

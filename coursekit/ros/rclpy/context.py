@@ -83,12 +83,13 @@ class Context:
         """Begin: read the ROS arguments (sys.argv by default) and join the domain."""
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+        words = list(sys.argv if args is None else args)
+        for word in words:
+            word.encode()  # UnicodeEncodeError for what is no text
         with self._lock:
             if self._handle is not None and self._handle.ok():
                 raise RuntimeError("Context.init() must only be called once")
-            self._handle = ContextHandle(
-                list(sys.argv if args is None else args), _domain() if domain_id is None else domain_id
-            )
+            self._handle = ContextHandle(words, _domain() if domain_id is None else domain_id)
         _contexts_here().append(self)
         if initialize_logging:
             from rclpy.logging import configure

@@ -29,16 +29,15 @@ class LifecycleNodeMixin(ManagedEntity):
     """What makes a node a managed one; its callbacks pass each transition on to the entities it manages."""
 
     def __init__(self, *, enable_communication_interface: bool = True, callback_group: Any = None) -> None:
+        if not isinstance(enable_communication_interface, bool):
+            raise TypeError("enable_communication_interface must be a bool")
         self._managed_entities: list[ManagedEntity] = []
         node: Any = self
         self._transition_event_publisher = node.create_publisher(TransitionEvent, "~/transition_event", 10)
         self._state_machine = StateMachine(self._tell)
         group = callback_group or node.default_callback_group
-        self._lifecycle_services = (
+        if enable_communication_interface:
             LifecycleServices(self, self._state_machine, self._change_state, group)
-            if enable_communication_interface
-            else None
-        )
 
     def _tell(self, start: int, goal: int) -> None:
         self._transition_event_publisher.publish(event_of(start, goal))

@@ -45,10 +45,11 @@ class LifecycleServices:
             (GetAvailableTransitions, "~/get_available_transitions", self._available_transitions),
             (GetAvailableTransitions, "~/get_transition_graph", self._transition_graph),
         ]
-        self.services = [
-            node.create_service(type_, name, callback, callback_group=callback_group)
-            for type_, name, callback in offers
-        ]
+        for type_, name, callback in offers:
+            service = node.create_service(type_, name, callback, callback_group=callback_group)
+            word = name.replace("~/", "service_")
+            setattr(node, f"_{word}", service)
+            setattr(machine, word, service.handle)
 
     def _change_state(self, request: Any, response: Any) -> Any:
         """The label says which transition when there is one, otherwise the id."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from rclpy._rclpy_pybind11 import RCLError
 
@@ -89,6 +89,12 @@ class StateMachine:
     >>> machine.current_state
     (10, 'configuring')
     """
+
+    service_change_state: Any = None
+    service_get_state: Any = None
+    service_get_available_states: Any = None
+    service_get_available_transitions: Any = None
+    service_get_transition_graph: Any = None
 
     def __init__(self, notify: Callable[[int, int], None] = lambda start, goal: None) -> None:
         self._state = 1

@@ -102,6 +102,17 @@ def test_a_namespaced_rviz_listens_in_its_namespace_and_where_it_is_remapped_to(
     assert "LaserScan): /r1/scan" in process.output
 
 
+def test_a_display_whose_topic_cannot_be_is_off_and_told(tmp_path):
+    file = tmp_path / "odd.rviz"
+    file.write_text(RVIZ.replace("/front/scan", "/front scan"))
+    with Session(virtual=True).use() as session:
+        process = session.start_executable(find("rviz2", "rviz2"), ["-d", str(file)], name="rviz2")
+        session.clock.sleep(1.0)
+        process.interrupt()
+        assert process.wait(2.0) == 0
+    assert "Front: Error subscribing: Invalid topic name" in process.output
+
+
 def test_what_is_saved_is_read_back_and_is_small(tmp_path):
     config = make_config("map", ["Grid", {"type": "LaserScan", "topic": "/s", "size": 0.1}], {"distance": 3})
     config.displays[0].enabled = False

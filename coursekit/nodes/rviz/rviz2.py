@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import rclpy
+from rclpy.exceptions import NameValidationException
 from rclpy.logging import get_logger
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
@@ -38,7 +39,7 @@ class Rviz(Node):
         self.running = True
         self.full_name = self.get_fully_qualified_name()
         for one in config.displays:
-            one.topic = self.resolve_topic_name(one.topic) if one.topic else ""
+            self._resolve(one)
         for skipped in config.skipped:
             LOG.warning(f"Not known here, left out: {skipped}")
         if windows.add(self):
@@ -47,6 +48,14 @@ class Rviz(Node):
             self._tell()
             self._look = self.create_timer(LOOK_SECONDS, self._complain)
         self._listen()
+
+    def _resolve(self, display: DisplayConfig) -> None:
+        """Its topic as the node's namespace and remappings make it; one that cannot be turns it off."""
+        try:
+            display.topic = self.resolve_topic_name(display.topic) if display.topic else ""
+        except NameValidationException as error:
+            display.enabled = False
+            LOG.error(f"{display.name}: Error subscribing: {error}")
 
     def _listen(self) -> None:
         """Subscribe to what is shown, so that the graph tells it; the pictures are made from the viewer's own topics."""

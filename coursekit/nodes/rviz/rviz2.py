@@ -39,7 +39,7 @@ class Rviz(Node):
         self.running = True
         self.full_name = self.get_fully_qualified_name()
         for one in config.displays:
-            self._resolve(one)
+            self._settle_topic(one)
         for skipped in config.skipped:
             LOG.warning(f"Not known here, left out: {skipped}")
         if windows.add(self):
@@ -49,7 +49,7 @@ class Rviz(Node):
             self._look = self.create_timer(LOOK_SECONDS, self._complain)
         self._listen()
 
-    def _resolve(self, display: DisplayConfig) -> None:
+    def _settle_topic(self, display: DisplayConfig) -> None:
         """Its topic as the node's namespace and remappings make it; one that cannot be turns it off."""
         try:
             display.topic = self.resolve_topic_name(display.topic) if display.topic else ""

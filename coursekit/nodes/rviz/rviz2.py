@@ -12,6 +12,7 @@ from rclpy.logging import get_logger
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.utilities import remove_ros_args
+from rclpy.validate_topic_name import validate_topic_name
 
 from coursekit.core.process import current_process
 from coursekit.core.session import current
@@ -51,8 +52,11 @@ class Rviz(Node):
 
     def _settle_topic(self, display: DisplayConfig) -> None:
         """Its topic as the node's namespace and remappings make it; one that cannot be turns it off."""
+        if not display.topic:
+            return
         try:
-            display.topic = self.resolve_topic_name(display.topic) if display.topic else ""
+            validate_topic_name(display.topic)
+            display.topic = self.resolve_topic_name(display.topic)
         except NameValidationException as error:
             display.enabled = False
             LOG.error(f"{display.name}: Error subscribing: {error}")

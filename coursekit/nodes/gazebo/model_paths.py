@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
+from functools import lru_cache
 from pathlib import Path
 from urllib.parse import unquote
 
-from coursekit.urdf import MeshError
+from coursekit.urdf import MeshError, UrdfError
 from coursekit.urdf.errors import close
 from coursekit.urdf.resources import find_file, package_paths
 from coursekit.urdf.xml_tree import read
@@ -39,14 +40,24 @@ def told_by(variable: str) -> list[Path]:
 
 def exported(attribute: str) -> list[Path]:
     """Folders that packages export: `<gazebo_ros gazebo_model_path="${prefix}/models"/>` in package.xml."""
-    found = []
-    for file in (one for share in package_paths() for one in sorted(share.glob("*/package.xml"))):
+    shares = [share for share in package_paths() if share.is_dir()]
+    return list(_exported(attribute, tuple((share, share.stat().st_mtime_ns) for share in shares)))
+
+
+@lru_cache(maxsize=8)
+def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Path, ...]:
+    """As long as no package comes to a folder or leaves it, the answer is kept: a world asks for each of its meshes."""
+    found: list[Path] = []
+    for file in (one for share, _ in shares for one in sorted(share.glob("*/package.xml"))):
         text = file.read_text("utf-8", errors="replace")
-        export = read(text, str(file)).first("export") if "<gazebo_ros" in text else None
+        try:
+            export = read(text, str(file)).first("export") if "<gazebo_ros" in text else None
+        except UrdfError:  # colcon tells what is wrong with it
+            continue
         for element in export.all("gazebo_ros") if export is not None else ():
             told = (element.get(attribute) or "").replace("${prefix}", str(file.parent))
             found += [Path(one) for one in told.split(os.pathsep) if one]
-    return found
+    return tuple(found)
 
 
 def find_model(uri: str, near: Path | None = None) -> Path:

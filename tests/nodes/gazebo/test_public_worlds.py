@@ -66,6 +66,9 @@ def test_a_package_exports_where_its_models_and_worlds_are(shop, tmp_path, monke
     elsewhere = tmp_path / "mine.world"
     elsewhere.write_text("<sdf version='1.6'><world name='d'><include><uri>model://wall</uri></include></world></sdf>")
     assert "not found" in load_sdf(elsewhere).world.notes[0]
+    broken = tmp_path / "share" / "broken"
+    broken.mkdir()
+    (broken / "package.xml").write_text("<package><export><gazebo_ros")
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
     assert ahead(load_sdf(elsewhere).world) == pytest.approx(2.5)
     assert find_world("worlds/shop.world").parts[-2:] == ("worlds", "shop.world")

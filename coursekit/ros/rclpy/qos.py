@@ -201,6 +201,10 @@ class QoSProfile:
         """Return the profile itself: there is no C behind it."""
         return self
 
+    def to_dict(self) -> dict[str, Any]:
+        """The policies by name, as the C profile gives them: `QoSProfile(**profile.to_dict())` is the same."""
+        return {name.lstrip("_"): getattr(self, name) for name in self.__slots__}
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
             return False

@@ -15,7 +15,8 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class Drive:
-    """How a robot moves: `differential` (also skid-steer, with several pairs of wheels) or `planar` (any way it likes).
+    """How a robot moves: `differential` (also skid-steer, with several pairs of wheels), `planar` (any way it likes), or
+    `ackermann` (as a car: its command's turn is the angle of the front wheels [rad], at the most `max_turn`).
 
     Speeds [m/s, rad/s] and accelerations [m/s^2, rad/s^2] are limits; after `watchdog` seconds without a command it stops,
     0 for never. `left` and `right` are the joints of its wheels.
@@ -31,6 +32,10 @@ class Drive:
     radius: float = 0.05
     left: tuple[str, ...] = ()
     right: tuple[str, ...] = ()
+    wheelbase: float = 1.0
+    """Of a car: from its rear to its front axle [m]."""
+    steering: tuple[str, ...] = ()
+    """Joints that turn with a car's front wheels."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +101,11 @@ class Robot:
         speed = math.hypot(forward, left if drive.kind == "planar" else 0.0)
         share = min(1.0, drive.max_speed / speed) if speed else 1.0
         side = left * share if drive.kind == "planar" else 0.0
-        self.target = (forward * share, side, max(-drive.max_turn, min(drive.max_turn, turn)))
+        turn = max(-drive.max_turn, min(drive.max_turn, turn))
+        if drive.kind == "ackermann":
+            self.angles.update(dict.fromkeys(drive.steering, turn))
+            turn = forward * share * math.tan(turn) / drive.wheelbase
+        self.target = (forward * share, side, turn)
         self.commanded_ns = now_ns
 
     def before_step(self, dt: float, now_ns: int) -> None:

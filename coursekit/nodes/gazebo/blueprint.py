@@ -34,6 +34,8 @@ class Blueprint:
     links: dict[str, BlueLink] = field(default_factory=dict)
     joints: dict[str, str] = field(default_factory=dict)
     """Joints with their types."""
+    axles: dict[str, Array] = field(default_factory=dict)
+    """Where the child of each joint is in the model."""
     plugins: list[Element] = field(default_factory=list)
     static: bool = False
     notes: list[str] = field(default_factory=list)

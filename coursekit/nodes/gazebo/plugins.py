@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+
+import numpy as np
 
 from coursekit.sim.odometry import EXACT, Drift
 from coursekit.sim.robot import Drive
@@ -26,6 +29,7 @@ def read_plugin(plugin: Element, model: Blueprint, namespace: str) -> Found:
         "skid_steer_drive": _skid_steer,
         "joint_state_publisher": _joint_states,
         "p3d": _truth,
+        "ackermann_drive": _ackermann,
         "gazebo_ros2_control": read_controllers,
     }
     reader = readers.get(file)
@@ -112,6 +116,24 @@ def _planar(plugin: Element, model: Blueprint, namespace: str) -> Found:
     rate = _rate(plugin, "publish_rate", 20.0)
     drive = Drive("planar", acceleration=math.inf, turn_acceleration=math.inf)
     return drive, [_odometry(plugin, model, namespace, rate, shown=True, exact=True)]
+
+
+def _ackermann(plugin: Element, model: Blueprint, namespace: str) -> Found:
+    names = [f"{end}_{side}_joint" for end in ("front", "rear") for side in ("left", "right")]
+    wheels = tuple(plugin.tell(name) for name in names)
+    steering = (*_all(plugin, "left_steering_joint"), *_all(plugin, "right_steering_joint"))
+    _check_joints(plugin, model, wheels + steering)
+    front, _, rear, other = (model.axles.get(name, np.eye(4))[:3, 3] for name in wheels)
+    wheelbase, separation = abs(float(front[0] - rear[0])), abs(float(rear[1] - other[1]))
+    if min(wheelbase, separation) <= 0:
+        raise plugin.error("has its wheels all in one place", "Put the joints of its wheels where they belong.")
+    drive = Drive(
+        "ackermann", number(plugin, "max_speed", 20.0), number(plugin, "max_steer", 0.6), math.inf, math.inf,
+        separation=separation, radius=max(float(rear[2]), 0.01), left=wheels[0::2], right=wheels[1::2],
+        wheelbase=wheelbase, steering=steering,
+    )  # fmt: skip
+    device = _odometry(plugin, model, namespace, _rate(plugin, "update_rate", 100.0), shown=False, exact=True)
+    return drive, [replace(device, base_frame=plugin.tell("robot_base_frame") or "base_link")]
 
 
 def _joint_states(plugin: Element, model: Blueprint, namespace: str) -> Found:

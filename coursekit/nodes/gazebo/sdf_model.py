@@ -39,6 +39,9 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
         made.static |= joint.tell("parent") == "world" or joint.tell("child") == "world"
     for link in element.all("link"):
         _read_link(link, frames, made)
+    for joint in element.all("joint"):
+        if joint.tell("child") in made.links:
+            made.axles[joint.get("name") or "joint"] = made.links[joint.tell("child")].pose
     made.plugins += list(element.all("plugin"))
     for child in element.children:
         if child.tag in ("model", "include"):

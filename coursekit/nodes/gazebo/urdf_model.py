@@ -34,6 +34,7 @@ def blueprint_of(robot: Robot) -> Blueprint:
                 blue.parts.append(part_of(collision.geometry, where, robot.file))
             except MeshError as error:
                 made.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
+    made.axles = {name: made.links[joint.child].pose for name, joint in robot.joints.items()}
     for block in robot.gazebo:
         _read_block(block, robot, made)
     return made

@@ -76,7 +76,9 @@ def _drive(
             raise plugin.error(f"controller '{name}': joint [{joint}] not found", f"Joints are: {', '.join(model.joints)}.")
     try:
         separation, radius = float(told["wheel_separation"]), float(told["wheel_radius"])
-        limits: dict[str, Any] = {ours: float(value) for theirs, ours in LIMITS if (value := _nested(told, theirs)) is not None}
+        limits: dict[str, Any] = {
+            ours: float(value) for theirs, ours in LIMITS if (value := _nested(told, theirs)) is not None
+        }
         rate, patience = float(told.get("publish_rate", 50.0)), float(told.get("cmd_vel_timeout", 0.5))
         if min(separation, radius, rate) <= 0:
             raise ValueError

@@ -12,6 +12,7 @@ from coursekit.nav.footprint import Footprint
 from coursekit.nav.inflation import Inflation
 from coursekit.nav.movers import Movers
 from coursekit.nav.obstacles import ObstacleLayer
+from coursekit.nodes.nav2.costmap_filters import filters
 from coursekit.nodes.nav2.costmap_parameters import layers, sources
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.scan_source import ScanSource, in_server_space, layer_of
@@ -39,6 +40,7 @@ class Layers:
         for name, kind, layer in layers(node, given["plugins"]):
             self._given[name] = layer
             getattr(self, f"_add_{kind}")(name, layer, where)
+        self._filters = filters(node, given["filters"], where)
         where.buffer.wake = self._wake
 
     def _add_static(self, _name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
@@ -87,6 +89,8 @@ class Layers:
             self.node.destroy_subscription(heard)
         for source in self._sources:
             source.close()
+        for one in self._filters:
+            one.close()
 
     def _wake(self) -> None:
         for source in self._sources:
@@ -143,6 +147,8 @@ class Layers:
             combine(made.cells, layer.map.cells)
         if self._movers is not None:
             self._movers.see(made, now)
+        for one in self._filters:  # before the inflation, so that robots keep out with their whole body
+            one.apply(made, self.given["global_frame"], (x, y))
         if self.inflation is not None:
             self._spread.spread(made.cells, self.inflation["inflate_unknown"])
         if self._movers is not None:

@@ -11,6 +11,7 @@ from coursekit.nodes.nav2.parameters import declare
 
 COSTMAP: dict[str, Any] = {
     "always_send_full_costmap": False,
+    "filters": [],
     "footprint": "[]",
     "footprint_padding": 0.01,
     "global_frame": "map",

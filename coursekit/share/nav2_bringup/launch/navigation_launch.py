@@ -16,8 +16,13 @@ SERVERS = {
     "behavior_server": "nav2_behaviors",
     "bt_navigator": "nav2_bt_navigator",
     "waypoint_follower": "nav2_waypoint_follower",
+    "velocity_smoother": "nav2_velocity_smoother",
 }
 TF = [("/tf", "tf"), ("/tf_static", "tf_static")]
+MORE = {
+    "controller_server": [("cmd_vel", "cmd_vel_nav")],
+    "velocity_smoother": [("cmd_vel", "cmd_vel_nav"), ("cmd_vel_smoothed", "cmd_vel")],
+}
 
 
 def generate_launch_description():
@@ -38,7 +43,7 @@ def generate_launch_description():
         Node(
             package=package, executable=name, name=name, output="screen",
             respawn=given["use_respawn"], respawn_delay=2.0,
-            parameters=[parameters], arguments=arguments, remappings=TF,
+            parameters=[parameters], arguments=arguments, remappings=TF + MORE.get(name, []),
         )
         for name, package in SERVERS.items()
     ]

@@ -1,49 +1,112 @@
-"""Where a launch logs to: the level, the folder and its files. Every process has its own."""
+"""Where a launch logs to and how: level, folder, files, forms. Every process has its own."""
 
 from __future__ import annotations
 
 import logging
 import os
 import socket
+import sys
 import time
+import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from coursekit.core import session
 from coursekit.core.process import current_process
 
+from . import handlers
+
+NAMED = "[{levelname}] [{name}]: {message}"
+STAMPED = "{created:.7f} " + NAMED
+
 
 class LaunchConfig:
     """The logging state of one process that launches."""
 
     def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Begin anew: level INFO, a new folder, default forms."""
         self.level = logging.INFO
         self.loggers: dict[str, Any] = {}
-        self.files: dict[str, logging.Handler] = {}
+        self.file_handlers: dict[str, Any] = {}
+        self.log_handler_factory: Callable[..., Any] = handlers.FileHandler
         self.__log_dir: str | None = None
+        self.__screen_handler: handlers.StreamHandler | None = None
+        self.set_screen_format("default")
+        self.set_log_format("default")
+
+    # -- the folder
 
     @property
     def log_dir(self) -> str:
         """The folder of this launch's log files; its name is made on first use."""
         if self.__log_dir is None:
-            self.__log_dir = str(logging_directory() / _folder_name())
+            make = sys.modules[__package__]._make_unique_log_dir
+            self.__log_dir = str(make(base_path=str(get_logging_directory())))
         return self.__log_dir
 
     @log_dir.setter
-    def log_dir(self, value: str) -> None:
-        if self.files:
-            raise RuntimeError("cannot set log directory after loggers have been created")
-        self.__log_dir = str(value)
+    def log_dir(self, value: str | None) -> None:
+        if self.file_handlers:
+            warnings.warn(f"Loggers have been configured to output to files below {self.__log_dir} already.", stacklevel=3)
+        if value and not os.path.isdir(value):
+            raise ValueError(f"{value} is not a directory")
+        self.__log_dir = value
 
     def get_log_file_path(self, file_name: str = "launch.log") -> str:
         """Return the full path of a log file; makes the folder."""
         os.makedirs(self.log_dir, exist_ok=True)
         return os.path.join(self.log_dir, file_name)
 
+    # -- the handlers
+
+    def get_log_file_handler(self, file_name: str = "launch.log") -> Any:
+        """Return the handler of a log file; one file has one."""
+        if file_name not in self.file_handlers:
+            handler = self.log_handler_factory(self.get_log_file_path(file_name))
+            handler.setFormatter(self.__file_formatter)
+            self.file_handlers[file_name] = handler
+        return self.file_handlers[file_name]
+
+    def get_screen_handler(self) -> Any:
+        """Return the handler of the screen."""
+        if self.__screen_handler is None:
+            self.__screen_handler = handlers.StreamHandler()
+            self.__screen_handler.setFormatter(self.__screen_formatter)
+        return self.__screen_handler
+
+    def set_screen_format(self, screen_format: str, *, screen_style: str | None = None) -> None:
+        """Set the form on the screen: 'default', 'default_with_timestamp', or one for logging.Formatter.
+
+        The environment variable OVERRIDE_LAUNCH_SCREEN_FORMAT wins. Raises ValueError for a default with a style.
+        """
+        known = {"default": NAMED, "default_with_timestamp": STAMPED}
+        self.__screen_formatter = _formatter("OVERRIDE_LAUNCH_SCREEN_FORMAT", screen_format, screen_style, known)
+        if self.__screen_handler is not None:
+            self.__screen_handler.setFormatter(self.__screen_formatter)
+
+    def set_log_format(self, log_format: str, *, log_style: str | None = None) -> None:
+        """Set the form in log files: 'default', or one for logging.Formatter; OVERRIDE_LAUNCH_LOG_FORMAT wins."""
+        self.__file_formatter = _formatter("OVERRIDE_LAUNCH_LOG_FORMAT", log_format, log_style, {"default": STAMPED})
+        for handler in self.file_handlers.values():
+            handler.setFormatter(self.__file_formatter)
+
     def close(self) -> None:
         """Close all log files."""
-        for handler in self.files.values():
+        for handler in self.file_handlers.values():
             handler.close()
+
+
+def _formatter(variable: str, form: str, style: str | None, known: dict[str, str]) -> logging.Formatter:
+    override = os.environ.get(variable)
+    if override:
+        return logging.Formatter(override.encode("latin1").decode("unicode_escape"), style="{")
+    if form in known and style is not None:
+        raise ValueError(f"Cannot set a custom format style for the '{form}' format.")
+    return logging.Formatter(known.get(form, form), style="{" if form in known else style or "%")  # type: ignore[arg-type]
 
 
 class _CurrentConfig:
@@ -85,15 +148,15 @@ def reset() -> LaunchConfig:
     return current_config()
 
 
-def logging_directory() -> Path:
+def get_logging_directory() -> Path:
     """Return ROS's folder for logs: ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log."""
     if os.environ.get("ROS_LOG_DIR"):
         return Path(os.environ["ROS_LOG_DIR"]).expanduser()
     return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"
 
 
-def _folder_name() -> str:
-    """Return date, time, host and process id; on the virtual clock the same in every run."""
+def make_unique_log_dir(*, base_path: str) -> str:
+    """Return a folder below `base_path` named by date, time, host and process id; on the virtual clock always the same."""
     clock = session.current().clock
     seconds, nanoseconds = divmod(clock.now(), 1_000_000_000)
     moment = time.gmtime(seconds) if clock.virtual else time.localtime(seconds)
@@ -101,7 +164,7 @@ def _folder_name() -> str:
     process = current_process()
     pid = process.pid if process is not None else 0 if clock.virtual else os.getpid()
     host = "localhost" if clock.virtual else socket.gethostname()
-    return f"{stamp}-{nanoseconds // 1000:06d}-{host}-{pid}"
+    return os.path.join(base_path, f"{stamp}-{nanoseconds // 1000:06d}-{host}-{pid}")
 
 
 def shown_log_dir() -> str:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import logging
-import sys
-from collections.abc import Callable, Mapping
-from typing import Any, TextIO
+from collections.abc import Mapping
+from typing import Any
 
 from coursekit.core import session
 
 from .config import LaunchConfig, current_config
 
-Writer = Callable[[int, str], None]
 OUTPUT_CONFIGURATIONS: dict[str, dict[str, tuple[str, ...]]] = {
     "screen": {"both": ("screen",)},
     "log": {"both": ("log",), "stderr": ("screen",)},
@@ -19,6 +17,7 @@ OUTPUT_CONFIGURATIONS: dict[str, dict[str, tuple[str, ...]]] = {
     "own_log": {"both": ("own_log",), "stdout": ("own_log",), "stderr": ("own_log",)},
     "full": {"both": ("screen", "log", "own_log"), "stdout": ("own_log",), "stderr": ("own_log",)},
 }
+_SOURCES, _SINKS = ("stdout", "stderr", "both"), ("screen", "log", "own_log")
 
 
 class LaunchLogger(logging.Logger):
@@ -37,27 +36,23 @@ class LaunchLogger(logging.Logger):
         """Return whether a message of this level is logged."""
         return not self.disabled and level >= self.getEffectiveLevel()
 
-
-class ScreenHandler(logging.Handler):
-    """Writes to the standard output of the process that logs."""
-
-    def emit(self, record: logging.LogRecord) -> None:
-        """Write one line."""
-        sys.stdout.write(self.format(record) + "\n")
-        sys.stdout.flush()
+    def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:
+        """Return the record, with the session's time: logs on the virtual clock repeat."""
+        record = super().makeRecord(*args, **kwargs)
+        record.created = session.current().clock.now() / 1e9
+        return record
 
 
-class StampedFormatter(logging.Formatter):
-    """Adds the session's time, so that logs on the virtual clock repeat."""
+class LineByLine(logging.Formatter):
+    """Writes each line of a record in the same form: a process's lines come together."""
 
     def format(self, record: logging.LogRecord) -> str:
-        """Return the line, or each line of a process's output, with the time in seconds before it."""
-        stamp, text = f"{session.current().clock.now() / 1e9:.7f} ", super().format(record)
-        return stamp + (text.replace("\n", "\n" + stamp) if self._fmt == PLAIN else text)
+        """Return the lines."""
+        form = self._fmt or ""
+        return "\n".join(form.format(created=record.created, message=line) for line in record.getMessage().split("\n"))
 
 
-NAMED = "[%(levelname)s] [%(name)s]: %(message)s"
-PLAIN = "%(message)s"
+PLAIN, STAMPED = LineByLine("{message}", style="{"), LineByLine("{created:.7f} {message}", style="{")
 
 
 def get_logger(name: str | None = None) -> LaunchLogger:
@@ -65,18 +60,15 @@ def get_logger(name: str | None = None) -> LaunchLogger:
     config = current_config()
     name = name or "launch"
     if name not in config.loggers:
-        logger = LaunchLogger(name, config)
-        screen = ScreenHandler()
-        screen.setFormatter(logging.Formatter(NAMED))
-        logger.addHandler(screen)
-        logger.addHandler(_file(config, "launch.log", NAMED))
-        config.loggers[name] = logger
+        config.loggers[name] = LaunchLogger(name, config)
     found: LaunchLogger = config.loggers[name]
+    found.addHandler(config.get_screen_handler())
+    found.addHandler(config.get_log_file_handler())
     return found
 
 
 def get_output_loggers(
-    process_name: str, output_config: str | Mapping[str, Any]
+    process_name: str, output_config: str | Mapping[str, Any], main_log_file_name: str = "launch.log"
 ) -> tuple[LaunchLogger, LaunchLogger]:
     """Return the loggers of a process's stdout and stderr lines.
 
@@ -87,68 +79,42 @@ def get_output_loggers(
         ValueError: for another configuration.
     """
     targets = _targets(output_config)
-    return (_output_logger(process_name, "stdout", targets), _output_logger(process_name, "stderr", targets))
+    made = [_output_logger(process_name, stream, targets, main_log_file_name) for stream in ("stdout", "stderr")]
+    return made[0], made[1]
 
 
 def _targets(output_config: str | Mapping[str, Any]) -> Mapping[str, Any]:
     if isinstance(output_config, str):
         if output_config not in OUTPUT_CONFIGURATIONS:
             raise ValueError(
-                f"'{output_config}' is not a valid standard output config, expected one of "
-                f"{list(OUTPUT_CONFIGURATIONS)}"
+                f"'{output_config}' is not a valid standard output config, expected one of {list(OUTPUT_CONFIGURATIONS)}"
             )
         return OUTPUT_CONFIGURATIONS[output_config]
-    unknown = [key for key in output_config if key not in ("stdout", "stderr", "both")]
+    unknown = [key for key in output_config if key not in _SOURCES]
     if unknown:
         raise ValueError(f"{unknown} are not valid output sources, expected 'stdout', 'stderr' or 'both'")
-    return {key: (value,) if isinstance(value, str) else tuple(value) for key, value in output_config.items()}
+    targets = {key: (value,) if isinstance(value, str) else tuple(value) for key, value in output_config.items()}
+    wrong = sorted({sink for sinks in targets.values() for sink in sinks} - set(_SINKS))
+    if wrong:
+        raise ValueError(f"{wrong} are not valid output sinks, expected 'screen', 'log' or 'own_log'")
+    return targets
 
 
-def _output_logger(process_name: str, stream: str, targets: Mapping[str, Any]) -> LaunchLogger:
+def _output_logger(process_name: str, stream: str, targets: Mapping[str, Any], main_file: str) -> LaunchLogger:
     """Return the logger of one stream, made anew so that another configuration can be chosen."""
     config = current_config()
     logger = LaunchLogger(f"{process_name}-{stream}", config)
-    wanted = {*targets.get("both", ()), *targets.get(stream, ())}
-    if "screen" in wanted:
-        screen = ScreenHandler()
-        screen.setFormatter(logging.Formatter(PLAIN))
-        logger.addHandler(screen)
-    if "log" in wanted:
-        logger.addHandler(_file(config, "launch.log", PLAIN))
-    if "own_log" in targets.get("both", ()):
-        logger.addHandler(_file(config, f"{process_name}.log", PLAIN))
-    if "own_log" in targets.get(stream, ()):
-        logger.addHandler(_file(config, f"{process_name}-{stream}.log", PLAIN))
+    both, own = targets.get("both", ()), targets.get(stream, ())
+    wanted: list[tuple[bool, Any, logging.Formatter]] = [
+        ("screen" in (*both, *own), config.get_screen_handler, PLAIN),
+        ("log" in (*both, *own), lambda: config.get_log_file_handler(main_file), STAMPED),
+        ("own_log" in both, lambda: config.get_log_file_handler(f"{process_name}.log"), PLAIN),
+        ("own_log" in own, lambda: config.get_log_file_handler(f"{process_name}-{stream}.log"), PLAIN),
+    ]
+    for wants, handler_of, formatter in wanted:
+        if wants:
+            handler = handler_of()
+            handler.setFormatterFor(logger, formatter)
+            logger.addHandler(handler)
     config.loggers[logger.name] = logger
     return logger
-
-
-def _file(config: LaunchConfig, file_name: str, form: str) -> logging.Handler:
-    """Return the handler of a log file in one of its forms; one file is opened only once."""
-    key = file_name + form
-    if key not in config.files:
-        config.files[key] = _LogFile(config.get_log_file_path(file_name))
-        config.files[key].setFormatter(StampedFormatter(form))
-    return config.files[key]
-
-
-class _LogFile(logging.Handler):
-    """Appends lines to a file, which is made with the first line."""
-
-    def __init__(self, path: str) -> None:
-        super().__init__()
-        self.__path = path
-        self.__file: TextIO | None = None
-
-    def emit(self, record: logging.LogRecord) -> None:
-        """Append one line."""
-        if self.__file is None:
-            self.__file = open(self.__path, "a", encoding="utf-8", buffering=1)  # noqa: SIM115
-        self.__file.write(self.format(record) + "\n")
-
-    def close(self) -> None:
-        """Close the file."""
-        if self.__file is not None:
-            self.__file.close()
-            self.__file = None
-        super().close()

@@ -1,0 +1,56 @@
+"""Handlers that may write each logger's messages in a form of its own. In ROS 2: launch.logging.handlers."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from typing import Any
+
+
+class Handler(logging.Handler):
+    """A handler with one formatter for all, and others for loggers that have one."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self._formatters: dict[str, logging.Formatter] = {}
+
+    def setFormatterFor(self, logger: logging.Logger, formatter: logging.Formatter) -> None:
+        """Write this logger's messages so."""
+        self._formatters[logger.name] = formatter
+
+    def unsetFormatterFor(self, logger: logging.Logger) -> None:
+        """Write this logger's messages as all others."""
+        self._formatters.pop(logger.name, None)
+
+    def getFormatterFor(self, logger: logging.Logger) -> logging.Formatter | None:
+        """Return the formatter of this logger."""
+        return self._formatters.get(logger.name, self.formatter)
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Return the text of a record."""
+        own = self._formatters.get(record.name)
+        return super().format(record) if own is None else own.format(record)
+
+
+class StreamHandler(Handler):
+    """Writes to a stream, by default to the standard output of the process that logs."""
+
+    def __init__(self, stream: Any = None) -> None:
+        super().__init__()
+        self.__stream = stream
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Write one record."""
+        stream = sys.stdout if self.__stream is None else self.__stream
+        stream.write(self.format(record) + "\n")
+        stream.flush()
+
+
+class FileHandler(Handler, logging.FileHandler):
+    """Appends to a file, which is made with the first record."""
+
+    def __init__(self, path: str, encoding: str | None = None) -> None:
+        super().__init__(path, encoding=encoding or "utf-8", delay=True)
+
+
+__all__ = ["FileHandler", "Handler", "StreamHandler"]

@@ -102,6 +102,18 @@ def test_a_coroutine_may_hear_feedback(waiting):
     assert kept.accepted
 
 
+def test_who_has_the_result_hears_no_more_feedback(pair):
+    world, client = pair
+    heard = []
+    speaker = world.nodes[0].create_publisher(Fibonacci.Impl.FeedbackMessage, "fibonacci/_action/feedback", 10)
+    handle = world.result(client.send_goal_async(goal(), feedback_callback=heard.append))
+    world.result(handle.get_result_async())
+    heard.clear()
+    speaker.publish(Fibonacci.Impl.FeedbackMessage(goal_id=handle.goal_id))
+    world.spin_for(0.3)
+    assert heard == []
+
+
 def test_an_id_may_be_given(pair):
     world, client = pair
     uuid = UUID(uuid=list(range(16)))

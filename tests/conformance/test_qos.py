@@ -3,6 +3,7 @@ import warnings
 import pytest
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.duration import Duration
+from rclpy.impl.implementation_singleton import rclpy_implementation as _rclpy
 from rclpy.qos import (
     DurabilityPolicy,
     HistoryPolicy,
@@ -263,3 +264,10 @@ def test_a_callback_may_refuse_the_overrides(world):
     )
     with pytest.raises(InvalidQosOverridesError, match="not like that"):
         world.node().create_publisher(String, "chatter", 10, qos_overriding_options=options)
+
+
+def test_profiles_of_the_c_module():
+    profile = _rclpy.rmw_qos_profile_t.predefined("qos_profile_sensor_data")
+    assert QoSProfile(**profile.to_dict()) == qos_profile_sensor_data
+    with pytest.raises(ValueError, match="unknown rmw_qos_profile"):
+        _rclpy.rmw_qos_profile_t.predefined("qos_profile_mine")

@@ -358,9 +358,13 @@ def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
 
 
 def __getattr__(name: str) -> Any:
-    """What is defined above this module: Humble's QoSEvent, which later ROS calls EventHandle."""
+    """What is defined above this module: Humble's QoSEvent, which later ROS calls EventHandle, and QoS profiles."""
     if name in ("QoSEvent", "EventHandle"):
         from rclpy.event_handler import QoSEvent
 
         return QoSEvent
+    if name == "rmw_qos_profile_t":
+        from rclpy.qos import PredefinedProfiles
+
+        return PredefinedProfiles
     raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

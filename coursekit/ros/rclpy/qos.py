@@ -250,6 +250,19 @@ qos_profile_parameter_events = QoSProfile(depth=1000)
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
+class PredefinedProfiles:
+    """What programs know as rmw_qos_profile_t of rclpy's C module."""
+
+    @staticmethod
+    def predefined(name: str) -> QoSProfile:
+        """Return a profile by its variable's name, for example 'qos_profile_default'; ValueError for another one."""
+        found = globals().get(name)
+        if not isinstance(found, QoSProfile):
+            known = ", ".join(word for word, value in globals().items() if isinstance(value, QoSProfile) and word[0] != "_")
+            raise ValueError(f"Requested unknown rmw_qos_profile: '{name}' is none of {known}")
+        return found
+
+
 class QoSPresetProfiles(Enum):
     """The named profiles, for command lines and YAML."""
 

@@ -158,6 +158,7 @@ class ActionClient(Waitable):
 
         def answered(response: Any) -> Any:
             goal_handle._update_status(response.status)
+            self._feedback_callbacks.pop(bytes(goal_handle.goal_id.uuid), None)  # who has the result wants no more
             return response
 
         return _then(self._result_client.call_async(request), answered)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import contextvars
 import ctypes
+import functools
 import itertools
 import os
 import signal
 import sys
 import threading
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -60,6 +61,7 @@ class Process:
         self.on_signal: list[Callable[[int], bool]] = []
         """Called in the main lane when a signal arrives; True means that it has been dealt with."""
         self.cleanups: list[Callable[[], None]] = []
+        self.at_exit: list[functools.partial[Any]] = []
         self.out = Output()
         self.stdin = Input(session)
         self.on_wants_keys: Callable[[], None] | None = None
@@ -165,6 +167,7 @@ class Process:
             enter_folder(self.cwd)
             code = self._call_main()
             self._join_threads()
+            self._call_all(reversed(self.at_exit))
         except ProcessKilled as death:
             code = -death.signum
         except BaseException:
@@ -194,6 +197,13 @@ class Process:
         except KeyboardInterrupt:
             self._report(sys.exc_info())
 
+    def _call_all(self, last_words: Iterable[Callable[[], Any]]) -> None:
+        for say in last_words:
+            try:
+                say()
+            except Exception:
+                self._report(sys.exc_info())
+
     def _report(self, error: tuple[Any, Any, TracebackType | None]) -> None:
         """Print the traceback from the program's first line on, without the frames of this file."""
         kind, value, trace = error
@@ -205,11 +215,7 @@ class Process:
     def _end(self, code: int) -> None:
         if self.exit_code is not None:
             return  # it was cut off before
-        for cleanup in reversed(self.cleanups):
-            try:
-                cleanup()
-            except Exception:
-                self._report(sys.exc_info())
+        self._call_all(reversed(self.cleanups))
         self.exit_code = code
         for lane in self.lanes:
             if lane is not self._lane:

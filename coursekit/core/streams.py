@@ -243,7 +243,8 @@ def install() -> None:
     if builtins.input is not _input:
         _real_input = builtins.input
         builtins.input = _input
-    from . import selecting, threads
+    from . import leaving, selecting, threads
 
+    leaving.install()
     selecting.install()
     threads.install()

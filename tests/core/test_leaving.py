@@ -1,0 +1,56 @@
+"""What a process says last."""
+
+import atexit
+import sys
+
+from coursekit.core.session import Session
+
+
+def said_by(main) -> str:
+    with Session(virtual=True).use() as session:
+        process = session.start(main, name="speaker")
+        process.wait()
+        return process.output
+
+
+def test_what_a_process_registers_runs_when_it_ends_the_last_first() -> None:
+    def main() -> None:
+        atexit.register(print, "first", end=".\n")
+        atexit.register(print, "second")
+        print("works")
+
+    assert said_by(main) == "works\nsecond\nfirst.\n"
+
+
+def test_it_runs_after_an_error_and_after_sys_exit_too() -> None:
+    def fail() -> None:
+        atexit.register(print, "stop the motors")
+        raise ValueError("dizzy")
+
+    def leave() -> None:
+        atexit.register(print, "stop the motors")
+        sys.exit(3)
+
+    assert said_by(fail).endswith("ValueError: dizzy\nstop the motors\n")
+    assert said_by(leave) == "stop the motors\n"
+
+
+def test_what_is_taken_back_does_not_run() -> None:
+    def main() -> None:
+        atexit.register(print, "gone")
+        atexit.unregister(print)
+
+    assert said_by(main) == ""
+
+
+def test_a_killed_process_says_nothing() -> None:
+    with Session(virtual=True).use() as session:
+        def main() -> None:
+            atexit.register(print, "stop the motors")
+            session.clock.sleep(10.0)
+
+        process = session.start(main, name="speaker")
+        session.clock.sleep(1.0)
+        process.kill()
+        process.wait()
+        assert process.output == ""

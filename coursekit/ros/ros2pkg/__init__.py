@@ -1,0 +1,1 @@
+"""What `ros2 pkg` offers to Python programs, in `ros2pkg.api`."""

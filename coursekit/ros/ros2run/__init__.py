@@ -1,0 +1,1 @@
+"""What `ros2 run` offers to Python programs, in `ros2run.api`."""

@@ -1,0 +1,42 @@
+"""The executables of a package by name, as launch files ask for them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from ros2pkg.api import PackageNotFound, get_executable_paths
+
+__all__ = ["ExecutableNameCompleter", "MultipleExecutables", "PackageNotFound", "get_executable_path"]
+
+
+class MultipleExecutables(Exception):
+    """More than one executable has the name; `paths` are their files."""
+
+    def __init__(self, paths: list[str]) -> None:
+        super().__init__(paths)
+        self.paths = paths
+
+
+def get_executable_path(*, package_name: str, executable_name: str) -> str | None:
+    """The file of an executable; None when the package has none of that name, PackageNotFound when it does not exist.
+
+    >>> get_executable_path(package_name="demo_nodes_py", executable_name="talker").endswith("lib/demo_nodes_py/talker")
+    True
+    """
+    paths = [one for one in get_executable_paths(package_name=package_name) if Path(one).name == executable_name]
+    if len(paths) > 1:
+        raise MultipleExecutables(paths)
+    return paths[0] if paths else None
+
+
+class ExecutableNameCompleter:
+    """Names of a package's executables, for argcomplete."""
+
+    def __init__(self, *, package_name_key: str) -> None:
+        self.package_name_key = package_name_key
+
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+        """The executables of the package that was typed before."""
+        package = getattr(parsed_args, self.package_name_key)
+        return [Path(path).name for path in get_executable_paths(package_name=package)]

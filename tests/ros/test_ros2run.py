@@ -1,0 +1,22 @@
+"""ros2run.api and ros2pkg.api: what launch files of the demos import."""
+
+import pytest
+from ros2pkg.api import get_executable_paths, get_package_names, get_prefix_path
+from ros2run.api import PackageNotFound, get_executable_path
+
+
+def test_an_executable_is_found_by_name():
+    path = get_executable_path(package_name="demo_nodes_py", executable_name="talker")
+    assert path in get_executable_paths(package_name="demo_nodes_py")
+    assert path.startswith(get_prefix_path("demo_nodes_py"))
+
+
+def test_an_executable_that_is_not_there_is_none():
+    assert get_executable_path(package_name="demo_nodes_py", executable_name="nobody") is None
+
+
+def test_a_package_that_is_not_there_is_named():
+    assert get_prefix_path("no_such_package") is None and "demo_nodes_py" in get_package_names()
+    with pytest.raises(PackageNotFound) as raised:
+        get_executable_path(package_name="no_such_package", executable_name="x")
+    assert raised.value.package_name == "no_such_package"

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces.find import UNDERLAY, prefixes
 
+from .elsewhere import remark
 from .modules import use_private_modules
 from .process import Output, Process, current_process
 
@@ -30,7 +31,8 @@ class PackageNotFound(LookupError):
     """No such package in any prefix; the text names close ones."""
 
     def __init__(self, package: str, known: Sequence[str]) -> None:
-        super().__init__(f"Package '{package}' not found{_hint(package, known)}")
+        why = remark(package)
+        super().__init__(f"Package '{package}' not found{'; ' + why if why else _hint(package, known)}")
         self.package = package
 
 

@@ -1,4 +1,4 @@
-"""After an import: some libraries need a hand in a session (OpenCV has no windows there)."""
+"""At an import: some libraries need a hand in a session (OpenCV has no windows there), some are said to be elsewhere."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 from typing import Any
+
+from .elsewhere import remark
 
 HELPERS = {"cv2": "coursekit.view.highgui"}
 """Module: who lends it a hand, with a function `install()`."""
@@ -49,7 +51,17 @@ class _Finder(importlib.abc.MetaPathFinder):
         return None
 
 
+class _Elsewhere(importlib.abc.MetaPathFinder):
+    """Comes last: a ROS package that no one has found, and that coursekit knows to be elsewhere, is told with the reason."""
+
+    def find_spec(self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None) -> None:
+        why = "" if path is not None else remark(fullname)
+        if why:
+            raise ModuleNotFoundError(f"No module named '{fullname}': {why}", name=fullname)
+
+
 _finder = _Finder()
+sys.meta_path.append(_Elsewhere())
 
 
 def _help(helper: str) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ament_index_python.resources import get_resource, get_resources
 from ament_index_python.search_paths import get_search_paths
+from coursekit.core.elsewhere import remark
 
 
 class PackageNotFoundError(KeyError):
@@ -31,8 +32,9 @@ def get_package_prefix(package_name: str) -> str:
     try:
         return get_resource("packages", package_name)[1]
     except LookupError:
-        searched = get_search_paths()
-        raise PackageNotFoundError(f"package '{package_name}' not found, searching: {searched}") from None
+        text = f"package '{package_name}' not found, searching: {get_search_paths()}"
+        why = remark(package_name)
+        raise PackageNotFoundError(f"{text}; {why}" if why else text) from None
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:

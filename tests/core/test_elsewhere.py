@@ -1,0 +1,36 @@
+"""ROS packages that are not part of coursekit are told with the reason and with what to type instead."""
+
+import importlib
+
+import pytest
+from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+
+from coursekit.core import executables
+from coursekit.core.elsewhere import remark
+from coursekit.core.executables import PackageNotFound, find
+from coursekit.core.session import Session
+
+
+@pytest.mark.parametrize("package", ["cartographer_ros", "joy", "moveit_configs_utils", "ros_gz_sim", "control_msgs"])
+def test_a_known_package_has_a_reason_and_a_way_out(package):
+    assert remark(package).startswith(f"{package} is not part of coursekit: it ") and "; " in remark(package)
+
+
+def test_nothing_is_said_of_what_the_underlay_has():
+    nodes = [name for name in executables.packages() if not name.endswith(("_msgs", "_interfaces"))]
+    assert [name for name in nodes if remark(name)] == ["rqt_image_view"]
+
+
+def test_run_and_the_index_tell_it():
+    with pytest.raises(PackageNotFound, match="not found; robot_localization is not part"):
+        find("robot_localization", "ekf_node")
+    with pytest.raises(PackageNotFoundError, match="searching: .*; rplidar_ros is not part of coursekit: it is the driver"):
+        get_package_share_directory("rplidar_ros")
+
+
+def test_an_import_tells_it_and_stays_an_import_error():
+    with Session(virtual=True).use():
+        with pytest.raises(ModuleNotFoundError, match="No module named 'moveit_configs_utils': .*C"):
+            importlib.import_module("moveit_configs_utils")
+        with pytest.raises(ModuleNotFoundError, match="^No module named 'no_such_module'$"):
+            importlib.import_module("no_such_module")

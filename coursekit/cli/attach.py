@@ -80,7 +80,11 @@ def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
     with client, _signals_to(client):
         _send(client, _wish(**wish))
         threading.Thread(target=_forward_stdin, args=(client,), daemon=True).start()
-        return _show(client)
+        try:
+            return _show(client)
+        except BrokenPipeError:  # who read our output has gone, as `head` does when it has its lines
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return 128 + 13
 
 
 def _wish(**wish: object) -> dict[str, object]:

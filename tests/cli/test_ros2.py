@@ -109,6 +109,12 @@ def read_line(stream, wanted):
     pytest.fail(f"no line with {wanted!r} came")
 
 
+def test_a_command_whose_reader_has_gone_ends_without_a_word(terminals):
+    listing = terminals("interface", "list")
+    listing.stdout.close()
+    assert listing.stderr.read() == "" and listing.wait(60) == 128 + 13
+
+
 def test_terminals_share_the_graph_and_ctrl_c_ends_only_its_own_command(terminals):
     talker = terminals("run", "demo_nodes_py", "talker")
     read_line(talker.stderr, "Publishing")

@@ -36,9 +36,9 @@ def pytest_runtest_makereport(item, call):
     return report
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser():
-    """A headless Chromium."""
+    """A headless Chromium; not for longer, because Playwright's loop counts as the thread's running one."""
     playwright = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
     path = chromium()
     if path is None:

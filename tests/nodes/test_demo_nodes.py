@@ -1,3 +1,5 @@
+import pytest
+
 from coursekit.cli.parser import run
 from coursekit.core.executables import find
 from coursekit.core.session import Session
@@ -53,3 +55,25 @@ def test_a_raw_listener_gets_the_bytes():
         session.start_executable(find("demo_nodes_py", "talker"))
         session.clock.sleep(2)
         assert r'I heard: "b' in listener.output and r"\x00\x01\x00\x00\x0f\x00\x00\x00Hello World: 0\x00" in listener.output
+
+
+@pytest.mark.parametrize("ending", [".launch.py", "_launch.py", "_launch.xml", "_launch.yaml"])
+def test_launch_files_of_the_demos_start_a_talker_and_a_listener(ending):
+    with Session(virtual=True).use() as session:
+        words = ["launch", "demo_nodes_cpp", f"talker_listener{ending}"]
+        launch = session.start(lambda: run(words), name="ros2")
+        session.clock.sleep(2.5)
+        launch.interrupt()
+        launch.wait(10)
+        assert "[talker]: Publishing: 'Hello World: 1'" in launch.output
+        assert "[listener]: I heard: [Hello World: 1]" in launch.output
+
+
+@pytest.mark.parametrize("ending", [".launch.py", "_launch.py"])
+def test_launch_files_of_the_demos_add_two_numbers(ending):
+    with Session(virtual=True).use() as session:
+        launch = session.start(lambda: run(["launch", "demo_nodes_cpp", f"add_two_ints{ending}"]), name="ros2")
+        session.clock.sleep(2.5)
+        launch.interrupt()
+        launch.wait(10)
+        assert "Result of add_two_ints: 5" in launch.output

@@ -35,4 +35,9 @@ def install() -> None:
     atexit.register, atexit.unregister = register, unregister
 
 
-__all__ = ["install"]
+def at_interpreter_exit(func: Callable[..., Any], /, *args: Any, **kwargs: Any) -> None:
+    """`atexit.register` of the interpreter, whichever process asks."""
+    _register(func, *args, **kwargs)
+
+
+__all__ = ["at_interpreter_exit", "install"]

@@ -276,7 +276,8 @@ def test_sources_tell_their_location_and_method(tmp_path: Path) -> None:
         (XMLLaunchDescriptionSource("a"), "interpreted XML launch file"),
         (YAMLLaunchDescriptionSource("a"), "interpreted YAML launch file"),
     ):
-        assert (source.method, source.location) == (method, "'a'")
+        assert (source.method, source.describe_location()) == (method, "'a'")
+        assert "launch.substitutions.text_substitution.TextSubstitution" in source.location
 
 
 def test_programs_can_expose_actions_and_substitutions_of_their_own(launch) -> None:
@@ -308,7 +309,7 @@ def test_programs_can_expose_actions_and_substitutions_of_their_own(launch) -> N
             return "".join(part.perform(context) for part in self.text_parts).upper()
 
     assert launch([read('<launch><test_shout what="$(test-upper hey)"/></launch>')]).lines == [USER + "HEY!"]
-    with pytest.raises(RuntimeError, match="is not a callable or a class with a method parse"):
+    with pytest.raises(RuntimeError, match="is not a callable or a class containing a parse method"):
         expose_action("x")(3)
     with pytest.raises(RuntimeError, match="Not recognized frontend implementation"):
         Parser.get_parser_from_extension("toml")

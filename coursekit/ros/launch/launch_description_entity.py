@@ -17,6 +17,10 @@ class LaunchDescriptionEntity:
         """Do the work of this entity; return what is to be visited next."""
         return None
 
+    def leave(self, context: LaunchContext) -> None:
+        """Do what is to be done after all that `visit` gave has been visited."""
+        return None
+
     def describe(self) -> str:
         """Return a short description of this entity."""
         return repr(self)

@@ -52,9 +52,15 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The location: the path once it is known, before that its substitutions in words."""
+        """The location: the path once it is known, before that its substitutions."""
         if self.__expanded_location is None:
-            return " + ".join(str(sub.describe()) for sub in self.__location)
+            return " + ".join(str(sub) for sub in self.__location)
+        return self.__expanded_location
+
+    def describe_location(self) -> str:
+        """Return the path once it is known, before that its substitutions in words."""
+        if self.__expanded_location is None:
+            return " + ".join(sub.describe() for sub in self.__location)
         return self.__expanded_location
 
     @property

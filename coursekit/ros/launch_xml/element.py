@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 from xml.parsers import expat
 
 
@@ -45,3 +46,16 @@ def read_elements(text: str, name: str) -> Element:
     parser.CharacterDataHandler = data
     parser.Parse(text, True)
     return roots[0]
+
+
+def as_element(element: Any) -> Element:
+    """Return an element of ElementTree as one of ours; one of ours stays.
+
+    >>> from xml.etree import ElementTree
+    >>> as_element(ElementTree.fromstring('<launch><log message="hi"/></launch>')).children[0].tag
+    'log'
+    """
+    if isinstance(element, Element):
+        return element
+    children = [as_element(child) for child in element]
+    return Element(element.tag, dict(element.attrib), "", children, element.text or "")

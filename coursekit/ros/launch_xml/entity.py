@@ -7,14 +7,14 @@ from typing import Any
 from launch import frontend
 from launch.frontend.type_utils import check_is_list_entity, get_typed_value
 
-from .element import Element
+from .element import as_element
 
 
 class Entity(frontend.Entity):
     """One XML element; attributes are text that is read as the wanted type."""
 
-    def __init__(self, xml_element: Element, *, parent: Entity | None = None) -> None:
-        self.__element = xml_element
+    def __init__(self, xml_element: Any, *, parent: Entity | None = None) -> None:
+        self.__element = as_element(xml_element)
         self.__parent = parent
         self.__read_attributes: set[str] = set()
         self.__read_children: set[str] = set()

@@ -51,7 +51,8 @@ class GroupAction(Action):
             value = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
             if value is not None:
                 kwargs[name] = value
-        keeps = [child for child in entity.children if child.type_name == "keep"]
+        keeps = entity.get_attr("keep", data_type=list[Entity], optional=True)
+        keeps = keeps or [child for child in entity.children if child.type_name == "keep"]
         if keeps:
             kwargs["launch_configurations"] = {
                 tuple(parser.parse_substitution(keep.get_attr("name"))): parser.parse_substitution(

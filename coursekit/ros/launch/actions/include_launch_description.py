@@ -15,7 +15,6 @@ from ..launch_description_source import LaunchDescriptionSource
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 from .declare_launch_argument import DeclareLaunchArgument
-from .opaque_function import OpaqueFunction
 from .set_launch_configuration import SetLaunchConfiguration
 
 LOCATION_LOCALS = ("current_launch_file_path", "current_launch_file_directory")
@@ -45,6 +44,7 @@ class IncludeLaunchDescription(Action):
             launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
         self.__source = launch_description_source
         self.__arguments = tuple(launch_arguments) if launch_arguments is not None else ()
+        self.__before: dict[str, Any] | None = None
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -78,7 +78,7 @@ class IncludeLaunchDescription(Action):
 
     def describe(self) -> str:
         """Return the location of what is included."""
-        return f"IncludeLaunchDescription({self.__source.location})"
+        return f"IncludeLaunchDescription({self.__source.describe_location()})"
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the included description when it can be had before launching."""
@@ -86,35 +86,42 @@ class IncludeLaunchDescription(Action):
         return [description] if description is not None else []
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Return the settings of the arguments, then the description, then the way back.
+        """Return the settings of the arguments, then the description; the locals tell from now on where it lies.
 
         Raises:
             RuntimeError: when the included description needs an argument that is not there.
         """
         description = self.__source.get_launch_description(context)
-        before = {name: context.get_locals_as_dict().get(name) for name in LOCATION_LOCALS}
+        self.__before = {name: context.get_locals_as_dict().get(name) for name in LOCATION_LOCALS}
         self.__check_arguments(context, description)
+        context.extend_locals(dict(zip(LOCATION_LOCALS, self.__location(), strict=True)))
         settings = [SetLaunchConfiguration(name, value) for name, value in self.__arguments]
-        path = os.path.abspath(self.__source.location)
-        location = {"current_launch_file_path": path, "current_launch_file_directory": os.path.dirname(path)}
-        return [
-            *settings,
-            OpaqueFunction(function=_enter, args=[location]),
-            description,
-            OpaqueFunction(function=_enter, args=[before]),
-        ]
+        return [*settings, description]
+
+    def leave(self, context: LaunchContext) -> None:
+        """Note that the entities that come next are again those of the including file."""
+        if self.__before is not None:
+            context.extend_locals(self.__before)
+            self.__before = None
+
+    def __location(self) -> tuple[str, str]:
+        """Return the path and the folder of what is included; what is no file stays as it is."""
+        location = str(self.__source.location)
+        if location.startswith("<"):
+            return location, location
+        path = os.path.abspath(location)
+        return path, os.path.dirname(path)
 
     def __check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
         given = [
             perform_substitutions(context, normalize_to_list_of_substitutions(name))
             for name, _ in self.__arguments
         ]
-        known = [*context.launch_configurations, *given]
         declared = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, includes in declared:
             if argument._conditionally_included or argument.default_value is not None:
                 continue
-            if argument.name in known or argument.name in _given_by(context, includes or []):
+            if argument.name in given or argument.name in _given_by(context, includes or []):
                 continue
             raise RuntimeError(_missing(argument, given))
 
@@ -129,8 +136,3 @@ def _missing(argument: DeclareLaunchArgument, given: list[str]) -> str:
         f"Included launch description missing required argument '{argument.name}' "
         f"(description: '{argument.description}'), given: [{', '.join(given)}]"
     )
-
-
-def _enter(context: LaunchContext, location: dict[str, Any]) -> None:
-    """Note where the launch file lies whose entities come next."""
-    context.extend_locals(location)

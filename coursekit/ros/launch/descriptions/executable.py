@@ -36,7 +36,8 @@ class Executable:
         arguments: Iterable[SomeSubstitutionsType] | None = None,
     ) -> None:
         self.__cmd = [normalize_to_list_of_substitutions(part) for part in cmd]
-        self.__cmd += [normalize_to_list_of_substitutions(part) for part in arguments or []]
+        self.__arguments = None if arguments is None else list(arguments)
+        self.__cmd += [normalize_to_list_of_substitutions(part) for part in self.__arguments or []]
         self.__prefix = normalize_to_list_of_substitutions(
             LaunchConfiguration("launch-prefix", default="") if prefix is None else prefix
         )
@@ -78,6 +79,11 @@ class Executable:
     def additional_env(self) -> EnvironmentPairs | None:
         """What is added to the environment, as substitutions."""
         return self.__additional_env
+
+    @property
+    def arguments(self) -> list[SomeSubstitutionsType] | None:
+        """The arguments that were given apart from the command."""
+        return self.__arguments
 
     @property
     def final_name(self) -> str | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from ..event import Event
@@ -13,6 +13,10 @@ from ..some_entities_type import SomeEntitiesType
 if TYPE_CHECKING:
     from ..action import Action
     from ..launch_context import LaunchContext
+
+
+class HandlerArgumentError(TypeError, ValueError):
+    """Raised when a handler is given something that is no action, entity or function."""
 
 
 class OnActionEventBase(BaseEventHandler):
@@ -36,10 +40,12 @@ class OnActionEventBase(BaseEventHandler):
             and not callable(action_matcher)
             and not isinstance(action_matcher, target_action_cls)
         ):
-            raise RuntimeError(
+            raise HandlerArgumentError(
                 f"{type(self).__name__} 'target_action' must be a {target_action_cls.__name__} or a "
                 f"function, got {type(action_matcher).__name__}"
             )
+        if not callable(on_event):
+            _check_entities(type(self).__name__, as_entities(on_event))
         self.__target = action_matcher
         is_action = isinstance(action_matcher, LaunchDescriptionEntity)
         self.__wants_action: Any = None if is_action else action_matcher
@@ -78,3 +84,11 @@ class OnActionEventBase(BaseEventHandler):
     def matcher_description(self) -> str:
         """Which events are wanted, in words."""
         return f"event == {self.__target_event_cls.__name__} of {self.__target or 'any action'}"
+
+
+def _check_entities(handler: str, entities: Iterable[Any]) -> None:
+    for entity in entities:
+        if not isinstance(entity, LaunchDescriptionEntity):
+            raise HandlerArgumentError(
+                f"{handler} expects actions or a function for what is to be done, got {type(entity).__name__}: {entity}"
+            )

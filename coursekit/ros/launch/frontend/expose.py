@@ -21,20 +21,20 @@ substitution_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
     """Return a decorator that makes an action class, or a parse function, an element `name`."""
-    return _expose(name, action_parse_methods, "action")
+    return __expose_impl(name, action_parse_methods, "action")
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
     """Return a decorator that makes a substitution class, or a parse function, `$(name ...)`."""
-    return _expose(name, substitution_parse_methods, "substitution")
+    return __expose_impl(name, substitution_parse_methods, "substitution")
 
 
-def _expose(name: str, register: dict[str, Any], kind: str) -> Callable[[Exposed], Exposed]:
+def __expose_impl(name: str, register: dict[str, Any], kind: str) -> Callable[[Exposed], Exposed]:
     def decorate(exposed: Exposed) -> Exposed:
         parse = getattr(exposed, "parse", None) if inspect.isclass(exposed) else exposed
         if not callable(parse):
             raise RuntimeError(
-                f"Exposed {kind} parser for {name!r} is not a callable or a class with a method parse."
+                f"Exposed {kind} parser for {name} is not a callable or a class containing a parse method"
             )
         register[name] = parse
         return exposed

@@ -8,6 +8,7 @@ from typing import Any
 from ..substitution import Substitution
 from .expose import instantiate_substitution
 
+QUOTES = ("'", '"')
 NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -67,8 +68,11 @@ class _Reader:
         self.text = text
         self.at = 0
 
-    def template(self, stop: str) -> list[Substitution]:
-        """Read text and substitutions up to one of the characters in `stop`, or to the end."""
+    def template(self, stop: str, inside: str = "") -> list[Substitution]:
+        """Read text and substitutions up to one of the characters in `stop`, or to the end.
+
+        `inside` is the quote that is open, if any.
+        """
         found: list[Substitution] = []
         plain = ""
         while self.at < len(self.text) and self.text[self.at] not in stop:
@@ -76,7 +80,7 @@ class _Reader:
                 if plain:
                     found.append(_plain(plain))
                     plain = ""
-                found.append(self.substitution())
+                found.append(self.substitution(inside))
             else:
                 plain += self.piece()
         if plain or not found:
@@ -90,8 +94,8 @@ class _Reader:
         self.at += length
         return piece
 
-    def substitution(self) -> Substitution:
-        """Read `$(name arguments)`."""
+    def substitution(self, inside: str) -> Substitution:
+        """Read `$(name arguments)`; `inside` a quote, quotes are characters as any other."""
         start = self.at
         self.at += 2
         self.skip_space()
@@ -101,24 +105,26 @@ class _Reader:
         self.at = name.end()
         arguments = []
         while self.skip_space() and not self.text.startswith(")", self.at):
-            arguments.append(self.argument())
+            arguments.append(self.argument(inside))
         if self.at >= len(self.text):
             raise self.error("$( is not closed", start)
         self.at += 1
         return instantiate_substitution(name.group(), *arguments)
 
-    def argument(self) -> list[Substitution]:
+    def argument(self, inside: str) -> list[Substitution]:
         """Read one argument, perhaps in quotes."""
         quote = self.text[self.at]
-        if quote not in "'\"":
-            return self.template(" \t\n\r)")
         start = self.at
+        if inside and quote == inside:
+            raise self.error("$( is not closed before the quote", start)
+        if inside or quote not in QUOTES:
+            return self.template(" \t\n\r)" + inside, inside)
         self.at += 1
-        inside = self.template(quote)
+        argument = self.template(quote, quote)
         if self.at >= len(self.text):
             raise self.error(f"the quote {quote} is not closed", start)
         self.at += 1
-        return inside
+        return argument
 
     def skip_space(self) -> bool:
         """Skip white space; return whether anything is left."""

@@ -6,6 +6,9 @@ import importlib
 import importlib.metadata
 import io
 import os
+import traceback
+import warnings
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..invalid_launch_file_error import InvalidLaunchFileError
@@ -24,7 +27,8 @@ EXTENSION_MODULES = (
     "launch_ros.actions",
     "launch_ros.substitutions",
 )
-ENTRY_POINT_GROUP = "launch.frontend.launch_extension"
+EXTENSIONS = "launch.frontend.launch_extension"
+IMPLEMENTATIONS = "launch.frontend.parser"
 PARSERS = {
     "xml": ("launch_xml", "Parser"),
     "yaml": ("launch_yaml", "Parser"),
@@ -40,17 +44,29 @@ class Parser:
     """Reads launch files; each format has a subclass with its own `load`."""
 
     extensions_loaded = False
+    frontend_parsers: dict[str, type[Parser]] | None = None
 
     @classmethod
     def load_launch_extensions(cls) -> None:
         """Import what exposes actions and substitutions: ours, and those that packages install."""
-        if Parser.extensions_loaded:
+        if cls.extensions_loaded:
             return
-        Parser.extensions_loaded = True
+        cls.extensions_loaded = True
         for module in EXTENSION_MODULES:
             importlib.import_module(module)
-        for entry_point in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP):
-            entry_point.load()
+        for _ in _installed(EXTENSIONS, "launch extension"):
+            pass
+
+    @classmethod
+    def load_parser_implementations(cls) -> None:
+        """Import the parsers: ours, and those that packages install."""
+        if cls.frontend_parsers is None:
+            ours = {
+                name: getattr(importlib.import_module(module), parser)
+                for name, (module, parser) in PARSERS.items()
+                if name != "yml"
+            }
+            cls.frontend_parsers = {**dict(_installed(IMPLEMENTATIONS, "parser implementation")), **ours}
 
     @classmethod
     def get_available_extensions(cls) -> list[str]:
@@ -156,10 +172,23 @@ class Parser:
         return LaunchDescription(actions, deprecated_reason=reason)
 
 
-class ElementError(RuntimeError):
-    """Raised for an element that is wrong; says in which file and line."""
+class ElementError(RuntimeError, ValueError, TypeError, AttributeError):
+    """Raised for an element that is wrong; says in which file and line.
+
+    It is caught as any of the errors that elements raise.
+    """
 
     def __init__(self, entity: Entity, error: BaseException) -> None:
         self.entity = entity
         place = f"{entity.place}: " if entity.place else ""
         super().__init__(f"{place}in <{entity.type_name}>: {error}")
+
+
+def _installed(group: str, what: str) -> Iterator[tuple[str, Any]]:
+    """Yield the name and the object of each entry point of a group; warn of those that fail."""
+    found: Any = importlib.metadata.entry_points()
+    for entry_point in found.select(group=group) if hasattr(found, "select") else found.get(group, []):
+        try:
+            yield entry_point.name, entry_point.load()
+        except Exception:
+            warnings.warn(f"Failed to load the {what}: {entry_point.name}\n{traceback.format_exc()}", stacklevel=3)

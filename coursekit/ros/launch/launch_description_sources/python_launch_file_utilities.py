@@ -20,9 +20,9 @@ class InvalidPythonLaunchFileError(InvalidLaunchFileError):
         Exception.__init__(self, message)
 
 
-def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:
+def load_python_launch_file_as_module(python_launch_file_path: str | os.PathLike[str]) -> ModuleType:
     """Return the launch file as a module; nothing is written beside it."""
-    loader = SourceFileLoader("python_launch_file", python_launch_file_path)
+    loader = SourceFileLoader("python_launch_file", os.fspath(python_launch_file_path))
     spec = spec_from_loader(loader.name, loader)
     assert spec is not None
     module = module_from_spec(spec)
@@ -34,7 +34,9 @@ def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleTyp
     return module
 
 
-def get_launch_description_from_python_launch_file(python_launch_file_path: str) -> LaunchDescription:
+def get_launch_description_from_python_launch_file(
+    python_launch_file_path: str | os.PathLike[str],
+) -> LaunchDescription:
     """Return what the file's `generate_launch_description()` returns.
 
     Raises:

@@ -49,8 +49,9 @@ class AnonName(Substitution):
 
 
 def _unique(name: str) -> str:
-    """Return `name` with a number of the session's own: the same in every run on the virtual clock."""
+    """Return `name` with two numbers of the session's own: the same in every run on the virtual clock."""
     from coursekit.core import session
 
-    number = int.from_bytes(session.current().new_uuid()[:8], "big")
-    return re.sub(r"[.:-]", "_", f"{name}_{number}")
+    uuid = session.current().new_uuid()
+    numbers = [int.from_bytes(part, "big") for part in (uuid[:2], uuid[2:8])]
+    return re.sub(r"[.:-]", "_", f"{name}_{numbers[0]}_{numbers[1]}")

@@ -90,7 +90,7 @@ def _run(text: str, environment: dict[str, str], merge: bool) -> subprocess.Comp
     program = which(words[0], environment.get("PATH"))
     if program is None:
         raise SubstitutionFailure(
-            f"file not found executing command: {text}\n{words[0]!r} is not on the PATH"
+            f"file not found: [Errno 2] No such file or directory: {words[0]!r}; it is not on the PATH"
         )
     return subprocess.run(
         [*_started(program), *words[1:]],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import importlib
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,10 @@ from .substitution_failure import SubstitutionFailure
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
+
+
+class UnknownNameError(SubstitutionFailure, NameError):
+    """Raised when an expression names something that is not known."""
 
 
 @expose_substitution("eval")
@@ -56,26 +61,34 @@ class PythonExpression(Substitution):
         return self.__python_modules
 
     def describe(self) -> str:
-        """Return the expression in words."""
-        return f"PythonExpr({' + '.join(sub.describe() for sub in self.__expression)})"
+        """Return the expression and its modules in words."""
+        modules = ", ".join(sub.describe() for sub in self.__python_modules)
+        return f"PythonExpr({' + '.join(sub.describe() for sub in self.__expression)}, [{modules}])"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the expression's value as text.
 
         Raises:
             SubstitutionFailure: when the expression is wrong; its cause is Python's own error.
+            NameError: when it names something unknown (a SubstitutionFailure as well).
         """
         expression = perform_substitutions(context, self.__expression)
-        known: dict[str, Any] = {}
-        for module_name in self.__python_modules:
-            module = importlib.import_module(perform_substitutions(context, [module_name]))
-            known[module.__name__] = module
-            if module.__name__ == "math":
-                known.update(vars(module))
         try:
-            return str(eval(expression, known))
+            return str(eval(expression, self.__names(context)))
         except Exception as error:
-            raise SubstitutionFailure(
+            kind = UnknownNameError if isinstance(error, NameError) else SubstitutionFailure
+            raise kind(
                 f'failed to evaluate the expression "{expression}": {type(error).__name__}: {error}; '
                 "text values need quotes of their own"
             ) from error
+
+    def __names(self, context: LaunchContext) -> dict[str, Any]:
+        """Return what the expression may name: the modules, and what is in them (but never over Python's own names)."""
+        known: dict[str, Any] = {}
+        for module_name in self.__python_modules:
+            name = perform_substitutions(context, [module_name])
+            if name:
+                module = importlib.import_module(name)
+                inside = {key: value for key, value in vars(module).items() if not hasattr(builtins, key)}
+                known = {**known, **inside, name: module}
+        return known

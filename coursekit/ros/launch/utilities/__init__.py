@@ -1,7 +1,8 @@
 """Helpers that actions, substitutions and other people's launch files share."""
 
+from .class_tools_impl import is_a, is_a_subclass, isclassinstance
 from .ensure_argument_type_impl import ensure_argument_type
-from .entities import is_a, is_a_subclass, visit_all_entities_and_collect_futures
+from .entities import visit_all_entities_and_collect_futures
 from .futures import create_future, create_futures
 from .normalize_to_list_of_substitutions_impl import (
     normalize_to_list_of_entities,
@@ -17,6 +18,7 @@ __all__ = [
     "ensure_argument_type",
     "is_a",
     "is_a_subclass",
+    "isclassinstance",
     "normalize_to_list_of_entities",
     "normalize_to_list_of_substitutions",
     "perform_substitutions",

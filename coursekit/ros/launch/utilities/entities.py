@@ -1,25 +1,15 @@
-"""Visiting entities, and asking what they are."""
+"""Visiting entities."""
 
 from __future__ import annotations
 
 import asyncio
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..launch_description_entity import LaunchDescriptionEntity
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
-
-
-def is_a(entity: Any, kind: type) -> bool:
-    """Return whether `entity` is an instance of `kind`."""
-    return isinstance(entity, kind)
-
-
-def is_a_subclass(entity: Any, kind: type) -> bool:
-    """Return whether `entity` is an instance, or a subclass, of `kind`."""
-    return isinstance(entity, kind) or (isinstance(entity, type) and issubclass(entity, kind))
 
 
 def visit_entities(
@@ -32,6 +22,7 @@ def visit_entities(
         yield entity, future
     for sub_entity in sub_entities:
         yield from visit_entities(sub_entity, context)
+    entity.leave(context)
 
 
 def visit_all_entities_and_collect_futures(

@@ -31,6 +31,11 @@ def is_typing_list(data_type: Any) -> bool:
     return get_origin(data_type) is list
 
 
+def is_valid_scalar_type(data_type: Any) -> bool:
+    """Return whether `data_type` is one of the scalar types that launch values have."""
+    return data_type in ScalarTypesTuple
+
+
 def extract_type(data_type: Any) -> tuple[Any, bool]:
     """Return (type of the items, whether it is a list).
 
@@ -41,23 +46,26 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
         ValueError: for a type that launch values cannot have.
     """
     is_list = is_typing_list(data_type)
-    scalar = get_args(data_type)[0] if is_list else data_type
-    if scalar not in ScalarTypesTuple:
+    scalar = next(iter(get_args(data_type)), None) if is_list else data_type
+    if not is_valid_scalar_type(scalar):
         raise ValueError(f"Unrecognized data type: {data_type}")
     return scalar, is_list
 
 
-def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
-    """Return whether `value` is a scalar or a uniform list of one of the allowed types."""
-    if isinstance(value, list):
-        return bool(value) and any(all(type(item) is kind for item in value) for kind in ScalarTypesTuple)
-    return isinstance(value, ScalarTypesTuple)
+def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
+    """Return whether `value` is a scalar or a uniform list; with `can_be_str` text may stand among the items."""
+    if not isinstance(value, list):
+        return isinstance(value, ScalarTypesTuple)
+    kinds = {type(item) for item in value}
+    if can_be_str and len(kinds) > 1:
+        kinds.discard(str)
+    return len(kinds) == 1 and is_valid_scalar_type(kinds.pop())
 
 
-def is_instance_of(value: Any, data_type: Any, *, can_be_str: bool = False) -> bool:
+def is_instance_of(value: Any, data_type: Any, can_be_str: bool = False) -> bool:
     """Return whether `value` has `data_type`; with `can_be_str` text is accepted as well."""
     if data_type is None:
-        return is_instance_of_valid_type(value)
+        return is_instance_of_valid_type(value, can_be_str)
     scalar, is_list = extract_type(data_type)
     kinds = (scalar, str) if can_be_str else (scalar,)
     if is_list:
@@ -65,77 +73,68 @@ def is_instance_of(value: Any, data_type: Any, *, can_be_str: bool = False) -> b
     return type(value) in kinds
 
 
-def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = False) -> Any:
+def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) -> Any:
     """Return the text `value` as `data_type`, read by YAML's rules; None: whatever YAML says.
 
     >>> coerce_to_type('2', float), coerce_to_type('off'), coerce_to_type('a b')
     (2.0, False, 'a b')
 
     Raises:
+        TypeError: when `value` is no text.
         ValueError: when the text is no such value.
     """
+    if not isinstance(value, str):
+        raise TypeError(f"Got '{value}' of type '{type(value).__name__}' where a text was expected")
     if data_type is str:
         return value
     try:
         read = yaml.safe_load(value)
-    except yaml.YAMLError:
-        read = value
-    converted = _as_type(read, data_type)
-    if converted is not None:
-        return converted
-    if can_be_str or data_type is None:
-        return value
-    raise ValueError(f"Failed to convert '{value}' to '{_type_name(data_type)}'")
-
-
-def _as_type(read: Any, data_type: Any) -> Any:
-    """Return the YAML value as `data_type`, or None when it is of another type."""
-    if data_type is None:
-        return read if is_instance_of_valid_type(read) else None
-    scalar, is_list = extract_type(data_type)
-    if is_list:
-        return _list_as(read, scalar)
-    if scalar is float and type(read) is int:
+    except yaml.YAMLError as error:
+        raise ValueError(f"'{value}' is no YAML value: {error}") from error
+    if data_type is float and type(read) is int:
         return float(read)
-    return read if type(read) is scalar else None
-
-
-def _list_as(read: Any, scalar: Any) -> Any:
-    if not isinstance(read, list):
-        return None
-    items = [str(item) if scalar is str else _as_type(item, scalar) for item in read]
-    return None if any(item is None for item in items) else items
+    if is_instance_of(read, data_type):
+        return read
+    if can_be_str:
+        return read if is_instance_of(read, data_type, can_be_str) else value
+    raise ValueError(f"Failed to convert '{value}' to '{_type_name(data_type)}'")
 
 
 def _type_name(data_type: Any) -> str:
     return getattr(data_type, "__name__", None) if isinstance(data_type, type) else str(data_type)  # type: ignore
 
 
-def coerce_list(value: Iterable[str], data_type: Any = None, *, can_be_str: bool = False) -> list[Any]:
-    """Return each text of a list as `data_type`; without one all must agree, else they stay text."""
-    items = list(value)
-    if data_type is not None:
-        return [coerce_to_type(item, data_type, can_be_str=can_be_str) for item in items]
-    read = [coerce_to_type(item) for item in items]
-    if {type(item) for item in read} == {int, float}:
-        return [float(item) for item in read]
-    return read if is_instance_of_valid_type(read) else items
+def coerce_list(value: Iterable[str], data_type: Any = None, can_be_str: bool = False) -> list[Any]:
+    """Return each text of a list as `data_type`; without one all must be of one type.
+
+    Raises:
+        TypeError: when `value` is no list of texts.
+        ValueError: when an item is no such value, or the items are of several types.
+    """
+    items = [value] if isinstance(value, str) else list(value)
+    if isinstance(value, str) or not all(isinstance(item, str) for item in items):
+        raise TypeError(f"Got '{value}' where a list of texts was expected")
+    read = [coerce_to_type(item, data_type, can_be_str) for item in items]
+    if not is_instance_of(read, data_type if data_type is None else list[data_type], can_be_str):
+        raise ValueError(f"The items of {items} are of several types: {read}")
+    return read
 
 
-def get_typed_value(value: str | Sequence[str], data_type: Any, *, can_be_str: bool = True) -> Any:
+def get_typed_value(value: str | Sequence[str], data_type: Any, can_be_str: bool = True) -> Any:
     """Return text, or a list of texts, as `data_type`.
 
     Raises:
+        TypeError: when a list is given where one value is meant.
         ValueError: when that is not possible.
     """
-    if not isinstance(value, str):
-        if data_type is None:
-            return coerce_list(value)
-        scalar, is_list = extract_type(data_type)
-        if not is_list:
-            raise ValueError(f"Got a list '{value}' where one {_type_name(data_type)} was expected")
-        return coerce_list(value, scalar, can_be_str=can_be_str)
-    return coerce_to_type(value, data_type, can_be_str=can_be_str)
+    if isinstance(value, str):
+        return coerce_to_type(value, data_type, can_be_str)
+    if data_type is None:
+        return coerce_list(value, None, can_be_str)
+    scalar, is_list = extract_type(data_type)
+    if not is_list:
+        raise TypeError(f"Got a list '{value}' where one {_type_name(data_type)} was expected")
+    return coerce_list(value, scalar, can_be_str)
 
 
 def is_substitution(value: Any) -> bool:
@@ -147,13 +146,18 @@ def is_substitution(value: Any) -> bool:
     return False
 
 
+def is_normalized_substitution(value: Any) -> bool:
+    """Return whether `value` is a list of substitutions and nothing else."""
+    return isinstance(value, list) and bool(value) and all(isinstance(item, Substitution) for item in value)
+
+
 def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
     """Return `value` checked: typed values stay, substitutions become lists of substitutions.
 
     Raises:
         TypeError: when a value that is no substitution has another type than `data_type`.
     """
-    if is_substitution(value):
+    if isinstance(value, Substitution) or _is_one_text(value):
         return normalize_to_list_of_substitutions(value)
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
         return _normalize_typed_list(list(value), data_type)
@@ -166,13 +170,18 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
     return value
 
 
+def _is_one_text(value: Any) -> bool:
+    """Return whether `value` is a list of substitutions and texts, which together make one text."""
+    return is_substitution(value) and all(isinstance(item, (Substitution, str)) for item in value)
+
+
 def _normalize_typed_list(items: list[Any], data_type: Any) -> list[Any]:
     if any(is_substitution(item) for item in items):
         return [normalize_to_list_of_substitutions(item) if is_substitution(item) else item for item in items]
     wants_floats = data_type is not None and extract_type(data_type)[0] is float
     if wants_floats or {type(item) for item in items} == {int, float}:
         items = [float(item) if type(item) is int else item for item in items]
-    if not is_instance_of(items, data_type, can_be_str=data_type is not None):
+    if not is_instance_of(items, data_type):
         raise TypeError(f"Got the list '{items}', expected a uniform list of type '{data_type}'")
     return items
 
@@ -181,13 +190,16 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
     """Return the value of a normalized typed substitution in `context`.
 
     Raises:
+        TypeError: when a value that is no substitution has another type than `data_type`.
         ValueError: when the text of the substitution is no `data_type`.
     """
-    if not is_substitution(value):
-        if isinstance(value, list) and any(is_substitution(item) for item in value):
-            return _perform_list(context, value, data_type)
-        return value
-    return coerce_to_type(perform_substitutions(context, value), data_type)
+    if is_substitution(value):
+        return coerce_to_type(perform_substitutions(context, value), data_type)
+    if isinstance(value, list) and any(is_substitution(item) for item in value):
+        return _perform_list(context, value, data_type)
+    if not is_instance_of(value, data_type):
+        raise TypeError(f"Got a value of type '{type(value)}' for '{value}', expected '{data_type}'")
+    return value
 
 
 def _perform_list(context: LaunchContext, items: list[Any], data_type: Any) -> list[Any]:

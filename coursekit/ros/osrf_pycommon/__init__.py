@@ -1,0 +1,1 @@
+"""What launch's programs take from osrf_pycommon."""

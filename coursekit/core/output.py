@@ -5,13 +5,14 @@ from __future__ import annotations
 import io
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .whose import outside
 
 if TYPE_CHECKING:
     from .session import Session
 
+CTRL_C = "\x03"
 OUTPUT_LIMIT = 2_000_000
 """Characters of output that a process remembers; older ones are dropped and counted."""
 
@@ -50,6 +51,28 @@ class Input(io.TextIOBase):
         self._text = ""
         self._closed_by_writer = False
         self._changed = session.clock.new_event()
+        self.settings: list[Any] = []
+        """What the program has set its terminal to, as termios has it; empty before."""
+        self.by_keys = False
+        """Whether it has ever wanted single keys."""
+        self.ctrl_c_is_a_key = False
+
+    def fileno(self) -> int:
+        return 0
+
+    def take_ctrl_c(self) -> bool:
+        """Have Ctrl-C typed, for a program that wants it so; False when it is to be a signal, or is not read."""
+        if not self.ctrl_c_is_a_key or CTRL_C in self._text:
+            return False
+        self.feed(CTRL_C)
+        return True
+
+    def wait_for_keys(self, timeout_sec: float | None) -> bool:
+        """Wait until something can be read, at most `timeout_sec` seconds; whether it can."""
+        self._changed.clear()
+        if not self._text and not self._closed_by_writer:
+            self._changed.wait(timeout_sec)
+        return bool(self._text) or self._closed_by_writer
 
     def feed(self, text: str) -> None:
         self._text += text

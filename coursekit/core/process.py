@@ -23,6 +23,8 @@ from .whose import owner
 if TYPE_CHECKING:
     from .session import Session
 
+DISTRIBUTION = {"ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+"""What sourcing ROS says of itself; launch files and nodes ask for it."""
 _numbers = itertools.count(1)
 
 
@@ -50,7 +52,7 @@ class Process:
         self.argv = [name, *argv]
         self.parent = parent
         inherited = parent.env if parent is not None else dict(session.environ)
-        self.env: dict[str, str] = dict(inherited) if env is None else dict(env)
+        self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
         above = os.getcwd() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.exit_code: int | None = None
@@ -230,6 +232,8 @@ class Process:
     # -- signals
 
     def _receive(self, signum: int) -> None:
+        if signum == signal.SIGINT and self.stdin.take_ctrl_c():
+            return
         handler = self.handlers.get(signum, signal.SIG_DFL)
         reactions = [react(signum) for react in list(self.on_signal)] if handler == signal.SIG_DFL else []
         if any(reactions):

@@ -243,8 +243,9 @@ def install() -> None:
     if builtins.input is not _input:
         _real_input = builtins.input
         builtins.input = _input
-    from . import leaving, selecting, threads
+    from . import keyboard, leaving, selecting, threads
 
+    keyboard.install()
     leaving.install()
     selecting.install()
     threads.install()

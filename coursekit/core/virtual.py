@@ -136,8 +136,8 @@ class VirtualClock:
         """Let the other lanes run for `seconds` of virtual time."""
         deadline = self._elapsed + max(0, round(seconds * 1e9))
         waiter = VirtualWaiter(self)
-        while waiter.wait(deadline):
-            pass
+        while waiter.wait(deadline) or self._elapsed < deadline:
+            pass  # notified, or woken by a signal whose handler has returned
 
     def poll(self, weight: int = 1) -> None:
         """Charge a question that did not wait, so that a loop that only asks cannot stop time."""

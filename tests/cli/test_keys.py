@@ -7,6 +7,7 @@ import time
 
 import pytest
 
+fcntl = pytest.importorskip("fcntl")
 pty = pytest.importorskip("pty")
 termios = pytest.importorskip("termios")
 
@@ -19,9 +20,17 @@ def terminal(tmp_path):
     env = {**os.environ, "COURSEKIT_RUNTIME_DIR": str(tmp_path), "ROS_DOMAIN_ID": "77"}
     started = []
 
-    def start(*words):
+    def start(*words, **variables):
         ours, theirs = pty.openpty()
-        process = subprocess.Popen([*ROS2, *words], env=env, stdin=theirs, stdout=theirs, stderr=theirs)
+        process = subprocess.Popen(
+            [*ROS2, *words],
+            env=env | variables,
+            stdin=theirs,
+            stdout=theirs,
+            stderr=theirs,
+            start_new_session=True,
+            preexec_fn=lambda: fcntl.ioctl(theirs, termios.TIOCSCTTY, 0),
+        )
         started.append((process, ours, theirs))
         return process, ours
 
@@ -51,5 +60,43 @@ def test_a_key_needs_no_enter_and_the_terminal_is_as_before_afterwards(terminal)
         pass
     os.write(keyboard, b"\x1b[A")
     os.write(keyboard, b"q")
+    assert process.wait(20) == 0
+    assert termios.tcgetattr(keyboard) == before
+
+
+TELEOP = """
+import select, sys, termios, tty
+settings = termios.tcgetattr(sys.stdin)
+print("ready")
+key = ""
+while key != "\\x03":
+    tty.setraw(sys.stdin.fileno())
+    ready, _, _ = select.select([sys.stdin], [], [], 0.1)
+    key = sys.stdin.read(1) if ready else ""
+    termios.tcsetattr(sys.stdin, termios.TCSADRAIN, settings)
+    if key:
+        print("got", repr(key))
+"""
+
+
+@pytest.mark.slow
+def test_a_program_of_ones_own_reads_keys_with_termios(terminal, tmp_path):
+    program = tmp_path / "lib" / "my_teleop" / "teleop"
+    program.parent.mkdir(parents=True)
+    program.write_text("#!/usr/bin/env python3\n" + TELEOP)
+    program.chmod(0o755)
+    index = tmp_path / "share" / "ament_index" / "resource_index" / "packages"
+    index.mkdir(parents=True)
+    (index / "my_teleop").touch()
+    process, keyboard = terminal("run", "my_teleop", "teleop", AMENT_PREFIX_PATH=str(tmp_path))
+    before = termios.tcgetattr(keyboard)
+    read_until(keyboard, "ready")
+    give_up = time.monotonic() + 10
+    while termios.tcgetattr(keyboard)[3] & termios.ICANON and time.monotonic() < give_up:
+        pass
+    os.write(keyboard, b"w")
+    assert "got 'w'" in read_until(keyboard, "got 'w'")
+    os.write(keyboard, b"\x03")
+    assert "got '\\x03'" in read_until(keyboard, "x03'")
     assert process.wait(20) == 0
     assert termios.tcgetattr(keyboard) == before

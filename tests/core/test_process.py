@@ -289,3 +289,25 @@ def test_waiting_for_a_child_of_the_system_leaves_the_virtual_clock_alone():
         assert process.wait(1.0) == 0
         assert process.output == "0\n"
         assert session.clock.steady() - before < 1e9
+
+
+def test_a_signal_whose_handler_returns_does_not_shorten_a_sleep(session):
+    def sleeper():
+        signal.signal(signal.SIGINT, lambda *_: print("handled", end=" "))
+        before = session.clock.steady()
+        time.sleep(0.4)
+        print(session.clock.steady() - before >= 400_000_000)
+
+    process = session.start(sleeper, name="sleeper")
+    session.clock.sleep(0.1)
+    process.interrupt()
+    assert process.wait(10) == 0 and process.output == "handled True\n"
+
+
+def test_a_process_is_told_the_distribution_as_after_sourcing_ros(session):
+    def tell():
+        print(os.environ["ROS_DISTRO"], os.environ["ROS_VERSION"], os.environ["ROS_PYTHON_VERSION"])
+
+    for env, distribution in ((None, "humble"), ({"ROS_DISTRO": "iron"}, "iron")):
+        process = session.start(tell, name="tell", env=env)
+        assert process.wait(10) == 0 and process.output == f"{distribution} 2 3\n"

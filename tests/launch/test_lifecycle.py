@@ -123,7 +123,7 @@ def test_a_refused_transition_is_an_error_line(launch, node: LifecycleNode) -> N
 
 def test_waiting_for_a_node_that_never_comes_ends_with_the_launch(launch, workspace) -> None:
     workspace.executable("demo", "nothing", "import time; time.sleep(100.0)")
-    node = LifecycleNode(package="demo", executable="nothing", name="n")
+    node = LifecycleNode(package="demo", executable="nothing", name="n", namespace="")
     result = launch([node, change(node, Transition.TRANSITION_CONFIGURE)], interrupt_after=3.0)
     assert "Abandoning wait for the" in result.text
 

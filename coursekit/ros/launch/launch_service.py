@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import traceback
-from collections.abc import Iterable
+from collections.abc import Coroutine, Generator, Iterable
 from typing import Any
 
 from . import logging as launch_logging
@@ -21,6 +21,23 @@ from .logging.config import shown_log_dir
 from .utilities.entities import visit_entities
 
 INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
+
+
+class _Done(Coroutine[Any, Any, None]):
+    """A coroutine that has nothing left to do, and may be dropped."""
+
+    def send(self, value: Any) -> Any:
+        raise StopIteration
+
+    def throw(self, *error: Any) -> Any:
+        raise StopIteration
+
+    def close(self) -> None:
+        pass
+
+    def __await__(self) -> Generator[Any, Any, None]:
+        return
+        yield
 
 
 class LaunchService:
@@ -75,10 +92,14 @@ class LaunchService:
         """Have a description launched; safe from any thread."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
-    def shutdown(self, force_sync: bool = False) -> None:
-        """End the launch; safe from any thread. Does nothing when it does not run."""
+    def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None]:
+        """End the launch; safe from any thread. Does nothing when it does not run.
+
+        What it returns may be awaited, or made a task, as programs for ROS 2 do; there is no need to.
+        """
         if self.__loop is not None:
             self.__loop.call_soon_threadsafe(self._shutdown, "LaunchService.shutdown() called", False)
+        return _Done()
 
     # -- running
 

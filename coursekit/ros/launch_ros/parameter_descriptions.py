@@ -29,6 +29,10 @@ class ParameterValue:
     """
 
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
+        if isinstance(value, str) and value_type not in (None, str):
+            raise TypeError(
+                f"the text '{value}' was given for a parameter of type '{value_type}'; write the value without quotes"
+            )
         self.__value = normalize_typed_substitution(value, value_type)
         self.__value_type = value_type
         self.__evaluated: Any = None

@@ -52,8 +52,15 @@ class ROSAdapter:
     def shutdown(self) -> None:
         """End the node and the spinning."""
         if self.__ros_context is not None and self.__ros_context.ok():
+            self.__ros_executor.shutdown(timeout_sec=0)
             self.__ros_node.destroy_node()
             self.__ros_context.shutdown()
+        self.__ros_node = None
+
+    @property
+    def ros_context(self) -> Any:
+        """The context."""
+        return self.__ros_context
 
     @property
     def ros_node(self) -> Any:

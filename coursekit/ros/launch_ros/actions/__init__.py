@@ -10,7 +10,7 @@ from .ros_timer import ROSTimer, RosTimer
 from .set_parameter import SetParameter
 from .set_parameters_from_file import SetParametersFromFile
 from .set_remap import SetRemap
-from .set_ros_log_dir import SetROSLogDir
+from .set_ros_log_dir import SetROSLogDir, SetRosLogDir
 from .set_use_sim_time import SetUseSimTime
 
 __all__ = [
@@ -27,5 +27,6 @@ __all__ = [
     "SetParametersFromFile",
     "SetROSLogDir",
     "SetRemap",
+    "SetRosLogDir",
     "SetUseSimTime",
 ]

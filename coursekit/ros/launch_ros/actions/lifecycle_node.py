@@ -24,7 +24,7 @@ class LifecycleNode(Node):
     """Starts a lifecycle node, emits StateTransition when it changes and obeys ChangeState."""
 
     def __init__(
-        self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType = "", **kwargs: Any
+        self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any
     ) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
         self.__client: Any = None

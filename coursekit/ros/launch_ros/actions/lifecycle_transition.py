@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import zip_longest
 from typing import Any
 
 from launch.action import Action
@@ -31,14 +32,14 @@ class LifecycleTransition(Action):
         self,
         *,
         lifecycle_node_names: Iterable[SomeSubstitutionsType],
-        transition_ids: Iterable[int],
+        transition_ids: Iterable[int | str],
         **kwargs: Any,
     ) -> None:
         super().__init__(**kwargs)
         self.__names = [normalize_to_list_of_substitutions(name) for name in lifecycle_node_names]
-        self.__transitions = list(transition_ids)
+        self.__transitions = [int(transition) for transition in transition_ids]
         if not self.__names or not self.__transitions:
-            raise RuntimeError("LifecycleTransition needs at least one node name and one transition")
+            raise ValueError("LifecycleTransition needs at least one node name and one transition")
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Return the first transition and what continues after each."""
@@ -54,7 +55,7 @@ class LifecycleTransition(Action):
             for transition in self.__transitions
         ]
         handlers: list[LaunchDescriptionEntity] = []
-        for transition, following in zip(self.__transitions, steps[1:], strict=False):
+        for transition, following in zip_longest(self.__transitions, steps[1:]):
             goal = GOALS.get(ChangeState.valid_transitions[transition], "finalized")
             handlers.append(
                 RegisterEventHandler(
@@ -64,7 +65,7 @@ class LifecycleTransition(Action):
                             and matcher(event.action)
                             and event.goal_state == goal
                         ),
-                        entities=[following],
+                        entities=[] if following is None else [following],
                         handle_once=True,
                     )
                 )

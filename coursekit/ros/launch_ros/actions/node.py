@@ -87,6 +87,7 @@ class Node(ExecuteProcess):
         self.__expanded_namespace = self.UNSPECIFIED_NODE_NAMESPACE
         self.__final_node_name: str | None = None
         self.__expanded_remappings: list[tuple[str, str]] | None = None
+        self.__expanded_parameter_arguments: list[tuple[str, bool]] = []
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:  # type: ignore[override]
@@ -188,11 +189,18 @@ class Node(ExecuteProcess):
             raise
 
     def __global_parameters(self, context: LaunchContext) -> list[str]:
+        """Return the arguments for what SetParameter and SetParametersFromFile set before.
+
+        Raises:
+            FileNotFoundError: when a file of theirs does not exist.
+        """
         arguments: list[str] = []
         settings: Any = context.launch_configurations.get("global_params", [])
         for setting in settings:
             if isinstance(setting, tuple):
                 arguments += ["-p", f"{setting[0]}:={yaml_inline(setting[1])}"]
+            elif not os.path.isfile(setting):
+                raise FileNotFoundError(2, "parameter file does not exist", os.fspath(setting))
             else:
                 arguments += self.__file_arguments(os.path.abspath(setting))
         return arguments
@@ -202,17 +210,20 @@ class Node(ExecuteProcess):
         for parameter in evaluate_parameters(context, self.__parameters):
             if isinstance(parameter, Parameter):
                 name, value = parameter.evaluate(context)
-                arguments += ["-p", f"{name}:={yaml_inline(value)}"]
+                rule = f"{name}:={yaml_inline(value)}"
+                self.__expanded_parameter_arguments.append((rule, False))
+                arguments += ["-p", rule]
             elif isinstance(parameter, pathlib.Path):
                 arguments += self.__file_arguments(str(parameter))
             else:
-                arguments += ["--params-file", self._create_params_file_from_dict(parameter)]
+                arguments += self.__file_arguments(self._create_params_file_from_dict(parameter))
         return arguments
 
     def __file_arguments(self, path: str) -> list[str]:
         if not os.path.isfile(path):
             get_logger("launch_ros.actions.node").warning(f"Parameter file path is not a file: {path}")
             return []
+        self.__expanded_parameter_arguments.append((path, True))
         return ["--params-file", path]
 
     def _create_params_file_from_dict(self, params: dict[str, Any]) -> str:

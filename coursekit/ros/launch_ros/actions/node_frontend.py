@@ -20,10 +20,10 @@ TYPES: dict[str, Any] = {
     "list[float]": list[float],
     "list[bool]": list[bool],
     "list[str]": list[str],
-    "list_of_ints": list[int],
-    "list_of_floats": list[float],
-    "list_of_bools": list[bool],
-    "list_of_strs": list[str],
+    "list_of_int": list[int],
+    "list_of_float": list[float],
+    "list_of_bool": list[bool],
+    "list_of_str": list[str],
 }
 ATTRIBUTES = {"name": "name", "exec_name": "exec_name", "pkg": "package", "namespace": "namespace"}
 

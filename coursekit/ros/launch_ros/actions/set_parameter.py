@@ -12,7 +12,6 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions
 
-from ..parameter_descriptions import ParameterValue
 from ..utilities import evaluate_parameter_dict, normalize_parameter_dict
 
 
@@ -31,7 +30,7 @@ class SetParameter(Action):
         _, kwargs = super().parse(entity, parser)
         kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
         value = entity.get_attr("value", data_type=None)
-        kwargs["value"] = ParameterValue(parser.parse_if_substitutions(value))
+        kwargs["value"] = parser.parse_substitution(value) if isinstance(value, str) else value
         return cls, kwargs
 
     @property

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 from launch.action import Action
@@ -44,14 +43,8 @@ class SetParametersFromFile(Action):
         return self.__node_name
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Add the file.
-
-        Raises:
-            FileNotFoundError: when there is no such file.
-        """
+        """Add the file; the nodes that come after look for it."""
         path = perform_substitutions(context, self.__file)
-        if not os.path.isfile(path):
-            raise FileNotFoundError(2, "parameter file does not exist", path)
         configurations: dict[str, Any] = context.launch_configurations
         configurations["global_params"] = [*configurations.get("global_params", []), path]
         return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from launch.action import Action
@@ -23,9 +24,10 @@ class SetROSLogDir(Action):
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Read `<set_ros_log_dir log_dir=/>`."""
+        """Read `<set_ros_log_dir new_log_dir=/>`, also with `log_dir`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs["new_log_dir"] = parser.parse_substitution(entity.get_attr("log_dir"))
+        folder = entity.get_attr("new_log_dir", optional=True)
+        kwargs["new_log_dir"] = parser.parse_substitution(folder or entity.get_attr("log_dir"))
         return cls, kwargs
 
     @property
@@ -34,6 +36,10 @@ class SetROSLogDir(Action):
         return self.__log_dir
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Set the variable."""
-        context.environment["ROS_LOG_DIR"] = perform_substitutions(context, self.__log_dir)
+        """Set the variable; a relative folder lies in the one that was set before."""
+        before = context.environment.get("ROS_LOG_DIR", os.path.expanduser("~/.ros/log"))
+        context.environment["ROS_LOG_DIR"] = os.path.join(before, perform_substitutions(context, self.__log_dir))
         return None
+
+
+SetRosLogDir = SetROSLogDir

@@ -31,6 +31,11 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"rqt|rqt_graph", "opens windows of its own", "in a notebook: graph(), or `ros2 node info NODE` in a terminal"),
     (r"rqt_\w+|plotjuggler\w*|foxglove\w*|rosbridge\w*", "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
+    (r"twist_mux|twist_stamper|topic_tools|rf2o_laser_odometry", "is not needed with one source of commands or odometry",
+     "have the nodes use the topic itself, with a remapping such as `cmd_vel:=/diff_cont/cmd_vel_unstamped`"),
+    (r"composition|intra_process_demo|image_tools|dummy_\w+|logging_demo|lifecycle|quality_of_service_demo_cpp"
+     r"|examples_rclcpp_\w+|action_tutorials_cpp|turtle_tf2_cpp", _CPP,
+     "packages with the same lessons: demo_nodes_cpp, demo_nodes_py, action_tutorials_py, turtle_tf2_py"),
     (r"explore_lite|laser_filters|image_proc|image_pipeline|depthimage_to_laserscan|pointcloud_to_laserscan|apriltag_ros"
      r"|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP, "leave it out, or write the node in Python"),
 )  # fmt: skip

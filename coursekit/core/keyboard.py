@@ -1,7 +1,8 @@
-"""termios, tty and select for the standard input of a process: a program that wants single keys gets them."""
+"""termios, tty, select and fcntl for the standard input of a process: a program that wants single keys gets them."""
 
 from __future__ import annotations
 
+import os
 import select
 import sys
 from collections.abc import Sequence
@@ -10,15 +11,17 @@ from typing import Any
 from .process import Process, current_process
 
 try:
+    import fcntl
     import termios
     import tty
 except ImportError:  # Windows: programs read keys with msvcrt there
-    termios = tty = None  # type: ignore[assignment]
+    fcntl = termios = tty = None  # type: ignore[assignment]
 
 STDIN = 0
 """The number of standard input."""
 _LFLAG = 3
 _real_select: Any = select.select
+_real_fcntl: Any = getattr(fcntl, "fcntl", None)
 _real_tcgetattr: Any = getattr(termios, "tcgetattr", None)
 _real_tcsetattr: Any = getattr(termios, "tcsetattr", None)
 
@@ -56,6 +59,15 @@ def _tcsetattr(fd: Any, when: int, attributes: list[Any]) -> None:
         process.want_keys()
 
 
+def _fcntl(fd: Any, cmd: int, arg: Any = 0) -> Any:
+    process = _typed_at(fd)
+    if process is None or cmd not in (fcntl.F_GETFL, fcntl.F_SETFL):
+        return _real_fcntl(fd, cmd, arg)
+    if cmd == fcntl.F_SETFL:
+        process.stdin.blocking = not arg & os.O_NONBLOCK
+    return 0 if process.stdin.blocking or cmd == fcntl.F_SETFL else os.O_NONBLOCK
+
+
 def _select(
     rlist: Sequence[Any], wlist: Sequence[Any], xlist: Sequence[Any], timeout: float | None = None, /
 ) -> tuple[list[Any], list[Any], list[Any]]:
@@ -71,6 +83,8 @@ def _select(
 def install() -> None:
     """Put it in place; harmless when it is there already."""
     select.select = _select  # type: ignore[assignment]
+    if fcntl is not None:
+        fcntl.fcntl = _fcntl
     for module in (termios, tty) if termios is not None else ():
         module.tcgetattr = _tcgetattr  # type: ignore[attr-defined]
         module.tcsetattr = _tcsetattr  # type: ignore[attr-defined]

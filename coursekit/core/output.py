@@ -56,6 +56,8 @@ class Input(io.TextIOBase):
         self.by_keys = False
         """Whether it has ever wanted single keys."""
         self.ctrl_c_is_a_key = False
+        self.blocking = True
+        """Whether reading waits; if not, it returns what is there, which may be nothing."""
 
     def fileno(self) -> int:
         return 0
@@ -93,6 +95,9 @@ class Input(io.TextIOBase):
 
     def read(self, size: int | None = -1) -> str:
         size = -1 if size is None else size
+        if not self.blocking:
+            self._session.clock.poll()
+            return self._take(len(self._text), size)
         while not self._closed_by_writer and (size < 0 or not self._text):
             self._wait()
         return self._take(len(self._text), size)

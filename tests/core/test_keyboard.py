@@ -98,3 +98,27 @@ def test_select_waits_by_the_session_clock_and_leaves_real_files_alone():
     read, write = os.pipe()
     os.write(write, b"x")
     assert select.select([read], [], [], 0) == ([read], [], [])
+
+
+def test_a_program_that_does_not_want_to_wait_reads_what_is_there():
+    def look():
+        import fcntl
+        import os
+        import sys
+        import time
+
+        flags = fcntl.fcntl(sys.stdin.fileno(), fcntl.F_GETFL)
+        fcntl.fcntl(sys.stdin, fcntl.F_SETFL, flags | os.O_NONBLOCK)
+        print(repr(sys.stdin.read(1)), bool(fcntl.fcntl(0, fcntl.F_GETFL) & os.O_NONBLOCK))
+        time.sleep(1.0)
+        print(repr(sys.stdin.read()))
+        fcntl.fcntl(sys.stdin, fcntl.F_SETFL, flags)
+        print(input())
+
+    with Session(virtual=True).use() as session:
+        process = session.start(look, name="look")
+        session.clock.sleep(0.5)
+        process.write_stdin("\x1b[A")
+        session.clock.sleep(1.0)
+        process.write_stdin("line\n")
+        assert process.wait(5) == 0 and process.output == "'' True\n'\\x1b[A'\nline\n"

@@ -30,7 +30,7 @@ def _definition(name: str) -> list[str]:
     try:
         return Path(get_interface_path(name)).read_text(encoding="utf-8").splitlines()
     except (LookupError, ValueError, OSError) as error:
-        raise ask.Unhappy(f"Could not find the interface '{name}': {error.args[0]}") from None
+        raise ask.Unhappy(error.args[0] if len(error.args) == 1 else str(error)) from None
 
 
 def _expanded(lines: list[str], package: str, depth: int, comments: str) -> Iterator[str]:

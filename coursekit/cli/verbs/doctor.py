@@ -12,6 +12,7 @@ def register(subparsers: Any) -> None:
     for name in ("doctor", "wtf"):
         parser = subparsers.add_parser(name, help="Check ROS setup and other potential issues")
         parser.add_argument("-r", "--report", action="store_true", help="Print all reports")
+        parser.add_argument("-rf", "--report-failed", action="store_true", help="Print the reports when a check fails")
         parser.add_argument("-iw", "--include-warnings", action="store_true", help="Count warnings as failures")
         parser.set_defaults(main=main)
 
@@ -19,10 +20,7 @@ def register(subparsers: Any) -> None:
 def main(args: Any) -> int:
     """Run the checks, or print the report."""
     if args.report:
-        for title, lines in (*checks.report(), *graph_report.report()):
-            print(f"\n   {title}")
-            for key, value in lines:
-                print(f"{key:<24}: {value}")
+        print_report()
         return 0
     results = checks.run_all()
     bad = [result for result in results if result.fault and (args.include_warnings or not result.only_warning)]
@@ -31,4 +29,14 @@ def main(args: Any) -> int:
             print(f"{'WARNING' if result.only_warning else 'FAULT'}: {result.name}: {result.fault}\n  {result.cure}")
     passed = len(results) - len(bad)
     print(f"\nAll {passed} checks passed\n" if not bad else f"\n{len(bad)}/{len(results)} check(s) failed\n")
+    if bad and args.report_failed:
+        print_report()
     return 1 if bad else 0
+
+
+def print_report() -> None:
+    """Print what there is to know about the set-up and the graph."""
+    for title, lines in (*checks.report(), *graph_report.report()):
+        print(f"\n   {title}")
+        for key, value in lines:
+            print(f"{key:<24}: {value}")

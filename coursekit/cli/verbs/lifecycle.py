@@ -15,6 +15,7 @@ def register(subparsers: Any) -> None:
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
     nodes = verbs.add_parser("nodes", help="Output a list of nodes with lifecycle")
     nodes.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes")
+    nodes.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
     nodes.set_defaults(main=list_nodes)
     get = verbs.add_parser("get", help="Get lifecycle state for one or more nodes")
     get.add_argument("node_name", nargs="?", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
@@ -48,14 +49,14 @@ def _ask(node: Any, name: str, kind: Any, service: str, request: Any) -> Any:
 
 def _checked(args: Any) -> str:
     name = ask.full_name(args.node_name)
-    if name not in _nodes(True):
+    if name not in _nodes(args.hidden):
         raise ask.Unhappy("Node not found")
     return name
 
 
 def list_nodes(args: Any) -> int:
     """Print the lifecycle nodes."""
-    names = _nodes(args.hidden)
+    names = _nodes(args.hidden or args.all)
     if args.count_nodes:
         print(len(names))
     else:

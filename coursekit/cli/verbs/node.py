@@ -43,7 +43,7 @@ def list_nodes(args: Any) -> int:
 def show_info(args: Any) -> int:
     """Print what a node publishes, subscribes to, serves and calls."""
     name = ask.full_name(args.node_name)
-    count = ask.node_names(hidden=True).count(name)
+    count = ask.node_names(args.include_hidden).count(name)
     if not count:
         print(f"Unable to find node '{args.node_name}'")
         return 1

@@ -148,6 +148,8 @@ def describe_parameters(args: Any) -> int:
 
 def dump_parameters(args: Any) -> int:
     """Print, or save, a file from which the node could be started as it is now."""
+    if args.output_dir is not None and not Path(args.output_dir).is_dir():
+        raise ask.Unhappy(f"'{args.output_dir}' is not a valid directory.")
     with ask.command_node() as node:
         asking = _Asking(node, args.node_name)
         names = asking.names()

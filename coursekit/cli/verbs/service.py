@@ -54,7 +54,7 @@ def _served(hidden: bool) -> list[tuple[str, list[str]]]:
 
 def show_type(args: Any) -> int:
     """Print a service's types."""
-    types = dict(ask.services(hidden=True)).get(ask.full_name(args.service_name))
+    types = dict(ask.services(args.hidden)).get(ask.full_name(args.service_name))
     for one in types or ():
         print(one)
     return 0 if types else 1

@@ -95,7 +95,7 @@ def show_info(args: Any) -> int:
 
 def show_type(args: Any) -> int:
     """Print a topic's types."""
-    types = dict(ask.topics(hidden=True)).get(ask.full_name(args.topic_name))
+    types = dict(ask.topics(args.hidden)).get(ask.full_name(args.topic_name))
     for one in types or ():
         print(one)
     return 0 if types else 1

@@ -81,5 +81,5 @@ def get_interface_path(interface_name: str) -> str:
         suffixes = _SUFFIXES.get(parts[-2], (".msg",))
         found = next((p for p in (path.with_suffix(s) for s in suffixes) if p.exists()), None)
     if found is None:
-        raise LookupError(f"Could not find the interface '{path}'")
+        raise LookupError(f"Could not find the interface '{path if path.suffix else path.with_suffix('.idl')}'")
     return str(found)

@@ -12,7 +12,7 @@ from typing import Any
 
 from .elsewhere import remark
 
-HELPERS = {"cv2": "coursekit.view.highgui"}
+HELPERS = {"cv2": "coursekit.view.highgui", "matplotlib.pyplot": "coursekit.view.plots"}
 """Module: who lends it a hand, with a function `install()`."""
 
 
@@ -73,5 +73,6 @@ def watch() -> None:
     if _finder not in sys.meta_path:
         sys.meta_path.insert(0, _finder)
         for name, helper in HELPERS.items():
-            if hasattr(sys.modules.get(name), "__version__"):
+            spec = getattr(sys.modules.get(name), "__spec__", None)
+            if spec is not None and not getattr(spec, "_initializing", False):
                 _help(helper)

@@ -1,0 +1,164 @@
+"""matplotlib's windows in a session: `plt.show`, `plt.pause`, animations and `flush_events` of a process.
+
+A node that plots runs in a thread, where no GUI toolkit works. Its figures become windows as OpenCV's do (a notebook
+shows them: `coursekit.lab.windows()`), `show` lasts until Ctrl-C or until the last figure is closed, and timers, such as
+an animation's, keep the session's time. Plots of a notebook's own cells are left alone.
+"""
+
+from __future__ import annotations
+
+import atexit
+from typing import Any
+
+import cv2  # noqa: F401 - brings highgui with it, which cannot come first
+import matplotlib.backend_bases as bases
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib._pylab_helpers import Gcf
+
+from coursekit.core.process import Process, current_process
+
+from .highgui import desk, imshow
+
+FRAME = 0.1
+"""Longest time between two looks at the figures [s]."""
+_real: dict[str, Any] = {}
+
+
+class Plots:
+    """The figures of one process and the timers that run."""
+
+    def __init__(self, process: Process) -> None:
+        self.clock = process.session.clock
+        self.managers: list[Any] = []
+        self.timers: list[SessionTimer] = []
+        self._drawn: set[int] = set()
+        process.cleanups.append(self.close)
+
+    def add(self, manager: Any) -> None:
+        """Look after a new figure."""
+        self.managers.append(manager)
+        manager.canvas.mpl_connect("draw_event", lambda _: self._drawn.add(manager.num))
+
+    def open_managers(self) -> list[Any]:
+        """Those that pyplot still has."""
+        self.managers = [one for one in self.managers if Gcf.figs.get(one.num) is one]
+        return self.managers
+
+    def draw(self) -> None:
+        """Draw what has changed, and show it."""
+        for manager in self.open_managers():
+            canvas = manager.canvas
+            name = canvas.figure.get_label() or f"Figure {manager.num}"
+            if canvas.figure.stale or name not in desk().windows:
+                canvas.draw()
+            if manager.num in self._drawn:
+                self._drawn.discard(manager.num)
+                imshow(name, np.asarray(canvas.buffer_rgba())[..., 2::-1])
+
+    def run(self, seconds: float | None) -> None:
+        """Draw and fire timers for so long; None: until no figure is open."""
+        end = None if seconds is None else self.clock.steady() + round(seconds * 1e9)
+        while self.open_managers() if end is None else True:
+            self.draw()
+            now = self.clock.steady()
+            if end is not None and now >= end:
+                return
+            due = [timer.due for timer in self.timers] + ([end] if end is not None else [])
+            self.clock.sleep(max(0.0, min([FRAME, *((at - now) * 1e-9 for at in due)])))
+            for timer in [one for one in self.timers if one.due <= self.clock.steady()]:
+                timer.fire()
+
+    def close(self) -> None:
+        """Close its figures and their windows."""
+        for manager in self.open_managers():
+            desk().close(manager.canvas.figure.get_label() or f"Figure {manager.num}")
+            Gcf.figs.pop(manager.num, None)
+
+
+class SessionTimer(bases.TimerBase):
+    """A timer that counts the session's time while its process shows figures."""
+
+    plots: Plots
+    due = 0
+
+    def _timer_start(self) -> None:
+        self.due = self.plots.clock.steady() + self.interval * 1_000_000
+        if self not in self.plots.timers:
+            self.plots.timers.append(self)
+
+    def _timer_stop(self) -> None:
+        if self in self.plots.timers:
+            self.plots.timers.remove(self)
+
+    def fire(self) -> None:
+        """Call its callbacks, and be due again one interval later."""
+        self.due += self.interval * 1_000_000
+        self._on_timer()  # type: ignore[attr-defined]
+        if self.single_shot:
+            self._timer_stop()
+
+
+def plots() -> Plots | None:
+    """What the present process has; None outside of processes."""
+    process = current_process()
+    if process is None:
+        return None
+    if "plots" not in process.locals:
+        process.locals["plots"] = Plots(process)
+    return process.locals["plots"]  # type: ignore[no-any-return]
+
+
+def show(*args: Any, block: bool | None = None, **kwargs: Any) -> Any:
+    """Show the figures; returns when the last is closed, at once with `block=False` or after `plt.ion()`."""
+    own = plots()
+    if own is None:
+        return _real["show"](*args, **kwargs) if block is None else _real["show"](*args, block=block, **kwargs)
+    own.run(None if (not plt.isinteractive() if block is None else block) else 0.0)
+    return None
+
+
+def pause(interval: float) -> None:
+    """Show the figures for `interval` seconds of the session's time."""
+    own = plots()
+    if own is None:
+        _real["pause"](interval)
+    else:
+        own.run(interval)
+
+
+def _new_timer(self: Any, interval: int | None = None, callbacks: Any = None) -> Any:
+    own = plots()
+    if own is None:
+        return _real["new_timer"](self, interval, callbacks)
+    timer = SessionTimer(interval, callbacks)
+    timer.plots = own
+    return timer
+
+
+def _flush_events(self: Any) -> None:
+    own = plots()
+    if own is None:
+        _real["flush_events"](self)
+    else:
+        own.run(0.0)
+
+
+def _set_new_active_manager(cls: Any, manager: Any) -> None:
+    _real["set_new"](manager)
+    own = plots()
+    if own is not None:
+        own.add(manager)
+
+
+def install() -> None:
+    """Put it in place; harmless when it is there already."""
+    if _real:
+        return
+    atexit.unregister(Gcf.destroy_all)  # the first process that imports pyplot would take the others' figures with it
+    canvas = bases.FigureCanvasBase
+    _real.update(show=plt.show, pause=plt.pause, new_timer=canvas.new_timer, flush_events=canvas.flush_events)
+    _real["set_new"] = Gcf._set_new_active_manager
+    plt.show, plt.pause = show, pause
+    canvas.new_timer, canvas.flush_events = _new_timer, _flush_events  # type: ignore
+    Gcf._set_new_active_manager = classmethod(_set_new_active_manager)  # type: ignore

@@ -92,7 +92,7 @@ def list_package(args: Any) -> int:
 
     if args.package_name not in _packages():
         raise ask.Unhappy(f"Unknown package '{args.package_name}'")
-    names = get_interfaces([args.package_name])[args.package_name]
+    names = get_interfaces([args.package_name]).get(args.package_name, [])
     for _, kind in _kinds(args):
         for name in names:
             if name.startswith(f"{kind}/"):

@@ -51,10 +51,28 @@ def message_to_yaml(
 def message_to_ordereddict(
     msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
 ) -> OrderedDict[str, Any]:
-    """Return the fields of a message and of the messages in it, in order."""
+    """Return the fields of a message and of the messages in it, in order; of a serialized message, its bytes."""
+    if isinstance(msg, bytes):
+        return OrderedDict(bytes=msg)
     options = {"truncate_length": truncate_length, "no_arr": no_arr, "no_str": no_str}
     fields = zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True)
     return OrderedDict((name, _plain(getattr(msg, name), kind, options)) for name, kind in fields)
+
+
+def _convert_value(
+    value: Any,
+    *,
+    field_type: definition.AbstractType | None = None,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+) -> Any:
+    """Return a field's value as numbers, texts, lists and dictionaries.
+
+    >>> _convert_value((1, 2, 3), truncate_length=2)
+    (1, 2, '...')
+    """
+    return _plain(value, field_type, {"truncate_length": truncate_length, "no_arr": no_arr, "no_str": no_str})
 
 
 def _plain(value: Any, kind: definition.AbstractType | None, options: Options) -> Any:
@@ -123,6 +141,8 @@ def message_to_csv(
     >>> message_to_csv(Quaternion())
     '0.0,0.0,0.0,1.0'
     """
+    if isinstance(msg, bytes):
+        return str(msg)
     options = {"truncate_length": truncate_length, "no_arr": no_arr, "no_str": no_str}
     fields = zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True)
     return ",".join(_csv(getattr(msg, name), kind, options) for name, kind in fields)

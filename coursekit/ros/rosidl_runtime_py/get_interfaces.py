@@ -18,12 +18,8 @@ def get_interface_packages() -> dict[str, str]:
 
 
 def _of(package_names: Iterable[str], kinds: Iterable[str]) -> dict[str, list[str]]:
-    wanted, result = list(package_names), {}
-    for package in wanted or sorted(get_interface_packages()):
-        names = _names(package, kinds)
-        if names or wanted:
-            result[package] = names
-    return result
+    found = {package: _names(package, kinds) for package in list(package_names) or sorted(get_interface_packages())}
+    return {package: names for package, names in found.items() if names}
 
 
 def _names(package: str, kinds: Iterable[str]) -> list[str]:

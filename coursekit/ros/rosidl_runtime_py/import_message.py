@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import warnings
 from importlib import import_module
-from typing import Any
+from typing import Any, cast
 
-from rosidl_parser.definition import NamespacedType
+from rosidl_parser.definition import AbstractNestedType, NamespacedType
 
 
-def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
-    """Return the class of a message type.
+def import_message_from_namespaced_type(message_type: NamespacedType | AbstractNestedType) -> Any:
+    """Return the class of a message type; an array's or a sequence's items, as once was allowed, give a warning.
 
     Raises ModuleNotFoundError or AttributeError when there is none.
     """
+    if isinstance(message_type, AbstractNestedType):
+        warnings.warn("pass the type of the items, not that of the array or sequence", DeprecationWarning, stacklevel=2)
+        message_type = cast(NamespacedType, message_type.value_type)
     return getattr(import_module(".".join(message_type.namespaces)), message_type.name)

@@ -53,3 +53,19 @@ def remark(package: str) -> str:
         if re.fullmatch(pattern, package):
             return f"{package} is not part of coursekit: it {why}; {instead}"
     return ""
+
+
+_EXECUTABLES = {
+    ("controller_manager", "ros2_control_node"): "it loads the C++ drivers of a robot's hardware; in simulation the robot's "
+    "<gazebo> plugin libgazebo_ros2_control.so is the controller manager: spawn the robot with `ros2 run gazebo_ros "
+    "spawn_entity.py -topic robot_description -entity ROBOT`",
+}
+
+
+def remark_on_executable(package: str, executable: str) -> str:
+    """Why a package of coursekit lacks an executable, and what to type instead; empty when nothing is known.
+
+    >>> remark_on_executable("controller_manager", "ros2_control_node")
+    "it loads the C++ drivers of a robot's hardware; in simulation ..."
+    """
+    return _EXECUTABLES.get((package, executable), "")

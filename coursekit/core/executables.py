@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces.find import UNDERLAY, prefixes
 
-from .elsewhere import remark
+from .elsewhere import remark, remark_on_executable
 from .modules import use_private_modules
 from .process import Output, Process, current_process
 
@@ -41,7 +41,8 @@ class ExecutableNotFound(LookupError):
 
     def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
         names = ", ".join(known) or f"none ({_HOW})"
-        super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}")
+        why = remark_on_executable(package, executable)
+        super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}{why and '; ' + why}")
         self.package = package
         self.executable = executable
 

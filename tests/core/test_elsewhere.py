@@ -4,10 +4,13 @@ import importlib
 
 import pytest
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+from launch import LaunchContext
+from launch.substitutions import SubstitutionFailure
+from launch_ros.substitutions import ExecutableInPackage
 
 from coursekit.core import executables
 from coursekit.core.elsewhere import remark
-from coursekit.core.executables import PackageNotFound, find
+from coursekit.core.executables import ExecutableNotFound, PackageNotFound, find
 from coursekit.core.session import Session
 
 
@@ -28,6 +31,13 @@ def test_run_and_the_index_tell_it():
         find("robot_localization", "ekf_node")
     with pytest.raises(PackageNotFoundError, match="searching: .*; rplidar_ros is not part of coursekit: it is the driver"):
         get_package_share_directory("rplidar_ros")
+
+
+def test_an_executable_that_needs_hardware_is_told_too():
+    with pytest.raises(ExecutableNotFound, match="It has: spawner, spawner.py; it loads the C"):
+        find("controller_manager", "ros2_control_node")
+    with pytest.raises(SubstitutionFailure, match="the package has: spawner, spawner.py; it loads the C"):
+        ExecutableInPackage("ros2_control_node", "controller_manager").perform(LaunchContext())
 
 
 def test_an_import_tells_it_and_stays_an_import_error():

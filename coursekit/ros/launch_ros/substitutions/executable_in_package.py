@@ -13,6 +13,8 @@ from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
+from coursekit.core.elsewhere import remark_on_executable
+
 from .find_package import FindPackagePrefix
 
 
@@ -57,7 +59,9 @@ class ExecutableInPackage(FindPackagePrefix):
             return path
         known = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         known = [name for name in known if os.path.isfile(os.path.join(folder, name))]
+        why = remark_on_executable(package, executable)
         raise SubstitutionFailure(
             f"executable '{executable}' not found on the libexec directory '{folder}'"
             f"{'; the package has: ' + ', '.join(known) if known else '; the package has no executables'}"
+            f"{why and '; ' + why}"
         )

@@ -94,8 +94,16 @@ def open_lab(args: argparse.Namespace) -> int:
         command.append("--no-browser")
         print("Open the address that begins with http://127.0.0.1 below in a browser.")
     command += [word for word in args.jupyter if word != "--"]
+    return _become(command, lab_environment(folder))
+
+
+def _become(command: list[str], env: dict[str, str]) -> int:
+    """Go on as another program, which so gets every signal: who ends us ends it."""
+    sys.stdout.flush()
+    if sys.platform != "win32":
+        os.execve(command[0], command, env)
     try:
-        return subprocess.call(command, env=lab_environment(folder))
+        return subprocess.call(command, env=env)  # Windows would give the console back at once
     except KeyboardInterrupt:
         return 0
 

@@ -40,7 +40,7 @@ class TimeSynchronizer(SimpleFilter):
         """Take a message of one filter."""
         stamp = msg.header.stamp
         with self.lock:
-            self._keep(my_queue, stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp), msg)
+            self._keep(my_queue, _time(stamp), msg)
             for common in sorted(set.intersection(*(set(queue) for queue in self.queues))):
                 self._release([common] * len(self.queues))
 
@@ -102,3 +102,10 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             if together and all(stamp in queue for queue, stamp in zip(self.queues, stamps, strict=True)):
                 self._release(stamps)
                 return
+
+
+def _time(stamp: Any) -> Time:
+    """Return a stamp as Time: one of rclpy's, a message, or a plain number of nanoseconds."""
+    if isinstance(stamp, int):
+        return Time(nanoseconds=stamp)
+    return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)

@@ -129,3 +129,19 @@ def test_a_subscriber_is_a_subscription(node):
     node.create_publisher(String, "chatter", 10).publish(String(data="hi"))
     rclpy.spin_once(node, timeout_sec=1.0)
     assert got == [String(data="hi")]
+
+
+def test_stamps_may_be_plain_numbers() -> None:
+    class Numbered:
+        def __init__(self, stamp: int) -> None:
+            self.header = type("Header", (), {"stamp": stamp})()
+
+    one, other = SimpleFilter(), SimpleFilter()
+    pairs: list[tuple[int, int]] = []
+    synchronizer = TimeSynchronizer([one, other], 3)
+    synchronizer.registerCallback(lambda a, b: pairs.append((a.header.stamp, b.header.stamp)))
+    for stamp in (2, 0, 1):
+        one.signalMessage(Numbered(stamp))
+    for stamp in (1, 2, 0):
+        other.signalMessage(Numbered(stamp))
+    assert sorted(pairs) == [(0, 0), (1, 1), (2, 2)]

@@ -89,8 +89,11 @@ class NamespacedType(AbstractNestableType):
     __slots__ = ("namespaces", "name")  # noqa: RUF023 (the order of the constructor)
 
     def __init__(self, namespaces: Iterable[str], name: str) -> None:
-        self.namespaces = tuple(namespaces)
+        self.namespaces = list(namespaces)
         self.name = name
+
+    def __hash__(self) -> int:
+        return hash(self.namespaced_name())
 
     def namespaced_name(self) -> tuple[str, ...]:
         """Return e.g. ('std_msgs', 'msg', 'String')."""

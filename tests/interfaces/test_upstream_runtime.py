@@ -96,3 +96,9 @@ def test_the_index_is_queried_by_type_and_name(tmp_path: Path, monkeypatch: pyte
     assert resource_type_completer("col") == ["colours"]
     assert resource_name_completer("f", SimpleNamespace(resource_type="colours")) == ["foo"]
     assert resource_name_completer("f", SimpleNamespace(resource_type=None)) == []
+
+
+def test_a_message_type_keeps_its_namespaces_as_a_list() -> None:
+    kind = NamespacedType(("test_msgs", "msg"), "Empty")
+    assert kind.namespaces == ["test_msgs", "msg"] and kind.namespaced_name() == ("test_msgs", "msg", "Empty")
+    assert {kind: 1}[NamespacedType(["test_msgs", "msg"], "Empty")] == 1

@@ -1,8 +1,12 @@
 """What a process says last."""
 
 import atexit
+import os
 import sys
+import tempfile
+import weakref
 
+from coursekit.core import leaving
 from coursekit.core.session import Session
 
 
@@ -54,3 +58,23 @@ def test_a_killed_process_says_nothing() -> None:
         process.kill()
         process.wait()
         assert process.output == ""
+
+
+def test_what_a_library_registers_is_the_interpreter_s(monkeypatch) -> None:
+    kept: list[object] = []
+    monkeypatch.setattr(leaving, "_register", kept.append)
+    code = compile("atexit.register(print)", "library", "exec")
+    library = {"atexit": atexit, "__file__": tempfile.__file__}
+    assert said_by(lambda: exec(code, library)) == ""
+    assert kept == [print]
+
+
+def test_finalizers_of_others_outlive_a_process() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        said_by(lambda: weakref.finalize(main_thread_thing, print))
+        assert os.path.isdir(folder)
+    assert not os.path.isdir(folder)
+
+
+def main_thread_thing() -> None:
+    """Something that can be referred to weakly."""

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import atexit
 import itertools
 import os
 import shutil
 import tempfile
 
 from coursekit.core import session
-from coursekit.core.leaving import at_interpreter_exit
 
 
 class TemporaryFiles:
@@ -22,7 +22,7 @@ class TemporaryFiles:
         """Return the path of a file that does not exist yet; it is removed when Python ends."""
         if self.__folder is None:
             self.__folder = tempfile.mkdtemp(prefix="launch_")
-            at_interpreter_exit(shutil.rmtree, self.__folder, ignore_errors=True)
+            atexit.register(shutil.rmtree, self.__folder, ignore_errors=True)
         current = session.current()
         if not current.clock.virtual:
             handle, path = tempfile.mkstemp(prefix=prefix, dir=self.__folder)

@@ -7,7 +7,6 @@ an animation's, keep the session's time. Plots of a notebook's own cells are lef
 
 from __future__ import annotations
 
-import atexit
 from typing import Any
 
 import cv2  # noqa: F401 - brings highgui with it, which cannot come first
@@ -155,7 +154,6 @@ def install() -> None:
     """Put it in place; harmless when it is there already."""
     if _real:
         return
-    atexit.unregister(Gcf.destroy_all)  # the first process that imports pyplot would take the others' figures with it
     canvas = bases.FigureCanvasBase
     _real.update(show=plt.show, pause=plt.pause, new_timer=canvas.new_timer, flush_events=canvas.flush_events)
     _real["set_new"] = Gcf._set_new_active_manager

@@ -35,13 +35,13 @@ class _Loader(importlib.abc.Loader):
 
 
 class _Finder(importlib.abc.MetaPathFinder):
-    """Looks out for the modules of HELPERS; finding them is left to the others."""
+    """Looks out for the modules of HELPERS and for the helpers; finding them is left to the others."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        helper = HELPERS.get(fullname)
-        if helper is None:
+        helper = HELPERS.get(fullname, fullname)
+        if helper not in HELPERS.values():
             return None
         for finder in sys.meta_path:
             spec = None if finder is self else finder.find_spec(fullname, path, target)
@@ -65,7 +65,9 @@ sys.meta_path.append(_Elsewhere())
 
 
 def _help(helper: str) -> None:
-    importlib.import_module(helper).install()
+    install = getattr(importlib.import_module(helper), "install", None)
+    if install is not None:  # else the helper is being imported, and helps when it has been
+        install()
 
 
 def watch() -> None:

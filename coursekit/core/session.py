@@ -206,7 +206,7 @@ def current() -> Session:
 
 
 def _make() -> Session:
-    kind = os.environ.get("COURSEKIT_TIME", "wall")
+    kind = os.environ.get("COURSEKIT_TIME") or "wall"
     if kind not in ("wall", "virtual"):
         raise ValueError(f"COURSEKIT_TIME is '{kind}', which is no clock. Set it to 'wall' or 'virtual'.")
     session = Session(virtual=kind == "virtual")

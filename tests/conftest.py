@@ -1,6 +1,12 @@
-"""Settings of all tests: property tests have no time limit of their own, a busy computer is no failure."""
+"""Settings of all tests: a busy computer is no failure, and sessions of tests and of the user never meet."""
+
+import os
+import tempfile
 
 from hypothesis import settings
 
-settings.register_profile("coursekit", deadline=None)
+settings.register_profile("coursekit", deadline=None)  # property tests have no time limit of their own
 settings.load_profile("coursekit")
+
+_sessions = tempfile.TemporaryDirectory(prefix="ck-")  # short: a Unix socket's path has room for 107 bytes
+os.environ["COURSEKIT_RUNTIME_DIR"] = _sessions.name

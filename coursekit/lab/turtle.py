@@ -183,7 +183,7 @@ class TurtleWindow(anywidget.AnyWidget):
 
 def _message(simulator: Any, driven: str, strokes: list[dict[str, Any]], whole: bool) -> dict[str, Any]:
     turtles = sorted(simulator.world.turtles.values(), key=lambda one: one.name) if simulator else []
-    poses = [[one.name, one.kind, round(one.x, 3), round(one.y, 3), round(one.theta, 4)] for one in turtles]
+    poses = [[one.name, one.kind, one.x, one.y, one.theta] for one in turtles]  # the page rounds, once
     return {
         "type": "state",
         "running": simulator is not None,

@@ -15,6 +15,7 @@ PEER = HERE.parents[1] / ".venv-ros" / "bin" / "python"
 def measure(python: str | Path, script: str, *args: str) -> str:
     """The output of a script, run from a folder where nothing of ours is found by accident."""
     env = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "COURSEKIT"))}
+    env["COURSEKIT_ALONE"] = "1"  # a session that happens to run shall not be measured
     done = subprocess.run(
         [str(python), str(HERE / script), *args], env=env, cwd="/", capture_output=True, text=True, check=True
     )

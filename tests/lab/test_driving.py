@@ -119,6 +119,17 @@ def test_the_turtles_window_drives_as_the_keyboard_does(session):
     assert turtle.speed == 0.0
 
 
+def test_the_browser_gets_the_pose_as_it_is_and_rounds_it_once(session):
+    session.start_executable(find("turtlesim", "turtlesim_node"))
+    session.clock.sleep(0.1)
+    window = turtlesim_window()
+    window.simulator.world.turtles["turtle1"].x = 3.79512  # 3.80 m; by way of 3.795, which is no double, 3.79 m
+    sent = []
+    window.send = sent.append
+    window._hear(window, {"type": "ready"}, [])
+    assert sent[-1]["turtles"][0][2] == 3.79512
+
+
 def test_the_browser_gets_each_piece_of_a_line_once(session):
     session.start_executable(find("turtlesim", "turtlesim_node"))
     session.clock.sleep(0.1)

@@ -14,3 +14,4 @@ def pytest_configure(config):
     (course / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
     name_student(course)
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws"), "COLUMNS": "120"}
+    os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions

@@ -1,6 +1,10 @@
 """Rays against edges and circles, compiled: each edge looks only at the beams between its ends.
 
 All is in the sensor's frame: beam k points at `first + k * step`; `beams` (n, 2) holds its direction. What is nearer wins.
+
+Edges are gone through twice. First, between which beams each may lie, from bearings that are nearly right: without calls and
+jumps the compiler does several edges at once (5 instead of 46 µs for a thousand). Then those few beams are tried exactly; how
+many they are is known before any is looked at, so that the processor need not wait for one edge to begin with the next.
 """
 
 from __future__ import annotations
@@ -15,54 +19,78 @@ from .place import Array
 TURN = 2 * math.pi
 SLACK = 1e-9
 """Beams this close [rad] to an edge's end are tried too."""
-NARROW = 0.5
-"""Between beams closer than this [rad] no edge can hide a half turn."""
+ROUGH = 2e-5
+"""How wrong `_bearing` may be [rad], and a little more."""
 
 
 @numba.njit(cache=True, inline="always")
-def _meet(ranges, beams, k, area, dx, dy, nx, ny):  # type: ignore[no-untyped-def]
-    """Shorten one beam by an edge; `nx`, `ny` is the edge's nearest point."""
-    slope = beams[k, 0] * dy - beams[k, 1] * dx
-    if area == 0.0:
-        ranges[k] = min(ranges[k], math.sqrt(nx * nx + ny * ny))
-    elif slope > 0.0 and area < ranges[k] * slope:
-        ranges[k] = area / slope
+def _bearing(x, y):  # type: ignore[no-untyped-def]
+    """The direction of a point to 1e-5 rad: Abramowitz and Stegun 4.4.49."""
+    ax, ay = abs(x), abs(y)
+    t = min(ax, ay) / max(ax, ay, 1e-300)
+    q = t * t
+    angle = t * (0.9998660 + q * (-0.3302995 + q * (0.1801410 + q * (-0.0851330 + q * 0.0208351))))
+    angle = 0.5 * math.pi - angle if ay > ax else angle
+    angle = math.pi - angle if x < 0.0 else angle
+    return -angle if y < 0.0 else angle
+
+
+@numba.njit(cache=True, inline="always")
+def _ends(flat, row, x, y, c, s):  # type: ignore[no-untyped-def]
+    """An edge as the sensor sees it, counter-clockwise, and twice the area of the triangle that it makes with it."""
+    ax, ay = flat[4 * row] - x, flat[4 * row + 1] - y
+    bx, by = flat[4 * row + 2] - x, flat[4 * row + 3] - y
+    x1, y1, x2, y2 = c * ax + s * ay, c * ay - s * ax, c * bx + s * by, c * by - s * bx
+    area = x1 * (y2 - y1) - y1 * (x2 - x1)
+    if area < 0.0:
+        return x2, y2, x1, y1, -area
+    return x1, y1, x2, y2, area
+
+
+@numba.njit(cache=True, inline="always")
+def _nearest(x1, y1, x2, y2):  # type: ignore[no-untyped-def]
+    """The edge's point nearest to the sensor."""
+    dx, dy = x2 - x1, y2 - y1
+    share = -(x1 * dx + y1 * dy) / max(dx * dx + dy * dy, 1e-300)
+    share = min(1.0, max(0.0, share))
+    return x1 + share * dx, y1 + share * dy
+
+
+@numba.njit(cache=True, error_model="numpy")
+def _spans(flat, first, step, x, y, c, s, reach, low, high):  # type: ignore[no-untyped-def]
+    """Between which beams, counted from the first and as broken numbers, each edge lies; none (-1) where it is too far."""
+    for row in range(len(low)):
+        x1, y1, x2, y2, _ = _ends(flat, row, x, y, c, s)
+        nx, ny = _nearest(x1, y1, x2, y2)
+        start = _bearing(x1, y1)
+        span = _bearing(x2, y2) - start
+        span = span + TURN if span < -1.0 else span
+        start -= first + ROUGH
+        start -= TURN * np.floor(start / TURN)
+        near = nx * nx + ny * ny <= reach * reach
+        low[row] = start / step
+        high[row] = (start + span + 2.0 * ROUGH) / step if near else -1.0
+
+
+@numba.njit(cache=True, error_model="numpy")
+def _sweep(ranges, beams, low, high, x1, y1, x2, y2, area):  # type: ignore[no-untyped-def]
+    """Shorten those beams from `low` to `high` that an edge stops."""
+    dx, dy = x2 - x1, y2 - y1
+    before, past = SLACK * (abs(x1) + abs(y1)), -SLACK * (abs(x2) + abs(y2))
+    for k in range(max(0, math.ceil(low)), min(len(ranges), math.floor(high) + 1)):
+        bx, by = beams[k, 0], beams[k, 1]
+        slope = bx * dy - by * dx
+        if area < ranges[k] * slope and bx * y1 - by * x1 <= before and bx * y2 - by * x2 >= past:
+            ranges[k] = area / slope
 
 
 @numba.njit(cache=True)
-def _edge(ranges, beams, first, step, x1, y1, x2, y2, reach):  # type: ignore[no-untyped-def]
-    """Shorten the beams that one edge stops."""
-    dx, dy = x2 - x1, y2 - y1
-    area = x1 * dy - y1 * dx
-    length2 = dx * dx + dy * dy
-    if length2 == 0.0:
-        return
-    share = -(x1 * dx + y1 * dy) / length2
-    share = min(1.0, max(0.0, share))
-    nx, ny = x1 + share * dx, y1 + share * dy
-    if nx * nx + ny * ny > reach * reach:
-        return
-    if area * area <= 1e-18 * length2:  # seen end-on: it is as wide as a point
-        x2, y2, dx, dy, area = nx, ny, 0.0, 0.0, 0.0
-        x1, y1 = nx, ny
-    if area < 0.0:  # so that it goes counter-clockwise as seen from the sensor
-        x1, y1, x2, y2, dx, dy, area = x2, y2, x1, y1, -dx, -dy, -area
-    low = math.atan2(y1, x1) - first
-    low -= TURN * math.floor(low / TURN)
-    k = max(0, math.ceil((low - SLACK) / step))
-    if step < NARROW:  # one bearing will do: go on until a beam has passed the other end
-        past = -SLACK * (abs(x2) + abs(y2))
-        while k < len(ranges) and beams[k, 0] * y2 - beams[k, 1] * x2 >= past:
-            _meet(ranges, beams, k, area, dx, dy, nx, ny)
-            k += 1
-        if k < len(ranges):
-            return
-    span = abs(math.atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2))
-    for _turn in range(2):
-        begin, end = math.ceil((low - SLACK) / step), math.floor((low + span + SLACK) / step)
-        for j in range(max(0, begin), min(len(ranges) - 1, end) + 1):
-            _meet(ranges, beams, j, area, dx, dy, nx, ny)
-        low -= TURN
+def _end_on(ranges, beams, x, y):  # type: ignore[no-untyped-def]
+    """Shorten the beams that meet an edge seen end-on: it is as wide as its nearest point."""
+    slack = SLACK * (abs(x) + abs(y))
+    for k in range(len(ranges)):
+        if abs(beams[k, 0] * y - beams[k, 1] * x) <= slack and beams[k, 0] * x + beams[k, 1] * y >= 0.0:
+            ranges[k] = min(ranges[k], math.sqrt(x * x + y * y))
 
 
 @numba.njit(cache=True)
@@ -96,12 +124,19 @@ def _circle(ranges, beams, first, step, x, y, radius, reach):  # type: ignore[no
 def cast(ranges, beams, first, step, x, y, theta, edges, circles, reach):  # type: ignore[no-untyped-def]
     """Shorten `ranges` (n) by what a sensor at x, y, theta meets: edges (m, 4) and circles (m, 3) of the world."""
     c, s = math.cos(theta), math.sin(theta)
+    flat, turn = edges.ravel(), TURN / step
+    low, high = np.empty(len(edges)), np.empty(len(edges))
+    _spans(flat, first, step, x, y, c, s, reach, low, high)
     for row in range(len(edges)):
-        ax, ay = edges[row, 0] - x, edges[row, 1] - y
-        bx, by = edges[row, 2] - x, edges[row, 3] - y
-        _edge(
-            ranges, beams, first, step, c * ax + s * ay, c * ay - s * ax, c * bx + s * by, c * by - s * bx, reach
-        )
+        if high[row] < 0.0:
+            continue
+        x1, y1, x2, y2, area = _ends(flat, row, x, y, c, s)
+        if area * area <= 1e-18 * ((x2 - x1) ** 2 + (y2 - y1) ** 2):
+            _end_on(ranges, beams, *_nearest(x1, y1, x2, y2))
+            continue
+        for shift in (0.0, -turn, turn):  # beams beyond the full turn are the first ones; and some are there twice
+            if high[row] + shift >= 0.0 and low[row] + shift < len(ranges):
+                _sweep(ranges, beams, low[row] + shift, high[row] + shift, x1, y1, x2, y2, area)
     for row in range(len(circles)):
         ax, ay = circles[row, 0] - x, circles[row, 1] - y
         _circle(ranges, beams, first, step, c * ax + s * ay, c * ay - s * ax, circles[row, 2], reach)

@@ -66,6 +66,47 @@ def test_any_scene_is_exact(seed):
     agree(seen, by_hand(cut, place, 2 * math.pi * np.arange(24) / 24, 30.0))
 
 
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.integers(1, 30), st.floats(-7.0, 7.0), st.floats(1e-6, 2 * math.pi + 1e-3))
+def test_any_field_of_view_is_exact(seed, beams, low, fov):
+    cut, place = scene(seed, 15, 2)
+    high = low + fov * (beams > 1)
+    seen = Lidar(beams=beams, angle_min=low, angle_max=high, range_max=30.0).look(cut, place)
+    agree(seen, by_hand(cut, place, np.linspace(low, high, beams), 30.0))
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.integers(1, 3))
+def test_edges_that_begin_and_end_on_beams_leave_no_gap(seed, corners):
+    """A closed outline around the sensor with corners on the beams, in both directions: each beam meets its corner."""
+    chance = np.random.default_rng(seed)
+    far = chance.uniform(0.5, 5.0, 12 * corners)
+    turn = 2 * math.pi * np.arange(len(far)) / len(far)
+    points = far[:, None] * np.column_stack((np.cos(turn), np.sin(turn)))
+    ends = np.roll(points, -1, axis=0)
+    for edges in (np.hstack((points, ends)), np.hstack((ends, points))):
+        seen = Lidar(beams=len(far), angle_max=float(turn[-1])).look(Cut(edges, np.zeros((0, 3))), Place())
+        np.testing.assert_allclose(seen, far, rtol=1e-7)
+
+
+def test_the_first_and_the_last_beam_of_a_full_turn_see_the_same():
+    edges = np.array([[-1.0, 0.0, -2.0, -1.0], [-3.0, -1.0, -3.0, 1.0]])
+    seen = Lidar(beams=721, angle_min=-math.pi, angle_max=math.pi).look(Cut(edges, np.zeros((0, 3))), Place())
+    assert (seen[0], seen[-1]) == (pytest.approx(1.0), pytest.approx(1.0))
+
+
+def test_on_an_edge_there_is_no_distance_left():
+    wall = Cut(np.array([[-1.0, -1.0, 2.0, 2.0]]), np.zeros((0, 3)))
+    assert Lidar(beams=8, angle_min=-3.0, angle_max=3.0).look(wall, Place()).tolist() == [0.0] * 8
+
+
+def test_edges_that_are_no_numbers_hide_nothing():
+    wrong = [[math.nan, 0.0, 1.0, 1.0], [math.inf, 0.0, -math.inf, 1.0], [1e300, 0.0, 0.0, 1e300]]
+    edges = Cut(np.array([*wrong, [2.0, -1.0, 2.0, 1.0]]), np.zeros((0, 3)))
+    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(edges, Place())
+    assert seen.tolist() == [2.0, FAR, FAR, FAR]
+
+
 def test_a_closed_room_has_no_gap_even_through_its_corners():
     room = np.array([[-1, -1, 1, -1], [1, -1, 1, 1], [1, 1, -1, 1], [-1, 1, -1, -1]], float)
     seen = Lidar(beams=3600, angle_max=2 * math.pi * 3599 / 3600).look(Cut(room, np.zeros((0, 3))), Place())

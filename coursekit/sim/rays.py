@@ -3,8 +3,8 @@
 All is in the sensor's frame: beam k points at `first + k * step`; `beams` (n, 2) holds its direction. What is nearer wins.
 
 Edges are gone through twice. First, between which beams each may lie, from bearings that are nearly right: without calls and
-jumps the compiler does several edges at once (5 instead of 46 µs for a thousand). Then those few beams are tried exactly; how
-many they are is known before any is looked at, so that the processor need not wait for one edge to begin with the next.
+jumps the compiler does several edges at once (5 instead of 46 µs for a thousand). Then those few beams are tried exactly;
+how many they are is known before any is looked at, so that the processor need not wait for one edge to begin with the next.
 """
 
 from __future__ import annotations

@@ -287,3 +287,4 @@ def install_virtual() -> None:
     for name in _real_clocks:
         setattr(time, name, _clock_reader(name, 1_000_000_000))
         setattr(time, f"{name}_ns", _clock_reader(name, 1))
+    threading._time = queue.time = time.monotonic  # type: ignore[attr-defined] # they took the real one when imported

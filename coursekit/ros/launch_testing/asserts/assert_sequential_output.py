@@ -1,0 +1,65 @@
+"""Assertions on the order in which a process printed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from ..util import resolveProcesses
+
+_LINES_AROUND = 2
+
+
+class SequentialTextChecker:
+    """Looks for texts one after the other in what was printed, given in pieces.
+
+    >>> checker = SequentialTextChecker(["one two\\n", "three\\n"])
+    >>> checker.assertInText("two")
+    >>> checker.assertInText("one")
+    Traceback (most recent call last):
+        ...
+    AssertionError: 'one' not found in sequence after previous match.  The output near the last matched line:
+    one two
+    three
+    """
+
+    def __init__(self, output: Sequence[str]) -> None:
+        self._output = list(output)
+        self._piece = 0
+        self._at = 0
+
+    def assertInText(self, msg: str) -> None:
+        """Fail unless `msg` comes after what was found last."""
+        self.assertInStdout(msg)
+
+    def assertInStdout(self, msg: str) -> None:
+        """Fail unless `msg` comes after what was found last; one text may not lie in two pieces."""
+        for number in range(self._piece, len(self._output)):
+            found = self._output[number].find(msg, self._at if number == self._piece else 0)
+            if found >= 0:
+                self._piece, self._at = number, found + len(msg)
+                return
+        raise AssertionError(
+            f"'{msg}' not found in sequence after previous match.  "
+            f"The output near the last matched line:\n{self.get_nearby_lines()}"
+        )
+
+    def get_nearby_lines(self) -> str:
+        """Return the line of the last match, with two lines before and after it."""
+        before = "".join(self._output[: self._piece]) + "".join(self._output[self._piece : self._piece + 1])[: self._at]
+        lines = "".join(self._output).splitlines()
+        line = before.count("\n")
+        return "\n".join(lines[max(0, line - _LINES_AROUND) : line + _LINES_AROUND + 1])
+
+
+@contextmanager
+def assertSequentialStdout(proc_output: Any, process: Any, cmd_args: Any = None) -> Iterator[SequentialTextChecker]:
+    """Give a checker of the order in which one process printed.
+
+    with assertSequentialStdout(proc_output, "talker") as checker:
+        checker.assertInStdout("Loop 1")
+        checker.assertInStdout("Loop 2")
+    """
+    (action,) = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
+    yield SequentialTextChecker([one.text.decode() for one in proc_output[action]])

@@ -1,0 +1,72 @@
+"""Marks of test descriptions and of tests."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import time
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+Described = TypeVar("Described", bound=Callable[..., Any])
+
+
+def keep_alive(test_description: Described) -> Described:
+    """Keep the launch running when all its processes have ended, until the tests have too."""
+    if not hasattr(test_description, "__markers__"):
+        test_description.__markers__ = {}  # type: ignore[attr-defined]
+    test_description.__markers__["keep_alive"] = True  # type: ignore[attr-defined]
+    return test_description
+
+
+def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Have a test tried up to `times` times, `delay` seconds apart, until no assertion of it fails.
+
+    Raises:
+        AssertionError: when `times` is not positive, or what is decorated is no method.
+    """
+    assert times > 0, f"'times' is {times}, but a test has to be tried at least once"
+
+    def decorate(test: Callable[..., Any]) -> Callable[..., Any]:
+        assert next(iter(inspect.signature(test).parameters), None) == "self", (
+            f"retry_on_failure decorates methods of test cases, and '{test.__name__}' is none"
+        )
+
+        @functools.wraps(test)
+        def attempts(self: Any, *args: Any, **kwargs: Any) -> Any:
+            for _ in range(times - 1):
+                failures = _Failures(self)
+                try:
+                    result = test(self, *args, **kwargs)
+                    failures.check()
+                    return result
+                except AssertionError:
+                    failures.forget()
+                if delay is not None:
+                    time.sleep(delay)
+            return test(self, *args, **kwargs)
+
+        return attempts
+
+    return decorate
+
+
+class _Failures:
+    """What one attempt of a unittest case recorded apart from what it raised: the failures of its sub-tests."""
+
+    def __init__(self, case: Any) -> None:
+        self.outcome = getattr(case, "_outcome", None)
+        holder = getattr(self.outcome, "result", self.outcome)  # Python 3.11 keeps them in the result
+        lists = (getattr(holder, name, None) for name in ("errors", "failures"))
+        self.lists = [(one, len(one)) for one in lists if one is not None]
+
+    def check(self) -> None:
+        """Raise AssertionError if a sub-test has failed."""
+        assert self.outcome is None or self.outcome.success, "a sub-test has failed"
+
+    def forget(self) -> None:
+        """Take back what the attempt recorded."""
+        for recorded, before in self.lists:
+            del recorded[before:]
+        if self.outcome is not None:
+            self.outcome.success = True

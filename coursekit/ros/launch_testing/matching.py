@@ -1,0 +1,100 @@
+"""Compares text, and lines of text, with what is expected."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+Span = tuple[int, int]
+Match = Callable[..., Span | None]
+
+
+def normalize_lineseps(lines: str) -> str:
+    r"""Return text whose lines all end with '\n', also where a terminal or another system wrote it."""
+    return lines.replace(os.linesep, "\n").replace("\r\n", "\n")
+
+
+def build_text_match(expected_text: Any, *, strict: bool = False) -> Match:
+    """Return a function that finds `expected_text` in a text: where it begins and ends, or None.
+
+    A text is found anywhere, a compiled regular expression by its `search`, several of them one after the other. With
+    `strict` a text is the whole, an expression matches at the beginning, and several follow each other at once.
+
+    >>> build_text_match(["one", "two"])("one, two")
+    (0, 8)
+
+    Raises:
+        ValueError: when what is expected is neither.
+    """
+    if isinstance(expected_text, str):
+
+        def of_text(actual: str, start: int = 0) -> Span | None:
+            actual = normalize_lineseps(actual)
+            if strict:
+                return (start, len(actual)) if actual[start:] == expected_text else None
+            found = actual.find(expected_text, start)
+            return None if found < 0 else (found, found + len(expected_text))
+
+        return of_text
+    if hasattr(expected_text, "search"):
+
+        def of_pattern(actual: str, start: int = 0) -> Span | None:
+            look = expected_text.match if strict else expected_text.search
+            found = look(normalize_lineseps(actual), start)
+            return None if found is None else found.span()
+
+        return of_pattern
+    if isinstance(expected_text, Iterable):
+        of_all = _in_order([build_text_match(one) for one in expected_text], strict)
+        return lambda actual, start=0: of_all(normalize_lineseps(actual), start)
+    raise ValueError("Unknown format for expected text")
+
+
+def build_line_match(expected_lines: Any, *, strict: bool = False) -> Match:
+    """Return a function that finds `expected_lines` among lines: the first line and the one after the last, or None.
+
+    A text is found in a line that has it, a compiled regular expression in one that it matches, several of them in lines
+    one after the other. With `strict` every line is the text, or matches; several follow each other at once.
+
+    >>> build_line_match(["b", "d"])(["abc", "", "cde"])
+    (0, 3)
+
+    Raises:
+        ValueError: when what is expected is neither.
+    """
+    if isinstance(expected_lines, str):
+        same: Any = expected_lines.__eq__ if strict else lambda line: expected_lines in line
+        return _of_lines(same, strict)
+    if hasattr(expected_lines, "match"):
+        return _of_lines(expected_lines.match, strict)
+    if isinstance(expected_lines, Iterable):
+        return _in_order([build_line_match(one) for one in expected_lines], strict)
+    raise ValueError("Unknown format for expected lines")
+
+
+def _of_lines(fits: Callable[[str], Any], strict: bool) -> Match:
+    def match(lines: Sequence[str], start: int = 0) -> Span | None:
+        if strict:
+            return (start, len(lines)) if all(fits(line) for line in lines[start:]) else None
+        return next(((at, at + 1) for at in range(start, len(lines)) if fits(lines[at])), None)
+
+    return match
+
+
+def _in_order(matches: list[Match], strict: bool) -> Match:
+    if not matches:
+        raise ValueError("There is nothing expected: the list is empty")
+
+    def match(actual: Any, start: int = 0) -> Span | None:
+        begin, end = None, start
+        for one in matches:
+            found = one(actual, end)
+            if found is None or (strict and found[0] != end):
+                return None
+            begin = found[0] if begin is None else begin
+            end = found[1]
+        assert begin is not None
+        return begin, end
+
+    return match

@@ -1,0 +1,12 @@
+"""Shows the arguments that a launch test takes."""
+
+from __future__ import annotations
+
+from launch import LaunchDescription
+
+from coursekit.cli.verbs.launch import arguments_text
+
+
+def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:
+    """Print them as `ros2 launch --show-args` does."""
+    print(arguments_text(launch_description))

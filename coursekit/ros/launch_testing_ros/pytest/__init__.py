@@ -1,0 +1,1 @@
+"""Launch tests of nodes in pytest."""

@@ -1,0 +1,5 @@
+"""Tools to test what nodes print."""
+
+from .output import basic_output_filter, get_rmw_output_filter
+
+__all__ = ["basic_output_filter", "get_rmw_output_filter"]

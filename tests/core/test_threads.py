@@ -1,0 +1,43 @@
+"""What the threading module waits with takes session time, no more and no less."""
+
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from collections.abc import Callable
+
+import pytest
+
+from coursekit.core.session import Session
+
+
+def on_condition() -> None:
+    condition = threading.Condition()
+    with condition:
+        assert not condition.wait_for(lambda: False, timeout=3.0)
+
+
+def on_semaphore() -> None:
+    assert not threading.Semaphore(0).acquire(timeout=3.0)
+
+
+def on_queue() -> None:
+    with pytest.raises(queue.Empty):
+        queue.Queue().get(timeout=3.0)
+
+
+def on_event() -> None:
+    assert not threading.Event().wait(3.0)
+
+
+@pytest.mark.parametrize("wait", [on_condition, on_semaphore, on_queue, on_event])
+def test_a_wait_in_vain_takes_as_long_as_was_asked_for_on_the_virtual_clock(wait: Callable[[], None]) -> None:
+    def main() -> None:
+        before = time.monotonic()
+        wait()
+        print(time.monotonic() - before)
+
+    with Session(virtual=True).use() as session:
+        process = session.start(main, name="waiter")
+        assert process.wait() == 0 and process.output == "3.0\n"

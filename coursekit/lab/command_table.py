@@ -16,6 +16,7 @@ from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
 
 from .bundle import with_text
+from .errors import BadArgument, NotThere
 from .kernel import give_to, this_cell
 from .magics import CourseMagics, workspace, workspace_environment
 from .terminal import Terminal
@@ -47,7 +48,7 @@ def read_rows(text: str) -> list[Row]:
     for number, line in enumerate(text.splitlines(), 1):
         command, bar, meaning = (part.strip() for part in line.rpartition(" | "))
         if line.strip() and not (bar and command and meaning):
-            raise ValueError(f"line {number} of %%commands is no row: {line!r}. Write: ros2 node list | all nodes")
+            raise BadArgument(f"line {number} of %%commands is no row: {line!r}. Write: ros2 node list | all nodes")
         if line.strip():
             rows.append(Row(command, meaning))
     return rows
@@ -64,7 +65,7 @@ def start(command: str, magics: CourseMagics) -> Terminal:
     path = os.pathsep.join((sysconfig.get_path("scripts"), env.get("PATH", "")))
     program = shutil.which(words[0], path=path) if words else None
     if program is None:
-        raise LookupError(f"There is no program '{words[0] if words else ''}'. Rows begin with ros2, colcon or coursekit.")
+        raise NotThere(f"There is no program '{words[0] if words else ''}'. Rows begin with ros2, colcon or coursekit.")
 
     def begin() -> Any:
         child = ChildProcess(current(), [program, *words[1:]], name=words[0], env=env, cwd=workspace(), one_stream=True)

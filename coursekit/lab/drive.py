@@ -11,6 +11,8 @@ from coursekit.core.graph import GraphNode
 from coursekit.core.qos import Qos
 from coursekit.core.session import current
 
+from .errors import BadArgument
+
 SILENCE_SECONDS = 0.5
 """A browser that says nothing for this long (closed, asleep) has let go of its keys."""
 BEAT_SECONDS = 0.1
@@ -35,9 +37,7 @@ def meaning(keys: str) -> tuple[float, float, float]:
     total = [0.0, 0.0, 0.0]
     for key in keys.split("+"):
         if key.strip() not in KEYS:
-            raise ValueError(
-                f"There is no key '{key.strip()}'. Keys are: {', '.join(KEYS)}; join them with '+'."
-            )
+            raise BadArgument(f"There is no key '{key.strip()}'. Keys are: {', '.join(KEYS)}; join them with '+'.")
         total = [sum(pair) for pair in zip(total, KEYS[key.strip()], strict=True)]
     return total[0], total[1], total[2]
 

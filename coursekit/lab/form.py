@@ -7,6 +7,8 @@ from typing import Any
 
 import yaml
 
+from .errors import BadArgument
+
 _WHOLE = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "octet", "byte", "char"}
 
 
@@ -75,7 +77,7 @@ def _values(fields: list[dict[str, Any]], typed: dict[str, Any], prefix: str) ->
     known = {field["name"]: field for field in fields}
     for name in typed:
         if name not in known:
-            raise ValueError(f"There is no field '{prefix}{name}'. There are: {', '.join(known) or 'none'}")
+            raise BadArgument(f"There is no field '{prefix}{name}'. There are: {', '.join(known) or 'none'}")
     return {name: _value(known[name], value, prefix + name) for name, value in typed.items()}
 
 
@@ -97,7 +99,7 @@ def _value(field: dict[str, Any], value: Any, path: str) -> Any:
             "list": "a list such as [1, 2]",
             "check": "true or false",
         }
-        raise ValueError(f"{path}: '{value}' is not {wanted[control]}") from None
+        raise BadArgument(f"{path}: '{value}' is not {wanted[control]}") from None
 
 
 def _list(text: str) -> list[Any]:

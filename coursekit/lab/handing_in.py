@@ -17,6 +17,7 @@ from coursekit.grade.parcel import EVENTS, digest_of
 from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 
+from .errors import BadArgument, NotNow
 from .evidence_picture import page
 from .kernel import last_runs, running_shell
 
@@ -37,7 +38,7 @@ def student(name: str = "") -> str:
         return str(json.loads(file.read_text(encoding="utf-8")))
     found = name or (me if isinstance(me, str) else "")
     if len(found.split()) < 2:
-        raise ValueError('Whose is it? Say it once, in the brackets: by="Firstname Lastname"')
+        raise BadArgument('Whose is it? Say it once, in the brackets: by="Firstname Lastname"')
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(found), encoding="utf-8")
     return found
@@ -66,7 +67,7 @@ def evidence(name: str, *things: Any, by: str = "") -> Evidence | None:
     if os.environ.get("COURSEKIT_GRADING"):
         return None  # this is a clean run
     if not _NAME.fullmatch(name) or not things:
-        raise ValueError(f'Give the name and what is shown: evidence("s2", graph()). Got the name {name!r}.')
+        raise BadArgument(f'Give the name and what is shown: evidence("s2", graph()). Got the name {name!r}.')
     who, facts = student(by), who_and_where()
     stem, _, kind = name.partition(".")
     heading = f"{who}   {facts['user']}@{facts['host']}   {facts['time']}   {stem}"
@@ -130,4 +131,4 @@ def _expect_saved(file: Path) -> None:
     saved = {str(cell.get("id", "")): "".join(cell["source"]) for cell in read_notebook(file)["cells"]}
     changed = [cell for cell, text in ran.items() if cell in saved and text.strip() != saved[cell].strip()]
     if changed or not set(list(ran)[-1:]) <= set(saved):
-        raise RuntimeError(f"{file.name} is not saved as it was run: press Ctrl+S, then run this cell again.")
+        raise NotNow(f"{file.name} is not saved as it was run: press Ctrl+S, then run this cell again.")

@@ -9,6 +9,7 @@ from coursekit.core.session import current
 from coursekit.nodes.robots import boards
 from coursekit.nodes.robots.boards import Board
 
+from .errors import NotThere
 from .hidden import appears
 from .joint_windows import take_over
 from .panel import Panel, static
@@ -31,7 +32,7 @@ class JointPanel(Panel):
             appears(lambda: self._find() is not None)
             self._board = self._find()
             if self._board is None:
-                raise LookupError(f"No {self._wanted or 'joint_state_publisher_gui'} runs. {START}")
+                raise NotThere(f"No {self._wanted or 'joint_state_publisher_gui'} runs. {START}")
             appears(lambda: bool(self.board.model.free))  # it begins before the robot's description comes
         except BaseException:
             self.close()

@@ -6,6 +6,7 @@ import itertools
 from collections import Counter, deque
 from typing import Any
 
+from .errors import BadArgument
 from .panel import Panel, static
 
 KEPT = 2000
@@ -27,7 +28,7 @@ class LogConsole(Panel):
         from rclpy.qos import DurabilityPolicy, QoSProfile
 
         if level not in _NUMBERS:
-            raise ValueError(f"There is no level '{level}'. Levels are: {', '.join(_NUMBERS)}")
+            raise BadArgument(f"There is no level '{level}'. Levels are: {', '.join(_NUMBERS)}")
         super().__init__("log_console")
         self._filters = {"level": level, "node": node.strip("/").replace("/", "."), "text": text}
         self._entries: deque[Any] = deque(maxlen=KEPT)

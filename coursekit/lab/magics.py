@@ -16,6 +16,7 @@ from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
 from coursekit.view.working import Working
 
+from .errors import NotThere
 from .kernel import adopt
 from .terminal import Terminal, Terminals
 
@@ -29,7 +30,7 @@ def terminal(name: str) -> Terminal:
         return _terminals[name]
     except KeyError:
         known = ", ".join(_terminals) or "none yet; start one with `%ros2 run PACKAGE EXECUTABLE &`"
-        raise LookupError(f"There is no terminal '{name}'. There are: {known}") from None
+        raise NotThere(f"There is no terminal '{name}'. There are: {known}") from None
 
 
 def terminals(*names: str, columns: int = 2) -> Terminals:
@@ -48,7 +49,7 @@ def edit(path: str, old: str, new: str) -> None:
     file = workspace() / path
     text = file.read_text(encoding="utf-8")
     if old not in text and new not in text:
-        raise LookupError(f"{path} does not contain {old!r}. Print it with: %show {path}")
+        raise NotThere(f"{path} does not contain {old!r}. Print it with: %show {path}")
     if new not in text:
         file.write_text(text.replace(old, new, 1), encoding="utf-8")
     print(f"{path}:", *(f"    {line}" for line in new.splitlines()), sep="\n")

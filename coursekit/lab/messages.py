@@ -8,6 +8,7 @@ from typing import Any
 
 from coursekit.cli.ask import full_name
 
+from .errors import NotThere
 from .hidden import HiddenNode, appears
 
 TRUNCATE = 128
@@ -21,9 +22,9 @@ def known_type(graph: Any, topic: str) -> str:
         names = [name for name, _ in graph.topics()]
         close = difflib.get_close_matches(topic, names, 1, 0.6)
         hint = f"Did you mean {close[0]}?" if close else f"Topics are: {', '.join(names) or 'none'}."
-        raise LookupError(f"There is no topic {topic} in the graph: no node publishes or hears it. {hint}")
+        raise NotThere(f"There is no topic {topic} in the graph: no node publishes or hears it. {hint}")
     if len(types) > 1:
-        raise LookupError(f"Topic {topic} is used with several types ({', '.join(types)}); let all nodes use one.")
+        raise NotThere(f"Topic {topic} is used with several types ({', '.join(types)}); let all nodes use one.")
     return types[0]
 
 

@@ -11,6 +11,7 @@ import yaml
 from coursekit.cli.ask import full_name
 from coursekit.cli.param_text import type_name
 
+from .errors import NotThere
 from .hidden import appears
 from .panel import Panel, static
 
@@ -72,7 +73,7 @@ class ParameterPanel(Panel):
         if self.node_name not in names:
             close = difflib.get_close_matches(self.node_name, names, 1, 0.6)
             hint = f"Did you mean {close[0]}?" if close else f"Nodes are: {', '.join(names) or 'none'}."
-            raise LookupError(f"There is no node {self.node_name}. {hint}")
+            raise NotThere(f"There is no node {self.node_name}. {hint}")
 
     def _read(self, names: list[str]) -> None:
         """Ask for values and descriptors, and wait."""
@@ -109,7 +110,7 @@ class ParameterPanel(Panel):
         if name not in self._rows:
             close = difflib.get_close_matches(name, self._rows, 1, 0.6)
             hint = f"Did you mean {close[0]}?" if close else f"It has: {', '.join(sorted(self._rows))}"
-            raise LookupError(f"{self.node_name} has no parameter '{name}'. {hint}")
+            raise NotThere(f"{self.node_name} has no parameter '{name}'. {hint}")
         own = Parameter.Type(self._rows[name].kind) if typed or value == [] else None
         return Parameter(name, own, value)
 

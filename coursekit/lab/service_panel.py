@@ -8,6 +8,7 @@ from typing import Any
 from coursekit.cli.ask import full_name
 from coursekit.view.graph_facts import nodes_at, take, types_of
 
+from .errors import NotThere
 from .form import filled, schema
 from .hidden import WAIT_SECONDS, appears
 from .messages import as_yaml
@@ -58,7 +59,7 @@ class ServiceCaller(Panel):
             names = self._names()
             close = difflib.get_close_matches(name, names, 1, 0.6)
             hint = f"Did you mean {close[0]}?" if close else f"Served are: {', '.join(names) or 'none'}."
-            raise LookupError(f"Nobody serves {name or 'a service without a name'}. {hint}")
+            raise NotThere(f"Nobody serves {name or 'a service without a name'}. {hint}")
         return get_service(served[name][0].type_name)
 
     def _names(self) -> list[str]:

@@ -6,6 +6,8 @@ from typing import Any
 
 from coursekit.core.session import current
 
+from .errors import NotThere
+
 
 def simulator() -> Any:
     """The newest running simulator; LookupError when none runs."""
@@ -13,7 +15,7 @@ def simulator() -> Any:
 
     found = running(current())
     if not found:
-        raise LookupError("No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py world:=robot_world &")
+        raise NotThere("No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py world:=robot_world &")
     return found[-1]
 
 
@@ -23,5 +25,5 @@ def robot_name(name: str = "") -> str:
     if name in robots or (not name and len(robots) == 1):
         return name or robots[0]
     if not robots:
-        raise LookupError("No robot yet. Spawn one: %ros2 run gazebo_ros spawn_entity.py -entity NAME -file FILE")
-    raise LookupError(f"Which robot? Say robot=NAME. There are: {', '.join(robots)}.")
+        raise NotThere("No robot yet. Spawn one: %ros2 run gazebo_ros spawn_entity.py -entity NAME -file FILE")
+    raise NotThere(f"Which robot? Say robot=NAME. There are: {', '.join(robots)}.")

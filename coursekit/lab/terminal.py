@@ -11,6 +11,7 @@ import anywidget
 import traitlets
 
 from .bundle import with_text
+from .errors import NotNow
 
 LINES = 500
 """Lines that the browser keeps; the process remembers more."""
@@ -72,7 +73,7 @@ class Terminal(anywidget.AnyWidget):
     def restart(self) -> None:
         """Run the same command line anew, in this terminal; what still runs is ended first."""
         if self._again is None:
-            raise RuntimeError("This terminal was made for a process that was started elsewhere; start that again.")
+            raise NotNow("This terminal was made for a process that was started elsewhere; start that again.")
         if self.process.exit_code is None:
             self.process.interrupt()
             if self.process.wait(2.0) is None:

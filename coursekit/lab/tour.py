@@ -13,6 +13,7 @@ from coursekit.sim.place import Place, wrap
 from coursekit.view.working import Working
 
 from .drive import Driver
+from .errors import NotNow
 from .hidden import HiddenNode
 from .simulated import robot_name, simulator
 
@@ -134,5 +135,5 @@ def _go(tour: Tour, driver: Driver, buffer: Any, x: float, y: float) -> None:
         if gap < best - 0.05 or abs(off) > 0.5:
             best, since = min(gap, best), clock.steady()
         elif clock.steady() - since > PATIENCE_SECONDS * 1e9:
-            raise RuntimeError(f"stuck at ({here.x:.1f}, {here.y:.1f}) on the way to ({x:g}, {y:g}): what is in the way?")
+            raise NotNow(f"stuck at ({here.x:.1f}, {here.y:.1f}) on the way to ({x:g}, {y:g}): what is in the way?")
         clock.sleep(BEAT_SECONDS)

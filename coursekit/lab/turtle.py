@@ -17,6 +17,7 @@ from coursekit.view.turtle import KINDS, describe, png, shape
 
 from .bundle import forms_of
 from .drive import Driver
+from .errors import NotThere
 
 FRAME_SECONDS = 0.05
 """The browser gets a new frame at most this often."""
@@ -80,7 +81,7 @@ class TurtleWindow(anywidget.AnyWidget):
         """The window as it is now, as a picture; LookupError if no turtlesim runs."""
         simulator = self.simulator
         if simulator is None:
-            raise LookupError(NONE_RUNS)
+            raise NotThere(NONE_RUNS)
         return Snapshot(png(simulator.world, simulator.background(), size), repr(self))
 
     def press(self, keys: str = "up", seconds: float = 1.0) -> None:
@@ -174,9 +175,7 @@ class TurtleWindow(anywidget.AnyWidget):
                 continue
             first = max(0, known[0] - 1)
             fresh = [(round(x, 3), round(y, 3)) for x, y in stroke.points[first : mark[0]]]
-            news.append(
-                {"i": number, "from": first, "colour": stroke.colour, "width": stroke.width, "points": fresh}
-            )
+            news.append({"i": number, "from": first, "colour": stroke.colour, "width": stroke.width, "points": fresh})
             self._copied[number : number + 1] = [mark]
         return news
 

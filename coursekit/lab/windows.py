@@ -12,6 +12,7 @@ from coursekit.view import highgui
 from coursekit.view.highgui import Desk, Window
 
 from .bundle import with_text
+from .errors import NotThere
 from .picture import Picture
 
 NO_WINDOWS = "No windows are open. cv2.imshow('name', image) opens one."
@@ -64,7 +65,7 @@ class Windows:
             return self.desk.windows[name]
         except KeyError:
             known = ", ".join(self.desk.windows) or "none"
-            raise LookupError(f"There is no window '{name}'. Open are: {known}") from None
+            raise NotThere(f"There is no window '{name}'. Open are: {known}") from None
 
     def _take(self, window: Window) -> WindowPicture | None:
         if self.names and window.name not in self.names:

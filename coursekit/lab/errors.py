@@ -1,0 +1,33 @@
+"""Errors of the lab's functions: a student sees the line and the cure, not the inside of coursekit."""
+
+from __future__ import annotations
+
+import traceback
+from pathlib import Path
+
+_OURS = Path(__file__).parents[1]
+
+
+class Plain(Exception):
+    """Shown in two lines by notebooks, the call and what is wrong with it; a program gets an exception like any other."""
+
+    def _render_traceback_(self) -> list[str]:
+        """IPython shows this instead of a traceback."""
+        theirs = [one for one in traceback.extract_tb(self.__traceback__) if _OURS not in Path(one.filename).parents]
+        called = theirs[-1].line if theirs else ""
+        return [f"{called}\n{self}" if called else str(self)]
+
+
+class BadArgument(Plain, ValueError):
+    """What was given cannot be meant."""
+
+
+class NotThere(Plain, LookupError):
+    """What was asked for does not exist, or not yet."""
+
+
+class NotNow(Plain, RuntimeError):
+    """It cannot be done in this moment."""
+
+
+__all__ = ["BadArgument", "NotNow", "NotThere", "Plain"]

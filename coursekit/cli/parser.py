@@ -17,6 +17,7 @@ from .ask import Unhappy
 
 COMMANDS = (
     "action",
+    "bag",
     "component",
     "daemon",
     "doctor",

@@ -1,0 +1,79 @@
+"""zstd, for single messages or whole files. What comes out is limited: a few bytes can stand for gigabytes."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from coursekit.bag.errors import BagError
+
+FORMAT = "zstd"
+SUFFIX = ".zstd"
+MODES = ("", "FILE", "MESSAGE")
+LARGEST_MESSAGE = 1_000_000_000
+"""Bytes that one message may have: what sqlite3 can keep."""
+LARGEST_FILE = 64 * 2**30
+"""Bytes that one file of a bag may have."""
+_PIECE = 1 << 20
+_KEPT_FREE = 100 * 2**20
+
+
+def check(mode: str, kind: str) -> None:
+    """BagError for a mode or a format that does not exist."""
+    if mode.upper() not in (*MODES, "NONE"):
+        raise BagError(f"there is no compression mode '{mode.lower()}'; there are none, file and message")
+    if mode.upper() in MODES[1:] and kind != FORMAT:
+        raise BagError(f"there is no compression format '{kind}'; there is {FORMAT}")
+
+
+def compress(data: bytes) -> bytes:
+    """Return a message's bytes, smaller."""
+    import zstandard
+
+    return zstandard.ZstdCompressor().compress(data)
+
+
+def decompress(data: bytes, limit: int = LARGEST_MESSAGE) -> bytes:
+    """Return a message's bytes; BagError when they are none, or more than `limit`."""
+    import zstandard
+
+    out = bytearray()
+    try:
+        with zstandard.ZstdDecompressor().stream_reader(data) as stream:
+            while piece := stream.read(_PIECE):
+                out += piece
+                if len(out) > limit:
+                    raise BagError(f"a compressed message has more than {limit} bytes: it is not unpacked")
+    except (zstandard.ZstdError, MemoryError) as error:
+        raise BagError(f"a message cannot be unpacked with zstd: {error}") from None
+    return bytes(out)
+
+
+def compress_file(path: Path) -> Path:
+    """Replace a file by its compressed form, NAME.zstd, and return that one's path."""
+    import zstandard
+
+    packed = path.with_name(path.name + SUFFIX)
+    with path.open("rb") as source, packed.open("wb") as target:
+        zstandard.ZstdCompressor().copy_stream(source, target, size=path.stat().st_size)
+    path.unlink()
+    return packed
+
+
+def decompress_file(path: Path, folder: Path) -> Path:
+    """Unpack NAME.zstd into a folder and return the file; BagError when it is broken or does not fit on the disk."""
+    import zstandard
+
+    target = folder / path.name.removesuffix(SUFFIX)
+    limit = min(LARGEST_FILE, max(0, shutil.disk_usage(folder).free - _KEPT_FREE))
+    written = 0
+    try:
+        with path.open("rb") as source, target.open("wb") as out:
+            for piece in zstandard.ZstdDecompressor().read_to_iter(source):
+                written += len(piece)
+                if written > limit:
+                    raise BagError(f"'{path}' has more than {limit} bytes when unpacked: there is no room for it")
+                out.write(piece)
+    except (zstandard.ZstdError, OSError) as error:
+        raise BagError(f"'{path}' cannot be unpacked with zstd: {error}") from None
+    return target

@@ -1,0 +1,44 @@
+"""The whole definition of a message type in one text, as mcap files keep it: its own, then those of its parts."""
+
+from __future__ import annotations
+
+import re
+
+from coursekit.interfaces.errors import InterfaceError, UnknownInterface
+from coursekit.interfaces.find import definition_text
+from coursekit.interfaces.registry import interface_of
+
+_LINE = "=" * 80
+
+
+def full_definition(type_name: str) -> str:
+    """Return the text; an empty one for a type that is not installed here.
+
+    >>> print(full_definition("geometry_msgs/msg/PolygonStamped").count("MSG: "))
+    4
+    """
+    try:
+        names = _with_parts(type_name, [])
+        texts = [_of_humble(definition_text(name)) for name in names]
+    except (UnknownInterface, InterfaceError, OSError):
+        return ""
+    parts = [f"{_LINE}\nMSG: {_short(name)}\n{text}" for name, text in zip(names[1:], texts[1:], strict=True)]
+    return "\n".join([texts[0], *parts])
+
+
+def _with_parts(name: str, found: list[str]) -> list[str]:
+    found.append(name)
+    for part in interface_of(name).dependencies():  # type: ignore[union-attr]
+        if part not in found:
+            _with_parts(part, found)
+    return found
+
+
+def _short(name: str) -> str:
+    package, _, short = name.split("/")
+    return f"{package}/{short}"
+
+
+def _of_humble(text: str) -> str:
+    """Without what only our own parser takes: nothing today but trailing space."""
+    return re.sub(r"[ \t]+$", "", text, flags=re.MULTILINE)

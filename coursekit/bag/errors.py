@@ -1,0 +1,7 @@
+"""What goes wrong with bags."""
+
+from __future__ import annotations
+
+
+class BagError(RuntimeError):
+    """A bag that cannot be read or written; the text says what, why, and what to do."""

@@ -1,0 +1,96 @@
+"""Reads the keys of a YAML mapping whose writer is not trusted: every value is checked, every error names its key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from coursekit.bag.errors import BagError
+
+_MISSING = object()
+
+
+class Fields:
+    """One mapping, at a place that errors name.
+
+    >>> Fields({"version": 5}, "top", "metadata.yaml").integer("version")
+    5
+    """
+
+    def __init__(self, values: Any, place: str, where: str) -> None:
+        self._place, self._where = place, where
+        if not isinstance(values, dict):
+            raise self._error(f"'{place}' is {_kind(values)}, and should be keys with values")
+        self._values: dict[Any, Any] = values
+
+    def _error(self, text: str) -> BagError:
+        return BagError(f"{self._where}: {text}")
+
+    def _get(self, key: str, default: Any = _MISSING) -> Any:
+        value = self._values.get(key, default)
+        if value is _MISSING:
+            raise self._error(f"'{key}' is missing in '{self._place}'")
+        return value
+
+    def _wrong(self, key: str, value: Any, wish: str) -> BagError:
+        return self._error(f"'{key}' in '{self._place}' is {_kind(value)}, and should be {wish}")
+
+    def integer(self, key: str) -> int:
+        """A whole number of 64 bits."""
+        value = self._get(key)
+        if not isinstance(value, int) or isinstance(value, bool) or not -(2**63) <= value < 2**63:
+            raise self._wrong(key, value, "a whole number of 64 bits")
+        return value
+
+    def text(self, key: str, default: Any = _MISSING) -> str:
+        """A text; nothing (null) is an empty one where it may be left out."""
+        value = self._get(key, default)
+        if value is None and default is not _MISSING:
+            return str(default)
+        if not isinstance(value, str):
+            raise self._wrong(key, value, "a text")
+        return value
+
+    def texts(self, key: str) -> list[str]:
+        """A list of texts."""
+        value = self._get(key)
+        if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
+            raise self._wrong(key, value, "a list of texts")
+        return value
+
+    def text_or_yaml(self, key: str) -> str:
+        """A text, or, since version 9, the list that the text stood for; given back as text."""
+        value = self._get(key, "")
+        if isinstance(value, list):
+            from coursekit.bag.metadata_file import dump
+
+            return dump(value) if value else ""
+        return self.text(key, "")
+
+    def mapping_of_texts(self, key: str) -> dict[str, str]:
+        """Texts by name; none when it is left out."""
+        value = self._get(key, None)
+        if value is None:
+            return {}
+        if not isinstance(value, dict):
+            raise self._wrong(key, value, "keys with texts")
+        return {str(name): str(one) for name, one in value.items()}
+
+    def inside(self, key: str) -> Fields:
+        """The mapping under a key."""
+        return Fields(self._get(key), key, self._where)
+
+    def each(self, key: str, optional: bool = False) -> Iterator[Fields]:
+        """The mappings of a list."""
+        value = self._get(key, [] if optional else _MISSING)
+        if value is None and optional:
+            return
+        if not isinstance(value, list):
+            raise self._wrong(key, value, "a list")
+        for number, one in enumerate(value):
+            yield Fields(one, f"{key}[{number}]", self._where)
+
+
+def _kind(value: Any) -> str:
+    shown = repr(value)
+    return f"{type(value).__name__} {shown if len(shown) < 60 else shown[:57] + '...'}"

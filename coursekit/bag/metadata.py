@@ -1,0 +1,78 @@
+"""What a bag says of itself. Times and durations are nanoseconds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+NEVER = 2**63 - 1
+"""The starting time of a bag without messages."""
+METADATA_VERSION = 5
+"""The layout of metadata.yaml that Humble writes; 1 to 9 are read."""
+
+
+@dataclass
+class TopicMetadata:
+    """A recorded topic: its name, its type, and the QoS of those who published on it, as YAML text."""
+
+    name: str
+    type: str
+    serialization_format: str = "cdr"
+    offered_qos_profiles: str = ""
+    id: int = field(default=0, compare=False)
+    type_description_hash: str = field(default="", compare=False)
+
+    def equals(self, other: TopicMetadata) -> bool:
+        """Whether both say the same."""
+        return self == other
+
+
+@dataclass
+class TopicInformation:
+    """A topic, and how many of its messages are in the bag."""
+
+    topic_metadata: TopicMetadata
+    message_count: int
+
+
+@dataclass
+class FileFacts:
+    """One file of a bag."""
+
+    path: str
+    starting_time_ns: int = NEVER
+    duration_ns: int = 0
+    message_count: int = 0
+
+    def include(self, stamp: int) -> None:
+        """Count a message."""
+        first = stamp if not self.message_count else min(self.starting_time_ns, stamp)
+        last = stamp if not self.message_count else max(self.starting_time_ns + self.duration_ns, stamp)
+        self.starting_time_ns, self.duration_ns = first, last - first
+        self.message_count += 1
+
+
+@dataclass
+class BagFacts:
+    """A whole bag: the contents of its metadata.yaml, and its size on disk in bytes."""
+
+    version: int = METADATA_VERSION
+    storage_identifier: str = ""
+    duration_ns: int = 0
+    starting_time_ns: int = NEVER
+    message_count: int = 0
+    topics_with_message_count: list[TopicInformation] = field(default_factory=list)
+    compression_format: str = ""
+    compression_mode: str = ""
+    relative_file_paths: list[str] = field(default_factory=list)
+    files: list[FileFacts] = field(default_factory=list)
+    bag_size: int = 0
+    custom_data: dict[str, str] = field(default_factory=dict)
+    ros_distro: str = ""
+
+    def sum_up(self) -> None:
+        """Take count, start and duration from the files."""
+        filled = [one for one in self.files if one.message_count]
+        self.message_count = sum(one.message_count for one in filled)
+        self.starting_time_ns = min((one.starting_time_ns for one in filled), default=NEVER)
+        end = max((one.starting_time_ns + one.duration_ns for one in filled), default=NEVER)
+        self.duration_ns = end - self.starting_time_ns

@@ -1,0 +1,183 @@
+"""metadata.yaml: written as Humble writes it, read whichever ROS 2 wrote it, trusted in nothing."""
+
+from __future__ import annotations
+
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+import yaml
+
+from coursekit.bag.errors import BagError
+from coursekit.bag.fields import Fields
+from coursekit.bag.metadata import NEVER, BagFacts, FileFacts, TopicInformation, TopicMetadata
+
+FILE_NAME = "metadata.yaml"
+ROOT = "rosbag2_bagfile_information"
+NEWEST = 9
+LARGEST = 64 * 1024 * 1024
+"""Bytes of a metadata.yaml that are still read."""
+
+
+class _Loader(yaml.SafeLoader):
+    """Safe, and without aliases: bags have none, and a few lines of them can stand for gigabytes.
+
+    Not the loader in C: brackets nested deeply enough crash the interpreter there.
+    """
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("it has aliases (*name), which bags do not have")
+        return super().compose_node(parent, index)
+
+
+def load_yaml(text: str, what: str) -> Any:
+    """Return what YAML text holds; BagError when it holds none."""
+    try:
+        return yaml.load(text, Loader=_Loader)
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        raise BagError(f"{what} is no YAML: {' '.join(str(error).split())}") from None
+
+
+def read(folder: Path) -> BagFacts:
+    """Return what the metadata.yaml of a bag says; BagError names the file and the key that is wrong."""
+    path = folder / FILE_NAME
+    try:
+        if path.stat().st_size > LARGEST:
+            raise BagError(f"{path} has more than {LARGEST} bytes: that is no metadata of a bag")
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise BagError(
+            f"there is no {FILE_NAME} in '{folder}'. If it is a bag that was not ended properly, "
+            f"'ros2 bag reindex {folder}' makes one from its files"
+        ) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise BagError(f"{path} cannot be read: {error}") from None
+    return parse(text, str(path))
+
+
+def parse(text: str, where: str) -> BagFacts:
+    """Return the facts that the text of a metadata.yaml states; `where` names it in errors."""
+    document = load_yaml(text, where)
+    if not isinstance(document, dict) or ROOT not in document:
+        raise BagError(f"{where} is no metadata of a bag: it has no '{ROOT}' at the top")
+    root = Fields(document[ROOT], ROOT, where)
+    version = root.integer("version")
+    if not 1 <= version <= NEWEST:
+        raise BagError(f"{where} has version {version}; versions 1 to {NEWEST} are known")
+    facts = BagFacts(
+        version=version,
+        storage_identifier=root.text("storage_identifier"),
+        duration_ns=root.inside("duration").integer("nanoseconds"),
+        starting_time_ns=root.inside("starting_time").integer("nanoseconds_since_epoch"),
+        message_count=root.integer("message_count"),
+        topics_with_message_count=[_topic(one) for one in root.each("topics_with_message_count")],
+        compression_format=root.text("compression_format", ""),
+        compression_mode=root.text("compression_mode", "").upper(),
+        relative_file_paths=[_inside(one, version, where) for one in root.texts("relative_file_paths")],
+        files=[_file(one) for one in root.each("files", optional=True)],
+        custom_data=root.mapping_of_texts("custom_data"),
+        ros_distro=root.text("ros_distro", ""),
+    )
+    facts.compression_mode = "" if facts.compression_mode == "NONE" else facts.compression_mode
+    return facts
+
+
+def _topic(entry: Fields) -> TopicInformation:
+    topic = entry.inside("topic_metadata")
+    return TopicInformation(
+        TopicMetadata(
+            name=topic.text("name"),
+            type=topic.text("type"),
+            serialization_format=topic.text("serialization_format"),
+            offered_qos_profiles=topic.text_or_yaml("offered_qos_profiles"),
+            type_description_hash=topic.text("type_description_hash", ""),
+        ),
+        entry.integer("message_count"),
+    )
+
+
+def _file(entry: Fields) -> FileFacts:
+    return FileFacts(
+        path=entry.text("path"),
+        starting_time_ns=entry.inside("starting_time").integer("nanoseconds_since_epoch"),
+        duration_ns=entry.inside("duration").integer("nanoseconds"),
+        message_count=entry.integer("message_count"),
+    )
+
+
+def _inside(name: str, version: int, where: str) -> str:
+    """A file of the bag, relative to its folder; up to version 3 the folder's own name came first."""
+    path = PurePosixPath(name.replace("\\", "/"))
+    if version < 4:
+        return path.name
+    drive = ":" in name.split("/")[0]
+    if path.is_absolute() or drive or ".." in path.parts or "\0" in name or not path.name:
+        raise BagError(f"{where} names the file {name!r}, which is outside of the bag's folder: it is not opened")
+    return str(path)
+
+
+class _Dumper(yaml.SafeDumper):
+    """Lists are indented, and texts quoted, as rosbag2 does it."""
+
+    def increase_indent(self, flow: bool = False, indentless: bool = False) -> Any:
+        return super().increase_indent(flow, False)
+
+
+def _text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
+    style = '"' if not text or "\n" in text else None
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=style)
+
+
+_Dumper.add_representer(str, _text)
+
+
+def dump(value: Any) -> str:
+    """Return YAML text in rosbag2's layout, without the last line break."""
+    return yaml.dump(value, Dumper=_Dumper, sort_keys=False, width=10**9, allow_unicode=True).rstrip("\n")
+
+
+def as_dict(facts: BagFacts) -> dict[str, Any]:
+    """Return the facts in the order of Humble's metadata.yaml."""
+    return {
+        "version": facts.version,
+        "storage_identifier": facts.storage_identifier,
+        "duration": {"nanoseconds": facts.duration_ns},
+        "starting_time": {"nanoseconds_since_epoch": facts.starting_time_ns},
+        "message_count": facts.message_count,
+        "topics_with_message_count": [_topic_dict(one) for one in facts.topics_with_message_count],
+        "compression_format": facts.compression_format,
+        "compression_mode": facts.compression_mode,
+        "relative_file_paths": facts.relative_file_paths,
+        "files": [_file_dict(one) for one in facts.files],
+    }
+
+
+def _topic_dict(one: TopicInformation) -> dict[str, Any]:
+    topic = one.topic_metadata
+    names = ("name", "type", "serialization_format", "offered_qos_profiles")
+    return {"topic_metadata": {name: getattr(topic, name) for name in names}, "message_count": one.message_count}
+
+
+def _file_dict(one: FileFacts) -> dict[str, Any]:
+    return {
+        "path": one.path,
+        "starting_time": {"nanoseconds_since_epoch": one.starting_time_ns},
+        "duration": {"nanoseconds": one.duration_ns},
+        "message_count": one.message_count,
+    }
+
+
+def write(folder: Path, facts: BagFacts) -> None:
+    """Write the metadata.yaml of a bag, at once or not at all."""
+    path = folder / FILE_NAME
+    draft = path.with_suffix(".yaml.part")
+    draft.write_text(dump({ROOT: as_dict(facts)}) + "\n", encoding="utf-8")
+    draft.replace(path)
+
+
+def size_of(bag: Path) -> int:
+    """Return the bytes of a bag's folder, its metadata included, as Humble counts them; or of a single file."""
+    return sum(one.stat().st_size for one in (bag.iterdir() if bag.is_dir() else (bag,)) if one.is_file())
+
+
+__all__ = ["FILE_NAME", "NEVER", "as_dict", "dump", "load_yaml", "parse", "read", "size_of", "write"]

@@ -1,0 +1,81 @@
+"""What the kinds of files that messages are kept in have in common, and how one is chosen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+from coursekit.bag.errors import BagError
+from coursekit.bag.metadata import BagFacts, TopicMetadata
+
+SUFFIXES = {"sqlite3": ".db3", "mcap": ".mcap"}
+"""The kinds, by storage id."""
+DEFAULT_STORAGE_ID = "sqlite3"
+
+
+class Message(NamedTuple):
+    """A recorded message: its topic, its bytes, and when it was received (ns since 1970)."""
+
+    topic: str
+    data: bytes
+    stamp: int
+
+
+class FileReader(Protocol):
+    """One file, open for reading."""
+
+    def topics(self) -> list[TopicMetadata]: ...
+    def facts(self) -> BagFacts: ...
+    def messages(self, topics: list[str] | None, start_ns: int) -> Iterator[Message]: ...
+    def close(self) -> None: ...
+
+
+class FileWriter(Protocol):
+    """One file, open for writing."""
+
+    def create_topic(self, topic: TopicMetadata) -> None: ...
+    def remove_topic(self, topic: TopicMetadata) -> None: ...
+    def write(self, message: Message) -> None: ...
+    def size(self) -> int: ...
+    def close(self, facts: BagFacts) -> None: ...
+
+
+def storage_id_of(path: Path) -> str:
+    """Return the kind of a file by its name; BagError for another name."""
+    name = path.name.removesuffix(".zstd")
+    for storage_id, suffix in SUFFIXES.items():
+        if name.endswith(suffix):
+            return storage_id
+    raise BagError(f"'{path}' is no file of a bag: it ends neither in .db3 nor in .mcap")
+
+
+def check_storage_id(storage_id: str) -> str:
+    """Return the id; BagError when there is no such storage."""
+    if storage_id not in SUFFIXES:
+        raise BagError(f"there is no storage '{storage_id}'; there are {' and '.join(sorted(SUFFIXES))}")
+    return storage_id
+
+
+def open_reader(path: Path, storage_id: str) -> FileReader:
+    """Open a file for reading; BagError when that is not possible."""
+    if not path.is_file():
+        raise BagError(f"the file '{path}' of the bag is not there")
+    if check_storage_id(storage_id) == "mcap":
+        from coursekit.bag.mcap_reader import McapReader
+
+        return McapReader(path)
+    from coursekit.bag.sqlite_storage import SqliteReader
+
+    return SqliteReader(path)
+
+
+def open_writer(path: Path, storage_id: str, preset: str = "", config: str = "") -> FileWriter:
+    """Open a new file for writing, with the settings of a preset or of a configuration file."""
+    if check_storage_id(storage_id) == "mcap":
+        from coursekit.bag.mcap_writer import McapWriter
+
+        return McapWriter(path, preset, config)
+    from coursekit.bag.sqlite_storage import SqliteWriter
+
+    return SqliteWriter(path, preset, config)

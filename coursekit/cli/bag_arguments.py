@@ -1,0 +1,145 @@
+"""What the verbs of `ros2 bag` share: arguments, their checks, and how they refuse."""
+
+from __future__ import annotations
+
+import argparse
+import functools
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from coursekit.bag.errors import BagError
+from coursekit.bag.metadata_file import load_yaml
+from coursekit.bag.storage import SUFFIXES
+
+from . import ask
+
+_DURATIONS = ("deadline", "lifespan", "liveliness_lease_duration")
+_VALUES = ("depth", "avoid_ros_namespace_conventions")
+
+
+def refuse(text: str) -> ask.Unhappy:
+    """The end of the command, in Humble's words."""
+    return ask.Unhappy(f"[ERROR] [ros2bag]: {text}")
+
+
+def refusing(main: Callable[[Any], int]) -> Callable[[Any], int]:
+    """Have a verb say what is wrong with a bag, without a traceback."""
+
+    @functools.wraps(main)
+    def run(args: Any) -> int:
+        try:
+            return main(args)
+        except BagError as error:
+            raise refuse(str(error)) from None
+
+    return run
+
+
+def add_reader(parser: argparse.ArgumentParser) -> None:
+    """`bag_path` and `-s`."""
+    parser.add_argument("bag_path", type=existing_path, help="Bag to open")
+    parser.add_argument(
+        "-s",
+        "--storage",
+        default="",
+        choices=sorted(SUFFIXES),
+        help="Storage implementation of bag. By default attempts to detect automatically - use this argument to override.",
+    )
+
+
+def existing_path(value: str) -> str:
+    """A path that is there."""
+    try:
+        found = Path(value).exists()
+    except (OSError, ValueError):
+        found = False
+    if not found:
+        raise argparse.ArgumentTypeError(f"Bag path '{value}' does not exist!")
+    return value
+
+
+def positive_float(value: str) -> float:
+    """A number above 0."""
+    number = _number(value)
+    if not number > 0.0 or math.isinf(number):
+        raise argparse.ArgumentTypeError(f"{value} is not in the valid range (> 0.0)")
+    return number
+
+
+def not_negative_float(value: str) -> float:
+    """A number, 0 or above."""
+    number = _number(value)
+    if not number >= 0.0 or math.isinf(number):
+        raise argparse.ArgumentTypeError(f"Value {value} is less than zero.")
+    return number
+
+
+def _number(value: str) -> float:
+    try:
+        return float(value)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{value} is not the valid type (float)") from None
+
+
+def not_negative_int(value: str) -> int:
+    """A whole number, 0 or above."""
+    try:
+        number = int(value)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{value} is not the valid type (int)") from None
+    if number < 0:
+        raise argparse.ArgumentTypeError(f"Value {value} is less than zero.")
+    return number
+
+
+def qos_overrides(path: str | None) -> dict[str, Any]:
+    """The QoS profiles by topic in a YAML file; Unhappy in Humble's words."""
+    from rclpy.qos import InvalidQoSProfileException
+
+    if not path:
+        return {}
+    try:
+        loaded = load_yaml(Path(path).read_text(encoding="utf-8"), path) or {}
+        if not isinstance(loaded, dict) or not all(isinstance(one, dict) for one in loaded.values()):
+            raise ValueError(f"{path} should have topics with their policies, for example: /chatter: {{depth: 5}}")
+        return {str(topic): _profile(values) for topic, values in loaded.items()}
+    except (InvalidQoSProfileException, ValueError, OSError, AssertionError, BagError) as error:
+        raise refuse(str(error)) from None
+
+
+def _profile(values: dict[str, Any]) -> Any:
+    from rclpy import qos
+
+    policies: dict[str, Any] = {}
+    for key, value in values.items():
+        if key in _DURATIONS:
+            policies[key] = _duration(value)
+        elif key in ("history", "reliability", "durability", "liveliness"):
+            kind = getattr(qos, f"{key.capitalize()}Policy")
+            if str(value) not in kind.short_keys():
+                raise ValueError(f"`{key}` is {value!r}; it can be {', '.join(kind.short_keys())}")
+            policies[key] = kind[value.upper()]
+        elif key in _VALUES:
+            if not isinstance(value, int) or value < 0:
+                raise ValueError(f"`{key}` may not be a negative value.")
+            policies[key] = value
+        else:
+            raise ValueError(f"Unexpected key `{key}` for QoS profile.")
+    return qos.QoSProfile(**policies)
+
+
+def _duration(value: Any) -> Any:
+    from rclpy.duration import Duration
+
+    if not value:
+        return Duration()
+    if not isinstance(value, dict) or not {"sec", "nsec"} <= set(value):
+        raise ValueError("Time overrides must include both seconds (sec) and nanoseconds (nsec).")
+    if not all(isinstance(value[key], int) for key in ("sec", "nsec")):
+        raise ValueError("Time overrides must be whole numbers.")
+    nanoseconds = value["sec"] * 10**9 + value["nsec"]
+    if nanoseconds < 0:
+        raise ValueError("Time duration may not be a negative value.")
+    return Duration(nanoseconds=min(nanoseconds, 2**63 - 1))

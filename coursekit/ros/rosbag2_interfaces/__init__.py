@@ -1,0 +1,1 @@
+"""Interfaces: control of the recorder and the player of bags."""

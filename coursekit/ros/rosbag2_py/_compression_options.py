@@ -1,0 +1,42 @@
+"""How bags are compressed. In ROS 2: rosbag2_py._compression_options."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class CompressionMode(Enum):
+    """What is compressed."""
+
+    NONE = 0
+    FILE = 1
+    MESSAGE = 2
+
+
+def compression_mode_from_string(text: str) -> CompressionMode:
+    """Return the mode that a word means, in any case; NONE for another word.
+
+    >>> compression_mode_from_string("file")
+    <CompressionMode.FILE: 1>
+    """
+    return CompressionMode.__members__.get(text.upper(), CompressionMode.NONE)
+
+
+def compression_mode_to_string(mode: CompressionMode) -> str:
+    """Return the word of a mode.
+
+    >>> compression_mode_to_string(CompressionMode.MESSAGE)
+    'MESSAGE'
+    """
+    return mode.name
+
+
+@dataclass
+class CompressionOptions:
+    """Format and mode of compression; queue and threads make no difference here: nothing is dropped."""
+
+    compression_format: str = ""
+    compression_mode: CompressionMode = CompressionMode.NONE
+    compression_queue_size: int = 1
+    compression_threads: int = 0

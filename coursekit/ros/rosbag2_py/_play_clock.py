@@ -1,0 +1,57 @@
+"""The time of the recording while it is played: it runs at a rate, can be stopped, and can jump."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+
+class PlayClock:
+    """Times in nanoseconds; `clock` is the session's.
+
+    >>> from coursekit.core.virtual import VirtualClock
+    >>> wall = VirtualClock(); played = PlayClock(wall, start=0, rate=2.0)
+    >>> wall.sleep(1.0); played.now()
+    2000000000
+    """
+
+    def __init__(self, clock: Any, start: int, rate: float = 1.0, paused: bool = False) -> None:
+        self._clock = clock
+        self.rate = rate
+        self.paused = paused
+        self._here, self._there = clock.steady(), start
+
+    def now(self) -> int:
+        """The time in the recording."""
+        if self.paused:
+            return self._there
+        return self._there + int((self._clock.steady() - self._here) * self.rate)
+
+    def jump(self, time: int) -> None:
+        """Go to a time of the recording."""
+        self._here, self._there = self._clock.steady(), time
+
+    def set_rate(self, rate: float) -> bool:
+        """Run at another rate from now on; False for one that is not above 0."""
+        if not (rate > 0 and math.isfinite(rate)):
+            return False
+        self.jump(self.now())
+        self.rate = rate
+        return True
+
+    def pause(self) -> None:
+        """Stand still."""
+        self.jump(self.now())
+        self.paused = True
+
+    def resume(self) -> None:
+        """Run again."""
+        self.jump(self.now())
+        self.paused = False
+
+    def seconds_until(self, time: int) -> float | None:
+        """Seconds of the session until the recording is there, 0.0 when it is; None while it stands still."""
+        if self.paused:
+            return None
+        due = self._here + math.ceil((time - self._there) / self.rate)
+        return max(0.0, (due - self._clock.steady()) * 1e-9)

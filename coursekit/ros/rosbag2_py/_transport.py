@@ -1,0 +1,136 @@
+"""Recorder, player and converter of bags. In ROS 2: rosbag2_py._transport."""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rclpy.context import Context
+from rclpy.qos import QoSProfile
+
+from coursekit.core.process import current_process
+from rosbag2_py._compression_options import CompressionOptions, compression_mode_from_string
+from rosbag2_py._keys import until_told_to_end
+from rosbag2_py._storage import StorageOptions
+from rosbag2_py._writer import settings_of
+
+__all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "bag_rewrite"]
+
+
+@dataclass
+class PlayOptions:
+    """How a bag is played; `delay` and `start_offset` are seconds, `wait_acked_timeout` milliseconds."""
+
+    read_ahead_queue_size: int = 1000
+    node_prefix: str = ""
+    rate: float = 1.0
+    topics_to_filter: list[str] = field(default_factory=list)
+    topic_qos_profile_overrides: dict[str, QoSProfile] = field(default_factory=dict)
+    loop: bool = False
+    topic_remapping_options: list[str] = field(default_factory=list)
+    clock_publish_frequency: float = 0.0
+    delay: float = 0.0
+    disable_keyboard_controls: bool = False
+    start_paused: bool = False
+    start_offset: float = 0.0
+    wait_acked_timeout: int = -1
+    disable_loan_message: bool = False
+
+
+@dataclass
+class RecordOptions:
+    """What is recorded, and how."""
+
+    all: bool = False
+    is_discovery_disabled: bool = False
+    topics: list[str] = field(default_factory=list)
+    rmw_serialization_format: str = ""
+    topic_polling_interval: datetime.timedelta = datetime.timedelta(milliseconds=100)
+    regex: str = ""
+    exclude: str = ""
+    node_prefix: str = ""
+    node_name: str = "rosbag2_recorder"
+    compression_mode: str = ""
+    compression_format: str = ""
+    compression_queue_size: int = 1
+    compression_threads: int = 0
+    topic_qos_profile_overrides: dict[str, QoSProfile] = field(default_factory=dict)
+    include_hidden_topics: bool = False
+    include_unpublished_topics: bool = False
+    disable_keyboard_controls: bool = False
+    start_paused: bool = False
+    ignore_leaf_topics: bool = False
+    use_sim_time: bool = False
+
+    def packing(self) -> CompressionOptions:
+        """How the bag is compressed."""
+        return CompressionOptions(self.compression_format, compression_mode_from_string(self.compression_mode))
+
+
+class _Runner:
+    """A context of its own, as rclcpp has it: the program's rclpy is not touched."""
+
+    def __init__(self, log_level: str = "info") -> None:
+        self._context = Context()
+        self._context.init(["--ros-args", "--log-level", log_level])
+
+    def __del__(self) -> None:
+        self._context.try_shutdown()
+
+
+class Player(_Runner):
+    """Plays bags."""
+
+    def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
+        """Play a bag to its end, or until Ctrl-C; RuntimeError when it cannot be read."""
+        from rosbag2_py._player import PlayerNode
+
+        node = PlayerNode(storage_options, play_options, self._context)
+        with until_told_to_end(node.end):
+            node.play()
+
+
+class Recorder(_Runner):
+    """Records bags."""
+
+    _running: list[tuple[Any, Any]] = []
+
+    def record(self, storage_options: StorageOptions, record_options: RecordOptions) -> None:
+        """Record until Ctrl-C or `Recorder.cancel()`; RuntimeError when the bag cannot be written."""
+        from rosbag2_py._recorder import RecorderNode
+
+        settings = settings_of(storage_options, record_options.packing())
+        node = RecorderNode(settings, record_options, self._context)
+        entry = (current_process(), node)
+        self._running.append(entry)
+        try:
+            with until_told_to_end(node.end):
+                node.record()
+        finally:
+            self._running.remove(entry)
+
+    @staticmethod
+    def cancel() -> None:
+        """End the recordings of this program."""
+        for process, node in list(Recorder._running):
+            if process is current_process():
+                node.end()
+
+
+def bag_rewrite(input_options: Sequence[StorageOptions], output_config_file: str) -> None:
+    """Copy bags into bags with other settings, which a YAML file lists under `output_bags`."""
+    from coursekit.bag.reader import BagReader
+    from coursekit.bag.rewrite import rewrite
+    from rosbag2_py._reader import say_opened
+    from rosbag2_py._rewrite_options import outputs_in
+
+    outputs = outputs_in(Path(output_config_file))
+    readers = [BagReader(one.uri, one.storage_id, say_opened) for one in input_options]
+    try:
+        rewrite(readers, outputs)
+    finally:
+        for reader in readers:
+            reader.close()

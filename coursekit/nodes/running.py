@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import signal
+import sys
 from collections.abc import Callable
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.core.process import ProcessKilled, current_process
 
 
 def spin_to_the_end(node: Node) -> int:
@@ -25,3 +29,12 @@ def run(make: Callable[[], Node], args: list[str] | None = None) -> int:
     """Start rclpy, and run the node that `make` gives until Ctrl-C."""
     rclpy.init(args=args)
     return spin_to_the_end(make())
+
+
+def terminate(what: str) -> int:
+    """Leave the graph and end as a C++ program does that threw a runtime_error which nobody caught."""
+    print(f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {what}", file=sys.stderr)
+    rclpy.try_shutdown()
+    if current_process() is not None:
+        raise ProcessKilled(signal.SIGABRT)
+    return 1

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pymunk
 import rclpy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from scipy import ndimage
@@ -119,17 +120,25 @@ class Stage:
         return math.hypot(self.robot.place.x - pose.x, self.robot.place.y - pose.y)
 
     def free_places(self, clearance: float, count: int, seed: int) -> list[Pose2]:
-        """Random places so far from everything on the map [m]."""
+        """Random places so far from everything that is on the map, or stands in the world without being on it [m]."""
         room = ndimage.distance_transform_edt(self.map.cells == 0) * self.map.resolution
         rows, columns = np.nonzero(room > clearance)
         rng = np.random.default_rng(seed)
         chosen = rng.choice(len(rows), count, replace=False)
         x, y, _ = self.map.origin
         headings = rng.uniform(-math.pi, math.pi, count)
-        return [
+        drawn = [
             Pose2(x + (columns[k] + 0.5) * CELL, y + (rows[k] + 0.5) * CELL, float(heading))
             for k, heading in zip(chosen, headings, strict=True)
         ]
+        free = [place for place in drawn if not self._taken(place, clearance)]
+        return free + self.free_places(clearance, count - len(free), seed + 1) if len(free) < count else free
+
+    def _taken(self, place: Pose2, clearance: float) -> bool:
+        """Whether something stands there that is not on the map, and that nobody takes away."""
+        near = self.simulation.space.point_query((place.x, place.y), clearance, pymunk.ShapeFilter())
+        stay = set(self.simulation.things) - {mover.name for mover in self.movers}
+        return any(one.shape.name in stay for one in near)
 
 
 class Mover:

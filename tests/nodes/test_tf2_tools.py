@@ -87,8 +87,11 @@ def test_wrong_arguments_end_the_program(run):
 
 def test_a_frame_cannot_be_its_own_parent(run):
     process = run("tf2_ros", "static_transform_publisher", "--frame-id", "a", "--child-frame-id", "a")
-    assert process.wait(2.0) == 1
+    assert process.wait(2.0) == -6
+    assert "[ERROR]" in process.output
     assert "cannot publish static transform from 'a' to 'a', exiting" in process.output
+    assert "what():  child_frame_id cannot equal frame_id" in process.output
+    assert "Traceback" not in process.output
 
 
 def test_tf2_echo_says_what_it_waits_for(run, session):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
@@ -19,8 +18,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 from tf2_py._convert import nanoseconds, stamped
 
-from coursekit.core.process import ProcessKilled, current_process
-from coursekit.nodes.running import spin_to_the_end
+from coursekit.nodes.running import spin_to_the_end, terminate
 from coursekit.urdf import Robot, UrdfError, load_text, parse
 from coursekit.urdf.kinematics import Pose, joint_motion
 from coursekit.urdf.texts import error_text
@@ -212,23 +210,14 @@ def main(args: list[str] | None = None) -> int:
     try:
         node = RobotStatePublisher(words[0] if words else None)
     except (UrdfError, RuntimeError, OSError) as error:
-        _complain(error)
-        rclpy.try_shutdown()
-        return _abort()
+        return terminate(_complaint(error))
     return spin_to_the_end(node)
 
 
-def _abort() -> int:
-    """End as a C++ program does that threw an exception which nobody caught."""
-    if current_process() is not None:
-        raise ProcessKilled(signal.SIGABRT)
-    return 1
-
-
-def _complain(error: Exception) -> None:
-    what = str(error)
-    if isinstance(error, UrdfError):
-        print(error_text(error), end="", file=sys.stderr)
-        print("Failed to parse robot description using: urdf_xml_parser/URDFXMLParser", file=sys.stderr)
-        what = "Unable to initialize urdf::model from robot description"
-    print(f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {what}", file=sys.stderr)
+def _complaint(error: Exception) -> str:
+    """Say what is wrong with a description; what the exception says."""
+    if not isinstance(error, UrdfError):
+        return str(error)
+    print(error_text(error), end="", file=sys.stderr)
+    print("Failed to parse robot description using: urdf_xml_parser/URDFXMLParser", file=sys.stderr)
+    return "Unable to initialize urdf::model from robot description"

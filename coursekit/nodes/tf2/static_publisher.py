@@ -16,7 +16,7 @@ from tf2_ros import StaticTransformBroadcaster
 from tf_transformations import quaternion_from_euler
 
 from coursekit.core.session import current
-from coursekit.nodes.running import spin_to_the_end
+from coursekit.nodes.running import spin_to_the_end, terminate
 
 USAGE = """\
 usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX] [--qy QY] [--qz QZ] [--qw QW] \
@@ -120,6 +120,10 @@ def _take_old_style(wanted: Wanted, bare: list[str]) -> None:
     wanted.frames = dict(zip(_FRAMES, bare[-2:], strict=True))
 
 
+class SameFrame(RuntimeError):
+    """A frame cannot be its own parent."""
+
+
 class StaticTransformPublisher(Node):
     """Publishes one transform, which its parameters hold."""
 
@@ -136,7 +140,8 @@ class StaticTransformPublisher(Node):
         got = {name: self.declare_parameter(name, value, fixed).value for name, value in values.items()}
         if got["frame_id"] == got["child_frame_id"]:
             frame = got["frame_id"]
-            raise RuntimeError(f"cannot publish static transform from '{frame}' to '{frame}', exiting")
+            self.get_logger().error(f"cannot publish static transform from '{frame}' to '{frame}', exiting")
+            raise SameFrame("child_frame_id cannot equal frame_id")
         self._broadcaster = StaticTransformBroadcaster(self)
         self._broadcaster.sendTransform(self._transform(got))
         self.get_logger().info(_announcement(got))
@@ -178,5 +183,8 @@ def main() -> int:
     if wanted is None:
         print(USAGE)
         return 0
-    node = StaticTransformPublisher(wanted)
+    try:
+        node = StaticTransformPublisher(wanted)
+    except SameFrame as error:
+        return terminate(str(error))
     return spin_to_the_end(node)

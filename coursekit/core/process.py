@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
+from .interrupting import Interruptible, raise_killed
 from .lane import Lane, ProcessKilled, thread_lane
 from .output import Input, Output
 from .whose import current_process as current_process
@@ -28,7 +29,7 @@ DISTRIBUTION = {"ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION"
 _numbers = itertools.count(1)
 
 
-class Process:
+class Process(Interruptible):
     """One running program of the session.
 
     Made by `Session.start`; see there. `exit_code` is None while it runs, as in `subprocess`: 0 is success,
@@ -46,6 +47,7 @@ class Process:
         cwd: str | os.PathLike[str] | None = None,
         parent: Process | None = None,
     ) -> None:
+        super().__init__()
         self.session = session
         self.pid = session.new_pid()
         self.name = name
@@ -56,12 +58,8 @@ class Process:
         above = os.getcwd() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.exit_code: int | None = None
-        self.abandoned = False
         self.locals: dict[Any, Any] = {}
         """What other rooms keep per process: the default rclpy context, log levels, ..."""
-        self.handlers: dict[int, Any] = {}
-        self.on_signal: list[Callable[[int], bool]] = []
-        """Called in the main lane when a signal arrives; True means that it has been dealt with."""
         self.cleanups: list[Callable[[], None]] = []
         self.at_exit: list[functools.partial[Any]] = []
         self.out = Output()
@@ -77,7 +75,6 @@ class Process:
         self._lane: Lane | None = None
         self._ended = session.clock.new_event()
         self._exit_listeners: list[Callable[[Process], None]] = []
-        self._killed = False
 
     # -- what others see
 
@@ -126,27 +123,6 @@ class Process:
             self.stdin_to.close_stdin()
         else:
             self.stdin.end()
-
-    def interrupt(self) -> None:
-        """Press Ctrl-C."""
-        self.send_signal(signal.SIGINT)
-
-    def terminate(self) -> None:
-        """Ask it to end, as `kill PID` does."""
-        self.send_signal(signal.SIGTERM)
-
-    def kill(self) -> None:
-        """End it whatever it does; if it cannot be ended, it is cut off and `abandoned` is set."""
-        self.send_signal(9)
-
-    def send_signal(self, signum: int) -> None:
-        """Deliver a signal the way the system would, in the process's own main lane."""
-        if self.exit_code is not None:
-            return
-        if signum == 9:
-            self._kill()
-        else:
-            self._deliver(lambda: self._receive(signum))
 
     def __repr__(self) -> str:
         ended = "" if self.exit_code is None else f" {self.exit_code}"
@@ -221,79 +197,13 @@ class Process:
         self.exit_code = code
         for lane in self.lanes:
             if lane is not self._lane:
-                lane.post(_raise_killed)
+                lane.post(raise_killed)
         self.session.forget(self)
         for listener in self._exit_listeners:
             listener(self)
         for kept in (self._exit_listeners, self.cleanups, self.on_signal, self.locals):
             kept.clear()  # type: ignore[attr-defined]
         self._ended.set()
-
-    # -- signals
-
-    def _receive(self, signum: int) -> None:
-        if signum == signal.SIGINT and self.stdin.take_ctrl_c():
-            return
-        handler = self.handlers.get(signum, signal.SIG_DFL)
-        reactions = [react(signum) for react in list(self.on_signal)] if handler == signal.SIG_DFL else []
-        if any(reactions):
-            return
-        if callable(handler) and handler is not signal.default_int_handler:
-            handler(int(signum), None)
-        elif handler == signal.SIG_IGN:
-            return
-        elif signum == signal.SIGINT:
-            raise KeyboardInterrupt
-        else:
-            raise ProcessKilled(signum)
-
-    def _deliver(self, action: Callable[[], None]) -> None:
-        lane = self._lane
-        if lane is None:  # not begun: it is interrupted as soon as it does
-            self._main = action
-            return
-        lane.post(action)
-        if not self.session.clock.virtual:
-            alarm_at = self.session.clock.steady() + 50_000_000
-            self.session.clock.call_at(alarm_at, lambda: self._reach_busy(lane))
-
-    def _reach_busy(self, lane: Lane) -> None:
-        """The lane did not wait since: raise the exception into its running code."""
-        try:
-            action = lane.pending.popleft()
-        except IndexError:
-            return
-        try:
-            action()
-        except BaseException as error:
-            if self.exit_code is None:  # else another thread may have its number by now
-                raise_in_thread(lane.ident, type(error))
-
-    def _kill(self) -> None:
-        self._killed = True
-        self._deliver(_raise_killed)
-        if not self.session.clock.virtual:
-            alarm_at = self.session.clock.steady() + 1_000_000_000
-            self.session.clock.call_at(alarm_at, self._cut_off)
-
-    def _cut_off(self) -> None:
-        if self.exit_code is None:
-            self.abandoned = True
-            self.out.write(
-                "stderr",
-                f"[coursekit] process {self.name} [{self.pid}] does not answer: it was cut off from the graph, "
-                "but its thread is still busy (a call that never returns). Restart the kernel to be rid of it.\n",
-            )
-            self._end(-9)
-
-
-def _raise_killed() -> None:
-    raise ProcessKilled(9)
-
-
-def raise_in_thread(ident: int, kind: type[BaseException]) -> None:
-    """Raise `kind` in a thread that runs Python code, at its next bytecode."""
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
 
 
 def exit_status(result: Any, process: Process) -> int:

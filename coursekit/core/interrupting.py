@@ -1,0 +1,121 @@
+"""How signals reach a process: in its own main lane, as the system would deliver them."""
+
+from __future__ import annotations
+
+import ctypes
+import signal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from .lane import Lane, ProcessKilled
+from .output import Input, Output
+
+if TYPE_CHECKING:
+    from .session import Session
+
+
+class Interruptible:
+    """The part of a process that others interrupt, terminate and kill."""
+
+    session: Session
+    name: str
+    pid: int
+    exit_code: int | None
+    stdin: Input
+    out: Output
+    _main: Callable[[], Any]
+    _lane: Lane | None
+
+    def __init__(self) -> None:
+        self.abandoned = False
+        self.handlers: dict[int, Any] = {}
+        self.on_signal: list[Callable[[int], bool]] = []
+        """Called in the main lane when a signal arrives; True means that it has been dealt with."""
+
+    def interrupt(self) -> None:
+        """Press Ctrl-C."""
+        self.send_signal(signal.SIGINT)
+
+    def terminate(self) -> None:
+        """Ask it to end, as `kill PID` does."""
+        self.send_signal(signal.SIGTERM)
+
+    def kill(self) -> None:
+        """End it whatever it does; if it cannot be ended, it is cut off and `abandoned` is set."""
+        self.send_signal(9)
+
+    def send_signal(self, signum: int) -> None:
+        """Deliver a signal the way the system would, in the process's own main lane."""
+        if self.exit_code is not None:
+            return
+        if signum == 9:
+            self._kill()
+        else:
+            self._deliver(lambda: self._receive(signum))
+
+    def _receive(self, signum: int) -> None:
+        if signum == signal.SIGINT and self.stdin.take_ctrl_c():
+            return
+        handler = self.handlers.get(signum, signal.SIG_DFL)
+        reactions = [react(signum) for react in list(self.on_signal)] if handler == signal.SIG_DFL else []
+        if any(reactions):
+            return
+        if callable(handler) and handler is not signal.default_int_handler:
+            handler(int(signum), None)
+        elif handler == signal.SIG_IGN:
+            return
+        elif signum == signal.SIGINT:
+            raise KeyboardInterrupt
+        else:
+            raise ProcessKilled(signum)
+
+    def _deliver(self, action: Callable[[], None]) -> None:
+        lane = self._lane
+        if lane is None:  # not begun: it is interrupted as soon as it does
+            self._main = action
+            return
+        lane.post(action)
+        if not self.session.clock.virtual:
+            alarm_at = self.session.clock.steady() + 50_000_000
+            self.session.clock.call_at(alarm_at, lambda: self._reach_busy(lane))
+
+    def _reach_busy(self, lane: Lane) -> None:
+        """The lane did not wait since: raise the exception into its running code."""
+        try:
+            action = lane.pending.popleft()
+        except IndexError:
+            return
+        try:
+            action()
+        except BaseException as error:
+            if self.exit_code is None:  # else another thread may have its number by now
+                raise_in_thread(lane.ident, type(error))
+
+    def _kill(self) -> None:
+        self._deliver(raise_killed)
+        if not self.session.clock.virtual:
+            alarm_at = self.session.clock.steady() + 1_000_000_000
+            self.session.clock.call_at(alarm_at, self._cut_off)
+
+    def _cut_off(self) -> None:
+        if self.exit_code is None:
+            self.abandoned = True
+            self.out.write(
+                "stderr",
+                f"[coursekit] process {self.name} [{self.pid}] does not answer: it was cut off from the graph, "
+                "but its thread is still busy (a call that never returns). Restart the kernel to be rid of it.\n",
+            )
+            self._end(-9)
+
+    if TYPE_CHECKING:
+
+        def _end(self, code: int) -> None: ...
+
+
+def raise_killed() -> None:
+    raise ProcessKilled(9)
+
+
+def raise_in_thread(ident: int, kind: type[BaseException]) -> None:
+    """Raise `kind` in a thread that runs Python code, at its next bytecode."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))

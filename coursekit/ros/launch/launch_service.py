@@ -60,6 +60,7 @@ class LaunchService:
         self.__futures: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
         self.__watched: set[asyncio.Future[Any]] = set()
         self.__loop: asyncio.AbstractEventLoop | None = None
+        self.__task: asyncio.Task[Any] | None = None
         self.__shutting_down = False
         self.__interrupted = False
         self.__return_code = 0
@@ -77,7 +78,7 @@ class LaunchService:
     @property
     def task(self) -> asyncio.Task[Any] | None:
         """The running task, None when it does not run."""
-        return asyncio.current_task(self.__loop) if self.__loop is not None else None
+        return self.__task
 
     # -- from outside, from any thread
 
@@ -140,6 +141,7 @@ class LaunchService:
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Launch on the loop that runs this coroutine; see `run`."""
         self.__loop = asyncio.get_running_loop()
+        self.__task = asyncio.current_task(self.__loop)
         self.__context._set_asyncio_loop(self.__loop)
         self.__shutting_down = False
         self.__return_code = 0
@@ -150,7 +152,7 @@ class LaunchService:
                 self.__context._at_end.pop()()
             self.__context._set_asyncio_loop(None)
             self.__context._set_is_shutdown(False)
-            self.__loop = None
+            self.__loop = self.__task = None
         return self.__return_code
 
     async def __serve(self, shutdown_when_idle: bool) -> None:

@@ -1,0 +1,5 @@
+"""Tools to wait for what processes do."""
+
+from . import process
+
+__all__ = ["process"]

@@ -77,7 +77,16 @@ class BagReader:
     def rewind(self, start_ns: int = -(2**63), topics: list[str] | None = None) -> None:
         """Begin again at a time, with the messages of some topics (None: of all)."""
         self._next: Message | None = None
+        self._start_ns = start_ns
+        self._taken: list[Message] = []  # those of the newest stamp
         self._messages = self._from(start_ns, topics)
+
+    def choose(self, topics: list[str] | None) -> None:
+        """Go on from here with the messages of some topics (None: of all)."""
+        taken = self._taken
+        self.rewind(taken[0].stamp if taken else self._start_ns, topics)
+        self._messages = _without(list(taken), self._messages)
+        self._taken = taken
 
     def _from(self, start_ns: int, topics: list[str] | None) -> Iterator[Message]:
         packed = self.facts.compression_mode == "MESSAGE"
@@ -95,6 +104,10 @@ class BagReader:
         """The message that comes next; None at the end."""
         message = self.peek()
         self._next = None
+        if message is not None:
+            if self._taken and self._taken[0].stamp != message.stamp:
+                self._taken = []
+            self._taken.append(message)
         return message
 
     def close(self) -> None:
@@ -106,3 +119,12 @@ class BagReader:
         if self._unpacked is not None:
             self._unpacked.cleanup()
             self._unpacked = None
+
+
+def _without(taken: list[Message], messages: Iterator[Message]) -> Iterator[Message]:
+    """The messages, without the first of each that was taken."""
+    for message in messages:
+        if message in taken:
+            taken.remove(message)
+        else:
+            yield message

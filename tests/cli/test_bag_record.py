@@ -1,0 +1,352 @@
+"""`ros2 bag record`, and what is in the bag afterwards."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import rclpy
+import yaml
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rosbags.rosbag2 import Reader
+from std_msgs.msg import String
+
+from coursekit.cli.parser import run
+from coursekit.core.executables import find
+from coursekit.core.session import Session
+from tests.bag.made import all_of
+
+START = 1_700_000_000 * 10**9
+
+
+@pytest.fixture
+def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
+    """A session on the virtual clock, in a folder of its own."""
+    monkeypatch.chdir(tmp_path)
+    with Session(virtual=True).use() as made:
+        yield made
+
+
+@pytest.fixture
+def ros2(session: Session) -> Callable[[str], Any]:
+    """ros2("bag record -a") starts a command."""
+    return lambda line: session.start(lambda: run(shlex.split(line)), name="ros2")
+
+
+@pytest.fixture
+def node(session: Session) -> Iterator[Any]:
+    """A node that publishes what a test wants."""
+    context = rclpy.context.Context()
+    rclpy.init(context=context)
+    made = rclpy.create_node("speaker", context=context)
+    yield made
+    made.destroy_node()
+    rclpy.try_shutdown(context=context)
+
+
+def lines(process: Any) -> list[str]:
+    """What it logged, without times."""
+    return [line.split("] ", 2)[0] + "] " + line.split("] ", 2)[2] for line in process.output.splitlines() if "] [" in line]
+
+
+def stop(session: Session, process: Any) -> None:
+    """Press Ctrl-C, and see it end well."""
+    process.interrupt()
+    assert process.wait(5) == 0
+
+
+def test_a_recording_says_what_humble_says(session: Session, ros2: Callable[[str], Any]) -> None:
+    session.start_executable(find("demo_nodes_py", "talker"))
+    session.clock.sleep(0.5)
+    recorder = ros2("bag record /chatter -o talk")
+    session.clock.sleep(3)
+    stop(session, recorder)
+    assert lines(recorder) == [
+        "[INFO] [rosbag2_recorder]: Press SPACE for pausing/resuming",
+        "[INFO] [rosbag2_storage]: Opened database 'talk/talk_0.db3' for READ_WRITE.",
+        "[INFO] [rosbag2_recorder]: Listening for topics...",
+        "[INFO] [rosbag2_recorder]: Event publisher thread: Starting",
+        "[INFO] [rosbag2_recorder]: Subscribed to topic '/chatter'",
+        "[INFO] [rosbag2_recorder]: Recording...",
+        "[INFO] [rosbag2_recorder]: All requested topics are subscribed. Stopping discovery...",
+        "[INFO] [rosbag2_cpp]: Writing remaining messages from cache to the bag. It may take a while",
+        "[INFO] [rosbag2_recorder]: Event publisher thread: Exiting",
+        "[INFO] [rosbag2_recorder]: Recording stopped",
+    ]
+    assert [message.stamp - START for message in all_of("talk")] == [n * 10**9 for n in (1, 2, 3)]
+    with Reader("talk") as judge:
+        (qos,) = judge.connections[0].ext.offered_qos_profiles  # type: ignore[union-attr]
+        assert (qos.reliability.value, qos.durability.value, qos.deadline.sec) == (1, 2, 9223372036)
+
+
+def test_ctrl_c_ends_it_when_it_is_pressed_and_not_with_the_next_message(
+    session: Session, ros2: Callable[[str], Any]
+) -> None:
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2("bag record -a -o talk")
+    session.clock.sleep(1.25)
+    recorder.interrupt()
+    session.clock.sleep(0.01)
+    assert recorder.exit_code == 0
+    recorder = ros2("bag record -a -o more")
+    session.clock.sleep(0.01)
+    recorder.terminate()
+    assert recorder.wait(1) == 0 and Path("more/metadata.yaml").exists()
+
+
+def test_a_killed_recording_loses_nothing_either(session: Session, ros2: Callable[[str], Any]) -> None:
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2("bag record /chatter -o talk")
+    session.clock.sleep(2.5)
+    recorder.kill()
+    recorder.wait(1)
+    assert len(all_of("talk")) == 2
+
+
+def test_topics_that_appear_later_are_found(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
+    recorder = ros2("bag record /late /chatter -o talk")
+    session.clock.sleep(1)
+    out = node.create_publisher(String, "late", 10)
+    session.clock.sleep(0.1)
+    out.publish(String(data="here"))
+    session.clock.sleep(0.1)
+    stop(session, recorder)
+    assert "Subscribed to topic '/late'" in recorder.output and "All requested" not in recorder.output
+    assert [message.topic for message in all_of("talk")] == ["/late"]
+
+
+def test_without_discovery_only_what_is_there_is_recorded(
+    session: Session, ros2: Callable[[str], Any], node: Any
+) -> None:
+    node.create_publisher(String, "early", 10)
+    recorder = ros2("bag record --all --no-discovery -o talk")
+    session.clock.sleep(1)
+    node.create_publisher(String, "late", 10)
+    session.clock.sleep(1)
+    stop(session, recorder)
+    assert "'/early'" in recorder.output and "'/late'" not in recorder.output
+
+
+@pytest.mark.parametrize(
+    ("line", "topics"),
+    [
+        ("-a", {"/a/x", "/a/y", "/b/x", "/events/write_split", "/parameter_events", "/rosout"}),
+        ("-e '/a/.*'", {"/a/x", "/a/y"}),
+        ("-e '/a/.*' /b/x", {"/a/x", "/a/y", "/b/x"}),
+        ("-e . -x '^/[^ab]'", {"/a/x", "/a/y", "/b/x"}),
+        ("-e 'x$|silent|hidden'", {"/a/x", "/b/x"}),
+        ("-e 'x$|silent' --include-unpublished-topics", {"/a/x", "/b/x", "/silent"}),
+        ("-e 'x$|hidden' --include-hidden-topics", {"/a/x", "/b/x", "/_hidden"}),
+        ("-a --ignore-leaf-topics", {"/b/x"}),
+    ],
+)
+def test_topics_are_chosen_as_the_flags_say(
+    session: Session, ros2: Callable[[str], Any], node: Any, line: str, topics: set[str]
+) -> None:
+    for name in ("/a/x", "/a/y", "/b/x", "/_hidden"):
+        node.create_publisher(String, name, 10)
+    for name in ("/b/x", "/silent"):
+        node.create_subscription(String, name, print, 10)
+    recorder = ros2(f"bag record {line} -o talk")
+    session.clock.sleep(0.5)
+    stop(session, recorder)
+    with Reader("talk") as judge:
+        assert {one.topic for one in judge.connections} == topics
+
+
+def test_a_hidden_topic_is_passed_over_with_a_word(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
+    node.create_publisher(String, "/_hidden", 10)
+    recorder = ros2("bag record -a -o talk")
+    session.clock.sleep(1)
+    stop(session, recorder)
+    text = "[WARN] [rosbag2_recorder]: Hidden topics are not recorded. Enable them with --include-hidden-topics"
+    assert lines(recorder).count(text) == 1
+
+
+LATCHED = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+LOSSY = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
+
+
+def test_it_asks_for_what_the_publishers_offer(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
+    map_out, scan = node.create_publisher(String, "map", LATCHED), node.create_publisher(String, "scan", LOSSY)
+    map_out.publish(String(data="before the recording"))
+    recorder = ros2("bag record /map /scan -o talk")
+    session.clock.sleep(0.5)
+    scan.publish(String(data="lossy"))
+    session.clock.sleep(0.5)
+    stop(session, recorder)
+    assert {message.topic for message in all_of("talk")} == {"/map", "/scan"}
+
+
+def test_where_publishers_disagree_it_hears_all_and_says_so(
+    session: Session, ros2: Callable[[str], Any], node: Any
+) -> None:
+    outs = [node.create_publisher(String, "mixed", qos) for qos in (LATCHED, LOSSY)]
+    recorder = ros2("bag record /mixed -o talk")
+    session.clock.sleep(0.5)
+    for out in outs:
+        out.publish(String())
+    session.clock.sleep(0.5)
+    stop(session, recorder)
+    assert len(all_of("talk")) == 2
+    assert 'on topic "/mixed" are offering RMW_QOS_POLICY_RELIABILITY_RELIABLE. Falling back to' in recorder.output
+    assert 'on topic "/mixed" are offering RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL. Falling back' in recorder.output
+
+
+def test_a_publisher_that_comes_later_and_does_not_match_is_told(
+    session: Session, ros2: Callable[[str], Any], node: Any
+) -> None:
+    node.create_publisher(String, "topic", 10)
+    recorder = ros2("bag record -a -o talk")
+    session.clock.sleep(0.5)
+    node.create_publisher(String, "topic", LOSSY)
+    session.clock.sleep(1)
+    stop(session, recorder)
+    assert recorder.output.count("A new publisher for subscribed topic /topic was found offering") == 1
+
+
+def test_qos_can_be_overridden(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
+    Path("qos.yaml").write_text("/topic: {reliability: best_effort, history: keep_all, deadline: {sec: 1, nsec: 5}}")
+    node.create_publisher(String, "topic", 10)
+    recorder = ros2("bag record /topic -o talk --qos-profile-overrides-path qos.yaml")
+    session.clock.sleep(0.5)
+    (info,) = node.get_subscriptions_info_by_topic("/topic")
+    stop(session, recorder)
+    assert info.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT
+    assert info.qos_profile.deadline.nanoseconds == 1_000_000_005
+    assert "[INFO] [rosbag2_recorder]: Overriding subscription profile for /topic" in lines(recorder)
+
+
+def test_a_pause_leaves_a_gap(session: Session, ros2: Callable[[str], Any]) -> None:
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2("bag record /chatter -o talk --start-paused")
+    session.clock.sleep(2.5)
+    for seconds in (2, 2):
+        recorder.write_stdin(" ")
+        session.clock.sleep(seconds)
+    stop(session, recorder)
+    said = lines(recorder)
+    assert "[INFO] [rosbag2_recorder]: Waiting for recording: Press SPACE to start." in said
+    assert [line for line in said if line.endswith("g recording.")] == [
+        "[INFO] [rosbag2_recorder]: Resuming recording.",
+        "[INFO] [rosbag2_recorder]: Pausing recording.",
+    ]
+    assert [message.stamp - START for message in all_of("talk")] == [3 * 10**9, 4 * 10**9]
+
+
+def test_a_bag_is_split_by_time_and_the_split_is_told(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
+    from rosbag2_interfaces.msg import WriteSplitEvent
+
+    heard: list[Any] = []
+    node.create_subscription(WriteSplitEvent, "/events/write_split", heard.append, 10)
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2("bag record /chatter -o talk -d 2")
+    session.clock.sleep(7.5)
+    executor = rclpy.executors.SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0)
+    executor.spin_once(timeout_sec=0)
+    stop(session, recorder)
+    assert [(one.closed_file, one.opened_file) for one in heard] == [
+        ("talk/talk_0.db3", "talk/talk_1.db3"),
+        ("talk/talk_1.db3", "talk/talk_2.db3"),
+    ]
+    files = yaml.safe_load(Path("talk/metadata.yaml").read_text())["rosbag2_bagfile_information"]["files"]
+    assert [one["message_count"] for one in files] == [3, 3, 1]
+
+
+def test_snapshots_are_taken_by_a_service(session: Session, ros2: Callable[[str], Any]) -> None:
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2("bag record /chatter -o talk --snapshot-mode --max-cache-size 90")
+    session.clock.sleep(9.5)
+    ros2("service call /rosbag2_recorder/snapshot rosbag2_interfaces/srv/Snapshot").wait(1)
+    stop(session, recorder)
+    assert [message.stamp - START for message in all_of("talk")] == [n * 10**9 for n in (7, 8, 9)]
+
+
+def test_simulated_time_is_waited_for_and_stamps_the_messages(
+    session: Session, ros2: Callable[[str], Any], node: Any
+) -> None:
+    from rosgraph_msgs.msg import Clock
+
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2("bag record /chatter -o talk --use-sim-time")
+    session.clock.sleep(2.5)
+    clock, now = node.create_publisher(Clock, "/clock", 1), Clock()
+    now.clock.sec = 77
+    session.clock.sleep(0.3)
+    clock.publish(now)
+    session.clock.sleep(1)
+    stop(session, recorder)
+    assert "use_sim_time set, waiting for /clock before starting recording..." in recorder.output
+    assert "Sim time /clock found, starting recording." in recorder.output
+    assert [message.stamp for message in all_of("talk")] == [77 * 10**9]
+
+
+@pytest.mark.parametrize("flags", ["-s mcap", "--compression-mode file --compression-format zstd", "--max-cache-size 0"])
+def test_other_storages_and_compression(session: Session, ros2: Callable[[str], Any], flags: str) -> None:
+    session.start_executable(find("demo_nodes_py", "talker"))
+    recorder = ros2(f"bag record /chatter -o talk {flags} -f cdr")
+    session.clock.sleep(2.5)
+    stop(session, recorder)
+    with Reader("talk") as judge:
+        assert len(list(judge.messages())) == 2
+
+
+def test_without_a_name_the_folder_has_the_sessions_time(
+    session: Session, ros2: Callable[[str], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recorder = ros2("bag record -a")
+    session.clock.sleep(0.1)
+    stop(session, recorder)
+    (folder,) = Path().glob("rosbag2_2023_11_1[45]-*_*_20")
+    assert (folder / f"{folder.name}_0.db3").exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "text"),
+    [
+        ("", "Invalid choice: Must specify topic(s), --regex or --all"),
+        ("-a /chatter", "Specify either --all or topics, but not both simultaneously."),
+        ("/chatter -x b", "--exclude argument cannot be used when specifying a list of topics explicitly"),
+        ("-a -o there", "Output folder 'there' already exists."),
+        ("-a --compression-format zstd", "Cannot specify compression format without a compression mode."),
+        ("-a -s mcap --compression-mode message", "compression_mode 'message' is not supported by the MCAP storage"),
+        ("-a --use-sim-time --no-discovery", "--use-sim-time and --no-discovery both set"),
+        ("-a -b 5", "Invalid bag splitting size given. Please provide a value greater than 86016."),
+        ("-e '('", "--regex '(' is no regular expression"),
+        ("-a --qos-profile-overrides-path nowhere.yaml", "No such file or directory: 'nowhere.yaml'"),
+        ("-a --qos-profile-overrides-path bad.yaml", "Unexpected key `colour` for QoS profile."),
+        ("-a --storage-config-file nowhere.yaml", "File 'nowhere.yaml' does not exist!"),
+        ("-a -p 0", "--polling-interval must be at least 1 ms"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_humbles_words(ros2: Callable[[str], Any], line: str, text: str) -> None:
+    Path("there").mkdir()
+    Path("bad.yaml").write_text("/chatter: {colour: red}")
+    process = ros2(f"bag record {line}")
+    assert process.wait(5) == 1
+    last = process.output.splitlines()[-1]
+    assert last.startswith("[ERROR] [ros2bag]: ") and text in last
+    assert {one.name for one in Path().iterdir()} == {"there", "bad.yaml"}
+
+
+def test_a_launch_file_records_until_its_ctrl_c(session: Session, ros2: Callable[[str], Any]) -> None:
+    Path("record.launch.py").write_text(
+        "from launch import LaunchDescription\n"
+        "from launch.actions import ExecuteProcess\n"
+        "from launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([\n"
+        "        Node(package='demo_nodes_py', executable='talker'),\n"
+        "        ExecuteProcess(cmd=['ros2', 'bag', 'record', '-a', '-o', 'talk'], output='screen')])\n"
+    )
+    launch = ros2("launch record.launch.py")
+    session.clock.sleep(3.5)
+    launch.interrupt()
+    assert launch.wait(10) == 0
+    assert "[rosbag2_recorder]: Recording stopped" in launch.output
+    assert sum(message.topic == "/chatter" for message in all_of("talk")) == 3

@@ -83,10 +83,8 @@ class SequentialReader:
     def set_filter(self, storage_filter: StorageFilter) -> None:
         """Read only these topics from now on."""
         bag = self._opened()
-        following = bag.peek()
         self._filter = _chosen(storage_filter, [one.name for one in bag.topics()])
-        if following is not None:
-            bag.rewind(following.stamp, self._filter)
+        bag.choose(self._filter)
 
     def reset_filter(self) -> None:
         """Read all topics from now on."""

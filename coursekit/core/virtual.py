@@ -268,4 +268,3 @@ def _is_over(entry: tuple[int, int, Any, int]) -> bool:
 def is_lane_thread(clock: Any) -> bool:
     """Whether the calling thread is the one whose lanes `clock` runs."""
     return bool(clock.virtual) and _get_ident() == clock.thread
-

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.photographs import Flat, judge_views, told
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 from coursekit.tf.pose import Quaternion, multiply, rotate
@@ -20,7 +21,6 @@ SIDES = {
     "a hexagon": [(math.cos(n * math.pi / 3), 4.0 + math.sin(n * math.pi / 3)) for n in range(6)],
 }
 """Outlines that are photographed [m]."""
-HALF_VIEW = math.radians(30.0)
 
 
 def _about(axis: int, angle: float) -> Quaternion:
@@ -71,13 +71,13 @@ def _judge_pose(to_pose: Callable[..., Any], x: float, y: float, theta: float) -
     pose = _message(Pose, given, to_pose, Pose2D(x=x, y=y, theta=theta))
     place, turn = _xyz(pose.position), _turn_of(pose.orientation, given)
     if math.dist(place, (x, y, 0.0)) > 1e-6:
-        raise Wrong(f"the position ({x}, {y}, 0) from {given}", _told(place))
+        raise Wrong(f"the position ({x}, {y}, 0) from {given}", told(place))
     nose, up = rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 0.0, 1.0))
     if math.dist(up, (0.0, 0.0, 1.0)) > 1e-6:
-        raise Wrong(f"an upright pose from {given}", f"its z axis is {_told(up)}", "About which axis does theta turn?")
+        raise Wrong(f"an upright pose from {given}", f"its z axis is {told(up)}", "About which axis does theta turn?")
     wanted = (math.cos(theta), math.sin(theta), 0.0)
     if math.dist(nose, wanted) > 1e-6:
-        raise Wrong(f"x axis along {_told(wanted)} from {given}", _told(nose), "Is there a half missing, or one too many?")
+        raise Wrong(f"x axis along {told(wanted)} from {given}", told(nose), "Is there a half missing, or one too many?")
 
 
 def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt: str) -> None:
@@ -192,8 +192,8 @@ def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quate
     nose = rotate(turn, (1.0, 0.0, 0.0))
     flat = abs(turn[0]) + abs(turn[1]) < 1e-9
     raise Wrong(
-        f"the pallet, seen from {_told(place)} with the nose along {_told(nose)}",
-        f"{_told(point)}, and whoever goes there arrives at {_told(end)}",
+        f"the pallet, seen from {told(place)} with the nose along {told(nose)}",
+        f"{told(point)}, and whoever goes there arrives at {told(end)}",
         "Is she turned into the hall's axes, or the hall into hers?" if flat else "On a ramp roll and pitch count, too.",
         share=0.0 if flat else 0.5,
     )
@@ -223,11 +223,7 @@ def once_around(work: Work) -> None:
             raise Wrong("the header of the outline", f"frame_id {header.frame_id!r}, stamp {header.stamp.sec} s", share=0.25)
         if not 1 <= len(asked.poses) <= len(corners):
             raise Wrong(f"1 to {len(corners)} photographs of {name}", str(len(asked.poses)))
-        _judge_views([_standing(pose, name) for pose in asked.poses], corners, name)
-
-
-Flat = tuple[float, float]
-"""x and y [m]."""
+        judge_views([_standing(pose, name) for pose in asked.poses], corners, name)
 
 
 def _standing(pose: Any, name: str) -> tuple[Flat, float]:
@@ -235,68 +231,20 @@ def _standing(pose: Any, name: str) -> tuple[Flat, float]:
     turn = _turn_of(pose.orientation, f"views of {name}")
     up, nose = rotate(turn, (0.0, 0.0, 1.0)), rotate(turn, (1.0, 0.0, 0.0))
     if abs(pose.position.z) > 1e-6 or up[2] < 1.0 - 1e-6:
-        raise Wrong("poses on the floor, upright", f"z = {pose.position.z:.2f} m, the z axis along {_told(up)}", share=0.25)
+        raise Wrong("poses on the floor, upright", f"z = {pose.position.z:.2f} m, the z axis along {told(up)}", share=0.25)
     return (pose.position.x, pose.position.y), math.atan2(nose[1], nose[0])
-
-
-def _judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str) -> None:
-    sides = list(zip(corners, corners[1:] + corners[:1], strict=True))
-    near = min(_away(place, *side) for place, _ in poses for side in sides)
-    inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
-    if near < 0.8 - 1e-6 or inside:
-        got = "one stands in it" if inside else f"one is {near:.2f} m from a side"
-        raise Wrong(f"0.8 m of room around {name}", got, share=0.25)
-    for number, side in enumerate(sides, 1):
-        faults = [fault for place, yaw in poses if (fault := _fault(place, yaw, *side))]
-        if len(faults) == len(poses):
-            best = max(faults)[1]
-            wanted = f"a photograph of side {number} of {name}, from {_told(side[0])} to {_told(side[1])}"
-            raise Wrong(wanted, best, share=0.25)
-
-
-def _height(place: Flat, a: Flat, b: Flat) -> float:
-    """How far a place is on the outer side of the line from a to b [m]."""
-    along = (b[0] - a[0], b[1] - a[1])
-    return ((place[0] - a[0]) * along[1] - (place[1] - a[1]) * along[0]) / math.hypot(*along)
-
-
-def _away(place: Flat, a: Flat, b: Flat) -> float:
-    """The distance of a place from a side [m]."""
-    along, way = (b[0] - a[0], b[1] - a[1]), (place[0] - a[0], place[1] - a[1])
-    part = max(0.0, min(1.0, (way[0] * along[0] + way[1] * along[1]) / (along[0] ** 2 + along[1] ** 2)))
-    return math.dist(place, (a[0] + part * along[0], a[1] + part * along[1]))
-
-
-def _fault(place: Flat, yaw: float, a: Flat, b: Flat) -> tuple[int, str] | None:
-    """Why a pose does not show a side, the later in the list the better it is; None when it does."""
-    middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-    far, height = math.dist(place, middle), _height(place, a, b)
-    if height <= 0:
-        return 1, "all poses stand on its other side"
-    if height < far * math.cos(math.radians(45.0)) - 1e-6:
-        return 2, "the nearest to it looks at it from too far aside"
-    if not 1.0 - 1e-6 <= far <= 2.5 + 1e-6:
-        return 3, f"the one before it is {far:.2f} m from its middle"
-    turns = [abs(math.remainder(math.atan2(end[1] - place[1], end[0] - place[0]) - yaw, math.tau)) for end in (a, b)]
-    if max(turns) > HALF_VIEW + 1e-6:
-        return 4, f"the one before it has an end {math.degrees(max(turns)):.0f}° off the middle of its picture"
-    return None
 
 
 def _turn_of(q: Any, given: str) -> Quaternion:
     turn = (q.x, q.y, q.z, q.w)
     length = math.sqrt(sum(part * part for part in turn))
     if abs(length - 1.0) > 1e-4:
-        raise Wrong(f"a quaternion of length 1 from {given}", f"length {length:.3f}: {_told(turn)}")
+        raise Wrong(f"a quaternion of length 1 from {given}", f"length {length:.3f}: {told(turn)}")
     return turn
 
 
 def _xyz(place: Any) -> tuple[float, float, float]:
     return place.x, place.y, place.z
-
-
-def _told(numbers: tuple[float, ...]) -> str:
-    return f"({', '.join(f'{number + 0.0:.2f}' for number in numbers)})"
 
 
 def _message(kind: type[Any], given: str, function: Callable[..., Any], *arguments: Any) -> Any:

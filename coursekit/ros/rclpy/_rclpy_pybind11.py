@@ -2,81 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import IntEnum
 from typing import Any
 
 from coursekit.core.ready import Source
 from coursekit.core.session import current
 from coursekit.core.timebase import TimeBase
 from coursekit.core.timer import Timer as CoreTimer
+from rclpy._rclpy_info import RequestInfo, as_bytes, message_info, service_info
+from rclpy._rclpy_names import ClockChange as ClockChange
+from rclpy._rclpy_names import ClockType as ClockType
+from rclpy._rclpy_names import InvalidHandle as InvalidHandle
+from rclpy._rclpy_names import NodeNameNonExistentError as NodeNameNonExistentError
+from rclpy._rclpy_names import RCLError as RCLError
+from rclpy._rclpy_names import RCLInvalidROSArgsError as RCLInvalidROSArgsError
+from rclpy._rclpy_names import RMWError as RMWError
+from rclpy._rclpy_names import SignalHandlerOptions as SignalHandlerOptions
+from rclpy._rclpy_names import TimerCancelledError as TimerCancelledError
+from rclpy._rclpy_names import UnknownROSArgsError as UnknownROSArgsError
+from rclpy._rclpy_names import UnsupportedEventTypeError as UnsupportedEventTypeError
 from rclpy._wait_set import WaitSet as WaitSet
-
-
-class RCLError(RuntimeError):
-    """An error of the ROS client library."""
-
-
-class RMWError(RuntimeError):
-    """An error of the middleware."""
-
-
-class InvalidHandle(RuntimeError):
-    """Something was used after it had been destroyed."""
-
-
-class NodeNameNonExistentError(RCLError):
-    """No node of that name is in the graph."""
-
-
-class UnknownROSArgsError(RuntimeError):
-    """Arguments after --ros-args that ROS does not know."""
-
-
-class RCLInvalidROSArgsError(RCLError):
-    """Arguments after --ros-args that ROS cannot read."""
-
-
-class UnsupportedEventTypeError(RCLError):
-    """A QoS event that the middleware does not report."""
-
-
-class TimerCancelledError(RCLError):
-    """A cancelled timer was called."""
-
-
-class _Named(IntEnum):
-    """Numbers that show themselves by name in every Python, as pybind11's enums do."""
-
-    def __str__(self) -> str:
-        return f"{type(self).__name__}.{self.name}"
-
-
-class ClockType(_Named):
-    """Which clock a time belongs to."""
-
-    UNINITIALIZED = 0
-    ROS_TIME = 1
-    SYSTEM_TIME = 2
-    STEADY_TIME = 3
-
-
-class ClockChange(_Named):
-    """What happened to a clock when it jumped."""
-
-    ROS_TIME_NO_CHANGE = 1
-    ROS_TIME_ACTIVATED = 2
-    ROS_TIME_DEACTIVATED = 3
-    SYSTEM_TIME_NO_CHANGE = 4
-
-
-class SignalHandlerOptions(_Named):
-    """Which signals rclpy reacts to."""
-
-    NO = 0
-    SIGINT = 1
-    SIGTERM = 2
-    ALL = 3
 
 
 class Handle:
@@ -293,22 +237,6 @@ class Client(Endpoint):
         return (None, None) if taken is None else (service_info(RequestInfo(taken[0])), taken[1])
 
 
-@dataclass
-class RequestInfo:
-    """Number of a request."""
-
-    sequence_number: int
-
-
-@dataclass
-class ServiceInfo:
-    """What is known of a request or response."""
-
-    request_id: Any
-    source_timestamp: int
-    received_timestamp: int
-
-
 class NodeHandle(Handle):
     """A node's handle: its names and how it resolves others."""
 
@@ -336,25 +264,6 @@ class NodeHandle(Handle):
         """For example 'robot1.camera'."""
         self.check()
         return self._logger_name
-
-
-def service_info(request_id: Any) -> ServiceInfo:
-    """The header of what is taken now: it came at once."""
-    now = current().clock.now()
-    return ServiceInfo(request_id, now, now)
-
-
-def as_bytes(msg: Any) -> bytes:
-    """The message as ROS would send it."""
-    from coursekit.interfaces import cdr
-
-    return cdr.serialize(msg)
-
-
-def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
-    """What a subscription callback's second argument holds."""
-    _, stamp, publisher = entry
-    return {"source_timestamp": stamp, "received_timestamp": stamp, "publisher_gid": publisher.gid}
 
 
 def __getattr__(name: str) -> Any:

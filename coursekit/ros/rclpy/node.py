@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rcl_interfaces.msg import Log, ParameterEvent
+from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 
 from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
 from coursekit.core.process import current_process
@@ -159,14 +159,9 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self._parameter_overrides = {name: Parameter(name, value=value) for name, value in values.items()}
         self._parameter_overrides.update({parameter.name: parameter for parameter in given or ()})
         if declare:
-            self.declare_parameters(
-                "",
-                [
-                    (name, parameter.value, _dynamic())
-                    for name, parameter in self._parameter_overrides.items()
-                ],
-                ignore_override=True,
-            )
+            known = self._parameter_overrides.items()
+            wanted = [(name, parameter.value, ParameterDescriptor(dynamic_typing=True)) for name, parameter in known]
+            self.declare_parameters("", wanted, ignore_override=True)
 
     # -- what it is
 
@@ -284,12 +279,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     def __exit__(self, *_error: object) -> None:
         self.destroy_node()
-
-
-def _dynamic() -> Any:
-    from rcl_interfaces.msg import ParameterDescriptor
-
-    return ParameterDescriptor(dynamic_typing=True)
 
 
 __all__ = [

@@ -9,8 +9,8 @@ from functools import partial
 from typing import Any
 
 from rclpy._lent import lender
+from rclpy._rclpy_info import as_bytes, message_info
 from rclpy._rclpy_pybind11 import Subscription as _Handle
-from rclpy._rclpy_pybind11 import as_bytes, message_info
 
 __getattr__ = lender(__name__)  # names that programs import from here
 

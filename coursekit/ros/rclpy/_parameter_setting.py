@@ -1,0 +1,174 @@
+"""The part of Node that sets parameters: checks, callbacks, and the event that tells of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+
+from rclpy._parameter_checks import outside_floating_range, outside_integer_range
+from rclpy.exceptions import (
+    InvalidParameterValueException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+)
+from rclpy.parameter import Parameter
+
+
+class ParameterSetting:
+    """How a node's parameters change."""
+
+    PARAM_REL_TOL = 1e-6
+    """Relative tolerance for floating point ranges and steps."""
+
+    _parameters: dict[str, Parameter]
+    _descriptors: dict[str, ParameterDescriptor]
+    _parameters_callbacks: list[Callable[[list[Parameter]], SetParametersResult]]
+    _pre_set_callbacks: list[Callable[[list[Parameter]], list[Parameter]]]
+    _post_set_callbacks: list[Callable[[list[Parameter]], None]]
+    _allow_undeclared_parameters: bool
+    _parameter_event_publisher: Any
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
+        """Set several, each by itself; undeclared ones are an error unless the node allows them."""
+        self._check_declared(parameter_list)
+        return [self._set([parameter]) for parameter in parameter_list]
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all or none."""
+        self._check_declared(parameter_list)
+        return self._set(parameter_list)
+
+    def _check_declared(self, parameters: list[Parameter]) -> None:
+        if not all(isinstance(parameter, Parameter) for parameter in parameters):
+            raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
+        if self._allow_undeclared_parameters:
+            return
+        unknown = [parameter.name for parameter in parameters if parameter.name not in self._descriptors]
+        if unknown:
+            raise ParameterNotDeclaredException(unknown)
+
+    def _set(self, parameters: list[Parameter]) -> SetParametersResult:
+        for callback in list(self._pre_set_callbacks):
+            parameters = callback(parameters)
+        self._check_declared(parameters)
+        return self._apply(parameters)
+
+    def _apply(self, parameters: list[Parameter], declares: bool = False) -> SetParametersResult:
+        """Check, ask the callbacks, set, and tell /parameter_events; only declaring may leave one without a value."""
+        for parameter in parameters:
+            descriptor = self._descriptors.get(parameter.name)
+            result = self._check(parameter, descriptor, not declares)
+            if not result.successful:
+                return result
+        for callback in list(self._parameters_callbacks):
+            result = callback(parameters)
+            if not result.successful:
+                return result
+        self._store(parameters, declares)
+        for post in list(self._post_set_callbacks):
+            post(parameters)
+        return SetParametersResult(successful=True)
+
+    def _check(
+        self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
+    ) -> SetParametersResult:
+        if descriptor is None:
+            return SetParametersResult(successful=True)
+        if check_read_only and descriptor.read_only:
+            return SetParametersResult(successful=False, reason=f"Trying to set a read-only parameter: {parameter.name}.")
+        return self._check_value(parameter, descriptor)
+
+    def _check_value(self, parameter: Parameter, descriptor: ParameterDescriptor) -> SetParametersResult:
+        if not descriptor.dynamic_typing and descriptor.type and descriptor.type != parameter.type_.value:
+            if parameter.type_ == Parameter.Type.NOT_SET:
+                return SetParametersResult(successful=False, reason="Static parameter cannot be undeclared")
+            expected = Parameter.Type(descriptor.type)
+            return SetParametersResult(
+                successful=False,
+                reason=f"Wrong parameter type, expected '{expected}' got '{parameter.type_}'",
+            )
+        reason = ""
+        if parameter.type_ == Parameter.Type.INTEGER and descriptor.integer_range:
+            reason = outside_integer_range(parameter, descriptor.integer_range[0])
+        elif parameter.type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:
+            reason = outside_floating_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
+        return SetParametersResult(successful=not reason, reason=reason)
+
+    def _store(self, parameters: list[Parameter], declares: bool) -> None:
+        event = ParameterEvent(node=self.get_fully_qualified_name())  # type: ignore[attr-defined]
+        event.stamp = self.get_clock().now().to_msg()  # type: ignore[attr-defined]
+        for parameter in parameters:
+            old = self._parameters.get(parameter.name)
+            had_value = old is not None and old.type_ != Parameter.Type.NOT_SET
+            if parameter.type_ == Parameter.Type.NOT_SET:
+                if had_value:
+                    event.deleted_parameters.append(Parameter(parameter.name).to_parameter_msg())
+                if declares:
+                    self._parameters[parameter.name] = parameter
+                else:
+                    self._parameters.pop(parameter.name, None)
+                    self._descriptors.pop(parameter.name, None)
+                continue
+            (event.changed_parameters if had_value else event.new_parameters).append(parameter.to_parameter_msg())
+            self._remember(parameter)
+        self._parameter_event_publisher.publish(event)
+
+    def _remember(self, parameter: Parameter) -> None:
+        if parameter.name not in self._descriptors:
+            self._descriptors[parameter.name] = ParameterDescriptor(name=parameter.name, dynamic_typing=True)
+        self._descriptors[parameter.name].type = parameter.type_.value
+        self._parameters[parameter.name] = parameter
+
+    def set_descriptor(self, name: str, descriptor: ParameterDescriptor, alternative_value: Any = None) -> Any:
+        """Give a parameter another descriptor; its value must fit, or `alternative_value` is set."""
+        if name not in self._parameters:
+            if self._allow_undeclared_parameters:
+                return Parameter(name).get_parameter_value()
+            raise ParameterNotDeclaredException(name)
+        if self._descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        parameter = self._parameters[name]
+        if alternative_value is not None:
+            parameter = Parameter.from_parameter_msg(_parameter_msg(name, alternative_value))
+        descriptor.name = name
+        descriptor.type = parameter.type_.value
+        result = self._check_value(parameter, descriptor)
+        if not result.successful:
+            raise InvalidParameterValueException(name, parameter.value, result.reason)
+        self._descriptors[name] = descriptor
+        self._parameters[name] = parameter
+        return parameter.get_parameter_value()
+
+    # -- callbacks
+
+    def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
+        """Have `callback(parameters)` accept or refuse every change; the newest callback is asked first."""
+        self._parameters_callbacks.insert(0, callback)
+
+    def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
+        """Ask it no more; ValueError if it was not there."""
+        self._parameters_callbacks.remove(callback)
+
+    def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Have `callback` change the list before it is checked (ROS releases after Humble)."""
+        self._pre_set_callbacks.insert(0, callback)
+
+    def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Ask it no more."""
+        self._pre_set_callbacks.remove(callback)
+
+    def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
+        """Tell `callback` of changes that were made (ROS releases after Humble)."""
+        self._post_set_callbacks.insert(0, callback)
+
+    def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
+        """Tell it no more."""
+        self._post_set_callbacks.remove(callback)
+
+
+def _parameter_msg(name: str, value: Any) -> Any:
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+
+    return ParameterMsg(name=name, value=value)

@@ -1,0 +1,43 @@
+"""What comes with a message, request or response: its bytes, times and numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from coursekit.core.session import current
+
+
+@dataclass
+class RequestInfo:
+    """Number of a request."""
+
+    sequence_number: int
+
+
+@dataclass
+class ServiceInfo:
+    """What is known of a request or response."""
+
+    request_id: Any
+    source_timestamp: int
+    received_timestamp: int
+
+
+def service_info(request_id: Any) -> ServiceInfo:
+    """The header of what is taken now: it came at once."""
+    now = current().clock.now()
+    return ServiceInfo(request_id, now, now)
+
+
+def as_bytes(msg: Any) -> bytes:
+    """The message as ROS would send it."""
+    from coursekit.interfaces import cdr
+
+    return cdr.serialize(msg)
+
+
+def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
+    """What a subscription callback's second argument holds."""
+    _, stamp, publisher = entry
+    return {"source_timestamp": stamp, "received_timestamp": stamp, "publisher_gid": publisher.gid}

@@ -10,6 +10,9 @@ import numpy as np
 from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner_kernels import search, smooth
 
+NEARER = 0.2
+"""A place beside a goal that is taken is given up for another one that is so much nearer to the goal [m]."""
+
 
 class PlanError(Exception):
     """No path, and why."""
@@ -31,13 +34,19 @@ class Planner:
     unknown: bool = True
     factor: float = 0.8
 
-    def plan(self, costs: Costmap, start: tuple[float, float, float], goal: tuple[float, float, float]) -> np.ndarray:
-        """Poses (n, 3) from start to goal [m, rad]; PlanError when there is no way."""
+    def plan(
+        self, costs: Costmap, start: tuple[float, float, float], goal: tuple[float, float, float],
+        before: tuple[float, float] | None = None,
+    ) -> np.ndarray:  # fmt: skip
+        """Poses (n, 3) from start to goal [m, rad]; PlanError when there is no way.
+
+        `before` is where the last path to this goal ended: beside a goal that is still taken it ends there again.
+        """
         self._check(costs, start, "start")
         self._check(costs, goal, "goal")
         begin, end = self._flat(costs, start), self._flat(costs, goal)
         parents, _ = search(costs.cells, begin, end, self.unknown, self.factor)
-        reached = end if parents[end] >= 0 else self._nearby(costs, parents, goal)
+        reached = end if parents[end] >= 0 else self._nearby(costs, parents, goal, before)
         path = self._walk(costs, parents, begin, reached)
         path[0] = start[:2]
         if reached == end:
@@ -60,15 +69,19 @@ class Planner:
         row, column = costs.cell(place[0], place[1])
         return row * costs.cells.shape[1] + column
 
-    def _nearby(self, costs: Costmap, parents: np.ndarray, goal: tuple[float, float, float]) -> int:
-        """The reached cell nearest to the goal, if one is within the tolerance."""
+    def _nearby(
+        self, costs: Costmap, parents: np.ndarray, goal: tuple[float, float, float], before: tuple[float, float] | None
+    ) -> int:
+        """The reached cell nearest to the goal, within the tolerance; of those hardly farther the nearest to `before`."""
         reached = np.flatnonzero((parents >= 0) & (costs.cells.ravel() < INSCRIBED))
         rows, columns = np.divmod(reached, costs.cells.shape[1])
-        gaps = np.hypot(
-            costs.x + (columns + 0.5) * costs.resolution - goal[0], costs.y + (rows + 0.5) * costs.resolution - goal[1]
-        )
+        x, y = costs.x + (columns + 0.5) * costs.resolution, costs.y + (rows + 0.5) * costs.resolution
+        gaps = np.hypot(x - goal[0], y - goal[1])
         if len(gaps) and gaps.min() <= self.tolerance:
-            return int(reached[gaps.argmin()])
+            # all around an obstacle places are about as near: a robot that is sent to the nearest of each moment never ends
+            good = gaps <= min(gaps.min() + (NEARER if before else 0.0), self.tolerance)
+            moved = np.hypot(x - before[0], y - before[1]) if before else gaps
+            return int(reached[np.where(good, moved, np.inf).argmin()])
         cost = costs.cost(goal[0], goal[1])
         why = "the goal is inside or beside an obstacle" if INSCRIBED <= cost < UNKNOWN else "no way leads there"
         near = f"; the nearest place that can be reached is {gaps.min():.2f} m away" if len(gaps) else ""

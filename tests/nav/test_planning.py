@@ -45,6 +45,19 @@ def test_a_goal_beside_a_wall_is_replaced_by_a_near_one_and_one_in_it_is_refused
         Planner(tolerance=0.1).plan(costs, (1.0, 1.0, 0.0), (3.0, 1.0, 0.0))
 
 
+def test_beside_a_goal_that_is_taken_paths_keep_to_one_side_while_scans_see_it_a_little_elsewhere():
+    goal, ends, before = (3.0, 3.0, 0.0), [], None
+    for shift in (0.0, 0.05, -0.05, 0.05, -0.05):
+        costs = room((2.8 + shift, 2.8 + shift, 3.2 + shift, 3.2 + shift))
+        path = Planner().plan(costs, (1.0, 3.0, 0.0), goal, before)
+        before = path[-1, 0], path[-1, 1]
+        ends.append(before)
+    assert max(math.dist(one, ends[0]) for one in ends) < 0.2
+    assert max(math.dist(one, goal[:2]) for one in ends) <= 0.5
+    free = Planner().plan(room(), (1.0, 3.0, 0.0), goal, before)
+    assert free[-1].tolist() == [3.0, 3.0, 0.0]
+
+
 @pytest.mark.parametrize(
     ("start", "goal", "says"),
     [

@@ -1,7 +1,10 @@
 """Navigation as a user starts it, on the virtual clock: bringup_launch.py, goals, and a program with a BasicNavigator."""
 
+import math
+from itertools import pairwise
+
 import pytest
-from nav2_msgs.action import NavigateToPose
+from nav2_msgs.action import ComputePathThroughPoses, NavigateToPose
 from rclpy.action import ActionClient
 
 from coursekit.lab.viewer import viewer
@@ -131,6 +134,32 @@ def test_a_cart_that_does_not_stop_is_let_by(stage):
     there = Pose2(4.5, 0.0, 0.0)
     assert stage.until(give(stage, client, there).get_result_async()).status == 4
     assert stage.touched == {} and stage.distance_to(there) < 0.4
+
+
+def test_a_goal_that_something_stands_on_is_ended_beside_without_going_round_it(stage):
+    crate = Place(3.0, 0.3, 0.8)
+    stage.simulation.put("crate_1", crate)
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+    began = stage.session.clock.steady()
+    assert stage.until(give(stage, client, Pose2(*crate)).get_result_async()).status == 4
+    assert stage.touched == {} and 0.3 < stage.distance_to(Pose2(*crate)) < 0.8
+    assert (stage.session.clock.steady() - began) * 1e-9 < 20.0
+
+
+def test_a_path_through_a_place_that_is_taken_goes_on_from_beside_it(stage):
+    square = ((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1))
+    stage.simulation.add(Thing("post", (Prism(square, 0.0, 0.6),), Place(2.0, 0.3, 0.0), mass=30.0))
+    stage.tell_pose(START)
+    stage.spin(2.0)
+    client = ActionClient(stage.node, ComputePathThroughPoses, "compute_path_through_poses")
+    assert client.wait_for_server(timeout_sec=5.0)
+    goals = [stage.stamped(Pose2(1.9, 0.3, 0.0)), stage.stamped(Pose2(3.5, 0.3, 0.0))]
+    handle = stage.until(client.send_goal_async(ComputePathThroughPoses.Goal(goals=goals)))
+    path = [one.pose.position for one in stage.until(handle.get_result_async()).result.path.poses]
+    assert max(math.dist((a.x, a.y), (b.x, b.y)) for a, b in pairwise(path)) < 0.1
+    assert min(math.dist((one.x, one.y), (1.9, 0.3)) for one in path) > 0.15
 
 
 def test_parameters_set_while_it_runs_are_obeyed(stage, ros2):

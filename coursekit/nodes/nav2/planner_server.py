@@ -20,6 +20,7 @@ from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.slam.pose import Pose2
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
 PATIENCE = 30
@@ -44,6 +45,8 @@ class PlannerServer(Server):
         declare(self, _SERVER)
         self.costmap = CostmapNode("global_costmap", self)
         self._planners: dict[str, Planner] = {}
+        self._ends: list[tuple[Pose2, tuple[float, float]]] = []
+        """The goals of the last plan, and where the ways to them ended."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Bring the costmap up, make the planners; FAILURE when a parameter cannot work."""
@@ -141,15 +144,18 @@ class PlannerServer(Server):
         costs = self._costs()
         frame, where = self.costmap.frame, self.costmap.where
         at = where.pose_in(frame, request.start) if request.use_start else where.robot(frame)
-        pieces = []
+        pieces, ends = [], []
         for goal in goals:
             to = where.pose_in(frame, goal)
+            before = next((end for last, end in self._ends if last.distance(to) < costs.resolution), None)
             try:
-                pieces.append(self._planners[name].plan(costs, at, to))
+                pieces.append(self._planners[name].plan(costs, at, to, before))
             except PlanError as fault:
                 text = f'{name} plugin failed to plan calculation to ({to.x:.2f}, {to.y:.2f}): "{fault}"'
                 raise PlanError(text) from None
-            at = to
+            at = Pose2(*pieces[-1][-1].tolist())
+            ends.append((to, (at.x, at.y)))
+        self._ends = ends
         return np.vstack([piece if k == 0 else piece[1:] for k, piece in enumerate(pieces)])
 
     async def _costs_come(self, handle: Any) -> bool:

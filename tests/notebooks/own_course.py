@@ -13,5 +13,6 @@ def pytest_configure(config):
     course = Path(_folder.name).resolve()
     (course / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
     name_student(course)
-    os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws"), "COLUMNS": "120"}
+    os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws")}
+    os.environ |= {"COLUMNS": "120", "TZ": "UTC"}
     os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions

@@ -37,6 +37,7 @@ def course_environment(folder: Path) -> Iterator[None]:
         "COURSEKIT_WORKSPACE": str(folder / "ros2_ws"),
         "PYDEVD_DISABLE_FILE_VALIDATION": "1",
         "COLUMNS": "120",
+        "TZ": "UTC",
     }
     before = {name: os.environ.get(name) for name in wanted}
     os.environ.update(wanted)

@@ -78,7 +78,7 @@ def _configured(config: str) -> dict[str, Any]:
     """The settings of a configuration file: compression, chunkSize, noChunking, noChunkCRC."""
     if not config:
         return {}
-    loaded = metadata_file.load_yaml(Path(config).read_text(encoding="utf-8"), config) or {}
+    loaded = metadata_file.load_settings(Path(config)) or {}
     if not isinstance(loaded, dict):
         raise BagError(f"{config} should be keys with values, for example: compression: Zstd")
     options: dict[str, Any] = {}

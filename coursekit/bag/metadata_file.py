@@ -31,9 +31,21 @@ class _Loader(yaml.SafeLoader):
 
 
 def load_yaml(text: str, what: str) -> Any:
-    """Return what YAML text holds; BagError when it holds none."""
+    """Return what YAML text of a bag holds; BagError when it holds none."""
+    return _loaded(text, what, _Loader)
+
+
+def load_settings(path: Path) -> Any:
+    """Return what a YAML file holds that its user wrote; BagError when it cannot be read."""
     try:
-        return yaml.load(text, Loader=_Loader)
+        return _loaded(path.read_text(encoding="utf-8"), str(path), yaml.SafeLoader)
+    except (OSError, UnicodeDecodeError) as error:
+        raise BagError(f"'{path}' cannot be read: {error}") from None
+
+
+def _loaded(text: str, what: str, loader: Any) -> Any:
+    try:
+        return yaml.load(text, Loader=loader)
     except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise BagError(f"{what} is no YAML: {' '.join(str(error).split())}") from None
 
@@ -180,4 +192,4 @@ def size_of(bag: Path) -> int:
     return sum(one.stat().st_size for one in (bag.iterdir() if bag.is_dir() else (bag,)) if one.is_file())
 
 
-__all__ = ["FILE_NAME", "NEVER", "as_dict", "dump", "load_yaml", "parse", "read", "size_of", "write"]
+__all__ = ["FILE_NAME", "NEVER", "as_dict", "dump", "load_settings", "load_yaml", "parse", "read", "size_of", "write"]

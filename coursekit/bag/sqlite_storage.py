@@ -34,46 +34,54 @@ class SqliteWriter:
     def __init__(self, path: Path, preset: str = "", config: str = "") -> None:
         if preset not in ("", "none", "resilient"):
             raise BagError(f"sqlite3 has no preset '{preset}'; it has none and resilient")
+        self._path = path
         # Written by the process's main lane, but closed by whoever ends the process.
         self._db = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
         for pragma in (*(_RESILIENT if preset == "resilient" else _FAST), *_pragmas(config)):
-            self._db.execute(f"PRAGMA {pragma}")
-        self._db.executescript(_TABLES)
-        self._db.execute("INSERT INTO schema VALUES (?, ?)", (SCHEMA_VERSION, "humble"))
-        self._db.execute("BEGIN")
-        self._page_size = self._db.execute("PRAGMA page_size").fetchone()[0]
+            self._run(f"PRAGMA {pragma}")
+        for statement in _TABLES.split(";")[:-1]:
+            self._run(statement)
+        self._run("INSERT INTO schema VALUES (?, ?)", SCHEMA_VERSION, "humble")
+        self._run("BEGIN")
+        self._page_size = self._run("PRAGMA page_size").fetchone()[0]
         self._ids: dict[str, int] = {}
         self._pending = 0
 
+    def _run(self, statement: str, *values: Any) -> sqlite3.Cursor:
+        try:
+            return self._db.execute(statement, values)
+        except sqlite3.Error as error:
+            raise BagError(f"'{self._path}' cannot be written: {error}") from None
+
     def create_topic(self, topic: TopicMetadata) -> None:
         """Enter a topic."""
-        fields = (topic.name, topic.type, topic.serialization_format, topic.offered_qos_profiles)
         insert = "INSERT INTO topics (name, type, serialization_format, offered_qos_profiles) VALUES (?, ?, ?, ?)"
-        self._ids[topic.name] = self._db.execute(insert, fields).lastrowid or 0
+        entered = self._run(insert, topic.name, topic.type, topic.serialization_format, topic.offered_qos_profiles)
+        self._ids[topic.name] = entered.lastrowid or 0
 
     def remove_topic(self, topic: TopicMetadata) -> None:
         """Take a topic out that was entered."""
-        self._db.execute("DELETE FROM topics WHERE id = ?", (self._ids.pop(topic.name),))
+        self._run("DELETE FROM topics WHERE id = ?", self._ids.pop(topic.name))
 
     def write(self, message: Message) -> None:
         """Add a message of a topic that was entered."""
         insert = "INSERT INTO messages (timestamp, topic_id, data) VALUES (?, ?, ?)"
-        self._db.execute(insert, (message.stamp, self._ids[message.topic], message.data))
+        self._run(insert, message.stamp, self._ids[message.topic], message.data)
         self._pending += 1
         if self._pending >= COMMIT_EVERY:
-            self._db.execute("COMMIT")
-            self._db.execute("BEGIN")
+            self._run("COMMIT")
+            self._run("BEGIN")
             self._pending = 0
 
     def size(self) -> int:
         """Bytes that the file has now."""
-        return int(self._db.execute("PRAGMA page_count").fetchone()[0]) * int(self._page_size)
+        return int(self._run("PRAGMA page_count").fetchone()[0]) * int(self._page_size)
 
     def close(self, facts: BagFacts) -> None:
         """End the file; it keeps a copy of the bag's metadata."""
         text = metadata_file.dump(metadata_file.as_dict(facts))
-        self._db.execute("INSERT INTO metadata (metadata_version, metadata) VALUES (?, ?)", (facts.version, text))
-        self._db.execute("COMMIT")
+        self._run("INSERT INTO metadata (metadata_version, metadata) VALUES (?, ?)", facts.version, text)
+        self._run("COMMIT")
         self._db.close()
 
 
@@ -81,7 +89,7 @@ def _pragmas(config: str) -> list[str]:
     """The settings under write: pragmas: of a configuration file."""
     if not config:
         return []
-    loaded = metadata_file.load_yaml(Path(config).read_text(encoding="utf-8"), config) or {}
+    loaded = metadata_file.load_settings(Path(config)) or {}
     write = loaded.get("write") if isinstance(loaded, dict) else None
     wanted = (write or {}).get("pragmas") or [] if isinstance(write or {}, dict) else []
     for one in wanted:

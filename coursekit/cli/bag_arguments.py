@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.bag.errors import BagError
-from coursekit.bag.metadata_file import load_yaml
+from coursekit.bag.metadata_file import load_settings
 from coursekit.bag.storage import SUFFIXES
 
 from . import ask
@@ -101,11 +101,11 @@ def qos_overrides(path: str | None) -> dict[str, Any]:
     if not path:
         return {}
     try:
-        loaded = load_yaml(Path(path).read_text(encoding="utf-8"), path) or {}
+        loaded = load_settings(Path(path)) or {}
         if not isinstance(loaded, dict) or not all(isinstance(one, dict) for one in loaded.values()):
             raise ValueError(f"{path} should have topics with their policies, for example: /chatter: {{depth: 5}}")
         return {str(topic): _profile(values) for topic, values in loaded.items()}
-    except (InvalidQoSProfileException, ValueError, OSError, AssertionError, BagError) as error:
+    except (InvalidQoSProfileException, ValueError, AssertionError, BagError) as error:
         raise refuse(str(error)) from None
 
 

@@ -194,7 +194,7 @@ def main(args: Any) -> int:
     storage, options = _storage_options(args, uri), _record_options(args)
     try:
         Recorder(args.log_level).record(storage, options)
-    except RuntimeError as error:
+    except (RuntimeError, OSError) as error:
         raise refuse(str(error)) from None
     return 0
 

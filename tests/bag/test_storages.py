@@ -251,3 +251,13 @@ def test_settings_of_a_storage_come_from_a_file(tmp_path: Path) -> None:
     assert (tmp_path / "mcap" / "mcap_0.mcap").stat().st_size < 30_000
     with sqlite3.connect(tmp_path / "sqlite3" / "sqlite3_0.db3") as db:
         assert db.execute("PRAGMA page_size").fetchone() == (8192,)
+
+
+@pytest.mark.parametrize("what", ["PRAGMA max_page_count = 8", "DROP TABLE messages"])
+def test_a_disk_that_is_full_is_told_by_the_files_name(tmp_path: Path, what: str) -> None:
+    writer = BagWriter(WriteSettings(str(tmp_path / "full")))
+    writer.create_topic(CHATTER)
+    writer._file._db.execute(what)  # type: ignore[union-attr]
+    with pytest.raises(BagError, match=r"full_0.db3' cannot be written: (database or disk is full|no such table)"):
+        for number in range(10):
+            writer.write(Message("/chatter", bytes(10_000), number))

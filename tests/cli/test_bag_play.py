@@ -288,7 +288,7 @@ def test_bytes_that_are_no_message_are_told_once_and_passed_over(stage: Stage) -
         ("info empty", 1, "'ros2 bag reindex empty' makes one from its files"),
         ("reindex talk/metadata.yaml", 1, "[ERROR] [ros2bag]: Must specify a bag directory"),
         ("reindex empty", 1, "No storage files found for reindexing. Abort"),
-        ("convert -i talk -o nowhere.yaml", 1, "the output options 'nowhere.yaml' cannot be read"),
+        ("convert -i talk -o nowhere.yaml", 1, "'nowhere.yaml' cannot be read: "),
         ("convert -i a b c -o nowhere.yaml", 1, "--input expects 1 or 2 arguments, 3 provided"),
         ("list birds", 2, "argument plugin_type: invalid choice: 'birds'"),
     ],
@@ -354,3 +354,12 @@ def test_two_runs_are_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
             one.unlink()
         Path("again").rmdir()
     assert outputs[0] == outputs[1]
+
+
+def test_a_bag_that_breaks_off_is_played_so_far_and_told(stage: Stage) -> None:
+    write("long", 4000)
+    file = Path("long/long_0.db3")
+    file.write_bytes(file.read_bytes()[:60_000])
+    player = stage.ros2("bag play long -r 1e6")
+    assert player.wait(5) == 1 and "Traceback" not in player.output
+    assert "[ERROR] [ros2bag]: 'long/long_0.db3' cannot be read as a sqlite3 file of a bag: " in player.output

@@ -40,6 +40,7 @@ class RecorderNode(Node):
         self._executor_here = SingleThreadedExecutor(context=context)
         self._inbox = Inbox(self)
         self._over = False
+        self._seen = -1  # the graph's version when topics were looked for
         self._bag: BagWriter | None = None
         if not options.disable_keyboard_controls:
             self.get_logger().info(f"Press {NAMES[SPACE]} for pausing/resuming")
@@ -111,10 +112,12 @@ class RecorderNode(Node):
             if self.get_clock().now().nanoseconds == 0:
                 return
             self.get_logger().info("Sim time /clock found, starting recording.", once=True)
-        self._look_for_topics()
-        self._stop_when_complete()
+        if self._graph.version != self._seen:
+            self._look_for_topics()
+            self._stop_when_complete()
 
     def _look_for_topics(self) -> None:
+        self._seen = self._graph.version
         for name, kind in self._filter.select().items():
             if name in self._recorded:
                 self._warn_of_new_publishers(name)

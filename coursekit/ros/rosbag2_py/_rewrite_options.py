@@ -8,7 +8,7 @@ from typing import Any
 
 from coursekit.bag.errors import BagError
 from coursekit.bag.metadata import TopicMetadata
-from coursekit.bag.metadata_file import load_yaml
+from coursekit.bag.metadata_file import load_settings
 from coursekit.bag.rewrite import Output
 from rosbag2_py._compression_options import CompressionOptions, compression_mode_from_string
 from rosbag2_py._storage import StorageOptions
@@ -41,10 +41,7 @@ _WITHOUT_EFFECT = (
 
 def outputs_in(path: Path) -> list[Output]:
     """Read the file; RuntimeError names what is wrong in it."""
-    try:
-        document = load_yaml(path.read_text(encoding="utf-8"), str(path))
-    except (OSError, UnicodeDecodeError) as error:
-        raise BagError(f"the output options '{path}' cannot be read: {error}") from None
+    document = load_settings(path)
     if not isinstance(document, dict) or "output_bags" not in document:
         raise BagError("Output bag config YAML file must have top-level key 'output_bags'")
     bags = document["output_bags"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from . import ask
+from . import ask, checks
 
 Lines = list[tuple[str, str]]
 _EVERYWHERE = ("/parameter_events", "/rosout")
@@ -19,6 +19,19 @@ def report() -> Iterator[tuple[str, Lines]]:
         counts = [line for name, _ in topics for line in _counts(node, name)]
     yield "QOS COMPATIBILITY LIST", pairs or [("compatibility status", "No publisher/subscriber pairs found")]
     yield "TOPIC LIST", counts or [("topic", "none"), ("publisher count", "0"), ("subscriber count", "0")]
+
+
+def compatibility() -> checks.Check:
+    """Whether every publisher can be heard by the subscriptions of its topic."""
+    faults: list[str] = []
+    with ask.command_node() as node:
+        for topic, types in ask.topics():
+            told = [value for name, value in _pairs(node, topic, types) if name == "compatibility status"]
+            faults += [f"on topic '{topic}': {one.removeprefix('ERROR: ')}" for one in told if one.startswith("ERROR")]
+    if not faults:
+        return checks.Check("middleware", "publishers and subscriptions fit")
+    fault = "\n  ".join(f"QoS compatibility error found {one}" for one in faults)
+    return checks.Check("middleware", "some do not fit", fault, "Give both sides a QoS that fits; see: ros2 topic info -v")
 
 
 def _counts(node: Any, topic: str) -> Lines:
@@ -38,4 +51,4 @@ def _pairs(node: Any, topic: str, types: list[str]) -> Iterator[tuple[str, str]]
             yield "topic [type]", f"{topic} [{', '.join(types)}]"
             yield "publisher node", publisher.node_name
             yield "subscriber node", subscription.node_name
-            yield "compatibility status", "OK" if fit == QoSCompatibility.OK else f"{fit.name}: {reason}".strip()
+            yield "compatibility status", "OK" if fit == QoSCompatibility.OK else reason

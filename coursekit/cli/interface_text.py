@@ -37,9 +37,10 @@ def _expanded(lines: list[str], package: str, depth: int, comments: str) -> Iter
     for line in lines:
         keeps = comments == "all" or (comments == "top" and depth == 0)
         text = line.rstrip() if keeps else line.split("#")[0].rstrip() if not _holds_hash_in_string(line) else line
-        if not text.strip() and not (keeps and (line.strip() or depth == 0)):
-            continue
-        yield "\t" * depth + text
+        if text.strip():
+            yield "\t" * depth + text
+        elif keeps:
+            yield ""
         nested = _nested_type(line, package)
         if nested is not None:
             yield from _expanded(_definition(nested), nested.split("/")[0], depth + 1, comments)

@@ -120,7 +120,7 @@ class _Echo:
         if self._args.once:
             self._done.set_result(True)
         if self._args.raw:
-            print(msg, end="\n---\n")
+            print(msg + bytes(-len(msg) % 4), end="\n---\n")  # as it comes over a network, in whole words
             return
         for name in self._args.field or ():
             try:

@@ -49,7 +49,7 @@ def show_info(args: Any) -> int:
         return 1
     if count > 1:
         ask.say_error(
-            f"There are {count} nodes in the graph with the exact name '{name}'. "
+            f"There are {count} nodes in the graph with the exact name \"{name}\". "
             "You are seeing information about only one of them."
         )
     node = ask.find_node(name)

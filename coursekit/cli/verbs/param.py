@@ -158,7 +158,7 @@ def dump_parameters(args: Any) -> int:
         print(text)
         return 0
     file = Path(args.output_dir) / (asking.name.strip("/").replace("/", "__") + ".yaml")
-    print(f"Saving to: {file}")
+    print("Saving to: ", file)
     file.write_text(text, encoding="utf-8")
     return 0
 
@@ -170,6 +170,7 @@ def load_parameters(args: Any) -> int:
     with ask.command_node() as node:
         asking = _Asking(node, args.node_name)
         try:
+            _check_named(args.parameter_file, asking.name, not args.no_use_wildcard)
             found = parameter_dict_from_yaml_file(
                 args.parameter_file, not args.no_use_wildcard, target_nodes=[asking.name]
             )
@@ -183,6 +184,14 @@ def load_parameters(args: Any) -> int:
         else:
             print(f"Set parameter {name} failed{reason}", file=sys.stderr)
     return 0
+
+
+def _check_named(path: str, node: str, use_wildcard: bool) -> None:
+    """Raise RuntimeError unless a file has the node's full name, from its first slash on, or may stand for every node."""
+    tree = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
+    names = list(tree) if isinstance(tree, dict) else []
+    if node not in names and not (use_wildcard and "/**" in names):
+        raise RuntimeError(f"Param file does not contain parameters for {node},  only for nodes: {names}")
 
 
 def delete_parameter(args: Any) -> int:

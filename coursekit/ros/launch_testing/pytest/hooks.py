@@ -44,7 +44,7 @@ class LaunchTestItem(pytest.Item):
         runner = (self.runner_cls or LaunchTestRunner)(
             test_runs=copy.deepcopy(self.test_runs),
             launch_file_arguments=[word for words in self.config.getoption("--launch-args") for word in words],
-            debug=self.config.getoption("verbose"),
+            debug=self.config.getoption("verbose") > 0,
         )
         runner.validate()
         results = runner.run()

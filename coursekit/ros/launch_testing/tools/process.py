@@ -46,7 +46,7 @@ class ProcessProxy:
             return event.wait_for(lambda: self.terminated, timeout)
 
     def wait_for_output(self, condition: Callable[[str], Any] | None = None, timeout: float | None = None) -> BoolWithText:
-        """Wait until it runs and `condition` holds for its whole output, at most `timeout` seconds.
+        """Wait until it has started and `condition` holds for its whole output, at most `timeout` seconds.
 
         Raises:
             TypeError: when the condition is no function.
@@ -56,7 +56,7 @@ class ProcessProxy:
         seen: list[str] = []
 
         def holds() -> bool:
-            if not self.running:
+            if not (self.running or self.terminated):  # a short one may have ended before anyone looked
                 return False
             seen[:] = [self.output]
             return condition is None or bool(condition(seen[0]))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from coursekit.interfaces.errors import InterfaceError, UnknownInterface
 from coursekit.interfaces.find import definition_text
 from coursekit.interfaces.registry import interface_of
@@ -19,7 +17,7 @@ def full_definition(type_name: str) -> str:
     """
     try:
         names = _with_parts(type_name, [])
-        texts = [_of_humble(definition_text(name)) for name in names]
+        texts = [definition_text(name) for name in names]
     except (UnknownInterface, InterfaceError, OSError):
         return ""
     parts = [f"{_LINE}\nMSG: {_short(name)}\n{text}" for name, text in zip(names[1:], texts[1:], strict=True)]
@@ -37,8 +35,3 @@ def _with_parts(name: str, found: list[str]) -> list[str]:
 def _short(name: str) -> str:
     package, _, short = name.split("/")
     return f"{package}/{short}"
-
-
-def _of_humble(text: str) -> str:
-    """Without what only our own parser takes: nothing today but trailing space."""
-    return re.sub(r"[ \t]+$", "", text, flags=re.MULTILINE)

@@ -16,7 +16,7 @@ from .commands import JOIN, load
 from .whose import current_process
 
 _PYTHON = re.compile(r"python(3(\.\d+)?)?(\.exe)?")
-_USES_ROS = re.compile(rb"^\s*(import|from)\s+(rclpy|tf2_ros|launch)\b", re.MULTILINE)
+_USES_ROS = re.compile(rb"^\s*(import|from)\s+(rclpy|tf2_ros|launch|rosbag2_py)\b", re.MULTILINE)
 _READ = 1_000_000
 
 
@@ -44,7 +44,8 @@ def joins() -> Path | None:
 def join() -> None:
     """Have the running session carry out this interpreter's program, and end with its exit code.
 
-    Called when rclpy is imported, which programs do before anything else; returns where there is nothing to join.
+    Called when rclpy or rosbag2_py is imported, which programs do before anything else; returns where there is
+    nothing to join.
     """
     path = joins()
     code = None if path is None else load(JOIN)(path, sys.argv[1:])

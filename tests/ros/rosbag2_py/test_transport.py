@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import datetime
+import os
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +20,7 @@ from rosbag2_py._qos import offer_for, offers_text, parse_offers, request_for
 from std_msgs.msg import String
 
 from coursekit.bag.errors import BagError
+from coursekit.core import script
 from coursekit.core.session import Session
 
 
@@ -131,3 +135,31 @@ def test_a_player_offers_what_the_publishers_agreed_on() -> None:
     latched = PROFILES[1]
     assert offer_for("/a", [latched, latched], said.append).durability == DurabilityPolicy.TRANSIENT_LOCAL and not said
     assert offer_for("/a", PROFILES, said.append).durability == DurabilityPolicy.VOLATILE and len(said) == 1
+
+
+def test_a_program_that_only_plays_is_one_of_ros_for_a_launch_file(tmp_path: Path) -> None:
+    (tmp_path / "play.py").write_text("import rosbag2_py\nrosbag2_py.Player()\n")
+    assert script.of_command(["python3", "play.py"], str(tmp_path)) == (tmp_path / "play.py", [])
+
+
+@pytest.mark.slow
+def test_a_program_that_only_plays_joins_the_session_that_runs(tmp_path: Path) -> None:
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT_")}
+    env = {**kept, "COURSEKIT_RUNTIME_DIR": str(tmp_path), "ROS_DOMAIN_ID": "79", "PYTHONUNBUFFERED": "1"}
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(tmp_path / "bag")), rosbag2_py.ConverterOptions())
+    writer.create_topic(rosbag2_py.TopicMetadata("/a", "std_msgs/msg/String", "cdr"))
+    writer.write("/a", rclpy.serialization.serialize_message(String(data="from a bag")), 0)
+    writer.close()
+    (tmp_path / "play.py").write_text(
+        "import rosbag2_py\n"
+        "rosbag2_py.Player().play(rosbag2_py.StorageOptions('bag'), rosbag2_py.PlayOptions())\n"
+    )
+    echo = [sys.executable, "-m", "coursekit.cli.ros2", "topic", "echo", "/a", "std_msgs/msg/String", "--once"]
+    with subprocess.Popen(echo, env=env, stdout=subprocess.PIPE, text=True) as ear:
+        for _ in range(100):  # until it listens
+            played = subprocess.run([sys.executable, "play.py"], cwd=tmp_path, env=env, capture_output=True, timeout=60)
+            assert played.returncode == 0, played.stderr
+            if ear.poll() is not None:
+                break
+        assert ear.communicate(timeout=30)[0] == "data: from a bag\n---\n"

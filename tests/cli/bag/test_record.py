@@ -2,60 +2,20 @@
 
 from __future__ import annotations
 
-import shlex
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 import rclpy
 import yaml
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbags.rosbag2 import Reader
 from std_msgs.msg import String
 
-from coursekit.cli.parser import run
 from coursekit.core.executables import find
 from coursekit.core.session import Session
 from tests.bag.made import all_of
-
-START = 1_700_000_000 * 10**9
-
-
-@pytest.fixture
-def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
-    """A session on the virtual clock, in a folder of its own."""
-    monkeypatch.chdir(tmp_path)
-    with Session(virtual=True).use() as made:
-        yield made
-
-
-@pytest.fixture
-def ros2(session: Session) -> Callable[[str], Any]:
-    """ros2("bag record -a") starts a command."""
-    return lambda line: session.start(lambda: run(shlex.split(line)), name="ros2")
-
-
-@pytest.fixture
-def node(session: Session) -> Iterator[Any]:
-    """A node that publishes what a test wants."""
-    context = rclpy.context.Context()
-    rclpy.init(context=context)
-    made = rclpy.create_node("speaker", context=context)
-    yield made
-    made.destroy_node()
-    rclpy.try_shutdown(context=context)
-
-
-def lines(process: Any) -> list[str]:
-    """What it logged, without times."""
-    return [line.split("] ", 2)[0] + "] " + line.split("] ", 2)[2] for line in process.output.splitlines() if "] [" in line]
-
-
-def stop(session: Session, process: Any) -> None:
-    """Press Ctrl-C, and see it end well."""
-    process.interrupt()
-    assert process.wait(5) == 0
+from tests.cli.bag.stage import START, lines, stop
 
 
 def test_a_recording_says_what_humble_says(session: Session, ros2: Callable[[str], Any]) -> None:
@@ -164,60 +124,6 @@ def test_a_hidden_topic_is_passed_over_with_a_word(session: Session, ros2: Calla
     stop(session, recorder)
     text = "[WARN] [rosbag2_recorder]: Hidden topics are not recorded. Enable them with --include-hidden-topics"
     assert lines(recorder).count(text) == 1
-
-
-LATCHED = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-LOSSY = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
-
-
-def test_it_asks_for_what_the_publishers_offer(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
-    map_out, scan = node.create_publisher(String, "map", LATCHED), node.create_publisher(String, "scan", LOSSY)
-    map_out.publish(String(data="before the recording"))
-    recorder = ros2("bag record /map /scan -o talk")
-    session.clock.sleep(0.5)
-    scan.publish(String(data="lossy"))
-    session.clock.sleep(0.5)
-    stop(session, recorder)
-    assert {message.topic for message in all_of("talk")} == {"/map", "/scan"}
-
-
-def test_where_publishers_disagree_it_hears_all_and_says_so(
-    session: Session, ros2: Callable[[str], Any], node: Any
-) -> None:
-    outs = [node.create_publisher(String, "mixed", qos) for qos in (LATCHED, LOSSY)]
-    recorder = ros2("bag record /mixed -o talk")
-    session.clock.sleep(0.5)
-    for out in outs:
-        out.publish(String())
-    session.clock.sleep(0.5)
-    stop(session, recorder)
-    assert len(all_of("talk")) == 2
-    assert 'on topic "/mixed" are offering RMW_QOS_POLICY_RELIABILITY_RELIABLE. Falling back to' in recorder.output
-    assert 'on topic "/mixed" are offering RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL. Falling back' in recorder.output
-
-
-def test_a_publisher_that_comes_later_and_does_not_match_is_told(
-    session: Session, ros2: Callable[[str], Any], node: Any
-) -> None:
-    node.create_publisher(String, "topic", 10)
-    recorder = ros2("bag record -a -o talk")
-    session.clock.sleep(0.5)
-    node.create_publisher(String, "topic", LOSSY)
-    session.clock.sleep(1)
-    stop(session, recorder)
-    assert recorder.output.count("A new publisher for subscribed topic /topic was found offering") == 1
-
-
-def test_qos_can_be_overridden(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
-    Path("qos.yaml").write_text("/topic: {reliability: best_effort, history: keep_all, deadline: {sec: 1, nsec: 5}}")
-    node.create_publisher(String, "topic", 10)
-    recorder = ros2("bag record /topic -o talk --qos-profile-overrides-path qos.yaml")
-    session.clock.sleep(0.5)
-    (info,) = node.get_subscriptions_info_by_topic("/topic")
-    stop(session, recorder)
-    assert info.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT
-    assert info.qos_profile.deadline.nanoseconds == 1_000_000_005
-    assert "[INFO] [rosbag2_recorder]: Overriding subscription profile for /topic" in lines(recorder)
 
 
 def test_a_pause_leaves_a_gap(session: Session, ros2: Callable[[str], Any]) -> None:

@@ -27,7 +27,7 @@ class LaunchDied(Exception):
     """The launch ended before the tests beside it did."""
 
 
-class Run:
+class RunnerWorker:
     """Launches `preamble` and what `test_run` describes, and runs its tests."""
 
     def __init__(
@@ -56,7 +56,7 @@ class Run:
         description, context = self._test_run.normalized_test_description(ready_fn=self._ready.set)
         self._bind({**context, **self._test_run.param_args})
         self._service.include_launch_description(self._whole(description))
-        testing = threading.Thread(target=self._run_beside, name="test_runner_thread", daemon=True)
+        testing = threading.Thread(target=self._run_test, name="test_runner_thread", daemon=True)
         testing.start()
         self._service.run(shutdown_when_idle=not self._test_run.markers.get("keep_alive", False))
         self._ready.set()  # who still waits for it need not
@@ -102,7 +102,7 @@ class Run:
             ]
         )
 
-    def _run_beside(self) -> None:
+    def _run_test(self) -> None:
         """Run the tests as soon as the launch is ready for them; they end it."""
         try:
             if not self._ready.wait(READY_SECONDS):

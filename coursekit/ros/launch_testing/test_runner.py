@@ -10,7 +10,8 @@ from typing import Any
 from launch.launch_description_entity import LaunchDescriptionEntity
 
 from .loader import TestRun
-from .run import LaunchDied, Run
+from .run import LaunchDied
+from .run import RunnerWorker as _RunnerWorker
 from .session import in_session
 from .test_result import FailResult, SkipResult
 
@@ -44,7 +45,9 @@ class LaunchTestRunner:
         return results
 
     def _run(self, test_run: TestRun) -> Any:
-        return in_session(lambda: Run(test_run, self.generate_preamble(), self._launch_file_arguments, self._debug).run())
+        return in_session(
+            lambda: _RunnerWorker(test_run, self.generate_preamble(), self._launch_file_arguments, self._debug).run()
+        )
 
     def validate(self) -> None:
         """Check that each description takes the arguments that it is given.

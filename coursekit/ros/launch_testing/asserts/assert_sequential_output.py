@@ -46,11 +46,11 @@ class SequentialTextChecker:
         )
 
     def get_nearby_lines(self) -> str:
-        """Return the line of the last match, with two lines before and after it."""
-        before = "".join(self._output[: self._piece]) + "".join(self._output[self._piece : self._piece + 1])[: self._at]
-        lines = "".join(self._output).splitlines()
-        line = before.count("\n")
-        return "\n".join(lines[max(0, line - _LINES_AROUND) : line + _LINES_AROUND + 1])
+        """Return the line after the last match, with two lines before and after it."""
+        whole = "".join(self._output)
+        at = sum(map(len, self._output[: self._piece])) + self._at
+        line = whole.count("\n", 0, at + 1)  # a match up to the end of its line stands before the next one
+        return "\n".join(whole.splitlines()[max(0, line - _LINES_AROUND) : line + _LINES_AROUND + 1])
 
 
 @contextmanager

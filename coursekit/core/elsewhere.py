@@ -15,8 +15,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "
      "then `colcon build`"),
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
-    (r"robot_localization|imu_\w+|robot_pose_ekf", _CPP, "odometry and its transform come from the simulator's drive; "
-     "leave the node out of the launch file"),
+    (r"imu_\w+|robot_pose_ekf", _CPP, "robot_localization's ekf_node takes an IMU's messages as they are"),
     (r"joy|joy_linux|joy_teleop|teleop_twist_joy", "needs a gamepad", _DRIVE),
     (r"moveit\w*|pymoveit2", _CPP, "to move joints by hand: `ros2 run joint_state_publisher_gui joint_state_publisher_gui`"),
     (r"ros_gz\w*|ros_ign\w*|gz_\w+|ign_\w+", _GAZEBO, "`ros2 launch gazebo_ros gazebo.launch.py world:=FILE` and "

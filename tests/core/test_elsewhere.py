@@ -27,8 +27,8 @@ def test_nothing_is_said_of_what_the_underlay_has():
 
 
 def test_run_and_the_index_tell_it():
-    with pytest.raises(PackageNotFound, match="not found; robot_localization is not part"):
-        find("robot_localization", "ekf_node")
+    with pytest.raises(PackageNotFound, match="not found; robot_pose_ekf is not part"):
+        find("robot_pose_ekf", "robot_pose_ekf")
     with pytest.raises(PackageNotFoundError, match="searching: .*; rplidar_ros is not part of coursekit: it is the driver"):
         get_package_share_directory("rplidar_ros")
 

@@ -1,0 +1,82 @@
+"""How a body goes on that can move every way: accelerations stay, speeds follow them, the pose follows the speeds."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, PITCH, POSITION, ROLL, SIZE, YAW, Array
+
+
+def rotation(roll: float, pitch: float, yaw: float) -> Array:
+    """The matrix that takes the body's coordinates to the world's: roll first, then pitch, then yaw [rad].
+
+    >>> (rotation(0.0, 0.0, math.pi / 2) @ [1.0, 0.0, 0.0]).round(3).tolist()
+    [0.0, 1.0, 0.0]
+    """
+    return _about_z(yaw)[0] @ _about_y(pitch)[0] @ _about_x(roll)[0]
+
+
+def _about_x(angle: float) -> tuple[Array, Array]:
+    """The matrix, and how it changes with the angle."""
+    s, c = math.sin(angle), math.cos(angle)
+    return np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), np.array([[0.0, 0, 0], [0, -s, -c], [0, c, -s]])
+
+
+def _about_y(angle: float) -> tuple[Array, Array]:
+    s, c = math.sin(angle), math.cos(angle)
+    return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]), np.array([[-s, 0, c], [0.0, 0, 0], [-c, 0, -s]])
+
+
+def _about_z(angle: float) -> tuple[Array, Array]:
+    s, c = math.sin(angle), math.cos(angle)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]), np.array([[-s, -c, 0], [c, -s, 0], [0.0, 0, 0]])
+
+
+def _rates(roll: float, pitch: float) -> tuple[Array, Array, Array]:
+    """The matrix from turning speeds of the body to changes of roll, pitch and yaw; its changes with roll and pitch."""
+    sr, cr, cp = math.sin(roll), math.cos(roll), math.cos(pitch)
+    tp = math.sin(pitch) / cp
+    by_cp, by_cp2, tp_by_cp = 1 / cp, 1 / (cp * cp), tp / cp
+    value = np.array([[1, sr * tp, cr * tp], [0, cr, -sr], [0, sr * by_cp, cr * by_cp]])
+    with_roll = np.array([[0, cr * tp, -sr * tp], [0, -sr, -cr], [0, cr * by_cp, -sr * by_cp]])
+    with_pitch = np.array([[0, sr * by_cp2, cr * by_cp2], [0.0, 0, 0], [0, sr * tp_by_cp, cr * tp_by_cp]])
+    return value, with_roll, with_pitch
+
+
+def step(state: Array, seconds: float) -> Array:
+    """The state so much later; its angles are not wrapped.
+
+    >>> state = np.zeros(SIZE)
+    >>> state[6] = 2.0  # forward
+    >>> step(state, 0.5)[:2].tolist()
+    [1.0, 0.0]
+    """
+    made = state.copy()
+    roll, pitch, yaw = state[ANGLES]
+    way = state[LINEAR] * seconds + state[ACCELERATION] * (seconds * seconds / 2)
+    made[POSITION] += rotation(roll, pitch, yaw) @ way
+    made[ANGLES] += _rates(roll, pitch)[0] @ state[ANGULAR] * seconds
+    made[LINEAR] += state[ACCELERATION] * seconds
+    return made
+
+
+def jacobian(state: Array, seconds: float) -> Array:
+    """How `step` changes with each number of the state, (15, 15)."""
+    roll, pitch, yaw = state[ANGLES]
+    (about_x, d_roll), (about_y, d_pitch), (about_z, d_yaw) = _about_x(roll), _about_y(pitch), _about_z(yaw)
+    turned = about_z @ about_y @ about_x
+    way = state[LINEAR] * seconds + state[ACCELERATION] * (seconds * seconds / 2)
+    made = np.eye(SIZE)
+    made[POSITION, LINEAR] = turned * seconds
+    made[POSITION, ACCELERATION] = turned * (seconds * seconds / 2)
+    made[POSITION, ROLL] = about_z @ about_y @ d_roll @ way
+    made[POSITION, PITCH] = about_z @ d_pitch @ about_x @ way
+    made[POSITION, YAW] = d_yaw @ about_y @ about_x @ way
+    rates, with_roll, with_pitch = _rates(roll, pitch)
+    made[ANGLES, ANGULAR] = rates * seconds
+    made[ANGLES, ROLL] += with_roll @ state[ANGULAR] * seconds
+    made[ANGLES, PITCH] += with_pitch @ state[ANGULAR] * seconds
+    made[LINEAR, ACCELERATION] = np.eye(3) * seconds
+    return made

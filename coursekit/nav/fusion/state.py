@@ -1,0 +1,39 @@
+"""The 15 numbers of a state: pose in the world, speeds and accelerations in the body's own frame."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+Places = npt.NDArray[np.intp]
+
+SIZE = 15
+NAMES = (
+    "X", "Y", "Z", "ROLL", "PITCH", "YAW",
+    "X_VELOCITY", "Y_VELOCITY", "Z_VELOCITY", "ROLL_VELOCITY", "PITCH_VELOCITY", "YAW_VELOCITY",
+    "X_ACCELERATION", "Y_ACCELERATION", "Z_ACCELERATION",
+)  # fmt: skip
+X, Y, Z, ROLL, PITCH, YAW, VX, VY, VZ, VROLL, VPITCH, VYAW, AX, AY, AZ = range(SIZE)
+POSITION, ANGLES = slice(0, 3), slice(3, 6)
+LINEAR, ANGULAR, ACCELERATION = slice(6, 9), slice(9, 12), slice(12, 15)
+POSE, TWIST = slice(0, 6), slice(6, 12)
+OUT_OF_PLANE = (Z, ROLL, PITCH, VZ, VROLL, VPITCH, AZ)
+"""What stays zero for a body that never leaves the floor."""
+
+
+def wrap(angle: Array) -> Array:
+    """Angles within -π … π [rad].
+
+    >>> wrap(np.array([0.0, 2 * np.pi + 0.5])).round(3).tolist()
+    [0.0, 0.5]
+    """
+    return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
+
+
+def wrapped(state: Array) -> Array:
+    """A state with its three angles within -π … π."""
+    made = state.copy()
+    made[ANGLES] = wrap(made[ANGLES])
+    return made

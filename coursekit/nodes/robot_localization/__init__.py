@@ -1,0 +1,1 @@
+"""robot_localization: where a robot is, from several sensors together."""

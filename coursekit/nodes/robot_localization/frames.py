@@ -1,0 +1,28 @@
+"""Transforms as a filter asks them: at a time, or the newest where that time is not known."""
+
+from __future__ import annotations
+
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformException, TransformListener
+
+from coursekit.nodes.robot_localization.geometry import pose_of
+from coursekit.tf.pose import IDENTITY, Pose
+
+
+class Frames:
+    """The tf that a node hears."""
+
+    def __init__(self, node: Node) -> None:
+        self._buffer = Buffer(node=node)
+        self._listener = TransformListener(self._buffer, node)
+
+    def pose(self, target: str, source: str, stamp_ns: int) -> Pose:
+        """The pose of a frame in another; TransformException when it is not known."""
+        if target == source:
+            return IDENTITY
+        try:
+            found = self._buffer.lookup_transform_core(target, source, Time(nanoseconds=max(stamp_ns, 0)))
+        except TransformException:
+            found = self._buffer.lookup_transform_core(target, source, Time())
+        return pose_of(found.transform.translation, found.transform.rotation)

@@ -1,0 +1,83 @@
+"""Between messages, poses as tuples, and the filter's numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from coursekit.nav.fusion.state import Array, Mask
+from coursekit.tf.pose import Pose, Quaternion, matrix
+
+
+def rpy(q: Quaternion) -> tuple[float, float, float]:
+    """Roll, pitch and yaw of a unit quaternion [rad].
+
+    >>> [round(one, 3) for one in rpy((0.0, 0.0, 1.0, 0.0))]
+    [0.0, 0.0, 3.142]
+    """
+    x, y, z, w = q
+    lean = max(-1.0, min(1.0, 2 * (w * y - z * x)))
+    roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
+    return roll, math.asin(lean), math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def quaternion(roll: float, pitch: float, yaw: float) -> Quaternion:
+    """The unit quaternion (x, y, z, w) of roll, then pitch, then yaw [rad].
+
+    >>> [round(one, 3) for one in rpy(quaternion(0.1, -0.2, 3.0))]
+    [0.1, -0.2, 3.0]
+    """
+    sr, cr = math.sin(roll / 2), math.cos(roll / 2)
+    sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
+    sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
+    return (
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    )
+
+
+def unit(q: Any) -> Quaternion:
+    """A message's quaternion, made a unit one; one of four zeros, or none, means no turn."""
+    length = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
+    if not length > 0 or not math.isfinite(length):
+        return (0.0, 0.0, 0.0, 1.0)
+    return (q.x / length, q.y / length, q.z / length, q.w / length)
+
+
+def pose_of(position: Any, orientation: Any) -> Pose:
+    """A position and a quaternion of a message as a tuple."""
+    return (position.x, position.y, position.z, *unit(orientation))
+
+
+def vector(v: Any) -> Array:
+    """A message's x, y and z."""
+    return np.array([v.x, v.y, v.z])
+
+
+def turning(pose: Pose) -> Array:
+    """The rotation matrix of a pose."""
+    return np.array(matrix(pose))[:3, :3]
+
+
+def square(numbers: Any) -> Array:
+    """A message's covariance, row by row, as a matrix."""
+    flat = np.array(numbers, float)
+    side = math.isqrt(len(flat))
+    return flat.reshape(side, side)
+
+
+def turned(covariance: Array, rotation: Array) -> Array:
+    """A covariance of one or two vectors in other axes."""
+    full = np.kron(np.eye(len(covariance) // 3), rotation)
+    made: Array = full @ covariance @ full.T
+    return made
+
+
+def turned_mask(used: Mask, rotation: Array) -> Mask:
+    """Which of three numbers say something, in other axes: those into which one goes that did."""
+    made: Mask = np.linalg.norm(rotation * used, axis=1) >= 1e-6
+    return made

@@ -1,0 +1,114 @@
+"""From a sensor's message to a measurement in the filter's frames."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coursekit.nav.fusion.measurement import Measurement, keep_in_plane
+from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, POSE, POSITION, SIZE, TWIST, Array, Mask
+from coursekit.nodes.robot_localization.frames import Frames
+from coursekit.nodes.robot_localization.geometry import quaternion, rpy, square, turned, turned_mask, turning, unit, vector
+from coursekit.nodes.robot_localization.sources import Source
+from coursekit.tf.pose import Pose, between, compose, inverse
+
+
+class Preparing:
+    """Turns poses, twists and accelerations into measurements; remembers what differential and relative sources said.
+
+    All raise TransformException where a transform is missing.
+    """
+
+    def __init__(self, frames: Frames, world: str, base: str, *, flat: bool, gravity: float) -> None:
+        self._frames, self._world, self._base, self._flat, self._gravity = frames, world, base, flat, gravity
+        self._before: dict[str, tuple[Pose, Array, int]] = {}
+        self._first: dict[str, Pose] = {}
+
+    def forget(self) -> None:
+        """As if nothing had been said yet."""
+        self._before.clear()
+        self._first.clear()
+
+    def _made(self, source: Source, what: str, time_ns: int, values: Array, covariance: Array, used: Mask) -> Measurement:
+        if self._flat:
+            keep_in_plane(values, covariance, used)
+        return Measurement(f"{source.name}_{what}", time_ns, values, covariance, used, source.thresholds[what])
+
+    # -- poses
+
+    def pose(self, source: Source, frame: str, stamp_ns: int, pose: Pose, covariance: Any) -> Measurement | None:
+        """A pose in a frame that stands still; None for the first of a differential source."""
+        used, own = source.part("pose"), square(covariance)
+        if source.differential:
+            return self._difference(source, stamp_ns, pose, own, used)
+        seat = self._frames.pose(self._world, frame or self._world, stamp_ns)
+        here = compose(seat, between(self._first.setdefault(source.name, pose), pose) if source.relative else pose)
+        return self._absolute(source, stamp_ns, here, own, used, turning(seat))
+
+    def heading(self, source: Source, frame: str, stamp_ns: int, q: Any, covariance: Any) -> Measurement | None:
+        """How an IMU is turned; its message's frame tells how it sits on the robot."""
+        seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
+        pose = compose((0.0, 0.0, 0.0, *unit(q)), inverse((0.0, 0.0, 0.0, *seat[3:])))
+        own = np.zeros((6, 6))
+        own[3:, 3:] = square(covariance)
+        about = turning((0.0, 0.0, 0.0, *quaternion(0.0, 0.0, rpy(seat[3:])[2])))
+        used = source.part("pose")
+        if source.differential:
+            return self._difference(source, stamp_ns, pose, own, used)
+        if source.relative:
+            pose = between(self._first.setdefault(source.name, pose), pose)
+        return self._absolute(source, stamp_ns, pose, own, used, about)
+
+    def _absolute(self, source: Source, stamp_ns: int, pose: Pose, own: Array, used: Mask, rotation: Array) -> Measurement:
+        values, covariance = np.zeros(SIZE), np.zeros((SIZE, SIZE))
+        values[POSITION], values[ANGLES] = pose[:3], rpy(pose[3:])
+        covariance[POSE, POSE] = turned(own, rotation)
+        used[POSITION], used[ANGLES] = turned_mask(used[POSITION], rotation), turned_mask(used[ANGLES], rotation)
+        return self._made(source, "pose", stamp_ns, values, covariance, used)
+
+    def _difference(self, source: Source, stamp_ns: int, pose: Pose, own: Array, used: Mask) -> Measurement | None:
+        """The speeds from the pose before to this one."""
+        before = self._before.get(source.name)
+        self._before[source.name] = (pose, own, stamp_ns)
+        if before is None or stamp_ns <= before[2]:
+            return None
+        seconds, way = (stamp_ns - before[2]) * 1e-9, between(before[0], pose)
+        values, covariance, counts = np.zeros(SIZE), np.zeros((SIZE, SIZE)), np.zeros(SIZE, bool)
+        values[LINEAR], values[ANGULAR] = np.array(way[:3]) / seconds, np.array(rpy(way[3:])) / seconds
+        covariance[TWIST, TWIST] = (own + before[1]) * seconds
+        counts[TWIST] = used[POSE]
+        return self._made(source, "pose", stamp_ns, values, covariance, counts)
+
+    # -- speeds and accelerations
+
+    def twist(self, source: Source, frame: str, stamp_ns: int, twist: Any, covariance: Any, state: Array) -> Measurement:
+        """Speeds of a frame of the robot; `state` is the filter's: a sensor off the middle moves when the robot turns."""
+        seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
+        rotation, used = turning(seat), source.part("twist")
+        values, own = np.zeros(SIZE), np.zeros((SIZE, SIZE))
+        values[LINEAR] = rotation @ vector(twist.linear) + np.cross(seat[:3], state[ANGULAR])
+        values[ANGULAR] = rotation @ vector(twist.angular)
+        own[TWIST, TWIST] = turned(square(covariance), rotation)
+        used[LINEAR], used[ANGULAR] = turned_mask(used[LINEAR], rotation), turned_mask(used[ANGULAR], rotation)
+        return self._made(source, "twist", stamp_ns, values, own, used)
+
+    def acceleration(self, source: Source, frame: str, stamp_ns: int, imu: Any, state: Array) -> Measurement:
+        """What an IMU feels, without the floor's push if its source says so; lying still it feels 9.8 m/s² upwards."""
+        seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
+        rotation, used, felt = turning(seat), source.part("acceleration"), vector(imu.linear_acceleration)
+        if source.remove_gravity:
+            felt = felt - turning(inverse(self._attitude(imu, seat, state)))[:, 2] * self._gravity
+        values, own = np.zeros(SIZE), np.zeros((SIZE, SIZE))
+        values[ACCELERATION] = rotation @ felt
+        own[ACCELERATION, ACCELERATION] = turned(square(imu.linear_acceleration_covariance), rotation)
+        used[ACCELERATION] = turned_mask(used[ACCELERATION], rotation)
+        return self._made(source, "acceleration", stamp_ns, values, own, used)
+
+    @staticmethod
+    def _attitude(imu: Any, seat: Pose, state: Array) -> Pose:
+        """How an IMU is turned in the world: by its message, or by the filter when it does not tell."""
+        if abs(imu.orientation_covariance[0] + 1) < 1e-9:
+            body = (0.0, 0.0, 0.0, *quaternion(*(float(one) for one in state[ANGLES])))
+            return compose(body, (0.0, 0.0, 0.0, *seat[3:]))
+        return (0.0, 0.0, 0.0, *unit(imu.orientation))

@@ -1,0 +1,1 @@
+"""Interfaces of robot_localization."""

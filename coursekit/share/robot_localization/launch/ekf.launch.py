@@ -1,0 +1,23 @@
+"""ekf_node with the parameters of params/ekf.yaml."""
+
+from pathlib import Path
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    """Return the node."""
+    file = Path(get_package_share_directory("robot_localization")) / "params" / "ekf.yaml"
+    return LaunchDescription(
+        [
+            Node(
+                package="robot_localization",
+                executable="ekf_node",
+                name="ekf_filter_node",
+                output="screen",
+                parameters=[str(file)],
+            ),
+        ]
+    )

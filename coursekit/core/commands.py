@@ -20,6 +20,9 @@ INSIDE = {
 JOIN = "coursekit.cli.attach:attach_script"
 """The function that has the running session carry out a Python program; None when no session runs."""
 
+DOOR = "coursekit.cli.hub:open_door"
+"""The function that lets commands of a domain's terminals into a session; None where another session has the domain."""
+
 
 def load(place: str) -> Callable[..., Any]:
     """The function at 'package.module:function'."""

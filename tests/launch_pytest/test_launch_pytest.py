@@ -34,10 +34,10 @@ def launched(talker):
 def run(tmp_path: Path) -> Callable[..., str]:
     """Return a function that runs pytest on a file, in an interpreter with a virtual session; what it prints."""
 
-    def carry_out(text: str, *argv: str) -> str:
+    def carry_out(text: str, *argv: str, clock: str = "virtual") -> str:
         (tmp_path / "test_it.py").write_text(HEAD + text)
         command = [sys.executable, "-m", "pytest", "-v", "-p", "no:cacheprovider", *argv]
-        env = {**os.environ, "COURSEKIT_TIME": "virtual", "ROS_LOG_DIR": str(tmp_path / "log")}
+        env = {**os.environ, "COURSEKIT_TIME": clock, "ROS_LOG_DIR": str(tmp_path / "log")}
         return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False).stdout
 
     return carry_out
@@ -269,3 +269,15 @@ def test_runs_without_launch_tests_do_not_import_launch(run, tmp_path: Path) -> 
     plain = tmp_path / "test_plain.py"
     plain.write_text("import sys\ndef test_imports():\n    assert not {'launch', 'coursekit.core'} & set(sys.modules)\n")
     assert "test_plain.py::test_imports PASSED" in run("", "test_plain.py")
+
+
+@pytest.mark.slow
+def test_programs_that_a_test_starts_outside_of_the_session_join_it(run) -> None:
+    text = """
+@pytest.mark.launch(fixture=launched)
+def test_join(talker, launch_context):
+    import os, subprocess, sys
+    assert process.wait_for_stderr_sync(launch_context, talker, lambda text: "World: 0" in text, timeout=10)
+    assert subprocess.run([os.path.dirname(sys.executable) + "/ros2", "node", "list"], capture_output=True, text=True).stdout == "/talker\\n"
+"""
+    assert outcomes(run(text, clock="")) == {"test_join": "PASSED"}

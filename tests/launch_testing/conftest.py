@@ -96,11 +96,11 @@ def results() -> Callable[..., dict[str, Any]]:
 def run_pytest(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
     """Return a function that writes test files and runs pytest on them, in an interpreter with a virtual session."""
 
-    def carry_out(files: dict[str, str], *argv: str) -> subprocess.CompletedProcess[str]:
+    def carry_out(files: dict[str, str], *argv: str, clock: str = "virtual") -> subprocess.CompletedProcess[str]:
         for name, text in files.items():
             (tmp_path / name).write_text(HEAD + text)
         command = [sys.executable, "-m", "pytest", "-v", "-p", "no:cacheprovider", *argv]
-        env = {**os.environ, "COURSEKIT_TIME": "virtual"}
+        env = {**os.environ, "COURSEKIT_TIME": clock}
         return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
 
     return carry_out

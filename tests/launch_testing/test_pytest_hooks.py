@@ -63,3 +63,23 @@ def test_a_marked_test_may_be_run_again_by_other_plugins(run_pytest) -> None:
     text = MARKED.format(mark="rostest") + "    times = []\n    def test_times(self):\n        self.times.append(1)\n"
     result = run_pytest({"test_it.py": text + "        self.assertEqual(len(self.times), 2)\n"}, "--reruns", "1")
     assert "1 passed, 1 rerun" in result.stdout
+
+
+@pytest.mark.slow
+def test_programs_that_a_test_starts_outside_of_the_session_join_it(run_pytest) -> None:
+    text = MARKED.format(mark="rostest") + """
+    def test_join(self, proc_output):
+        import os, subprocess
+        proc_output.assertWaitFor("Hello World: 0")
+        self.assertEqual(subprocess.run([os.path.dirname(sys.executable) + "/ros2", "node", "list"], capture_output=True, text=True).stdout, "/t\\n")
+        kept.append(os.environ["ROS_DOMAIN_ID"])
+
+kept = []
+
+@launch_testing.post_shutdown_test()
+class TestAfter(unittest.TestCase):
+    def test_domain(self):
+        self.assertIn(int(kept[0]), range(1, 101))
+"""
+    result = run_pytest({"test_it.py": text}, clock="")
+    assert result.returncode == 0, result.stdout

@@ -209,6 +209,7 @@ def _launch(path: str, arguments: list[str], pairs: list[tuple[str, str]], args:
 def _show(path: str, arguments_only: bool) -> int:
     from launch import InvalidLaunchFileError, LaunchIntrospector
     from launch.launch_description_sources import get_launch_description_from_any_launch_file
+    from launch.utilities.arguments import arguments_text
 
     try:
         description = get_launch_description_from_any_launch_file(path)
@@ -221,23 +222,6 @@ def _show(path: str, arguments_only: bool) -> int:
         else LaunchIntrospector().format_launch_description(description)
     )
     return 0
-
-
-def arguments_text(description: Any) -> str:
-    """Return the arguments of a launch description with descriptions and defaults, as text."""
-    arguments = description.get_launch_arguments()
-    lines = ["Arguments (pass arguments as '<name>:=<value>'):"]
-    for argument in arguments:
-        star = "*" if argument._conditionally_included else ""
-        lines += ["", f"    '{argument.name}':{star}", f"        {argument.description}"]
-        if argument.default_value is not None:
-            default = " + ".join(token.describe() for token in argument.default_value)
-            lines.append(f"        (default: {default})")
-    if not arguments:
-        lines += ["", "  No arguments."]
-    elif any(argument._conditionally_included for argument in arguments):
-        lines += ["", "* argument(s) which are only used if specific conditions occur"]
-    return "\n".join(lines)
 
 
 def complete_package_or_file(prefix: str, **_: Any) -> list[str]:

@@ -87,10 +87,12 @@ def get_launch_service_fixture(*, scope: str = "function") -> Any:
     def launch_service(event_loop: Any) -> Iterator[Any]:
         """The service that launches."""
         from launch import LaunchService
+        from launch_testing.session import own_domain
 
-        service = LaunchService()
-        yield service
-        finalize_launch_service(service, eprefix="When tearing down launch_service fixture")
+        with own_domain():
+            service = LaunchService()
+            yield service
+            finalize_launch_service(service, eprefix="When tearing down launch_service fixture")
 
     return _fixture(launch_service, scope)
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from launch import LaunchDescription
-
-from coursekit.cli.verbs.launch import arguments_text
+from launch.utilities.arguments import arguments_text
 
 
 def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:

@@ -12,7 +12,7 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 from .loader import TestRun
 from .run import LaunchDied
 from .run import RunnerWorker as _RunnerWorker
-from .session import in_session
+from .session import in_session, own_domain
 from .test_result import FailResult, SkipResult
 
 
@@ -45,9 +45,10 @@ class LaunchTestRunner:
         return results
 
     def _run(self, test_run: TestRun) -> Any:
-        return in_session(
-            lambda: _RunnerWorker(test_run, self.generate_preamble(), self._launch_file_arguments, self._debug).run()
-        )
+        with own_domain():
+            return in_session(
+                lambda: _RunnerWorker(test_run, self.generate_preamble(), self._launch_file_arguments, self._debug).run()
+            )
 
     def validate(self) -> None:
         """Check that each description takes the arguments that it is given.

@@ -11,7 +11,7 @@ from coursekit.interfaces import interface_of, load
 from coursekit.interfaces.find import UNDERLAY, known_interfaces, known_packages
 
 STORE = get_typestore(Stores.ROS2_HUMBLE)
-FOREIGN = ("rmw_dds_common", "statistics_msgs", "rosbag2_interfaces")
+FOREIGN = ("rosbag2_interfaces",)
 SHARED = sorted(name for name in STORE.fielddefs if name.split("/")[0] not in FOREIGN)
 PACKAGES = [name for name in known_packages() if (UNDERLAY / "share" / name / "package.xml").is_file()]
 
@@ -75,3 +75,18 @@ def test_every_package_can_be_imported_by_its_name():
 def test_defaults_that_matter_are_there():
     assert load("geometry_msgs/Pose")().orientation.w == 1.0
     assert load("rcl_interfaces/ParameterDescriptor").READ_ONLY__DEFAULT is False
+
+
+def test_packages_that_workspaces_depend_on_are_there():
+    goal = load("control_msgs/action/FollowJointTrajectory")
+    assert goal.Result.GOAL_TOLERANCE_VIOLATED == -5 and goal.Result(error_string="late").error_string == "late"
+    assert list(goal.Goal.get_fields_and_field_types())[:2] == ["trajectory", "multi_dof_trajectory"]
+    assert load("control_msgs/JointComponentTolerance").ROTATION == 5
+    switch = load("controller_manager_msgs/srv/SwitchController").Request
+    assert (switch.BEST_EFFORT, switch.STRICT) == (1, 2)
+    assert switch.get_fields_and_field_types()["timeout"] == "builtin_interfaces/Duration"
+    assert load("vision_msgs/Detection2D")().bbox.center.position.x == 0.0
+    assert load("vision_msgs/ObjectHypothesis")(class_id="cat").class_id == "cat"
+    assert len(load("geographic_msgs/GeoPoseWithCovariance")().covariance) == 36
+    loading = load("composition_interfaces/srv/LoadNode")
+    assert "error_message" in loading.Response.get_fields_and_field_types()

@@ -1,0 +1,1 @@
+"""Interfaces: driving commands of vehicles that steer like cars."""

@@ -1,0 +1,1 @@
+"""Interfaces: components loaded into a running container."""

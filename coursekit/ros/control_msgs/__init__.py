@@ -1,0 +1,1 @@
+"""Interfaces: commands to joints and grippers, and the state of their controllers."""

@@ -1,0 +1,1 @@
+"""Interfaces: controllers and hardware of ros2_control."""

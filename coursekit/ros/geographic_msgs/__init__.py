@@ -1,0 +1,1 @@
+"""Interfaces: places on the earth, maps and routes."""

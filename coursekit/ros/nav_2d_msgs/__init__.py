@@ -1,0 +1,1 @@
+"""Interfaces: poses and velocities in the plane."""

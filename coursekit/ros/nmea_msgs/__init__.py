@@ -1,0 +1,1 @@
+"""Interfaces: what receivers of satellite positions say."""

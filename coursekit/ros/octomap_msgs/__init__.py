@@ -1,0 +1,1 @@
+"""Interfaces: maps of space as octrees."""

@@ -1,0 +1,1 @@
+"""Interfaces: point clouds as indices, models and meshes."""

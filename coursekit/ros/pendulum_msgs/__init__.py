@@ -1,0 +1,1 @@
+"""Interfaces: the pendulum of the real-time demo."""

@@ -1,0 +1,1 @@
+"""Interfaces: what participants tell of their nodes."""

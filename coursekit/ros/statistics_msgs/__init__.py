@@ -1,0 +1,1 @@
+"""Interfaces: statistics over windows of time."""

@@ -1,0 +1,1 @@
+"""Interfaces: results of computer vision: boxes, classes, detections."""

@@ -1,0 +1,49 @@
+"""A DiagnosticStatus that can be filled with few words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
+
+OK = DiagnosticStatus.OK
+
+
+class DiagnosticStatusWrapper(DiagnosticStatus):
+    """DiagnosticStatus with `summary`, `mergeSummary` and `add`.
+
+    >>> status = DiagnosticStatusWrapper()
+    >>> status.summary(DiagnosticStatus.WARN, "hot")
+    >>> status.add("temperature", 81)
+    >>> status.message, status.values[0].value
+    ('hot', '81')
+    """
+
+    def __init__(self, *args: Any, **kwds: Any) -> None:
+        super().__init__(*args, **kwds)
+
+    def summary(self, *args: Any) -> None:
+        """Take a level and a message, or those of another status."""
+        self.level, self.message = _level_and_message(args)
+
+    def clearSummary(self) -> None:
+        """Back to OK without words."""
+        self.summary(OK, "")
+
+    def mergeSummary(self, *args: Any) -> None:
+        """The worse of two levels; the words of both where they are equally well or ill."""
+        level, message = _level_and_message(args)
+        if (level > OK) == (self.level > OK):
+            self.message = "; ".join(one for one in (self.message, message) if one)
+        elif level > self.level:
+            self.message = message
+        self.level = max(self.level, level)
+
+    def add(self, key: str, value: Any) -> None:
+        """Tell a value by a name."""
+        self.values = [*self.values, KeyValue(key=key, value=str(value))]
+
+
+def _level_and_message(args: tuple[Any, ...]) -> tuple[bytes, str]:
+    level, message = (args[0].level, args[0].message) if len(args) == 1 else args
+    return (bytes([level]) if isinstance(level, int) else level), str(message)

@@ -1,0 +1,178 @@
+"""What executors and callback groups do: two nodes in one, groups, and an executor of one's own."""
+
+from concurrent.futures import ThreadPoolExecutor
+from threading import Lock
+from typing import Any
+
+import rclpy
+from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from rclpy.executors import (
+    Executor,
+    ExternalShutdownException,
+    MultiThreadedExecutor,
+    ShutdownException,
+    SingleThreadedExecutor,
+    TimeoutException,
+)
+from rclpy.node import Node
+from std_msgs.msg import String
+
+from coursekit.nodes.demo_nodes.listener import Listener as DemoListener
+from coursekit.nodes.demo_nodes.talker import Talker
+from coursekit.nodes.running import run
+
+
+class Listener(DemoListener):
+    """Logs what it hears, in quotes."""
+
+    def _heard(self, msg: String) -> None:
+        self.get_logger().info(f'I heard: "{msg.data}"')
+
+
+class CountingNode(Node):
+    """Publishes one more on /chatter each time its timers ring."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self._count = 0
+        self._publisher = self.create_publisher(String, "chatter", 10)
+
+    def say(self) -> None:
+        """Publish and count."""
+        msg = String(data=f"Hello World: {self._count}")
+        self._count += 1
+        self.get_logger().info(f'Publishing: "{msg.data}"')
+        self._publisher.publish(msg)
+
+
+class DoubleTalker(CountingNode):
+    """Two timers in one group: their callbacks never run beside each other."""
+
+    def __init__(self) -> None:
+        super().__init__("double_talker")
+        group = MutuallyExclusiveCallbackGroup()
+        self._timers_of_mine = [self.create_timer(period, self.say, callback_group=group) for period in (1.0, 0.5)]
+
+
+class ThrottledCallbackGroup(CallbackGroup):
+    """Lets ten callbacks run, and then two a second."""
+
+    MOST = 10
+
+    def __init__(self, node: Node) -> None:
+        super().__init__()
+        self._tokens = self.MOST
+        self._lock = Lock()
+        self._timer = node.create_timer(0.5, self._refill)
+
+    def can_execute(self, entity: Any) -> bool:
+        """Whether there is a token."""
+        return self._tokens > 0
+
+    def beginning_execution(self, entity: Any) -> bool:
+        """Take a token; False if there is none."""
+        with self._lock:
+            if self._tokens == 0:
+                return False
+            self._tokens -= 1
+            return True
+
+    def ending_execution(self, entity: Any) -> None:
+        """Nothing is given back."""
+
+    def _refill(self) -> None:
+        with self._lock:
+            self._tokens = min(self._tokens + 1, self.MOST)
+
+
+class ThrottledTalker(CountingNode):
+    """A timer of ten a second, whose group lets fewer through."""
+
+    def __init__(self) -> None:
+        super().__init__("intermittent_talker")
+        self._fast = self.create_timer(0.1, self.say, callback_group=ThrottledCallbackGroup(self))
+
+
+class Estopper(Node):
+    """Must never wait: prints what comes on /estop."""
+
+    def __init__(self) -> None:
+        super().__init__("estopper")
+        self._subscription = self.create_subscription(String, "estop", lambda msg: print(f"I heard: [{msg.data}]"), 10)
+
+
+class PriorityExecutor(Executor):
+    """Gives urgent nodes threads of their own, and all others one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._urgent_nodes: set[Node] = set()
+        self._urgent = ThreadPoolExecutor(max_workers=4)
+        self._others = ThreadPoolExecutor(max_workers=1)
+
+    def add_high_priority_node(self, node: Node) -> None:
+        """Add an urgent node."""
+        self._urgent_nodes.add(node)
+        self.add_node(node)
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Begin one callback that is ready."""
+        try:
+            handler, _, node = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
+        except (ShutdownException, TimeoutException):
+            return
+        (self._urgent if node in self._urgent_nodes else self._others).submit(handler)
+
+
+def _spin(executor: Executor) -> int:
+    try:
+        executor.spin()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        executor.shutdown()
+        rclpy.try_shutdown()
+    return 0
+
+
+def listener(args: list[str] | None = None) -> int:
+    """Listen until Ctrl-C."""
+    return run(Listener, args)
+
+
+def talker(args: list[str] | None = None) -> int:
+    """Talk until Ctrl-C."""
+    return run(Talker, args)
+
+
+def composed(args: list[str] | None = None) -> int:
+    """Talk and listen in one process."""
+    rclpy.init(args=args)
+    executor = SingleThreadedExecutor()
+    for node in (Talker(), Listener()):
+        executor.add_node(node)
+    return _spin(executor)
+
+
+def callback_group(args: list[str] | None = None) -> int:
+    """Two timers that exclude each other, and a listener beside them."""
+    rclpy.init(args=args)
+    executor = MultiThreadedExecutor(num_threads=4)
+    for node in (DoubleTalker(), Listener()):
+        executor.add_node(node)
+    return _spin(executor)
+
+
+def custom_callback_group(args: list[str] | None = None) -> int:
+    """A timer that is held back."""
+    return run(ThrottledTalker, args)
+
+
+def custom_executor(args: list[str] | None = None) -> int:
+    """An executor with urgent nodes."""
+    rclpy.init(args=args)
+    executor = PriorityExecutor()
+    executor.add_high_priority_node(Estopper())
+    for node in (Listener(), Talker()):
+        executor.add_node(node)
+    return _spin(executor)

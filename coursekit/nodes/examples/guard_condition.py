@@ -1,0 +1,40 @@
+"""A timer triggers a guard condition, whose callback ends the program."""
+
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+
+
+class GuardedNode(Node):
+    """Triggers its guard condition after two seconds."""
+
+    def __init__(self) -> None:
+        super().__init__("demo_guard_condition")
+        self._timer = self.create_timer(2.0, self._rang)
+        self._guard = self.create_guard_condition(self._triggered)
+
+    def _rang(self) -> None:
+        self._guard.trigger()
+        self.get_logger().info("timer callback triggered guard condition")
+
+    def _triggered(self) -> None:
+        rclpy.shutdown()
+        self.get_logger().info("guard callback called shutdown")
+
+
+def main(args: list[str] | None = None) -> int:
+    """Spin step by step until the guard condition has ended it."""
+    rclpy.init(args=args)
+    node = GuardedNode()
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    try:
+        while rclpy.ok():
+            node.get_logger().info("waiting for 'spin_once' to finish...")
+            executor.spin_once()
+            node.get_logger().info("...'spin_once' finished!\n")
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+    return 0

@@ -1,0 +1,71 @@
+"""The smallest publisher and subscriber; the C++ examples greet with a comma and other quotes."""
+
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+from coursekit.nodes.running import run, spin_to_the_end
+
+
+class MinimalPublisher(Node):
+    """Publishes a counted greeting on /topic twice a second."""
+
+    def __init__(self, greeting: str = "Hello World: ", quote: str = '"') -> None:
+        super().__init__("minimal_publisher")
+        self._greeting = greeting
+        self._quote = quote
+        self._count = 0
+        self._publisher = self.create_publisher(String, "topic", 10)
+        self._timer = self.create_timer(0.5, self._say)
+
+    def _say(self) -> None:
+        msg = String(data=f"{self._greeting}{self._count}")
+        self._count += 1
+        self._publisher.publish(msg)
+        self.get_logger().info(f"Publishing: {self._quote}{msg.data}{self._quote}")
+
+
+class MinimalSubscriber(Node):
+    """Logs what comes on /topic."""
+
+    def __init__(self, quote: str = '"') -> None:
+        super().__init__("minimal_subscriber")
+        self._quote = quote
+        self._subscription = self.create_subscription(String, "topic", self._heard, 10)
+
+    def _heard(self, msg: String) -> None:
+        self.get_logger().info(f"I heard: {self._quote}{msg.data}{self._quote}")
+
+
+def publisher(args: list[str] | None = None) -> int:
+    """Publish until Ctrl-C."""
+    return run(MinimalPublisher, args)
+
+
+def publisher_cpp(args: list[str] | None = None) -> int:
+    """Publish as the C++ examples do."""
+    return run(lambda: MinimalPublisher("Hello, world! ", "'"), args)
+
+
+def subscriber(args: list[str] | None = None) -> int:
+    """Listen until Ctrl-C."""
+    return run(MinimalSubscriber, args)
+
+
+def subscriber_cpp(args: list[str] | None = None) -> int:
+    """Listen as the C++ examples do."""
+    return run(lambda: MinimalSubscriber("'"), args)
+
+
+class MinimalTimer(Node):
+    """Says hello twice a second."""
+
+    def __init__(self) -> None:
+        super().__init__("minimal_timer")
+        self._timer = self.create_timer(0.5, lambda: self.get_logger().info("Hello, world!"))
+
+
+def timer_cpp(args: list[str] | None = None) -> int:
+    """Say hello until Ctrl-C."""
+    rclpy.init(args=args)
+    return spin_to_the_end(MinimalTimer())

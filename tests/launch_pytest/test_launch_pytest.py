@@ -278,6 +278,7 @@ def test_programs_that_a_test_starts_outside_of_the_session_join_it(run) -> None
 def test_join(talker, launch_context):
     import os, subprocess, sys
     assert process.wait_for_stderr_sync(launch_context, talker, lambda text: "World: 0" in text, timeout=10)
-    assert subprocess.run([os.path.dirname(sys.executable) + "/ros2", "node", "list"], capture_output=True, text=True).stdout == "/talker\\n"
+    command = [os.path.dirname(sys.executable) + "/ros2", "node", "list"]
+    assert subprocess.run(command, capture_output=True, text=True).stdout == "/talker\\n"
 """
     assert outcomes(run(text, clock="")) == {"test_join": "PASSED"}

@@ -71,7 +71,8 @@ def test_programs_that_a_test_starts_outside_of_the_session_join_it(run_pytest) 
     def test_join(self, proc_output):
         import os, subprocess
         proc_output.assertWaitFor("Hello World: 0")
-        self.assertEqual(subprocess.run([os.path.dirname(sys.executable) + "/ros2", "node", "list"], capture_output=True, text=True).stdout, "/t\\n")
+        command = [os.path.dirname(sys.executable) + "/ros2", "node", "list"]
+        self.assertEqual(subprocess.run(command, capture_output=True, text=True).stdout, "/t\\n")
         kept.append(os.environ["ROS_DOMAIN_ID"])
 
 kept = []

@@ -1,0 +1,79 @@
+"""Takes the managed talker through its states, ten seconds each."""
+
+import time
+from typing import Any
+
+import rclpy
+from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.srv import ChangeState, GetState
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+MANAGED = "lc_talker"
+PATIENCE = 3.0  # seconds for each answer; activating takes the talker two
+TRANSITIONS = (
+    Transition.TRANSITION_CONFIGURE,
+    Transition.TRANSITION_ACTIVATE,
+    Transition.TRANSITION_DEACTIVATE,
+    Transition.TRANSITION_ACTIVATE,
+    Transition.TRANSITION_DEACTIVATE,
+    Transition.TRANSITION_CLEANUP,
+    Transition.TRANSITION_UNCONFIGURED_SHUTDOWN,
+)
+
+
+class LifecycleServiceClient(Node):
+    """Asks for the talker's state and for transitions."""
+
+    def __init__(self) -> None:
+        super().__init__("lc_client")
+        self._get_state = self.create_client(GetState, f"{MANAGED}/get_state")
+        self._change_state = self.create_client(ChangeState, f"{MANAGED}/change_state")
+
+    def _ask(self, client: Any, request: Any) -> Any:
+        if not client.wait_for_service(PATIENCE):
+            self.get_logger().error(f"Service {client.srv_name} is not available.")
+            return None
+        future = client.call_async(request)
+        rclpy.spin_until_future_complete(self, future, timeout_sec=PATIENCE)
+        if not future.done():
+            self.get_logger().error(f"Server time out while getting current state for node {MANAGED}")
+            return None
+        return future.result()
+
+    def tell_state(self) -> bool:
+        """Log the talker's state; whether it answered."""
+        answer = self._ask(self._get_state, GetState.Request())
+        if answer is None:
+            return False
+        self.get_logger().info(f"Node {MANAGED} has current state {answer.current_state.label}.")
+        return True
+
+    def change(self, transition: int) -> bool:
+        """Ask for a transition; whether it was made."""
+        answer = self._ask(self._change_state, ChangeState.Request(transition=Transition(id=transition)))
+        if answer is None:
+            return False
+        if answer.success:
+            self.get_logger().info(f"Transition {transition} successfully triggered.")
+        else:
+            self.get_logger().warning(f"Failed to trigger transition {transition}")
+        return bool(answer.success)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Make all transitions; stop at the first that fails."""
+    rclpy.init(args=args)
+    node = LifecycleServiceClient()
+    try:
+        for number, transition in enumerate(TRANSITIONS):
+            if number:
+                time.sleep(10.0)
+            if not (node.change(transition) and node.tell_state()):
+                break
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0

@@ -16,7 +16,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "then `colcon build`"),
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
     (r"imu_\w+|robot_pose_ekf", _CPP, "robot_localization's ekf_node takes an IMU's messages as they are"),
-    (r"joy|joy_linux|joy_teleop|teleop_twist_joy", "needs a gamepad", _DRIVE),
+    (r"joy_linux|joy_teleop|spacenav|wiimote", "is the driver of a device", f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
     (r"moveit\w*|pymoveit2", _CPP, "to move joints by hand: `ros2 run joint_state_publisher_gui joint_state_publisher_gui`"),
     (r"ros_gz\w*|ros_ign\w*|gz_\w+|ign_\w+", _GAZEBO, "`ros2 launch gazebo_ros gazebo.launch.py world:=FILE` and "
      "`ros2 run gazebo_ros spawn_entity.py`"),
@@ -30,8 +30,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"rqt|rqt_graph", "opens windows of its own", "in a notebook: graph(), or `ros2 node info NODE` in a terminal"),
     (r"rqt_\w+|plotjuggler\w*|foxglove\w*|rosbridge\w*", "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
-    (r"twist_mux|twist_stamper|topic_tools|rf2o_laser_odometry", "is not needed with one source of commands or odometry",
-     "have the nodes use the topic itself, with a remapping such as `cmd_vel:=/diff_cont/cmd_vel_unstamped`"),
+    (r"rf2o_laser_odometry", _CPP, "odometry comes from the simulator's drive, or from robot_localization's ekf_node"),
     (r"composition|intra_process_demo|image_tools|dummy_\w+|logging_demo|lifecycle|quality_of_service_demo_cpp"
      r"|examples_rclcpp_\w+|action_tutorials_cpp|turtle_tf2_cpp", _CPP,
      "packages with the same lessons: demo_nodes_cpp, demo_nodes_py, action_tutorials_py, turtle_tf2_py"),
@@ -43,8 +42,8 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
 def remark(package: str) -> str:
     """Why a package is not here and what to type instead; empty for a package of which nothing is known.
 
-    >>> remark("joy")
-    'joy is not part of coursekit: it needs a gamepad; to drive: `ros2 run teleop_twist_keyboard teleop_twist_keyboard`, ...'
+    >>> remark("moveit")
+    'moveit is not part of coursekit: it is written in C++, which is not compiled here; to move joints by hand: ...'
     >>> remark("my_package")
     ''
     """

@@ -1,0 +1,1 @@
+"""joy: a gamepad's axes and buttons."""

@@ -1,0 +1,129 @@
+"""`ros2 run joy joy_node`: a gamepad's axes and buttons on /joy. Without one it waits until one is plugged in."""
+
+from __future__ import annotations
+
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from sensor_msgs.msg import Joy, JoyFeedback
+
+from coursekit.nodes.joy.device import Device, devices, name_of
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.running import spin_to_the_end, terminate
+
+FULL = 32767
+LOOK_SECONDS = 1.0
+"""How often a gamepad is looked for while there is none."""
+POLL_SECONDS = 0.005
+_DEFAULTS = {
+    "device_id": 0, "device_name": "", "deadzone": 0.05, "autorepeat_rate": 20.0, "sticky_buttons": False,
+    "coalesce_interval_ms": 1,
+}  # fmt: skip
+
+
+class JoyNode(Node):
+    """Publishes when something moves, and `autorepeat_rate` times a second; ValueError when a parameter cannot work."""
+
+    def __init__(self) -> None:
+        super().__init__("joy_node")
+        self._given = given = declare(self, _DEFAULTS)
+        if not 0.0 <= given["deadzone"] <= 1.0:
+            raise ValueError("Deadzone must be between 0.0 and 1.0")
+        if given["autorepeat_rate"] < 0.0:
+            raise ValueError("Autorepeat rate must be >= 0.0")
+        if given["autorepeat_rate"] > 1000.0:
+            raise ValueError("Autorepeat rate must be <= 1000.0")
+        if given["coalesce_interval_ms"] < 0:
+            raise ValueError("coalesce_interval_ms must be positive")
+        self._device: Device | None = None
+        self._toggled: list[int] = []
+        self._said_ns = 0
+        self._out = self.create_publisher(Joy, "joy", QoSProfile(depth=10))
+        self.create_subscription(JoyFeedback, "joy/set_feedback", lambda msg: None, 10)
+        self._poll = self.create_timer(max(POLL_SECONDS, given["coalesce_interval_ms"] * 1e-3), self._work)
+        self._poll.cancel()
+        self._look()
+        self.create_timer(LOOK_SECONDS, self._look)
+
+    def _look(self) -> None:
+        """Open the gamepad that the parameters name, if there is one by now."""
+        if self._device is not None:
+            return
+        name, number = self._given["device_name"], self._given["device_id"]
+        found = devices()
+        wanted = [path for path in found if name_of(path) == name][:1] if name else found[number : number + 1]
+        if number < 0 or not wanted:
+            return
+        try:
+            self._device = Device(wanted[0])
+        except OSError as fault:
+            self.get_logger().warning(f"Unable to open joystick {number}: {fault}", throttle_duration_sec=10.0)
+            return
+        self._toggled.clear()
+        log = self.get_logger()
+        log.info("No haptic (rumble) available, skipping initialization")
+        log.info(f"Opened joystick: {self._device.name}.  deadzone: {self._given['deadzone']:f}")
+        self._poll.reset()
+
+    def _work(self) -> None:
+        if self._device is None:
+            return
+        try:
+            moved = self._device.read()
+        except OSError as fault:
+            self.get_logger().info(f"Lost joystick: {fault}")
+            self._device.close()
+            self._device = None
+            self._poll.cancel()
+            return
+        rate, now = self._given["autorepeat_rate"], self.get_clock().now().nanoseconds
+        if moved or (rate > 0 and now - self._said_ns >= 1e9 / rate):
+            self._said_ns = now
+            self._publish(self._device)
+
+    def _publish(self, device: Device) -> None:
+        msg = Joy()
+        msg.header.frame_id, msg.header.stamp = "joy", self.get_clock().now().to_msg()
+        msg.axes = [scaled(value, self._given["deadzone"]) for value in device.axes]
+        msg.buttons = self._sticky(device) if self._given["sticky_buttons"] else list(device.buttons)
+        self._out.publish(msg)
+
+    def _sticky(self, device: Device) -> list[int]:
+        """Buttons that stay down until they are pressed again."""
+        self._toggled.extend([0] * (len(device.buttons) - len(self._toggled)))
+        for number in device.pressed:
+            self._toggled[number] = 1 - self._toggled[number]
+        device.pressed.clear()
+        return list(self._toggled)
+
+
+def scaled(value: int, deadzone: float) -> float:
+    """An axis as ROS has it: -1 … 1, forward and left positive; 0 within the dead zone, and no step at its edge.
+
+    >>> [scaled(value, 0.5) for value in (0, 16000, 32767, -32768)]
+    [0.0, 0.0, -1.0, 1.0]
+    """
+    dead = FULL * deadzone
+    size = max(abs(max(value, -FULL)) - dead, 0.0)
+    if not size:
+        return 0.0
+    return (-1.0 if value > 0 else 1.0) * size / (FULL - dead)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run the node until Ctrl-C."""
+    rclpy.init(args=args)
+    try:
+        node = JoyNode()
+    except ValueError as fault:
+        return terminate(str(fault))
+    return spin_to_the_end(node)
+
+
+def enumerate_devices(args: list[str] | None = None) -> int:
+    """List the gamepads there are."""
+    print("Joystick Device ID : Joystick Device Name")
+    print("-" * 41)
+    for number, path in enumerate(devices()):
+        print(f"{number:18} : {name_of(path)}")
+    return 0

@@ -1,0 +1,1 @@
+"""teleop_twist_joy: driving with a gamepad."""

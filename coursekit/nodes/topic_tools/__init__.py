@@ -1,0 +1,1 @@
+"""topic_tools: messages of any type handed on."""

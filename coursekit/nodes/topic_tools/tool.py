@@ -1,0 +1,95 @@
+"""What the tools share: hearing a topic of any type as bytes, and saying them again."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.utilities import remove_ros_args
+from rosidl_runtime_py.utilities import get_message
+
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.running import spin_to_the_end
+
+DISCOVERY_SECONDS = 0.1
+"""How often a topic is looked for that is not there yet."""
+
+
+class Tool(Node):
+    """Hears `input_topic` once somebody publishes on it, with the type and the QoS of who does; `take` gets the bytes.
+
+    With `lazy` it hears only while somebody listens to what it says.
+    """
+
+    def __init__(self, name: str, given: dict[str, Any]) -> None:
+        super().__init__(name)
+        self._words = given
+        self.input_topic = str(self.wanted("input_topic", ""))
+        if not self.input_topic:
+            raise ValueError(f"{name} needs a topic: ros2 run topic_tools {name} TOPIC, or -p input_topic:=TOPIC")
+        self.output_topic = str(self.wanted("output_topic", f"{self.input_topic}_{name}"))
+        self.lazy = bool(self.wanted("lazy", False))
+        self._ear: Any = None
+        self._mouth: Any = None
+        self.create_timer(DISCOVERY_SECONDS, self._look)
+
+    def wanted(self, name: str, default: Any) -> Any:
+        """A parameter; a word of the command line stands for its default."""
+        return declare(self, {name: self._words.get(name, default)})[name]
+
+    def take(self, data: bytes) -> None:
+        """Do with a message what the tool is for."""
+        self.say(data)
+
+    def say(self, data: bytes) -> None:
+        """Hand a message on."""
+        self._mouth.publish(data)
+
+    def _look(self) -> None:
+        """Begin to hear, or to be silent, as topics and listeners come and go."""
+        if self._mouth is None:
+            self._open()
+        elif self.lazy and self._ear is not None and not self._mouth.get_subscription_count():
+            self.destroy_subscription(self._ear)
+            self._ear = None
+        elif self._ear is None and (not self.lazy or self._mouth.get_subscription_count()):
+            self._ear = self.create_subscription(self._kind, self.input_topic, self.take, self._qos, raw=True)
+
+    def _open(self) -> None:
+        found = source_of(self, self.input_topic)
+        if found is not None:
+            self._kind, self._qos = found
+            self._mouth = self.create_publisher(self._kind, self.output_topic, self._qos)
+            self._look()
+
+
+def source_of(node: Node, topic: str) -> tuple[Any, QoSProfile] | None:
+    """The type of a topic that somebody publishes on, and the QoS that hears all of them; None without a publisher."""
+    about = node.get_publishers_info_by_topic(node.resolve_topic_name(topic))
+    if not about:
+        return None
+    profiles = [one.qos_profile for one in about]
+    reliable = all(one.reliability == ReliabilityPolicy.RELIABLE for one in profiles)
+    kept = all(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in profiles)
+    qos = QoSProfile(
+        depth=max(*(one.depth for one in profiles), 10),
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
+    )
+    return get_message(about[0].topic_type), qos
+
+
+def run_tool(make: Callable[[list[str]], Node], args: list[str] | None) -> int:
+    """Run the tool that `make` gives from the words of the command line, until Ctrl-C; 1 when they cannot work."""
+    rclpy.init(args=args)
+    try:
+        node = make(remove_ros_args(args=sys.argv if args is None else args)[1:])
+    except (ValueError, IndexError) as fault:
+        print(str(fault), file=sys.stderr)
+        rclpy.try_shutdown()
+        return 1
+    return spin_to_the_end(node)

@@ -1,0 +1,1 @@
+"""twist_mux: one of several drivers steers, by priority."""

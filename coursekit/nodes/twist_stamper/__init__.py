@@ -1,0 +1,1 @@
+"""twist_stamper: Twist with a stamp and without."""

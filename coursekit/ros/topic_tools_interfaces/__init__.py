@@ -1,0 +1,1 @@
+"""Interfaces of topic_tools_interfaces."""

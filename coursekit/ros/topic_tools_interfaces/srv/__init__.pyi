@@ -1,0 +1,106 @@
+# ruff: noqa
+# fmt: off
+# made by coursekit.interfaces.stubs from the definition files
+from array import array
+from collections.abc import Collection
+from typing import Any, ClassVar, TypeAlias
+
+import numpy
+import numpy.typing
+
+
+class MuxAdd_Request:
+    def __init__(self, *, topic: str = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def topic(self) -> str: ...
+    @topic.setter
+    def topic(self, value: str) -> None: ...
+
+class MuxAdd_Response:
+    def __init__(self, *, success: bool = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def success(self) -> bool: ...
+    @success.setter
+    def success(self, value: bool) -> None: ...
+
+class MuxAdd:
+    Request: TypeAlias = MuxAdd_Request
+    Response: TypeAlias = MuxAdd_Response
+
+class MuxDelete_Request:
+    def __init__(self, *, topic: str = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def topic(self) -> str: ...
+    @topic.setter
+    def topic(self, value: str) -> None: ...
+
+class MuxDelete_Response:
+    def __init__(self, *, success: bool = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def success(self) -> bool: ...
+    @success.setter
+    def success(self, value: bool) -> None: ...
+
+class MuxDelete:
+    Request: TypeAlias = MuxDelete_Request
+    Response: TypeAlias = MuxDelete_Response
+
+class MuxList_Request:
+    def __init__(self) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+
+class MuxList_Response:
+    def __init__(self, *, topics: Collection[str] = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def topics(self) -> list[str]: ...
+    @topics.setter
+    def topics(self, value: Collection[str]) -> None: ...
+
+class MuxList:
+    Request: TypeAlias = MuxList_Request
+    Response: TypeAlias = MuxList_Response
+
+class MuxSelect_Request:
+    def __init__(self, *, topic: str = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def topic(self) -> str: ...
+    @topic.setter
+    def topic(self, value: str) -> None: ...
+
+class MuxSelect_Response:
+    def __init__(self, *, prev_topic: str = ..., success: bool = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def prev_topic(self) -> str: ...
+    @prev_topic.setter
+    def prev_topic(self, value: str) -> None: ...
+    @property
+    def success(self) -> bool: ...
+    @success.setter
+    def success(self, value: bool) -> None: ...
+
+class MuxSelect:
+    Request: TypeAlias = MuxSelect_Request
+    Response: TypeAlias = MuxSelect_Response

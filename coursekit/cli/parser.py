@@ -32,7 +32,7 @@ COMMANDS = (
     "topic",
     "wtf",
 )
-_OF_THE_GRAPH = {"action", "lifecycle", "node", "param", "service", "topic"}
+_OF_THE_GRAPH = {"action", "component", "lifecycle", "node", "param", "service", "topic"}
 _STRATEGY = {
     ("--spin-time",): "Seconds to wait for discovery (here the graph is known at once)",
     ("-s", "--use-sim-time"): "Enable ROS simulation time (here the session has one clock)",

@@ -38,3 +38,16 @@ def terminate(what: str) -> int:
     if current_process() is not None:
         raise ProcessKilled(signal.SIGABRT)
     return 1
+
+
+def pass_on_output() -> Callable[[str, str], None]:
+    """What to give as `on_output` to a process, so that this one writes all that it writes."""
+    mine = current_process()
+
+    def pass_on(stream: str, text: str) -> None:
+        if mine is not None:
+            mine.out.write(stream, text)
+        else:
+            print(text, end="", flush=True)
+
+    return pass_on

@@ -1,0 +1,1 @@
+"""The package composition: nodes that run alone in a container, or all in one process."""

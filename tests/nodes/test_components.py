@@ -1,0 +1,68 @@
+"""Containers and `ros2 component`, as the composition tutorial uses them."""
+
+
+def test_components_are_loaded_listed_and_unloaded(session, run, ros2):
+    container = run("rclcpp_components", "component_container")
+    session.clock.sleep(0.2)
+    assert ros2("component", "list") == "/ComponentManager\n"
+    loaded = ros2("component", "load", "/ComponentManager", "composition", "composition::Talker")
+    assert loaded == "Loaded component 1 into '/ComponentManager' container node as '/talker'\n"
+    loaded = ros2("component", "load", "/ComponentManager", "composition", "composition::Listener")
+    assert loaded == "Loaded component 2 into '/ComponentManager' container node as '/listener'\n"
+    assert ros2("component", "list") == "/ComponentManager\n  1  /talker\n  2  /listener\n"
+    session.clock.sleep(2.5)
+    assert "[talker]: Publishing: 'Hello World: 1'" in container.output
+    assert "[listener]: I heard: [Hello World: 2]" in container.output
+    gone = ros2("component", "unload", "/ComponentManager", "1", "2")
+    assert gone == "".join(f"Unloaded component {n} from '/ComponentManager' container node\n" for n in (1, 2))
+    assert ros2("node", "list") == "/ComponentManager\n"
+
+
+def test_a_component_takes_name_namespace_rules_and_parameters(session, run, ros2):
+    run("rclcpp_components", "component_container_mt", "--ros-args", "-r", "__node:=box")
+    session.clock.sleep(0.2)
+    words = ["-n", "tom", "--node-namespace", "/ns", "-r", "chatter:=chat", "-p", "use_sim_time:=true"]
+    loaded = ros2("component", "load", "/box", "composition", "composition::Talker", *words, "-q")
+    assert loaded == "1  /ns/tom\n"
+    assert "/ns/chat\n" in ros2("topic", "list")
+    assert ros2("param", "get", "/ns/tom", "use_sim_time") == "Boolean value is: True\n"
+
+
+def test_what_cannot_be_loaded_or_unloaded_is_said(session, run, ros2):
+    run("rclcpp_components", "component_container")
+    session.clock.sleep(0.2)
+    assert ros2("component", "list", "/nobody") == "Unable to find container node '/nobody'\n"
+    refused = ros2("component", "load", "/ComponentManager", "composition", "composition::Painter")
+    assert refused.startswith("Failed to load component: ") and "painter or painter_node" in refused
+    refused = ros2("component", "unload", "/ComponentManager", "7")
+    assert refused.endswith("from '/ComponentManager' container node\n    No node found with unique_id: 7\n")
+
+
+def test_a_container_that_ends_takes_its_components_along(session, run, ros2):
+    container = run("rclcpp_components", "component_container")
+    session.clock.sleep(0.2)
+    ros2("component", "load", "/ComponentManager", "composition", "composition::Server")
+    container.interrupt()
+    assert container.wait(10) == 0
+    assert ros2("node", "list") == ""
+
+
+def test_components_are_listed_by_package(ros2):
+    assert ros2("component", "types", "composition").splitlines()[:2] == ["composition::Talker", "composition::Listener"]
+    assert "composition\n  composition::Talker\n" in ros2("component", "types")
+    assert ros2("component", "types", "nothing") == "Unable to find package 'nothing'\n"
+
+
+def test_a_component_runs_alone_until_the_interrupt(session, ros2):
+    output = ros2("component", "standalone", "composition", "composition::Talker", seconds=3.5)
+    assert "[talker]: Publishing: 'Hello World: 2'" in output
+    assert ros2("node", "list") == ""
+
+
+def test_all_four_run_in_one_process(session, run):
+    all_four = run("composition", "manual_composition")
+    session.clock.sleep(3.5)
+    for said in ("I heard: [Hello World: 1]", "Incoming request: [a: 2, b: 3]", "Got result: [5]"):
+        assert said in all_four.output
+    all_four.interrupt()
+    assert all_four.wait(5) == 0

@@ -16,7 +16,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "then `colcon build`"),
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
     (r"imu_\w+|robot_pose_ekf", _CPP, "robot_localization's ekf_node takes an IMU's messages as they are"),
-    (r"joy_linux|joy_teleop|spacenav|wiimote", "is the driver of a device", f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
+    (r"joy_linux|joy_teleop|spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
     (r"moveit\w*|pymoveit2", _CPP, "to move joints by hand: `ros2 run joint_state_publisher_gui joint_state_publisher_gui`"),
     (r"ros_gz\w*|ros_ign\w*|gz_\w+|ign_\w+", _GAZEBO, "`ros2 launch gazebo_ros gazebo.launch.py world:=FILE` and "
      "`ros2 run gazebo_ros spawn_entity.py`"),
@@ -34,8 +34,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"composition|intra_process_demo|image_tools|dummy_\w+|logging_demo|lifecycle|quality_of_service_demo_cpp"
      r"|examples_rclcpp_\w+|action_tutorials_cpp|turtle_tf2_cpp", _CPP,
      "packages with the same lessons: demo_nodes_cpp, demo_nodes_py, action_tutorials_py, turtle_tf2_py"),
-    (r"explore_lite|laser_filters|image_proc|image_pipeline|depthimage_to_laserscan|pointcloud_to_laserscan|apriltag_ros"
-     r"|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP, "leave it out, or write the node in Python"),
+    (r"image_proc|image_pipeline|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP, "leave it out, or write the node in Python"),
 )  # fmt: skip
 
 

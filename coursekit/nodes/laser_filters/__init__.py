@@ -1,0 +1,1 @@
+"""laser_filters: a scan goes through filters, one after the other."""

@@ -1,0 +1,36 @@
+"""Hearing a topic only while somebody hears what is made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+LOOK_SECONDS = 0.1
+
+
+class LazyEar:
+    """Subscribes, best effort, while `out` has subscribers; tells when that changes."""
+
+    def __init__(self, node: Node, out: Any, kind: Any, topic: str, hear: Callable[[Any], None], depth: int = 5) -> None:
+        self._node, self._out = node, out
+        self._ear: Any = None
+        self._qos = QoSProfile(depth=max(depth, 1), reliability=ReliabilityPolicy.BEST_EFFORT)
+        self._make = lambda: node.create_subscription(kind, topic, hear, self._qos)
+        self.words = ("", "")
+        node.create_timer(LOOK_SECONDS, self.look)
+
+    def look(self) -> None:
+        """Begin or end to hear."""
+        wanted = self._out.get_subscription_count() > 0
+        if wanted == (self._ear is not None):
+            return
+        if self.words[0]:
+            self._node.get_logger().info(self.words[0 if wanted else 1])
+        if wanted:
+            self._ear = self._make()
+        else:
+            self._node.destroy_subscription(self._ear)
+            self._ear = None

@@ -34,7 +34,8 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"composition|intra_process_demo|image_tools|dummy_\w+|logging_demo|lifecycle|quality_of_service_demo_cpp"
      r"|examples_rclcpp_\w+|action_tutorials_cpp|turtle_tf2_cpp", _CPP,
      "packages with the same lessons: demo_nodes_cpp, demo_nodes_py, action_tutorials_py, turtle_tf2_py"),
-    (r"image_proc|image_pipeline|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP, "leave it out, or write the node in Python"),
+    (r"image_proc|image_pipeline|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
+     "leave it out, or write the node in Python"),
 )  # fmt: skip
 
 

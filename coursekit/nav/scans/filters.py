@@ -28,8 +28,8 @@ def without(ranges: Array, gone: Mask) -> Array:
 
 def in_box(points: Array, low: Array, high: Array) -> Mask:
     """Which points (n, 3) lie in a box."""
-    inside: Mask = ((points >= low) & (points <= high)).all(axis=1)
-    return inside
+    inside: Mask = (points >= low) & (points <= high)
+    return np.asarray(inside.all(axis=1))
 
 
 def _neighbours(ranges: Array, offsets: list[int]) -> Array:
@@ -45,7 +45,8 @@ def speckles_by_distance(ranges: Array, window: int, largest: float, far: float)
         return ranges.copy()
     following = np.lib.stride_tricks.sliding_window_view(ranges, window)
     with np.errstate(invalid="ignore"):
-        alike: Mask = (np.abs(following - following[:, :1]) <= largest).all(axis=1)
+        near: Mask = np.abs(following - following[:, :1]) <= largest
+        alike: Mask = np.asarray(near.all(axis=1))
         kept: Mask = ranges > far
     for k in range(window):
         kept[k : k + len(alike)] |= alike

@@ -12,6 +12,10 @@ from rclpy.utilities import remove_ros_args
 
 from .common import Listener, Talker, spin
 
+POLICIES = {
+    "AUTOMATIC": QoSLivelinessPolicy.AUTOMATIC,
+    "MANUAL_BY_TOPIC": QoSLivelinessPolicy.MANUAL_BY_TOPIC,
+}
 
 def _arguments(name: str, what: str, *options: tuple[str, int, str]) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser()
@@ -77,10 +81,10 @@ def liveliness(args: list[str] | None = None) -> int:
         ("--topic-assert-period", 0, "How often the talker asserts that it lives [ms]; 0: never"),
         ("--kill-publisher-after", 3000, "When the talker ends [ms]; 0: never"),
     )
-    parser.add_argument("--policy", choices=["AUTOMATIC", "MANUAL_BY_TOPIC"], default="AUTOMATIC", help="Policy")
+    parser.add_argument("--policy", choices=list(POLICIES), default="AUTOMATIC", help="Policy")
     options = _parsed(parser)
     rclpy.init(args=args)
-    policy = QoSLivelinessPolicy[options.policy]
+    policy = POLICIES[options.policy]
     lease = Duration(seconds=options.liveliness_lease_duration / 1000)
     qos = QoSProfile(depth=10, liveliness=policy, liveliness_lease_duration=lease)
     heard = SubscriptionEventCallbacks(liveliness=lambda event: get_logger("Listener").info(str(event)))

@@ -1,6 +1,7 @@
 """The action tutorial as its C++ nodes tell it."""
 
 import time
+from collections.abc import Callable
 from typing import Any
 
 import rclpy
@@ -87,7 +88,7 @@ class FibonacciClient(Node):
         rclpy.shutdown()
 
 
-def _run(make: type[Node], args: list[str] | None) -> int:
+def _run(make: Callable[[], Node], args: list[str] | None) -> int:
     rclpy.init(args=args)
     node = make()
     try:

@@ -1,0 +1,73 @@
+"""`ros2 run image_tools cam2image`: publishes a camera's images, or, with burger_mode, a burger's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+import rclpy
+from cv_bridge import CvBridge
+from rclpy.node import Node
+from sensor_msgs.msg import Image
+from std_msgs.msg import Bool
+
+from coursekit.nodes.running import spin_to_the_end, terminate
+
+from .burger import Burgers
+from .options import declared_qos
+
+
+class Cam2Image(Node):
+    """Publishes on /image; a true on /flip_image turns the images left to right. RuntimeError without a camera."""
+
+    def __init__(self) -> None:
+        super().__init__("cam2image")
+        self._count = 0
+        self._flip = False
+        qos = declared_qos(self)
+        frequency = float(self.declare_parameter("frequency", 30.0).value)
+        self.declare_parameter("show_camera", False)  # a window is what showimage or a viewer is for
+        self._frame_id = str(self.declare_parameter("frame_id", "camera_frame").value)
+        self._next_image = self._source()
+        self._publisher = self.create_publisher(Image, "image", qos)
+        self.create_subscription(Bool, "flip_image", self._turn, 10)
+        self.create_timer(1.0 / frequency, self._publish)
+
+    def _source(self) -> Any:
+        width = int(self.declare_parameter("width", 320).value)
+        height = int(self.declare_parameter("height", 240).value)
+        device = int(self.declare_parameter("device_id", 0).value)
+        if self.declare_parameter("burger_mode", False).value:
+            return Burgers(width, height).draw
+        camera = cv2.VideoCapture(device)
+        camera.set(cv2.CAP_PROP_FRAME_WIDTH, width)
+        camera.set(cv2.CAP_PROP_FRAME_HEIGHT, height)
+        if not camera.isOpened():
+            self.get_logger().error("Could not open video stream; without a camera: -p burger_mode:=true")
+            raise RuntimeError("Could not open video stream")
+        return lambda: camera.read()[1]
+
+    def _turn(self, msg: Bool) -> None:
+        self._flip = msg.data
+        self.get_logger().info(f"Set flip mode to: {'on' if msg.data else 'off'}")
+
+    def _publish(self) -> None:
+        image = self._next_image()
+        if image is None:
+            return
+        msg = CvBridge().cv2_to_imgmsg(cv2.flip(image, 1) if self._flip else image, "bgr8")
+        msg.header.frame_id = self._frame_id
+        msg.header.stamp = self.get_clock().now().to_msg()
+        self._count += 1
+        self.get_logger().info(f"Publishing image #{self._count}")
+        self._publisher.publish(msg)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Publish until Ctrl-C."""
+    rclpy.init(args=args)
+    try:
+        node = Cam2Image()
+    except (RuntimeError, ValueError) as error:
+        return terminate(str(error))
+    return spin_to_the_end(node)

@@ -1,0 +1,46 @@
+"""`ros2 run image_tools showimage`: tells of each image that comes on /image, and shows it."""
+
+from __future__ import annotations
+
+import cv2
+import rclpy
+from rclpy.node import Node
+from sensor_msgs.msg import Image
+
+from coursekit.nodes.images.transport import to_bgr
+from coursekit.nodes.running import spin_to_the_end, terminate
+
+from .options import declared_qos
+
+
+class ShowImage(Node):
+    """Logs the images' frames; shows the images unless `show_image` is false."""
+
+    def __init__(self) -> None:
+        super().__init__("showimage")
+        self._shows = bool(self.declare_parameter("show_image", True).value)
+        self._window = str(self.declare_parameter("window_name", "").value) or self.resolve_topic_name("image")
+        self.create_subscription(Image, "image", self._seen, declared_qos(self))
+
+    def close(self) -> None:
+        """Close the window."""
+        if self._shows and cv2.getWindowProperty(self._window, cv2.WND_PROP_VISIBLE) > 0:
+            cv2.destroyWindow(self._window)
+
+    def _seen(self, msg: Image) -> None:
+        self.get_logger().info(f"Received image #{msg.header.frame_id}")
+        if self._shows:
+            cv2.imshow(self._window, to_bgr(msg))
+
+
+def main(args: list[str] | None = None) -> int:
+    """Watch until Ctrl-C."""
+    rclpy.init(args=args)
+    try:
+        node = ShowImage()
+    except ValueError as error:
+        return terminate(str(error))
+    try:
+        return spin_to_the_end(node)
+    finally:
+        node.close()

@@ -1,0 +1,151 @@
+"""CameraInfoManager and the files it reads and writes."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import yaml
+from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+from rclpy.node import Node
+from sensor_msgs.msg import CameraInfo
+from sensor_msgs.srv import SetCameraInfo
+
+default_camera_info_url = "file://${ROS_HOME}/camera_info/${NAME}.yaml"
+"""Where a calibration is kept that has no other place."""
+_MATRICES = {"camera_matrix": ("k", 3, 3), "rectification_matrix": ("r", 3, 3), "projection_matrix": ("p", 3, 4)}
+
+
+class CameraInfoError(Exception):
+    """What calibrations raise."""
+
+
+class CameraInfoMissingError(CameraInfoError):
+    """No calibration has been loaded yet: call `loadCameraInfo` first."""
+
+
+def resolveURL(url: str, cname: str) -> str:
+    """A URL with ${NAME} and ${ROS_HOME} filled in.
+
+    >>> resolveURL("file:///calibrations/${NAME}.yaml", "left")
+    'file:///calibrations/left.yaml'
+    """
+    home = os.environ.get("ROS_HOME", str(Path.home() / ".ros"))
+    return url.replace("${NAME}", cname).replace("${ROS_HOME}", home)
+
+
+def _file_of(url: str) -> Path:
+    """The file of a file:// or package:// URL; CameraInfoError for another."""
+    if url.startswith("package://"):
+        package, _, rest = url.removeprefix("package://").partition("/")
+        try:
+            return Path(get_package_share_directory(package)) / rest
+        except PackageNotFoundError as fault:
+            raise CameraInfoError(f"{url}: {fault}") from fault
+    if url.startswith("file://"):
+        return Path(url.removeprefix("file://"))
+    raise CameraInfoError(f"Invalid camera info URL: '{url}': give file:///PATH or package://PACKAGE/PATH")
+
+
+def loadCalibrationFile(filename: str, cname: str) -> CameraInfo:
+    """The calibration in a file; an empty one when there is none. CameraInfoError when it cannot be understood."""
+    path = Path(filename)
+    if not path.is_file():
+        return CameraInfo()
+    try:
+        told = yaml.safe_load(path.read_text(encoding="utf-8"))
+        return _info_of(told) if told else CameraInfo()
+    except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError, ValueError, AssertionError) as fault:
+        raise CameraInfoError(f"{filename} holds no calibration of '{cname}': {type(fault).__name__}: {fault}") from fault
+
+
+def _info_of(told: dict[str, Any]) -> CameraInfo:
+    info = CameraInfo(width=int(told["image_width"]), height=int(told["image_height"]))
+    info.distortion_model = str(told["distortion_model"])
+    info.d = [float(one) for one in told["distortion_coefficients"]["data"]]
+    for name, (field, _, _) in _MATRICES.items():
+        setattr(info, field, [float(one) for one in told[name]["data"]])
+    return info
+
+
+def saveCalibrationFile(ci: CameraInfo, filename: str, cname: str) -> bool:
+    """Write a calibration as the calibrator does; whether that was possible."""
+    told: dict[str, Any] = {"image_width": ci.width, "image_height": ci.height, "camera_name": cname}
+    told["distortion_model"] = ci.distortion_model
+    told["distortion_coefficients"] = {"data": [float(one) for one in ci.d], "rows": 1, "cols": len(ci.d)}
+    for name, (field, rows, columns) in _MATRICES.items():
+        told[name] = {"data": [float(one) for one in getattr(ci, field)], "rows": rows, "cols": columns}
+    try:
+        Path(filename).parent.mkdir(parents=True, exist_ok=True)
+        Path(filename).write_text(yaml.safe_dump(told, sort_keys=False), encoding="utf-8")
+    except OSError:
+        return False
+    return True
+
+
+class CameraInfoManager:
+    """Loads a camera's calibration from its URL and lets calibrators set it by the service set_camera_info."""
+
+    def __init__(self, node: Node, cname: str = "camera", url: str = "", namespace: str = "") -> None:
+        self.node, self.cname, self.url = node, cname, url
+        self.camera_info: CameraInfo | None = None
+        name = f"{namespace.rstrip('/')}/set_camera_info" if namespace else "set_camera_info"
+        self.svc = node.create_service(SetCameraInfo, name, self._set)
+
+    def _place(self) -> Path:
+        return _file_of(resolveURL(self.url or default_camera_info_url, self.cname))
+
+    def loadCameraInfo(self) -> None:
+        """Read the calibration anew; one that cannot be read is told, and there is an empty one."""
+        try:
+            self.camera_info = loadCalibrationFile(str(self._place()), self.cname)
+        except CameraInfoError as fault:
+            self.node.get_logger().error(str(fault))
+            self.camera_info = CameraInfo()
+
+    def getCameraInfo(self) -> CameraInfo:
+        """The calibration; CameraInfoMissingError before it was loaded."""
+        if self.camera_info is None:
+            raise CameraInfoMissingError("Calibration missing, loadCameraInfo() needed")
+        return self.camera_info
+
+    def isCalibrated(self) -> bool:
+        """Whether there is one with numbers in it."""
+        return bool(self.getCameraInfo().k[0])
+
+    def getCameraName(self) -> str:
+        """The camera's name."""
+        return self.cname
+
+    def setCameraName(self, cname: str) -> bool:
+        """Another name; False when it holds other than letters, digits and _."""
+        if not cname or not all(one.isalnum() or one == "_" for one in cname):
+            return False
+        if cname != self.cname:
+            self.cname, self.camera_info = cname, None
+        return True
+
+    def getURL(self) -> str:
+        """Where the calibration is kept."""
+        return self.url
+
+    def setURL(self, url: str) -> bool:
+        """Another place; False when it is no place."""
+        if url:
+            try:
+                _file_of(resolveURL(url, self.cname))
+            except CameraInfoError:
+                return False
+        if url != self.url:
+            self.url, self.camera_info = url, None
+        return True
+
+    def _set(self, request: Any, response: Any) -> Any:
+        self.camera_info = request.camera_info
+        try:
+            response.success = saveCalibrationFile(request.camera_info, str(self._place()), self.cname)
+            response.status_message = "" if response.success else "Error storing camera calibration."
+        except CameraInfoError as fault:
+            response.success, response.status_message = False, str(fault)
+        return response

@@ -15,7 +15,7 @@ from coursekit.core.session import Session
 
 
 @pytest.mark.parametrize(
-    "package", ["cartographer_ros", "joy_linux", "moveit_configs_utils", "ros_gz_sim", "aruco_ros", "control_msgs"]
+    "package", ["cartographer_ros", "joy_linux", "moveit_configs_utils", "ros_gz_sim", "aruco_ros", "moveit_msgs"]
 )
 def test_a_known_package_has_a_reason_and_a_way_out(package):
     assert remark(package).startswith(f"{package} is not part of coursekit: it ") and "; " in remark(package)

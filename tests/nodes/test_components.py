@@ -66,3 +66,8 @@ def test_all_four_run_in_one_process(session, run):
         assert said in all_four.output
     all_four.interrupt()
     assert all_four.wait(5) == 0
+
+
+def test_the_launch_file_of_the_demo_starts_a_talker_and_a_listener(ros2):
+    output = ros2("launch", "composition", "composition_demo.launch.py", seconds=3.5)
+    assert "[talker]: Publishing: 'Hello World: 1'" in output and "[listener]: I heard: [Hello World: 1]" in output

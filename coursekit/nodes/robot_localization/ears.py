@@ -16,6 +16,7 @@ from tf2_ros import TransformException
 from coursekit.nav.fusion.estimator import Estimator
 from coursekit.nav.fusion.measurement import Measurement
 from coursekit.nodes.robot_localization.geometry import pose_of
+from coursekit.nodes.robot_localization.health import Health
 from coursekit.nodes.robot_localization.preparing import Preparing
 from coursekit.nodes.robot_localization.sources import Source
 
@@ -27,10 +28,12 @@ _KINDS: dict[str, Any] = {
 class Ears:
     """Hears sources; messages that go back in time, or are not after `deaf_until_ns`, are ignored with a word."""
 
-    def __init__(self, node: Node, preparing: Preparing, estimator: Estimator, sources: list[Source]) -> None:
+    def __init__(
+        self, node: Node, preparing: Preparing, estimator: Estimator, sources: list[Source], health: Health | None
+    ) -> None:
         self._node, self._preparing, self._estimator = node, preparing, estimator
         self._last: dict[str, int] = {}
-        self.deaf_until_ns = 0
+        self.deaf_until_ns, self._health = 0, health
         for source in sources:
             if source.used.any():
                 qos = QoSProfile(depth=source.queue_size, reliability=ReliabilityPolicy.BEST_EFFORT)
@@ -57,16 +60,21 @@ class Ears:
         if stamp_ns > self.deaf_until_ns and stamp_ns >= before:
             return True
         self._last[source.name] = before
+        if self._node.get_clock().now().nanoseconds <= self.deaf_until_ns:
+            return False  # a simulation begins: its first messages are of time 0
         late = "equal to or before the last filter reset"
         if stamp_ns < before:
             late = "before that of the previous message received"
         self._warn(
+            f"{source.name}_timestamp",
             f"The {source.name} message has a timestamp {late}, this message will be ignored. This may indicate an "
-            f"empty or bad timestamp. (message time: {stamp_ns * 1e-9:.6f})"
+            f"empty or bad timestamp. (message time: {stamp_ns * 1e-9:.6f})",
         )
         return False
 
-    def _warn(self, text: str) -> None:
+    def _warn(self, about: str, text: str) -> None:
+        if self._health is not None:
+            self._health.complain(about, text)
         self._node.get_logger().warning(text, throttle_duration_sec=5.0)
 
     def _add(self, source: Source, make: Callable[[], Measurement | None]) -> None:
@@ -74,7 +82,7 @@ class Ears:
         try:
             made = make()
         except TransformException as fault:
-            self._warn(f"A message of {source.name} ({source.topic}) cannot be used: {fault}")
+            self._warn(f"{source.name}_transform", f"A message of {source.name} ({source.topic}) cannot be used: {fault}")
             return
         if made is not None:
             self._estimator.add(made)

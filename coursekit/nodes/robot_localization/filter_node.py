@@ -23,6 +23,7 @@ from coursekit.nodes.robot_localization import messages, parameters
 from coursekit.nodes.robot_localization.ears import Ears
 from coursekit.nodes.robot_localization.frames import Frames
 from coursekit.nodes.robot_localization.geometry import pose_of, rpy, square, turned, turning, vector
+from coursekit.nodes.robot_localization.health import Health
 from coursekit.nodes.robot_localization.preparing import Preparing
 from coursekit.nodes.robot_localization.sources import sources
 from coursekit.nodes.running import spin_to_the_end, terminate
@@ -41,7 +42,8 @@ class FilterNode(Node):
         flat, gravity = given["two_d_mode"], given["gravitational_acceleration"]
         base = given["base_link_frame"]
         preparing = Preparing(self._frames, given["world_frame"], base, flat=flat, gravity=gravity)
-        self._ears = Ears(self, preparing, self._estimator, self._sources)
+        self._health = Health(self, given["frequency"]) if given["print_diagnostics"] else None
+        self._ears = Ears(self, preparing, self._estimator, self._sources, self._health)
         self._enabled, self._on, self._published_ns, self._last_ns = not given["disabled_at_startup"], True, -1, 0
         self._make_topics()
 
@@ -126,6 +128,8 @@ class FilterNode(Node):
         given = self._given
         if given["publish_tf"]:
             self._send_transform(estimate)
+        if self._health is not None:
+            self._health.tick()
         self._out.publish(messages.odometry(estimate, given["world_frame"], given["base_link_frame_output"]))
         if given["publish_acceleration"]:
             self._accelerations.publish(messages.acceleration(estimate, given["base_link_frame_output"]))

@@ -3,7 +3,9 @@
 import math
 
 import pytest
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseWithCovarianceStamped, Twist
+from nav_msgs.msg import Odometry
 from rclpy.time import Time
 from robot_localization.srv import SetPose, ToggleFilterProcessing
 from std_srvs.srv import Empty
@@ -147,6 +149,26 @@ def test_commands_are_foreseen_where_use_control_says_so(robot, start):
         commands.publish(msg)
         robot.spin(0.1)
     assert robot.heard[-1].twist.twist.linear.x > 0.5
+
+
+def test_its_health_is_told_where_print_diagnostics_says_so(robot, start):
+    told: list[DiagnosticArray] = []
+    robot.node.create_subscription(DiagnosticArray, "/diagnostics", told.append, 50)
+    start(**BOTH, print_diagnostics="true")
+    robot.drive(3.0)
+    states = {one.name: one.message for one in told[-1].status}
+    assert "functioning properly" in states["ekf_filter_node: Filter diagnostic updater"]
+    assert states["ekf_filter_node: odometry/filtered topic status"] == "Desired frequency met"
+    robot.tell_imu(0.0, frame="nowhere")
+    robot.drive(1.0)
+    assert any(value.key == "imu0_transform" for array in told for one in array.status for value in one.values)
+
+
+def test_messages_of_time_zero_are_no_complaint_while_a_simulation_begins(robot, start):
+    process = start(**WHEELS, use_sim_time="true")
+    robot.out["odom"].publish(Odometry(child_frame_id="base_link"))
+    robot.spin(0.2)
+    assert process.output == "" and not robot.heard
 
 
 def test_wrong_parameters_end_the_node_with_what_to_give_instead(robot, start):

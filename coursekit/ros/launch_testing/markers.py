@@ -56,8 +56,8 @@ class _Failures:
 
     def __init__(self, case: Any) -> None:
         self.outcome = getattr(case, "_outcome", None)
-        holder = getattr(self.outcome, "result", self.outcome)  # Python 3.11 keeps them in the result
-        lists = (getattr(holder, name, None) for name in ("errors", "failures"))
+        holders = (self.outcome, getattr(self.outcome, "result", None))  # the second since Python 3.11
+        lists = (getattr(holder, name, None) for holder in holders for name in ("errors", "failures"))
         self.lists = [(one, len(one)) for one in lists if one is not None]
 
     def check(self) -> None:

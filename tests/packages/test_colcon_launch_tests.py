@@ -125,6 +125,7 @@ def test_launch_tests_of_a_package_are_run_and_reported(workspace, word, failure
     folder = workspace(word)
     built = colcon(folder, "build")
     assert built.returncode == 0, built.stdout + built.stderr
+    assert "tests_require" not in built.stderr, "a word of Humble's setup.py is no unknown one"
     tested = colcon(folder, "test", "--packages-select", "tested")
     result = colcon(folder, "test-result", "--all", "--verbose")
     assert f"Summary: 2 tests, 0 errors, {failures}, 0 skipped" in result.stdout, tested.stderr + result.stdout

@@ -10,6 +10,7 @@ import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from socket import if_nameindex
 
 from coursekit.interfaces.find import UNDERLAY
 
@@ -123,6 +124,7 @@ def run_all() -> list[Check]:
 
 def report() -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Sections of (name, value) lines for `ros2 doctor --report`."""
+    yield "NETWORK CONFIGURATION", [("device", f"{name} (messages stay on this computer)") for _, name in if_nameindex()]
     yield (
         "PLATFORM INFORMATION",
         [
@@ -138,6 +140,8 @@ def report() -> Iterator[tuple[str, list[tuple[str, str]]]]:
         [
             ("distribution name", os.environ.get("ROS_DISTRO", "humble")),
             ("distribution type", "ros2"),
+            ("distribution status", "active"),
+            ("release platforms", "{'debian': ['bullseye'], 'rhel': ['8'], 'ubuntu': ['jammy']}"),
             ("domain id", os.environ.get("ROS_DOMAIN_ID", "0")),
         ],
     )

@@ -13,7 +13,7 @@ _EVERYWHERE = ("/parameter_events", "/rosout")
 
 def report() -> Iterator[tuple[str, Lines]]:
     """Sections of (name, value) lines."""
-    topics = [(name, types) for name, types in ask.topics() if name not in _EVERYWHERE]
+    topics = _topics()
     with ask.command_node() as node:
         pairs = [line for name, types in topics for line in _pairs(node, name, types)]
         counts = [line for name, _ in topics for line in _counts(node, name)]
@@ -30,8 +30,25 @@ def compatibility() -> checks.Check:
             faults += [f"on topic '{topic}': {one.removeprefix('ERROR: ')}" for one in told if one.startswith("ERROR")]
     if not faults:
         return checks.Check("middleware", "publishers and subscriptions fit")
-    fault = "\n  ".join(f"QoS compatibility error found {one}" for one in faults)
+    fault = "\n".join(f"QoS compatibility error found {one}" for one in faults)
     return checks.Check("middleware", "some do not fit", fault, "Give both sides a QoS that fits; see: ros2 topic info -v")
+
+
+def both_ends() -> checks.Check:
+    """Whether every topic has as many publishers as subscriptions; a difference is worth a look, and no fault."""
+    told: list[str] = []
+    with ask.command_node() as node:
+        for topic, _ in _topics():
+            surplus = node.count_publishers(topic) - node.count_subscribers(topic)
+            if surplus:
+                have, lack = ("Publisher", "subscriber") if surplus > 0 else ("Subscriber", "publisher")
+                told.append(f"{have} without {lack} detected on {topic}.")
+    cure = "Fine if the other side comes later; a misspelled topic looks like this, too: ros2 topic list -v"
+    return checks.Check("topic", "who publishes and who subscribes", "\n".join(told), cure, only_warning=True)
+
+
+def _topics() -> list[tuple[str, list[str]]]:
+    return [(name, types) for name, types in ask.topics() if name not in _EVERYWHERE]
 
 
 def _counts(node: Any, topic: str) -> Lines:

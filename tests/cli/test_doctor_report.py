@@ -6,13 +6,20 @@ from coursekit.core.session import Session
 
 
 def report(*nodes):
+    return doctor("--report", *nodes)
+
+
+def doctor(*words):
+    """What `ros2 doctor` prints with the flags among the words, beside the nodes among them."""
+    flags = [word for word in words if isinstance(word, str)]
+    nodes = [word for word in words if not isinstance(word, str)]
     with Session(virtual=True).use() as session:
         for name, *argv in nodes:
             session.start_executable(find("demo_nodes_py", name), argv)
         session.clock.sleep(0.1)
-        doctor = session.start(lambda: run(["doctor", "--report"]), name="ros2")
-        assert doctor.wait(20) == 0
-        return doctor.output
+        process = session.start(lambda: run(["doctor", *flags]), name="ros2")
+        assert process.wait(20) == 0
+        return process.output
 
 
 def lines_of(text, title):
@@ -44,3 +51,23 @@ def test_an_empty_graph_has_no_pairs():
     assert lines_of(text, "QOS COMPATIBILITY LIST") == [
         ("compatibility status", "No publisher/subscriber pairs found")
     ]
+
+
+def test_the_report_has_the_sections_that_ros_has_in_its_order():
+    text = report()
+    titles = ["NETWORK CONFIGURATION", "PLATFORM INFORMATION", "RMW MIDDLEWARE", "ROS 2 INFORMATION", "TOPIC LIST"]
+    assert sorted(titles, key=text.index) == titles
+    assert dict(lines_of(text, "ROS 2 INFORMATION"))["distribution status"] == "active"
+
+
+def test_a_topic_with_one_end_is_a_warning_and_no_failure():
+    text = doctor(("talker",), ("add_two_ints_server",))
+    assert "UserWarning: Publisher without subscriber detected on /chatter.\n" in text
+    assert "checks passed" in text
+    assert "UserWarning: Subscriber without publisher detected on /chatter.\n" in doctor(("listener",))
+    assert "detected on" not in doctor(("talker",), ("listener",))
+
+
+def test_one_ended_topics_fail_when_warnings_count():
+    text = doctor("--include-warnings", ("talker",))
+    assert "1/11 check(s) failed" in text and "Failed modules: topic" in text

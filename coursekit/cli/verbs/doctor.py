@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 from coursekit.cli import checks, graph_report
@@ -22,11 +23,10 @@ def main(args: Any) -> int:
     if args.report:
         print_report()
         return 0
-    results = [*checks.run_all(), graph_report.compatibility()]
+    results = [*checks.run_all(), graph_report.compatibility(), graph_report.both_ends()]
     bad = [result for result in results if result.fault and (args.include_warnings or not result.only_warning)]
     for result in results:
-        if result.fault:
-            print(f"{'WARNING' if result.only_warning else 'FAULT'}: {result.name}: {result.fault}\n  {result.cure}")
+        _tell(result)
     if not bad:
         print(f"\nAll {len(results)} checks passed\n")
         return 0
@@ -35,6 +35,14 @@ def main(args: Any) -> int:
     if args.report_failed:
         print_report()
     return 0  # as in ROS, where a failed check is told, and no failure of the command
+
+
+def _tell(result: checks.Check) -> None:
+    """Tell a fault as ROS does, and the cure below it."""
+    for line in result.fault.splitlines():
+        print(f"UserWarning: {'' if result.only_warning else 'ERROR: '}{line}", file=sys.stderr)
+    if result.fault:
+        print(f"  {result.cure}", file=sys.stderr)
 
 
 def print_report() -> None:

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from coursekit.interfaces.find import prefixes
 
-from .executables import prefix_of
+from .executables import PackageNotFound, prefix_of
+from .process import current_process
+
+_FIRST_NODE = "what the first node is given"
 
 
 class ComponentNotFound(LookupError):
-    """A package has no executable that stands for a component; the text says which were looked for."""
+    """No executable stands for a component; begins as Humble's text does and says what there is."""
 
 
 def registered() -> dict[str, dict[str, Path]]:
@@ -30,7 +36,7 @@ def _listed(prefix: Path, entry: Path) -> dict[str, Path]:
 
 
 def candidate_names(plugin: str) -> list[str]:
-    """Return the names of executables that may stand for a component.
+    """Return the names of executables that may stand for a component that its package does not list.
 
     >>> candidate_names('demo::TalkerNode')
     ['talker_node', 'talker']
@@ -44,16 +50,43 @@ def find_component(package: str, plugin: str) -> Path:
     """The executable of a component: as the package lists it, or by the name of the class.
 
     Raises:
-        PackageNotFound: when there is no such package.
-        ComponentNotFound: when the package has no such executable.
+        ComponentNotFound: when there is no such package, or it has no such executable.
     """
-    folder = prefix_of(package) / "lib" / package
-    listed = registered().get(package, {}).get(plugin)
-    names = candidate_names(plugin)
-    for path in [*filter(None, [listed]), *(folder / name for name in names)]:
+    try:
+        folder = prefix_of(package) / "lib" / package
+    except PackageNotFound as error:
+        raise ComponentNotFound(f"Could not find requested resource in ament index: {error}") from None
+    listed = registered().get(package, {})
+    for path in [*filter(None, [listed.get(plugin)]), *(folder / name for name in candidate_names(plugin))]:
         if path.is_file() and path.suffix != ".so":
             return path
-    raise ComponentNotFound(
+    raise ComponentNotFound(f"Failed to find class with the requested plugin name: {_reason(package, plugin, listed)}")
+
+
+def _reason(package: str, plugin: str, listed: dict[str, Path]) -> str:
+    if listed and plugin not in listed:
+        return f"package '{package}' has no '{plugin}'; it has: {', '.join(listed)}"
+    names = " or ".join(candidate_names(plugin))
+    return (
         f"component '{plugin}' of package '{package}' is a C++ library, which cannot be loaded here; it "
-        f"would run as a Python executable called {' or '.join(names)}, which the package does not have"
+        f"would run as a Python executable called {names}, which the package does not have"
     )
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a component's node obeys instead of its process's command line: words of one, and parameters."""
+
+    arguments: Sequence[str]
+    parameters: Sequence[Any]
+
+
+def give_to_first_node(process: Any, given: Given) -> None:
+    """Let the first node that a process makes be the component's node."""
+    process.locals[_FIRST_NODE] = given
+
+
+def take_for_first_node() -> Given | None:
+    """What `give_to_first_node` gave to the calling code's process; None when nothing, or not for the first time."""
+    process = current_process()
+    return None if process is None else process.locals.pop(_FIRST_NODE, None)

@@ -8,13 +8,11 @@ from launch import LaunchContext, LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction, SetLaunchConfiguration, TimerAction
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import (
-    ComposableNodeContainer,
-    LoadComposableNodes,
     Node,
     PushRosNamespace,
     SetROSLogDir,
 )
-from launch_ros.descriptions import ComposableNode, ParameterValue
+from launch_ros.descriptions import ParameterValue
 from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix, FindPackageShare
 
 SHOW = """
@@ -156,36 +154,6 @@ def test_the_full_name_is_known_after_it_was_carried_out(launch, workspace) -> N
 def test_an_executable_may_be_a_path(launch, workspace) -> None:
     path = workspace.executable("demo", "show", SHOW)
     assert "[show-1] ARGV --ros-args" in launch([Node(executable=str(path), output="screen")]).lines
-
-
-def test_components_run_as_python_executables_of_their_package(launch, talker) -> None:
-    component = ComposableNode(package="demo", plugin="demo::Talker", name="tom", parameters=[{"text": "hi"}])
-    result = launch(
-        [
-            ComposableNodeContainer(
-                name="box",
-                namespace="",
-                package="rclcpp_components",
-                executable="component_container",
-                composable_node_descriptions=[component],
-            )
-        ],
-        interrupt_after=1.5,
-    )
-    assert '[talker-1] [INFO] [1700000001.000000000] [tom]: Publishing: "hi 0" on /chatter' in result.lines
-
-
-def test_a_component_that_is_only_a_library_is_a_clear_error(launch, talker) -> None:
-    result = launch(
-        [
-            LoadComposableNodes(
-                target_container="/box",
-                composable_node_descriptions=[ComposableNode(package="demo", plugin="demo::Camera")],
-            )
-        ]
-    )
-    assert result.code == 1
-    assert "component 'demo::Camera' of package 'demo' is a C++ library" in result.text
 
 
 def test_parameters_remappings_and_namespaces_reach_the_node(launch, talker) -> None:

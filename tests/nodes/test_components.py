@@ -33,7 +33,8 @@ def test_what_cannot_be_loaded_or_unloaded_is_said(session, run, ros2):
     session.clock.sleep(0.2)
     assert ros2("component", "list", "/nobody") == "Unable to find container node '/nobody'\n"
     refused = ros2("component", "load", "/ComponentManager", "composition", "composition::Painter")
-    assert refused.startswith("Failed to load component: ") and "painter or painter_node" in refused
+    assert refused.startswith("Failed to load component: Failed to find class with the requested plugin name: ")
+    assert "it has: composition::Talker, composition::Listener" in refused
     refused = ros2("component", "unload", "/ComponentManager", "7")
     assert refused.endswith("from '/ComponentManager' container node\n    No node found with unique_id: 7\n")
 
@@ -45,6 +46,24 @@ def test_a_container_that_ends_takes_its_components_along(session, run, ros2):
     container.interrupt()
     assert container.wait(10) == 0
     assert ros2("node", "list") == ""
+
+
+def test_a_container_that_is_killed_takes_its_components_along(session, run, ros2):
+    container = run("rclcpp_components", "component_container")
+    session.clock.sleep(0.2)
+    ros2("component", "load", "/ComponentManager", "composition", "composition::Server")
+    container.kill()
+    session.clock.sleep(0.2)
+    assert (container.exit_code, ros2("node", "list")) == (-9, "")
+
+
+def test_the_arguments_of_the_container_are_not_those_of_a_component(session, run, ros2):
+    words = ["-r", "__node:=box", "-r", "chatter:=news", "-r", "__ns:=/a"]
+    run("rclcpp_components", "component_container", "--ros-args", *words)
+    session.clock.sleep(0.2)
+    assert ros2("component", "load", "/a/box", "composition", "composition::Talker", "-q") == "1  /talker\n"
+    topics = ros2("topic", "list").split()
+    assert "/chatter" in topics and "/news" not in topics
 
 
 def test_components_are_listed_by_package(ros2):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import signal
+from pathlib import Path
 from typing import Any
 
 import rclpy
@@ -9,6 +11,7 @@ from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rclpy.node import Node
 
 from coursekit.core.components import find_component
+from coursekit.core.process import current_process
 from coursekit.nodes.running import spin_to_the_end
 
 from .loading import LoadedComponent
@@ -21,6 +24,10 @@ class ComponentManager(Node):
         super().__init__("ComponentManager")
         self._loaded: dict[int, LoadedComponent] = {}
         self._last_id = 0
+        self._libraries: set[Path] = set()
+        self._process = current_process()
+        if self._process is not None:
+            self._process.cleanups.append(self._kill_all)
         self._services_of_mine = [
             self.create_service(LoadNode, "~/_container/load_node", self._load),
             self.create_service(UnloadNode, "~/_container/unload_node", self._unload),
@@ -29,25 +36,39 @@ class ComponentManager(Node):
 
     def _load(self, request: LoadNode.Request, response: LoadNode.Response) -> LoadNode.Response:
         try:
-            path = find_component(request.package_name, request.plugin_name)
-            self.get_logger().info(f"Load Library: {path}")
-            self.get_logger().info(f"Instantiate class: {request.plugin_name}")
-            component = LoadedComponent(path, request, self._graph_of_mine())
+            component = LoadedComponent(self._library(request), request, self._graph_of_mine())
         except (LookupError, RuntimeError, ValueError) as error:
             self.get_logger().error(str(error))
             response.error_message = str(error)
             return response
         self._last_id += 1
-        self._loaded[self._last_id] = component
+        number = self._last_id
+        self._loaded[number] = component
+        component.process.on_exit(lambda _: self._ended(number))
         response.success = True
         response.full_node_name = component.full_name
-        response.unique_id = self._last_id
+        response.unique_id = number
         return response
+
+    def _library(self, request: LoadNode.Request) -> Path:
+        path = find_component(request.package_name, request.plugin_name)
+        if path not in self._libraries:
+            self._libraries.add(path)
+            self.get_logger().info(f"Load Library: {path}")
+        for what in ("Found", "Instantiate"):
+            self.get_logger().info(f"{what} class: rclcpp_components::NodeFactoryTemplate<{request.plugin_name}>")
+        return path
 
     def _graph_of_mine(self) -> Any:
         from coursekit.core.session import current
 
         return current().graph(self.context.get_domain_id())
+
+    def _ended(self, number: int) -> None:
+        """A component ended by itself; one that crashed takes the container along, as in ROS 2."""
+        component = self._loaded.pop(number, None)
+        if component is not None and component.process.exit_code and self._process is not None:
+            self._process.send_signal(signal.SIGABRT)
 
     def _unload(self, request: UnloadNode.Request, response: UnloadNode.Response) -> UnloadNode.Response:
         component = self._loaded.pop(request.unique_id, None)
@@ -64,10 +85,21 @@ class ComponentManager(Node):
         response.full_node_names = [component.full_name for component in self._loaded.values()]
         return response
 
+    def _take_all(self) -> list[LoadedComponent]:
+        components, self._loaded = list(self._loaded.values()), {}
+        return components
+
+    def _kill_all(self) -> None:
+        for component in self._take_all():
+            component.process.kill()
+
     def destroy_node(self) -> None:
         """Unload all, and leave the graph."""
-        while self._loaded:
-            self._loaded.popitem()[1].unload()
+        components = self._take_all()
+        for component in components:
+            component.process.interrupt()
+        for component in components:
+            component.process.wait(2.0)
         super().destroy_node()
 
 

@@ -6,10 +6,12 @@ import time
 from pathlib import Path
 from typing import Any
 
-import yaml
 from composition_interfaces.srv import LoadNode
 from rclpy.parameter import Parameter
 
+from coursekit.core.components import Given, give_to_first_node
+from coursekit.core.executables import make_process
+from coursekit.core.process import current_process
 from coursekit.core.session import current
 from coursekit.nodes.running import pass_on_output
 
@@ -18,7 +20,7 @@ _LEVELS = {10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal"}
 
 
 def arguments_of(request: LoadNode.Request) -> list[str]:
-    """What the component's program gets on its command line.
+    """What the component's node is told, as words of a command line.
 
     >>> arguments_of(LoadNode.Request(node_name="tom", remap_rules=["chatter:=chat"]))
     ['--ros-args', '-r', '__node:=tom', '-r', 'chatter:=chat']
@@ -28,36 +30,39 @@ def arguments_of(request: LoadNode.Request) -> list[str]:
     words = ["--ros-args"]
     for rule in [*rules, *request.remap_rules]:
         words += ["-r", rule]
-    for parameter in request.parameters:
-        value = yaml.safe_dump(Parameter.from_parameter_msg(parameter).value, default_flow_style=True, width=10**9)
-        words += ["-p", f"{parameter.name}:={value.removesuffix(chr(10)).removesuffix('...').strip()}"]
-    if request.log_level in _LEVELS:
-        words += ["--log-level", _LEVELS[request.log_level]]
     return words
 
 
 class LoadedComponent:
-    """Starts a component's program, whose output becomes the container's.
+    """Starts a component's program as a part of the container: its output and command line are the container's.
 
-    Raises RuntimeError when it ends, or has no node after ten seconds.
+    The component's node obeys the request alone, other nodes of the program the container's command line, as in ROS 2.
+    Raises RuntimeError when the program ends, or has no node after ten seconds.
     """
 
     def __init__(self, path: Path, request: LoadNode.Request, graph: Any) -> None:
-        self._process = current().start_executable(path, arguments_of(request), on_output=pass_on_output())
+        container = current_process()
+        words = [] if container is None else container.argv[1:]
+        if request.log_level in _LEVELS:
+            words = [*words, "--ros-args", "--log-level", _LEVELS[request.log_level]]
+        parameters = [Parameter.from_parameter_msg(one) for one in request.parameters]
+        self.process = make_process(current(), path, words)
+        give_to_first_node(self.process, Given(arguments_of(request), parameters))
+        current().launch(self.process, pass_on_output())
         self.full_name = self._wait_for_node(graph)
 
     def _wait_for_node(self, graph: Any) -> str:
         for _ in range(round(PATIENCE / 0.01)):
-            names = [node.full_name for node in list(graph.nodes) if node.process is self._process]
+            names = [node.full_name for node in list(graph.nodes) if node.process is self.process]
             if names:
                 return str(names[0])
-            if self._process.exit_code is not None:
-                raise RuntimeError(f"Component constructor threw an exception: it ended with {self._process.exit_code}")
+            if self.process.exit_code is not None:
+                raise RuntimeError(f"Component constructor threw an exception: it ended with {self.process.exit_code}")
             time.sleep(0.01)
         self.unload()
         raise RuntimeError(f"Component has no node after {PATIENCE:.0f} s")
 
     def unload(self) -> None:
         """End the program, as Ctrl-C does."""
-        self._process.interrupt()
-        self._process.wait(2.0)
+        self.process.interrupt()
+        self.process.wait(2.0)

@@ -37,7 +37,8 @@ class Whereabouts:
         Meant for a callback: the node's own executor rests meanwhile, so tf is heard by ears of its own.
         """
         name = f"{self.node.get_name()}_waits_for_tf"
-        ears = rclpy.create_node(name, namespace=self._space, context=self.node.context)
+        names = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self._space}"]
+        ears = rclpy.create_node(name, namespace=self._space, cli_args=names, context=self.node.context)
         executor = SingleThreadedExecutor(context=self.node.context)
         executor.add_node(ears)
         listener = TransformListener(self.buffer, ears)

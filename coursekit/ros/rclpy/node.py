@@ -8,6 +8,7 @@ from typing import Any
 from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 
 from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
+from coursekit.core.components import take_for_first_node
 from coursekit.core.process import current_process
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._lent import lender
@@ -99,6 +100,9 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self._allow_undeclared_parameters = allow_undeclared_parameters
         if not self._context.ok():
             raise NotInitializedException("cannot create node")
+        if component := take_for_first_node():  # as rclcpp_components makes the nodes of a container
+            cli_args, use_global_arguments = [*component.arguments, *(cli_args or [])], False
+            parameter_overrides = [*(parameter_overrides or []), *component.parameters]
         self._join_graph(node_name, namespace, cli_args, use_global_arguments)
         self._logger = get_logger(self._handle.logger_name())
         self._clock = ROSClock()

@@ -12,10 +12,9 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.logging import get_logger
 from launch.some_substitutions_type import SomeSubstitutionsType
 
-from coursekit.core import session
-
 from ..events.lifecycle import ChangeState, StateTransition
 from ..ros_adapters import get_ros_node
+from ..utilities.service_call import call_service
 from .node import Node
 
 
@@ -72,25 +71,10 @@ class LifecycleNode(Node):
         from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
         logger = get_logger("launch_ros.actions.lifecycle_node")
-        while not self.__client.wait_for_service(timeout_sec=1.0):
-            if context.is_shutdown:
-                logger.warning(
-                    f"Abandoning wait for the '{self.__client.srv_name}' service, due to shutdown."
-                )
-                return
         request = ChangeStateService.Request()
         request.transition.id = transition_id
-        answered = session.current().clock.new_event()
-        future = self.__client.call_async(request)
-        future.add_done_callback(lambda _: answered.set())
-        while not answered.wait(1.0):
-            if context.is_shutdown:
-                logger.warning(
-                    f"Abandoning wait for the '{self.__client.srv_name}' service response, due to shutdown."
-                )
-                future.cancel()
-                return
-        if not future.result().success:
+        answer = call_service(self.__client, request, context, logger)
+        if answer is not None and not answer.success:
             logger.error(
                 f"Failed to make transition '{ChangeState.valid_transitions[transition_id]}' "
                 f"for LifecycleNode '{self.node_name}'"

@@ -5,12 +5,15 @@ from __future__ import annotations
 from typing import Any
 
 from launch.condition import Condition
+from launch.frontend import Entity, Parser
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions
 
-from ..parameters_type import SomeParameters
-from ..remap_rule_type import SomeRemapRules
+from ..parameters_type import Parameters, SomeParameters
+from ..remap_rule_type import RemapRules, SomeRemapRules
+from ..utilities import normalize_parameters, normalize_remap_rules
+from ..utilities.parse_composable_node import parse_composable_node
 
 
 class ComposableNode:
@@ -30,14 +33,17 @@ class ComposableNode:
     ) -> None:
         self.__package = normalize_to_list_of_substitutions(package)
         self.__plugin = normalize_to_list_of_substitutions(plugin)
-        self.__given: dict[str, Any] = {
-            "name": name,
-            "namespace": namespace,
-            "parameters": parameters,
-            "remappings": remappings,
-        }
-        self.__extra_arguments = extra_arguments
+        self.__name = None if name is None else normalize_to_list_of_substitutions(name)
+        self.__namespace = None if namespace is None else normalize_to_list_of_substitutions(namespace)
+        self.__parameters = None if parameters is None else normalize_parameters(parameters)
+        self.__remappings = list(normalize_remap_rules(remappings)) if remappings else None
+        self.__extra_arguments = normalize_parameters(extra_arguments) if extra_arguments else None
         self.__condition = condition
+
+    @classmethod
+    def parse(cls, parser: Parser, entity: Entity) -> tuple[type[ComposableNode], dict[str, Any]]:
+        """Read `<composable_node pkg= plugin= name= namespace=>` with param, remap and extra_arg inside."""
+        return cls, parse_composable_node(entity, parser)
 
     @property
     def package(self) -> list[Substitution]:
@@ -50,14 +56,29 @@ class ComposableNode:
         return self.__plugin
 
     @property
-    def extra_arguments(self) -> SomeParameters | None:
-        """What the container is told, for example use_intra_process_comms; it makes no difference here."""
-        return self.__extra_arguments
+    def node_name(self) -> list[Substitution] | None:
+        """The node's name, as substitutions."""
+        return self.__name
 
     @property
-    def node_arguments(self) -> dict[str, Any]:
-        """What a Node action gets: name, namespace, parameters and remappings, where given."""
-        return {key: value for key, value in self.__given.items() if value is not None}
+    def node_namespace(self) -> list[Substitution] | None:
+        """The node's namespace, as substitutions."""
+        return self.__namespace
+
+    @property
+    def parameters(self) -> Parameters | None:
+        """Files and mappings, with their substitutions still to be performed."""
+        return self.__parameters
+
+    @property
+    def remappings(self) -> RemapRules | None:
+        """The (from, to) pairs, as substitutions."""
+        return self.__remappings
+
+    @property
+    def extra_arguments(self) -> Parameters | None:
+        """What the container is told, for example use_intra_process_comms; it makes no difference here."""
+        return self.__extra_arguments
 
     def condition(self) -> Condition | None:
         """The condition under which it is loaded."""

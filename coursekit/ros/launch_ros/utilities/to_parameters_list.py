@@ -1,4 +1,4 @@
-"""Parameters as messages."""
+"""Parameters as rclpy has them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from ..parameters_type import EvaluatedParameters
 
 
 def to_parameters_list(
-    context: LaunchContext, node_name: str | None, namespace: str, evaluated_parameters: EvaluatedParameters
+    context: LaunchContext, node_name: str | None, namespace: str | None, evaluated_parameters: EvaluatedParameters
 ) -> list[Any]:
-    """Return rcl_interfaces/msg/Parameter messages of evaluated parameters.
+    """Return evaluated parameters as rclpy.parameter.Parameter objects.
 
     Files are read with their wildcards and node names, as a node reads them.
     """
@@ -30,13 +30,11 @@ def to_parameters_list(
         else:
             from coursekit.core.arguments import parse_ros_arguments
 
-            full_name = f"{namespace.rstrip('/')}/{node_name or ''}"
+            full_name = f"{(namespace or '').rstrip('/')}/{node_name or ''}"
             arguments = parse_ros_arguments(["--ros-args", "--params-file", str(parameter)])
             values.update(arguments.parameters_for(full_name))
     return [
-        rclpy.parameter.Parameter(
-            name, value=list(value) if isinstance(value, tuple) else value
-        ).to_parameter_msg()
+        rclpy.parameter.Parameter(name, value=list(value) if isinstance(value, tuple) else value)
         for name, value in values.items()
     ]
 

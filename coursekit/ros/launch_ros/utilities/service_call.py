@@ -1,0 +1,35 @@
+"""Asks a service from a launch: it waits, and gives up when the launch is over."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launch.launch_context import LaunchContext
+
+from coursekit.core import session
+
+PATIENCE = 10  # seconds until it is said that nobody offers the service
+
+
+def call_service(client: Any, request: Any, context: LaunchContext, logger: Any) -> Any:
+    """Return the service's answer; None, after a warning, when the launch shut down meanwhile.
+
+    Blocks: to be called in a lane of its own, not in the launch's loop.
+    """
+    waited = 0
+    while not client.wait_for_service(timeout_sec=1.0):
+        if context.is_shutdown:
+            logger.warning(f"Abandoning wait for the '{client.srv_name}' service, due to shutdown.")
+            return None
+        waited += 1
+        if waited == PATIENCE:
+            logger.warning(f"Nobody offers the '{client.srv_name}' service yet; is its node's name right?")
+    answered = session.current().clock.new_event()
+    future = client.call_async(request)
+    future.add_done_callback(lambda _: answered.set())
+    while not answered.wait(1.0):
+        if context.is_shutdown:
+            logger.warning(f"Abandoning wait for the '{client.srv_name}' service response, due to shutdown.")
+            future.cancel()
+            return None
+    return future.result()

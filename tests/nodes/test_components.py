@@ -1,5 +1,9 @@
 """Containers and `ros2 component`, as the composition tutorial uses them."""
 
+import pytest
+
+from coursekit.core.components import registered
+
 
 def test_components_are_loaded_listed_and_unloaded(session, run, ros2):
     container = run("rclcpp_components", "component_container")
@@ -90,3 +94,29 @@ def test_all_four_run_in_one_process(session, run):
 def test_the_launch_file_of_the_demo_starts_a_talker_and_a_listener(ros2):
     output = ros2("launch", "composition", "composition_demo.launch.py", seconds=3.5)
     assert "[talker]: Publishing: 'Hello World: 1'" in output and "[listener]: I heard: [Hello World: 1]" in output
+
+
+def test_a_static_transform_is_a_component_with_parameters(session, run, ros2):
+    run("rclcpp_components", "component_container")
+    session.clock.sleep(0.1)
+    words = ["-p", "frame_id:=map", "-p", "child_frame_id:=odom", "-p", "translation.x:=1.5"]
+    ros2("component", "load", "/ComponentManager", "tf2_ros", "tf2_ros::StaticTransformBroadcasterNode", *words)
+    assert "Translation: [1.500, 0.000, 0.000]" in ros2("run", "tf2_ros", "tf2_echo", "map", "odom", seconds=1.5)
+
+
+NEEDED = {
+    "robot_state_publisher": ["robot_description:=<robot name='r'><link name='a'/></robot>"],
+    "topic_tools": ["input_topic:=a", "input_topics:=[a, b]", "msgs_per_sec:=1.0", "X:=1", "Y:=2"],
+}
+UNDERLAY_COMPONENTS = [(package, plugin) for package, plugins in registered().items() for plugin in plugins]
+
+
+@pytest.mark.parametrize(("package", "plugin"), UNDERLAY_COMPONENTS, ids=lambda one: one)
+def test_a_component_that_is_listed_loads_under_the_name_it_is_given(session, run, ros2, package, plugin):
+    run("rclcpp_components", "component_container")
+    session.clock.sleep(0.1)
+    words = ["-n", "tom", "--node-namespace", "/ns"]
+    words += [word for needed in NEEDED.get(package, ()) for word in ("-p", needed)]
+    loaded = ros2("component", "load", "/ComponentManager", package, plugin, *words, "-q")
+    assert loaded == "1  /ns/tom\n"
+    assert ros2("component", "unload", "/ComponentManager", "1", "-q") == "1\n"

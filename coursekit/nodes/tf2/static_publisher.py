@@ -144,7 +144,7 @@ class StaticTransformPublisher(Node):
             raise SameFrame("child_frame_id cannot equal frame_id")
         self._broadcaster = StaticTransformBroadcaster(self)
         self._broadcaster.sendTransform(self._transform(got))
-        self.get_logger().info(_announcement(got))
+        self.announcement = _announcement(got)
 
     def _transform(self, got: dict[str, float | str | None]) -> TransformStamped:
         msg = TransformStamped()
@@ -187,4 +187,15 @@ def main() -> int:
         node = StaticTransformPublisher(wanted)
     except SameFrame as error:
         return terminate(str(error))
+    node.get_logger().info(node.announcement)
     return spin_to_the_end(node)
+
+
+def component() -> int:
+    """Publish what the parameters say, as the component does that a container loads."""
+    rclpy.init()
+    unnamed = dict(zip(_FRAMES, ("/frame", "/child"), strict=True))
+    try:
+        return spin_to_the_end(StaticTransformPublisher(Wanted(frames=unnamed)))
+    except SameFrame as error:
+        return terminate(str(error))

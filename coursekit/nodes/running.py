@@ -2,26 +2,38 @@
 
 from __future__ import annotations
 
+import contextlib
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
+from rclpy.executors import Executor, ExternalShutdownException
 from rclpy.node import Node
 
 from coursekit.core.process import ProcessKilled, current_process
 
 
-def spin_to_the_end(node: Node) -> int:
-    """Spin a node until Ctrl-C, and leave the graph; the exit code."""
+@contextlib.contextmanager
+def to_the_end(*nodes: Node) -> Iterator[None]:
+    """Do a block until its end, or until Ctrl-C; the nodes leave the graph then."""
     try:
-        rclpy.spin(node)
+        yield
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
-        node.destroy_node()
+        for node in nodes:
+            node.destroy_node()
         rclpy.try_shutdown()
+
+
+def spin_to_the_end(*nodes: Node, executor: Executor | None = None) -> int:
+    """Spin nodes together until Ctrl-C, in one thread, or as the given executor does; the exit code."""
+    together = rclpy.get_global_executor() if executor is None else executor
+    for node in nodes:
+        together.add_node(node)
+    with to_the_end(*nodes):
+        together.spin()
     return 0
 
 

@@ -2,12 +2,11 @@
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 
 from coursekit.nodes.demo_nodes.listener import Listener
 from coursekit.nodes.demo_nodes.talker import Talker
-from coursekit.nodes.running import run
+from coursekit.nodes.running import run, spin_to_the_end
 
 
 class Server(Node):
@@ -62,13 +61,4 @@ def client(args: list[str] | None = None) -> int:
 def all_in_one(args: list[str] | None = None) -> int:
     """All four in one process, until Ctrl-C."""
     rclpy.init(args=args)
-    executor = SingleThreadedExecutor()
-    for node in (Talker(1, "'"), Listener(), Server(), Client()):
-        executor.add_node(node)
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(Talker(1, "'"), Listener(), Server(), Client())

@@ -1,31 +1,21 @@
 """The action tutorial as its C++ nodes tell it."""
 
 import time
-from collections.abc import Callable
 from typing import Any
 
 import rclpy
 from action_tutorials_interfaces.action import Fibonacci
-from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
-from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.action import ActionClient, CancelResponse, GoalResponse
 from rclpy.node import Node
 
+from coursekit.nodes.examples.action_server import MinimalActionServer, serve
+from coursekit.nodes.running import run
 
-class FibonacciServer(Node):
+
+class FibonacciServer(MinimalActionServer):
     """Serves the action `fibonacci`, one number a second; a goal may be cancelled."""
 
-    def __init__(self) -> None:
-        super().__init__("fibonacci_action_server")
-        self._server = ActionServer(
-            self,
-            Fibonacci,
-            "fibonacci",
-            self._execute,
-            goal_callback=self._asked,
-            cancel_callback=self._cancel_asked,
-            callback_group=ReentrantCallbackGroup(),
-        )
+    NAME, KIND = "fibonacci_action_server", Fibonacci
 
     def _asked(self, goal: Fibonacci.Goal) -> GoalResponse:
         self.get_logger().info(f"Received goal request with order {goal.order}")
@@ -88,23 +78,11 @@ class FibonacciClient(Node):
         rclpy.shutdown()
 
 
-def _run(make: Callable[[], Node], args: list[str] | None) -> int:
-    rclpy.init(args=args)
-    node = make()
-    try:
-        rclpy.spin(node, executor=MultiThreadedExecutor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-    return 0
-
-
 def server(args: list[str] | None = None) -> int:
     """Serve until Ctrl-C."""
-    return _run(FibonacciServer, args)
+    return serve(FibonacciServer, args)
 
 
 def client(args: list[str] | None = None) -> int:
     """Ask once."""
-    return _run(FibonacciClient, args)
+    return run(FibonacciClient, args)

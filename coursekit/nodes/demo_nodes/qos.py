@@ -4,11 +4,12 @@ import argparse
 import sys
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from rclpy.utilities import remove_ros_args
 from std_msgs.msg import String
+
+from coursekit.nodes.running import to_the_end
 
 
 class TalkerQos(Node):
@@ -50,15 +51,10 @@ def _run(make: type, argv: list[str]) -> None:
     rclpy.init(args=argv)
     node = make(QoSProfile(depth=10) if args.reliable else qos_profile_sensor_data)
     cycles = 0
-    try:
+    with to_the_end(node):
         while rclpy.ok() and cycles < args.number_of_cycles:
             rclpy.spin_once(node)
             cycles += 1
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
 
 
 def talker(argv: list[str] | None = None) -> None:

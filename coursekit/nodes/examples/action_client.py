@@ -6,8 +6,9 @@ import rclpy
 from action_msgs.msg import GoalStatus
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.nodes.running import to_the_end
 
 
 class MinimalActionClient(Node):
@@ -69,13 +70,9 @@ class CancellingClient(MinimalActionClient):
 def _ask(make: type[MinimalActionClient], args: list[str] | None) -> int:
     rclpy.init(args=args)
     node = make()
-    try:
+    with to_the_end():
         node.send_goal()
         rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
     return 0
 
 

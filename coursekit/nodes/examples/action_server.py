@@ -10,18 +10,23 @@ import rclpy
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
+
+from coursekit.nodes.running import spin_to_the_end
 
 
 class MinimalActionServer(Node):
     """Counts Fibonacci numbers on `fibonacci`, one a second, for any number of goals beside each other."""
 
+    NAME: str = "minimal_action_server"
+    KIND: Any = Fibonacci
+
     def __init__(self, **callbacks: Any) -> None:
-        super().__init__("minimal_action_server")
+        super().__init__(self.NAME)
         self._server = ActionServer(
             self,
-            Fibonacci,
+            self.KIND,
             "fibonacci",
             execute_callback=self._execute,
             goal_callback=self._asked,
@@ -43,7 +48,7 @@ class MinimalActionServer(Node):
         self.get_logger().info("Received cancel request")
         return CancelResponse.ACCEPT
 
-    def _execute(self, goal: Any) -> Fibonacci.Result:
+    def _execute(self, goal: Any) -> Any:
         self.get_logger().info("Executing goal...")
         numbers = [0, 1]
         for at in range(1, goal.request.order):
@@ -105,7 +110,7 @@ class QueueServer(MinimalActionServer):
             self._current = goal
         goal.execute()
 
-    def _execute(self, goal: Any) -> Fibonacci.Result:
+    def _execute(self, goal: Any) -> Any:
         try:
             return super()._execute(goal)
         finally:
@@ -132,34 +137,27 @@ class DeferringServer(MinimalActionServer):
         self._goal.execute()
 
 
-def _serve(make: Callable[[], Node], args: list[str] | None) -> int:
+def serve(make: Callable[[], Node], args: list[str] | None) -> int:
+    """Run an action server until Ctrl-C, goals in threads of their own."""
     rclpy.init(args=args)
-    node = make()
-    try:
-        rclpy.spin(node, executor=MultiThreadedExecutor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(make(), executor=MultiThreadedExecutor())
 
 
 def server(args: list[str] | None = None) -> int:
     """Serve goals beside each other."""
-    return _serve(MinimalActionServer, args)
+    return serve(MinimalActionServer, args)
 
 
 def server_single_goal(args: list[str] | None = None) -> int:
     """Serve one goal at a time."""
-    return _serve(SingleGoalServer, args)
+    return serve(SingleGoalServer, args)
 
 
 def server_queue_goals(args: list[str] | None = None) -> int:
     """Serve goals one after the other."""
-    return _serve(QueueServer, args)
+    return serve(QueueServer, args)
 
 
 def server_defer(args: list[str] | None = None) -> int:
     """Serve goals later."""
-    return _serve(DeferringServer, args)
+    return serve(DeferringServer, args)

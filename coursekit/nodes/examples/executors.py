@@ -8,10 +8,8 @@ import rclpy
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.executors import (
     Executor,
-    ExternalShutdownException,
     MultiThreadedExecutor,
     ShutdownException,
-    SingleThreadedExecutor,
     TimeoutException,
 )
 from rclpy.node import Node
@@ -19,7 +17,7 @@ from std_msgs.msg import String
 
 from coursekit.nodes.demo_nodes.listener import Listener as DemoListener
 from coursekit.nodes.demo_nodes.talker import Talker
-from coursekit.nodes.running import run
+from coursekit.nodes.running import run, spin_to_the_end
 
 
 class Listener(DemoListener):
@@ -124,17 +122,6 @@ class PriorityExecutor(Executor):
         (self._urgent if node in self._urgent_nodes else self._others).submit(handler)
 
 
-def _spin(executor: Executor) -> int:
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        executor.shutdown()
-        rclpy.try_shutdown()
-    return 0
-
-
 def listener(args: list[str] | None = None) -> int:
     """Listen until Ctrl-C."""
     return run(Listener, args)
@@ -148,19 +135,13 @@ def talker(args: list[str] | None = None) -> int:
 def composed(args: list[str] | None = None) -> int:
     """Talk and listen in one process."""
     rclpy.init(args=args)
-    executor = SingleThreadedExecutor()
-    for node in (Talker(), Listener()):
-        executor.add_node(node)
-    return _spin(executor)
+    return spin_to_the_end(Talker(), Listener())
 
 
 def callback_group(args: list[str] | None = None) -> int:
     """Two timers that exclude each other, and a listener beside them."""
     rclpy.init(args=args)
-    executor = MultiThreadedExecutor(num_threads=4)
-    for node in (DoubleTalker(), Listener()):
-        executor.add_node(node)
-    return _spin(executor)
+    return spin_to_the_end(DoubleTalker(), Listener(), executor=MultiThreadedExecutor(num_threads=4))
 
 
 def custom_callback_group(args: list[str] | None = None) -> int:
@@ -173,6 +154,4 @@ def custom_executor(args: list[str] | None = None) -> int:
     rclpy.init(args=args)
     executor = PriorityExecutor()
     executor.add_high_priority_node(Estopper())
-    for node in (Listener(), Talker()):
-        executor.add_node(node)
-    return _spin(executor)
+    return spin_to_the_end(Listener(), Talker(), executor=executor)

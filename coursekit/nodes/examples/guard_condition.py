@@ -1,8 +1,10 @@
 """A timer triggers a guard condition, whose callback ends the program."""
 
 import rclpy
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+
+from coursekit.nodes.running import to_the_end
 
 
 class GuardedNode(Node):
@@ -28,13 +30,9 @@ def main(args: list[str] | None = None) -> int:
     node = GuardedNode()
     executor = SingleThreadedExecutor()
     executor.add_node(node)
-    try:
+    with to_the_end():
         while rclpy.ok():
             node.get_logger().info("waiting for 'spin_once' to finish...")
             executor.spin_once()
             node.get_logger().info("...'spin_once' finished!\n")
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
     return 0

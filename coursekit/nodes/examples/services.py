@@ -5,10 +5,9 @@ import sys
 import rclpy
 from example_interfaces.srv import AddTwoInts
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-from coursekit.nodes.running import run
+from coursekit.nodes.running import run, to_the_end
 
 
 class MinimalService(Node):
@@ -37,7 +36,7 @@ def service_cpp(args: list[str] | None = None) -> int:
 
 def _ask(name: str, request: AddTwoInts.Request, waiting: str, told: str) -> int:
     node = rclpy.create_node(name)
-    try:
+    with to_the_end(node):
         asking = node.create_client(AddTwoInts, "add_two_ints")
         while not asking.wait_for_service(timeout_sec=1.0):
             node.get_logger().info(waiting)
@@ -45,11 +44,6 @@ def _ask(name: str, request: AddTwoInts.Request, waiting: str, told: str) -> int
         rclpy.spin_until_future_complete(node, future)
         total = future.result().sum
         node.get_logger().info(told.format(a=request.a, b=request.b, sum=total))
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
     return 0
 
 
@@ -110,15 +104,10 @@ def client_async_callback(args: list[str] | None = None) -> int:
     """Ask from a timer."""
     rclpy.init(args=args)
     node = CallingTimer()
-    try:
+    with to_the_end(node):
         while not node.asking.wait_for_service(timeout_sec=1.0):
             node.get_logger().info(_WAITING)
         node.begin()
         while rclpy.ok() and not node.answered:
             rclpy.spin_once(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
     return 0

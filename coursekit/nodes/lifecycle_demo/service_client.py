@@ -6,8 +6,9 @@ from typing import Any
 import rclpy
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.nodes.running import to_the_end
 
 MANAGED = "lc_talker"
 PATIENCE = 3.0  # seconds for each answer; activating takes the talker two
@@ -65,15 +66,10 @@ def main(args: list[str] | None = None) -> int:
     """Make all transitions; stop at the first that fails."""
     rclpy.init(args=args)
     node = LifecycleServiceClient()
-    try:
+    with to_the_end(node):
         for number, transition in enumerate(TRANSITIONS):
             if number:
                 time.sleep(10.0)
             if not (node.change(transition) and node.tell_state()):
                 break
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
     return 0

@@ -7,28 +7,17 @@ from typing import Any
 
 import rclpy
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.lifecycle import LifecycleNode
 from rclpy.task import Future
+
+from coursekit.nodes.running import spin_to_the_end
 
 
 def run(make: Callable[[], LifecycleNode], args: list[str] | None = None) -> int:
     """Run a node, and the `costmap` that it may bring along, until Ctrl-C."""
     rclpy.init(args=args)
     node = make()
-    nodes = [node, *([node.costmap] if hasattr(node, "costmap") else [])]
-    executor = SingleThreadedExecutor()
-    for one in nodes:
-        executor.add_node(one)
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        for one in nodes:
-            one.destroy_node()
-        rclpy.try_shutdown()
-    return 0
+    return spin_to_the_end(node, *([node.costmap] if hasattr(node, "costmap") else []))
 
 
 class Beat:

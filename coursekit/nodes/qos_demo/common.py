@@ -4,10 +4,12 @@ from collections.abc import Callable
 from typing import Any
 
 import rclpy
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from std_msgs.msg import String
+
+from coursekit.nodes.running import to_the_end
 
 
 class Talker(Node):
@@ -86,11 +88,7 @@ def spin(listener: Node, talker: Node, goes_on: Callable[[SingleThreadedExecutor
     executor = SingleThreadedExecutor()
     executor.add_node(listener)
     executor.add_node(talker)
-    try:
+    with to_the_end():
         while rclpy.ok() and goes_on(executor):
             executor.spin_once()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
     return 0

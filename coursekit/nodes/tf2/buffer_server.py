@@ -6,8 +6,9 @@ import sys
 
 import rclpy
 from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException
 from tf2_ros import Buffer, BufferServer, TransformListener
+
+from coursekit.nodes.running import to_the_end
 
 
 def main() -> int:
@@ -18,13 +19,10 @@ def main() -> int:
     buffer = Buffer(Duration(seconds=seconds), node)
     listener = TransformListener(buffer, node)
     server = BufferServer(buffer, node, "tf2_buffer_server")
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        server.server.destroy()
-        listener.unregister()
-        node.destroy_node()
-        rclpy.try_shutdown()
+    with to_the_end(node):
+        try:
+            rclpy.spin(node)
+        finally:
+            server.server.destroy()
+            listener.unregister()
     return 0

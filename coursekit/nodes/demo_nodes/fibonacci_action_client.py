@@ -1,12 +1,11 @@
 """Asks for the first Fibonacci numbers and tells how the answer grows."""
 
-import sys
-
 import rclpy
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.nodes.demo_nodes.spinning import demo
 
 ORDER = 10
 
@@ -45,13 +44,6 @@ def main(args: list[str] | None = None) -> None:
     """Run until the result is there."""
     rclpy.init(args=args)
     node = FibonacciActionClient()
-    try:
+    with demo(node):
         node.send_goal(ORDER)
         rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()

@@ -1,13 +1,12 @@
 """Computes Fibonacci numbers as an action, one a second."""
 
-import sys
 import time
 
-import rclpy
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionServer
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
 class FibonacciActionServer(Node):
@@ -32,14 +31,4 @@ class FibonacciActionServer(Node):
 
 def main(args: list[str] | None = None) -> None:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = FibonacciActionServer()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    spin_demo(FibonacciActionServer, args)

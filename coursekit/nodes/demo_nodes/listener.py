@@ -1,11 +1,9 @@
 """Prints what it hears on /chatter."""
 
-import sys
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_msgs.msg import String
+
+from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
 class Listener(Node):
@@ -21,14 +19,4 @@ class Listener(Node):
 
 def main(args: list[str] | None = None) -> None:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = Listener()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    spin_demo(Listener, args)

@@ -1,11 +1,9 @@
 """A listener that takes the bytes of each message as they travel."""
 
-import sys
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_msgs.msg import String
+
+from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
 class SerializedSubscriber(Node):
@@ -21,14 +19,4 @@ class SerializedSubscriber(Node):
 
 def main(args: list[str] | None = None) -> None:
     """Listen until Ctrl-C."""
-    rclpy.init(args=args)
-    node = SerializedSubscriber()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    spin_demo(SerializedSubscriber, args)

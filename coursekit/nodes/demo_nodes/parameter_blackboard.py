@@ -1,10 +1,8 @@
 """Keeps parameters for others: any may be set, none need be declared."""
 
-import sys
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
 class ParameterBlackboard(Node):
@@ -24,14 +22,4 @@ class ParameterBlackboard(Node):
 
 def main(args: list[str] | None = None) -> None:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = ParameterBlackboard()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    spin_demo(ParameterBlackboard, args)

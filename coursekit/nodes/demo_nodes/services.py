@@ -1,11 +1,10 @@
 """The service `add_two_ints`, and two ways to call it."""
 
-import sys
-
 import rclpy
 from example_interfaces.srv import AddTwoInts
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+
+from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
 class AddTwoIntsServer(Node):
@@ -23,17 +22,7 @@ class AddTwoIntsServer(Node):
 
 def server(args: list[str] | None = None) -> None:
     """Serve until Ctrl-C."""
-    rclpy.init(args=args)
-    node = AddTwoIntsServer()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    spin_demo(AddTwoIntsServer, args)
 
 
 def client(args: list[str] | None = None) -> None:

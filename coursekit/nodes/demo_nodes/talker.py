@@ -1,11 +1,9 @@
 """Publishes a counted greeting on /chatter once a second."""
 
-import sys
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_msgs.msg import String
+
+from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
 class Talker(Node):
@@ -27,17 +25,7 @@ class Talker(Node):
 
 def main(args: list[str] | None = None, first: int = 0, quote: str = '"') -> None:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    node = Talker(first, quote)
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(1)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    spin_demo(lambda: Talker(first, quote), args)
 
 
 def main_cpp() -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import closing
 from typing import Any
 
 import rclpy
 from geometry_msgs.msg import Twist, TwistStamped
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rclpy.utilities import remove_ros_args
@@ -16,6 +17,7 @@ from rosgraph_msgs.msg import Clock
 
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from coursekit.nodes.running import to_the_end
 from coursekit.sim import Simulation, WorldError
 from coursekit.urdf import UrdfError
 
@@ -215,13 +217,6 @@ def main(args: list[str] | None = None) -> Any:
     process = current_process()
     if process is not None:
         process.cleanups.append(node.close)
-    try:
+    with to_the_end(), closing(node):
         node.spin()
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(0)
-    finally:
-        node.close()
-        rclpy.try_shutdown()
     return 0

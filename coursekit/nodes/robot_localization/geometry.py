@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from coursekit.nav.fusion.state import Array, Mask
 from coursekit.tf.pose import Pose, Quaternion, matrix
+from coursekit.urdf.kinematics import quaternion_of
 
 
 def rpy(q: Quaternion) -> tuple[float, float, float]:
@@ -23,21 +25,14 @@ def rpy(q: Quaternion) -> tuple[float, float, float]:
     return roll, math.asin(lean), math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
-def quaternion(roll: float, pitch: float, yaw: float) -> Quaternion:
+def quaternion(angles: Iterable[float]) -> Quaternion:
     """The unit quaternion (x, y, z, w) of roll, then pitch, then yaw [rad].
 
-    >>> [round(one, 3) for one in rpy(quaternion(0.1, -0.2, 3.0))]
+    >>> [round(one, 3) for one in rpy(quaternion([0.1, -0.2, 3.0]))]
     [0.1, -0.2, 3.0]
     """
-    sr, cr = math.sin(roll / 2), math.cos(roll / 2)
-    sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
-    sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
-    return (
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-        cr * cp * cy + sr * sp * sy,
-    )
+    roll, pitch, yaw = (float(one) for one in angles)
+    return quaternion_of((roll, pitch, yaw))
 
 
 def unit(q: Any) -> Quaternion:

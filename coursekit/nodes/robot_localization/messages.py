@@ -21,7 +21,7 @@ def _put(target: Any, numbers: Any) -> None:
 def pose_of(estimate: Estimate) -> Pose:
     """The pose as a tuple."""
     x, y, z = (float(one) for one in estimate.state[POSITION])
-    return (x, y, z, *quaternion(*(float(one) for one in estimate.state[ANGLES])))
+    return (x, y, z, *quaternion(estimate.state[ANGLES]))
 
 
 def odometry(estimate: Estimate, frame: str, child: str) -> Odometry:

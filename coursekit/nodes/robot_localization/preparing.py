@@ -52,7 +52,7 @@ class Preparing:
         pose = compose((0.0, 0.0, 0.0, *unit(q)), inverse((0.0, 0.0, 0.0, *seat[3:])))
         own = np.zeros((6, 6))
         own[3:, 3:] = square(covariance)
-        about = turning((0.0, 0.0, 0.0, *quaternion(0.0, 0.0, rpy(seat[3:])[2])))
+        about = turning((0.0, 0.0, 0.0, *quaternion((0.0, 0.0, rpy(seat[3:])[2]))))
         used = source.part("pose")
         if source.differential:
             return self._difference(source, stamp_ns, pose, own, used)
@@ -109,6 +109,6 @@ class Preparing:
     def _attitude(imu: Any, seat: Pose, state: Array) -> Pose:
         """How an IMU is turned in the world: by its message, or by the filter when it does not tell."""
         if abs(imu.orientation_covariance[0] + 1) < 1e-9:
-            body = (0.0, 0.0, 0.0, *quaternion(*(float(one) for one in state[ANGLES])))
+            body = (0.0, 0.0, 0.0, *quaternion(state[ANGLES]))
             return compose(body, (0.0, 0.0, 0.0, *seat[3:]))
         return (0.0, 0.0, 0.0, *unit(imu.orientation))

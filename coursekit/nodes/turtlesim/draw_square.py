@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-import sys
 
-import rclpy
 from geometry_msgs.msg import Twist
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
+from coursekit.nodes.running import run
 from coursekit.sim.turtle import normalize_angle
 
 EDGE = 2.0
@@ -96,16 +94,6 @@ class DrawSquare(Node):
         self._publisher.publish(twist)
 
 
-def main(args: list[str] | None = None) -> None:
+def main(args: list[str] | None = None) -> int:
     """Draw until Ctrl-C."""
-    rclpy.init(args=args)
-    node = DrawSquare()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(0)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    return run(DrawSquare, args)

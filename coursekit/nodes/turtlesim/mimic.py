@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-
-import rclpy
 from geometry_msgs.msg import Twist
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from turtlesim.msg import Pose
+
+from coursekit.nodes.running import run
 
 
 class Mimic(Node):
@@ -25,16 +23,6 @@ class Mimic(Node):
         self._publisher.publish(twist)
 
 
-def main(args: list[str] | None = None) -> None:
+def main(args: list[str] | None = None) -> int:
     """Copy until Ctrl-C."""
-    rclpy.init(args=args)
-    node = Mimic()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(0)
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
+    return run(Mimic, args)

@@ -5,19 +5,18 @@ The window itself is drawn by whoever watches: `coursekit.lab.turtlesim_window()
 
 from __future__ import annotations
 
-import sys
-from typing import Any
+from contextlib import closing
 
 import rclpy
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.exceptions import InvalidTopicNameException
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_srvs.srv import Empty
 from turtlesim.srv import Kill, Spawn
 
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from coursekit.nodes.running import to_the_end
 from coursekit.nodes.turtlesim import simulators
 from coursekit.nodes.turtlesim.turtle import TurtleInterface
 from coursekit.sim.turtle import SIDE, STEP, World
@@ -136,20 +135,13 @@ class TurtleSim(Node):
         simulators.tell(self)
 
 
-def main(args: list[str] | None = None) -> Any:
+def main(args: list[str] | None = None) -> int:
     """Run the simulator until Ctrl-C."""
     rclpy.init(args=args)
     node = TurtleSim()
     process = current_process()
     if process is not None:
         process.cleanups.append(node.close)
-    try:
+    with to_the_end(node), closing(node):
         rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-    except ExternalShutdownException:
-        sys.exit(0)
-    finally:
-        node.close()
-        node.destroy_node()
-        rclpy.try_shutdown()
+    return 0

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections import UserList, UserString
 from collections.abc import Sequence, Set
+from struct import Struct
 from typing import Any
 
 FLOAT32_MAX = 3.402823466e38
+_FLOAT32 = Struct("f")
 _PLAIN = (list, tuple)
 
 
@@ -23,7 +25,9 @@ def all_are(values: Any, kind: type) -> bool:
     >>> all_are([1, True], int), all_are([1, 2.0], int)
     (True, False)
     """
-    return all(issubclass(found, kind) for found in set(map(type, values)))
+    types = set(map(type, values))
+    types.discard(kind)
+    return not types or all(issubclass(found, kind) for found in types)
 
 
 def all_within(values: Any, low: int, high: int) -> bool:
@@ -36,6 +40,15 @@ def all_float32(values: Any) -> bool:
     return all(
         not (v < -FLOAT32_MAX or v > FLOAT32_MAX) or v in (float("inf"), float("-inf")) for v in values
     )
+
+
+def float32(value: float) -> float:
+    """The nearest float32, which is what a message carries: 0.1 comes in as something else than it was sent.
+
+    >>> float32(0.1), float32(0.5)
+    (0.10000000149011612, 0.5)
+    """
+    return _FLOAT32.unpack(_FLOAT32.pack(value))[0]  # type: ignore[no-any-return]
 
 
 def all_no_longer_than(values: Any, length: int) -> bool:

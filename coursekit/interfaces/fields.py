@@ -99,7 +99,7 @@ def kwarg_lines(field: Field, alias: Alias) -> list[str]:
 
 
 def clone_of(field: Field) -> str:
-    """Return the source of a copy that shares nothing that can change."""
+    """Return the source of a copy, as one comes in that was sent: it shares nothing that can change."""
     kind, value = field.type, f"self._{field.name}"
     if kind.is_number_block:
         return f"{value}.copy()" if kind.is_fixed else f"{value}[:]"
@@ -107,6 +107,8 @@ def clone_of(field: Field) -> str:
         return f"list({value})" if kind.is_primitive else f"[item._clone() for item in {value}]"
     if kind.base == "byte":
         return f"bytes({value})"
+    if kind.base == "float32":
+        return f"checks.float32({value})"
     return value if kind.is_primitive else f"{value}._clone()"
 
 

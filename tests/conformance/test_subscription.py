@@ -2,7 +2,7 @@ import pytest
 from rclpy.exceptions import InvalidTopicNameException
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message, serialize_message
-from std_msgs.msg import Int64, String
+from std_msgs.msg import Float32, Int64, String
 from test_msgs.msg import Arrays
 
 
@@ -41,6 +41,17 @@ def test_the_subscriber_gets_a_copy(world):
     world.spin_until(lambda: heard)
     assert heard[0].string_values[0] == "before"
     assert heard[0].int32_values[0] == 1
+
+
+def test_a_float32_comes_in_with_the_digits_that_it_has(world):
+    node, heard = world.node(), []
+    publisher = node.create_publisher(Float32, "chatter", 10)
+    node.create_subscription(Float32, "chatter", heard.append, 10)
+    world.matched(publisher)
+    sent = Float32(data=0.1)
+    publisher.publish(sent)
+    world.spin_until(lambda: heard)
+    assert (sent.data, heard[0].data) == (0.1, 0.10000000149011612)
 
 
 def test_two_subscribers_get_messages_of_their_own(world):

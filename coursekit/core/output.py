@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from .whose import outside
+from .whose import owner
 
 if TYPE_CHECKING:
     from .session import Session
@@ -34,9 +34,13 @@ class Output:
             _, old = self._parts.popleft()
             self._size -= len(old)
             self.dropped += len(old)
-        with outside():
-            for listener in list(self.listeners):
-                listener(stream, text)
+        if self.listeners:
+            token = owner.set(None)
+            try:
+                for listener in list(self.listeners):
+                    listener(stream, text)
+            finally:
+                owner.reset(token)
 
     def text(self, stream: str | None = None) -> str:
         """All that is remembered, or what went to one stream."""

@@ -35,7 +35,8 @@ class StreamProxy:
     @property
     def write(self) -> Callable[[str], int]:
         """What writes; who replaces it (IPython does while a cell runs) gets what the interpreter itself writes."""
-        return self._replaced if self._replaced is not None and current_process() is None else self._write
+        replaced = self._replaced
+        return replaced if replaced is not None and current_process() is None else self._write
 
     @write.setter
     def write(self, value: Callable[[str], int]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import deque
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .qos import AUTOMATIC, INFINITE, KEEP_ALL, TRANSIENT_LOCAL, Qos
@@ -69,7 +70,8 @@ class Publisher(Endpoint):
         """Hand a copy of `msg` to every matching subscription."""
         stamp = self.graph.clock.now()
         for target in self.targets:
-            target.push((msg._clone(), stamp, self))
+            kept = msg._clone() if target.reduce is None else target.reduce(msg)
+            target.push((kept, stamp, self))
         if self._history is not None:
             self._history.append((msg._clone(), stamp))
         if self._deadline_alarm is not None or not self._live or self._lease_alarm is not None:
@@ -78,7 +80,8 @@ class Publisher(Endpoint):
     def replay(self, target: Subscription) -> None:
         """Give a late joiner what this publisher still keeps."""
         for msg, stamp in list(self._history or ()):
-            target.push((msg._clone(), stamp, self))
+            kept = msg._clone() if target.reduce is None else target.reduce(msg)
+            target.push((kept, stamp, self))
 
     def assert_liveliness(self) -> None:
         """Say that it lives, without publishing."""
@@ -133,15 +136,19 @@ class Publisher(Endpoint):
 
 
 class Subscription(Endpoint):
-    """The receiving end: a queue of (message, stamp ns, publisher)."""
+    """The receiving end: a queue of (message, stamp ns, publisher).
 
-    __slots__ = ("_deadline_alarm", "_last_sign", "_lost", "queue")
+    A reader that needs a few numbers of each message sets `reduce`: what it makes of a message is queued, not a copy.
+    """
+
+    __slots__ = ("_deadline_alarm", "_last_sign", "_lost", "queue", "reduce")
 
     def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
         self.queue: deque[tuple[Any, int, Publisher]] = deque(
             maxlen=None if self.qos.history == KEEP_ALL else self.qos.depth
         )
+        self.reduce: Callable[[Any], Any] | None = None
         self._lost: list[Publisher] = []
         self._last_sign = graph.clock.steady()
         self._deadline_alarm: Any = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import _thread
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from . import describe, errors
@@ -83,7 +83,7 @@ class FrameBuffer:
             pose = normalized(pose)
         with self._lock:
             cache = self.frames.get(child)
-            if static or cache is None or cache.static or not cache.follow(stamp, pose, parent):
+            if static or cache is None or not cache.follow(stamp, pose, parent):
                 kept = self._insert(parent, child, stamp, pose, static)
             else:
                 kept = True
@@ -102,6 +102,20 @@ class FrameBuffer:
     def set_static(self, parent: str, child: str, pose: Pose, authority: str = "default_authority") -> bool:
         """Tell the pose of `child` in `parent` for all times."""
         return self.set(parent, child, 0, pose, authority, static=True)
+
+    def extend(self, samples: Iterable[tuple[str, str, int, Pose]]) -> None:
+        """`set` for each (parent, child, stamp, pose): what nearly all are, the next of a moving frame, is taken faster."""
+        frames, lock, authorities = self.frames, self._lock, self.authorities
+        for parent, child, stamp, pose in samples:
+            x, y, z, i, j, k, w = pose
+            cache = frames.get(child)
+            if cache is not None and -1e-12 < i * i + j * j + k * k + w * w - 1.0 + 0.0 * (x + y + z) < 1e-12:
+                with lock:
+                    if cache.follow(stamp, pose, parent):
+                        authorities[child] = "default_authority"
+                        self.version += 1
+                        continue
+            self.set(parent, child, stamp, pose)
 
     def _insert(self, parent: str, child: str, stamp: int, pose: Pose, static: bool) -> bool:
         frames = self.frames

@@ -38,7 +38,7 @@ class FrameCache:
     def follow(self, stamp: int, pose: Pose, parent: str) -> bool:
         """Add a newer sample in the same parent, which is what nearly all are; False when this one is not."""
         stamps = self.stamps
-        if stamp <= self.newest or not stamps or not self.single_parent or parent != self.parents[-1]:
+        if stamp <= self.newest or not stamps or not self.single_parent or parent != self.parents[-1] or self.static:
             return False
         stamps.append(stamp)
         self.poses.append(pose)

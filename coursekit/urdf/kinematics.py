@@ -66,19 +66,12 @@ def joint_pose(joint: Joint, position: float = 0.0) -> Pose:
 
 def joint_motion(joint: Joint) -> Callable[[float], Pose]:
     """The function from a joint's position (rad or m) to the child link's pose in the parent link."""
-    origin = pose_of(joint.origin)
-    x, y, z = joint.axis
-
-    def shifted(position: float) -> Pose:
-        return compose(origin, (x * position, y * position, z * position, 0.0, 0.0, 0.0, 1.0))
-
-    def turned(position: float) -> Pose:
-        sin, cos = math.sin(position / 2), math.cos(position / 2)
-        return compose(origin, (0.0, 0.0, 0.0, x * sin, y * sin, z * sin, cos))
-
-    if joint.type == "prismatic":
-        return shifted
-    return turned if joint.moves else lambda _position: origin
+    writer = _Writer()
+    pose = ", ".join(map(str, _joint_terms(writer, joint, {joint.name: "position"})))
+    names: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
+    exec("\n    ".join(["def motion(position):", *writer.lines, f"return {pose}\n"]), names)
+    motion: Callable[[float], Pose] = names["motion"]
+    return motion
 
 
 class Kinematics:

@@ -6,8 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.core.session import current
-from coursekit.tf import FrameBuffer
+from coursekit.tf import FrameBuffer, Pose
 
+Sample = tuple[str, str, int, Pose]
+"""Parent, child, stamp [ns], and the child's pose in the parent."""
 HEAR_SECONDS = 0.1
 """Frames that nobody asks for are heard so often, so that they do not pile up."""
 
@@ -20,15 +22,14 @@ class BroadcastFrames(FrameBuffer):
         self.newest = self._arrived = 0
         self._unheard: list[tuple[Any, bool]] = []
 
-    def hear(self, msg: Any, fixed: bool, now_ns: int) -> None:
-        """Take a tf2_msgs/TFMessage that came at this time [ns]."""
-        from tf2_py._convert import nanoseconds, pose_of
-
-        for transform in msg.transforms:
-            header = transform._header
-            stamp = 0 if fixed else nanoseconds(header._stamp)
-            pose = pose_of(transform._transform, ("", ""))
-            self.set(header._frame_id, transform._child_frame_id, stamp, pose, static=fixed)
+    def hear(self, samples: list[Sample], fixed: bool, now_ns: int) -> None:
+        """Take the samples of a message that came at this time [ns]."""
+        if fixed:
+            for parent, child, _, pose in samples:
+                self.set_static(parent, child, pose)
+            return
+        self.extend(samples)
+        for _, _, stamp, _ in samples:
             if stamp > self.newest:
                 self.newest, self._arrived = stamp, now_ns
 
@@ -36,17 +37,36 @@ class BroadcastFrames(FrameBuffer):
         """Let the messages of a subscription lie until `catch_up`: that is much cheaper than a callback for each."""
         core = subscription.handle.core
         core.attach(None, None)
+        core.reduce = samples_of
         self._unheard.append((core, fixed))
 
     def catch_up(self) -> None:
         """Hear all that has come meanwhile."""
         for core, fixed in self._unheard:
             while core.queue and (entry := core.take()) is not None:
-                self.hear(entry[0], fixed, entry[1])
+                kept = entry[0]  # a message, if it came before the subscription knew that samples are enough
+                self.hear(kept if type(kept) is list else samples_of(kept), fixed, entry[1])
 
     def now(self, now_ns: int) -> int:
         """What time it is for who broadcasts [ns]: a simulator's clock need not be the session's."""
         return self.newest + now_ns - self._arrived if self.newest else now_ns
+
+
+def samples_of(msg: Any) -> list[Sample]:
+    """The transforms of a tf2_msgs/TFMessage."""
+    return [_sample(transform) for transform in msg._transforms]
+
+
+def _sample(transform: Any) -> Sample:
+    """A geometry_msgs/TransformStamped as a sample."""
+    header, motion = transform._header, transform._transform
+    stamp, place, turn = header._stamp, motion._translation, motion._rotation
+    return (
+        header._frame_id,
+        transform._child_frame_id,
+        stamp._sec * 1_000_000_000 + stamp._nanosec,
+        (place._x, place._y, place._z, turn._x, turn._y, turn._z, turn._w),
+    )
 
 
 def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> BroadcastFrames:
@@ -64,7 +84,7 @@ def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> Broad
     ):
 
         def take(msg: TFMessage, fixed: bool = fixed) -> None:
-            buffer.hear(msg, fixed, clock.now())
+            buffer.hear(samples_of(msg), fixed, clock.now())
             if heard is not None:
                 heard()
 

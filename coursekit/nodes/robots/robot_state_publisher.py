@@ -127,10 +127,12 @@ class RobotStatePublisher(Node):
             self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
             self._published.clear()
         self._last_call = now
-        oldest = min((self._published.get(name, 0) for name in names), default=now)
+        published = self._published
+        oldest = min([published.get(name, 0) for name in names], default=now)
         if not self._ignore_timestamp and sent < min(oldest, now) + self._interval_ns and oldest:
             return False
-        self._published.update(dict.fromkeys(names, sent))
+        for name in names:
+            published[name] = sent
         return True
 
     def _publish_moving(self, positions: dict[str, float], stamp: int) -> None:

@@ -1,8 +1,8 @@
 """An asyncio loop that runs on the session's clock.
 
 Coroutines, futures, `asyncio.sleep` and `asyncio.wait` of a launch file run on it unchanged; on the
-virtual clock their waiting takes no time. The loop counts as the running one only while a callback
-runs, so it also works inside a notebook cell, where another loop is already running.
+virtual clock their waiting takes no time. The loop counts as the running one only while callbacks
+run, so it also works inside a notebook cell, where another loop is already running.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ import asyncio.events
 import asyncio.tasks
 import heapq
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from contextvars import Context
 from typing import Any
 
@@ -119,20 +120,23 @@ class ClockLoop(asyncio.AbstractEventLoop):
         self.__running = True
         try:
             while not finished():
-                self.__run_once()
+                self.__take_due_timers()
+                if not self.__ready:
+                    self.__wait()
+                    self.__take_due_timers()
+                with _as_running(self):
+                    self.__run_ready(finished)
         finally:
             self.__running = False
 
-    def __run_once(self) -> None:
-        """Wait for something to be due, then run what was due at that moment."""
-        self.__take_due_timers()
-        if not self.__ready:
-            self.__wait()
+    def __run_ready(self, finished: Callable[[], bool]) -> None:
+        """Run what is due, round by round, until nothing is."""
+        while self.__ready and not finished():
+            for _ in range(len(self.__ready)):
+                handle = self.__ready.popleft()
+                if not handle.cancelled():
+                    handle._run()
             self.__take_due_timers()
-        for _ in range(len(self.__ready)):
-            handle = self.__ready.popleft()
-            if not handle.cancelled():
-                _run_as_current(self, handle)
 
     def __wait(self) -> None:
         """Wait until the next timer is due or another thread adds a callback."""
@@ -211,8 +215,9 @@ def _settle(future: asyncio.Future[Any], result: Any, error: BaseException | Non
         future.set_result(result)
 
 
-def _run_as_current(loop: ClockLoop, handle: asyncio.Handle) -> None:
-    """Run a callback with `loop` as this thread's running loop, then put the loop around it back."""
+@contextmanager
+def _as_running(loop: ClockLoop) -> Iterator[None]:
+    """Have `loop` as this thread's running loop, then put the loop around it back."""
     outer = asyncio.events._get_running_loop()
     task = None
     swap = getattr(asyncio.tasks, "_swap_current_task", None)
@@ -220,7 +225,7 @@ def _run_as_current(loop: ClockLoop, handle: asyncio.Handle) -> None:
         task = swap(outer, None)
     asyncio.events._set_running_loop(loop)
     try:
-        handle._run()
+        yield
     finally:
         asyncio.events._set_running_loop(outer)
         if outer is not None and swap is not None:

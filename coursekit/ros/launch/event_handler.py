@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 class BaseEventHandler:
     """Reacts to the events that `matcher` accepts; with `handle_once` only to the first."""
 
+    _event_class: type = object
+    """No event of another class is shown to the matcher: a launch has hundreds of handlers, and each line is an event."""
+
     def __init__(self, *, matcher: Callable[[Event], bool], handle_once: bool = False) -> None:
         if not isinstance(handle_once, bool):
             raise TypeError(f"'handle_once' expected to be 'bool', but got '{type(handle_once).__name__}'")

@@ -27,6 +27,7 @@ class LaunchContext:
         self.__noninteractive = noninteractive
         self._event_queue = EventQueue()
         self._event_handlers: deque[BaseEventHandler] = deque()
+        self.__handlers_by_event: dict[type, tuple[BaseEventHandler, ...]] = {}
         self._completion_futures: list[asyncio.Future[Any]] = []
         self.__globals: dict[str, Any] = {}
         self.__locals_stack: list[dict[str, Any]] = []
@@ -146,6 +147,7 @@ class LaunchContext:
             self._event_handlers.append(event_handler)
         else:
             self._event_handlers.appendleft(event_handler)
+        self.__handlers_by_event.clear()
 
     def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
         """Take a handler out.
@@ -154,6 +156,16 @@ class LaunchContext:
             ValueError: when it is not registered.
         """
         self._event_handlers.remove(event_handler)
+        self.__handlers_by_event.clear()
+
+    def _handlers_for(self, event: Event) -> tuple[BaseEventHandler, ...]:
+        """The handlers that may want `event`, in order."""
+        kind = type(event)
+        found = self.__handlers_by_event.get(kind)
+        if found is None:
+            found = tuple(handler for handler in self._event_handlers if issubclass(kind, handler._event_class))
+            self.__handlers_by_event[kind] = found
+        return found
 
     def emit_event_sync(self, event: Event) -> None:
         """Queue an event; call it from the launch's own loop."""

@@ -57,7 +57,7 @@ class LaunchService:
         self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self.__context.register_event_handler(OnIncludeLaunchDescription())
         self.__context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
-        self.__futures: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
+        self.__begun: list[asyncio.Future[Any]] = []
         self.__watched: set[asyncio.Future[Any]] = set()
         self.__loop: asyncio.AbstractEventLoop | None = None
         self.__task: asyncio.Task[Any] | None = None
@@ -174,21 +174,20 @@ class LaunchService:
     async def __something_happens(self) -> None:
         """Wait for an event, or for some ongoing work to be done."""
         assert self.__loop is not None
-        queue = self.__context._event_queue
-        for future in self.__unfinished():
+        await self.__context._event_queue.stirred(self.__loop)
+
+    def __watch_begun(self) -> None:
+        """Look after work that has begun: its end stirs the launch, its failure ends the launch."""
+        for future in self.__begun:
+            future.add_done_callback(self.__report_failure)
+        completions = self.__context._completion_futures
+        for future in (*self.__begun, *completions):
             if future not in self.__watched:
                 self.__watched.add(future)
                 future.add_done_callback(self.__watched.discard)
-                future.add_done_callback(queue.stir)
-        await queue.stirred(self.__loop)
-
-    def __unfinished(self) -> list[asyncio.Future[Any]]:
-        for future in [future for _, future in self.__futures if future.done()]:
-            self.__report_failure(future)
-        self.__futures = [pair for pair in self.__futures if not pair[1].done()]
-        open_futures = [future for future in self.__context._completion_futures if not future.done()]
-        self.__context._completion_futures = open_futures
-        return [future for _, future in self.__futures] + open_futures
+                future.add_done_callback(self.__context._event_queue.stir)
+        self.__begun.clear()
+        completions.clear()
 
     def __report_failure(self, future: asyncio.Future[Any]) -> None:
         error = None if future.cancelled() else future.exception()
@@ -197,7 +196,8 @@ class LaunchService:
 
     def _is_idle(self) -> bool:
         """Return whether there is neither ongoing work nor an event."""
-        return not self.__unfinished() and self.__context._event_queue.empty()
+        self.__watch_begun()
+        return not self.__watched and self.__context._event_queue.empty()
 
     def __handle_safely(self, event: Event) -> None:
         try:
@@ -215,7 +215,7 @@ class LaunchService:
 
     def __handle(self, event: Event) -> None:
         """Have every handler that wants the event handle it, each with locals of its own."""
-        for handler in tuple(self.__context._event_handlers):
+        for handler in self.__context._handlers_for(event):
             if not handler.matches(event):
                 continue
             if self.__logger.isEnabledFor(logging.DEBUG):
@@ -232,8 +232,8 @@ class LaunchService:
             return
         if not isinstance(entity, LaunchDescriptionEntity):
             raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
-        for ongoing in visit_entities(entity, self.__context):
-            self.__futures.append(ongoing)
+        for _, future in visit_entities(entity, self.__context):
+            self.__begun.append(future)
 
     # -- the end
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import logging
 from typing import Any
 
 from .logging import get_output_loggers
@@ -39,5 +40,7 @@ class ProcessOutput:
 
     def __log(self, stream: str, lines: list[str]) -> None:
         """Log lines that came together as one record: a record costs more than a line."""
-        shown = (self.__format.format(line=line, this=self.__action) for line in lines)
-        self.__loggers[stream].info("%s", "\n".join(shown))
+        logger = self.__loggers[stream]
+        if logger.isEnabledFor(logging.INFO):
+            shown = "\n".join([self.__format.format(line=line, this=self.__action) for line in lines])
+            logger.handle(logger.makeRecord(logger.name, logging.INFO, "", 0, shown, (), None))

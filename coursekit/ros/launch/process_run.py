@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-import threading
 import traceback
+from collections import deque
 from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
@@ -31,8 +31,8 @@ class ProcessRun:
         self.__logger = logger
         self.__loop = context.asyncio_loop
         self.__ended: asyncio.Future[int] = self.__loop.create_future()
-        self.__lock = threading.Lock()
-        self.__pieces: list[tuple[str, str]] = []
+        self.__pieces: deque[tuple[str, str]] = deque()
+        self.__emits = False
         self.process: Any = None
 
     def start(self) -> bool:
@@ -58,16 +58,15 @@ class ProcessRun:
 
     def __on_output(self, stream: str, text: str) -> None:
         """Pass output on to the loop; called in the process's own lane."""
-        with self.__lock:
-            self.__pieces.append((stream, text))
-            first = len(self.__pieces) == 1
-        if first:
+        self.__pieces.append((stream, text))
+        if not self.__emits:
+            self.__emits = True
             self.__loop.call_soon_threadsafe(self.__emit_output)
 
     def __emit_output(self) -> None:
         """What was written since the last time is one event, as what lies in a pipe is."""
-        with self.__lock:
-            pieces, self.__pieces = self.__pieces, []
+        self.__emits = False  # first: what is written from now on is told by another call
+        pieces = [self.__pieces.popleft() for _ in range(len(self.__pieces))]
         for stream, group in groupby(pieces, itemgetter(0)):
             kind = ProcessStdout if stream == "stdout" else ProcessStderr
             text = "".join(piece for _, piece in group).encode("utf-8", "replace")

@@ -186,13 +186,21 @@ class ExecuteLocal(Action):
 
     def __handlers(self) -> list[Any]:
         return [
-            EventHandler(matcher=self.__is_shutdown_for_me, entities=self.__on_shutdown_process),
-            EventHandler(matcher=self.__is_signal_for_me, entities=self.__on_signal),
+            self.__on_request(ShutdownProcess, self.__on_shutdown_process),
+            self.__on_request(SignalProcess, self.__on_signal),
             OnProcessIO(target_action=self, on_stdout=self.__on_io, on_stderr=self.__on_io),
             OnShutdown(on_shutdown=self.__on_shutdown),
             OnProcessExit(target_action=self, on_exit=self.__on_exit),
             OnProcessExit(target_action=self, on_exit=lambda event, context: cast(Any, self.__lines).flush()),
         ]
+
+    def __on_request(self, kind: type[Event], reaction: Callable[..., Any]) -> EventHandler:
+        """What handles events of a class that name this process."""
+        handler = EventHandler(
+            matcher=lambda event: isinstance(event, kind) and cast(Any, event).process_matcher(self), entities=reaction
+        )
+        handler._event_class = kind
+        return handler
 
     async def __run(self, context: LaunchContext) -> None:
         """Run the process, again and again when it is to be respawned."""
@@ -240,12 +248,6 @@ class ExecuteLocal(Action):
         if self.__respawn_delay:
             await asyncio.wait((self.__shutdown,), timeout=self.__respawn_delay)
         return not self.__shutdown.done()
-
-    def __is_shutdown_for_me(self, event: Event) -> bool:
-        return isinstance(event, ShutdownProcess) and event.process_matcher(self)
-
-    def __is_signal_for_me(self, event: Event) -> bool:
-        return isinstance(event, SignalProcess) and event.process_matcher(self)
 
     def __on_io(self, event: ProcessIO) -> None:
         if self.__lines is not None:

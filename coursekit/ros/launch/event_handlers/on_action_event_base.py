@@ -50,7 +50,7 @@ class OnActionEventBase(BaseEventHandler):
         is_action = isinstance(action_matcher, LaunchDescriptionEntity)
         self.__wants_action: Any = None if is_action else action_matcher
         self.__on_event: Any = on_event
-        self.__target_event_cls = target_event_cls
+        self.__target_event_cls = self._event_class = target_event_cls
         super().__init__(matcher=self.matches, **kwargs)
 
     def matches(self, event: Event) -> bool:

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 class OnShutdown(BaseEventHandler):
     """Visits entities, or calls a function of (event, context), when the launch ends."""
 
+    _event_class = Shutdown
+
     def __init__(
         self,
         *,

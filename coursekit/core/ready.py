@@ -78,8 +78,8 @@ class ReadyQueue:
         if self._timers and self._timers[0][0] <= self.clock.steady():
             self._ring()
         try:
-            return self.items.popleft()
-        except IndexError:
+            return self.items.popleft() if self.items else None
+        except IndexError:  # another thread was faster
             return None
 
     def wait(self, deadline: int | None) -> None:

@@ -44,7 +44,7 @@ class Timer(Source):
             self.next = now
         elif self.next < now:
             self.next += (1 + (now - self.next - 1) // self.period) * self.period
-        self._arm()
+        self._arm(now)
 
     def cancel(self) -> None:
         """Be no longer due."""
@@ -83,10 +83,11 @@ class Timer(Source):
         elif toggled:
             self._arm()
 
-    def _arm(self) -> None:
+    def _arm(self, now: int | None = None) -> None:
         self.generation += 1
         sink = self.sink
-        if sink is None or self.canceled or self.base.active:
+        base = self.base
+        if sink is None or self.canceled or base.active:
             return
-        steady = self.base.clock.steady()
-        sink.arm(self, steady + max(0, self.next - self.base.now()))
+        rest = self.next - (base.now() if now is None else now)
+        sink.arm(self, base.clock.steady() + (rest if rest > 0 else 0))

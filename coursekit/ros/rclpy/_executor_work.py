@@ -162,7 +162,7 @@ class Work:
         """
         queue = self._queue
         context = self._context
-        deadline = deadline_of(timeout_sec)
+        deadline = None if timeout_sec is None else deadline_of(timeout_sec)
         waited = False
         if self._cycle != (cycle := (timeout_sec, condition)):
             self._begin_cycle(cycle)
@@ -184,7 +184,8 @@ class Work:
                 continue
             if self._past_waiting:
                 self._begin_cycle(cycle)
-                continue
+                if self._tasks:
+                    continue
             if condition() or self._errors:
                 self._cycle = None
                 raise ConditionReachedException()

@@ -141,8 +141,9 @@ class Clock:
 
     def now(self) -> Time:
         """The time."""
-        current().clock.poll()
-        return Time(nanoseconds=self._handle.core.now(), clock_type=self.clock_type)
+        base = self._handle.core
+        base.clock.poll()
+        return Time._of(base.now(), self._clock_type)
 
     def create_jump_callback(
         self,

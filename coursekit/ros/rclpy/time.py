@@ -39,6 +39,14 @@ class Time:
         self._ns = total
         self._clock_type = clock_type
 
+    @classmethod
+    def _of(cls, nanoseconds: int, clock_type: ClockType) -> Time:
+        """A time of which is known that it is sound."""
+        made = object.__new__(cls)
+        made._ns = nanoseconds
+        made._clock_type = clock_type
+        return made
+
     @property
     def nanoseconds(self) -> int:
         """Nanoseconds since the clock's epoch."""

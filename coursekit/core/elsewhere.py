@@ -54,6 +54,7 @@ def remark(package: str) -> str:
 
 
 _EXECUTABLES = {
+    ("demo_nodes_cpp", "allocator_tutorial"): "it counts what C++ allocates, and Python programs do not choose their memory",
     ("controller_manager", "ros2_control_node"): "it loads the C++ drivers of a robot's hardware; in simulation the robot's "
     "<gazebo> plugin libgazebo_ros2_control.so is the controller manager: spawn the robot with `ros2 run gazebo_ros "
     "spawn_entity.py -topic robot_description -entity ROBOT`",

@@ -108,7 +108,20 @@ NEEDED = {
     "robot_state_publisher": ["robot_description:=<robot name='r'><link name='a'/></robot>"],
     "topic_tools": ["input_topic:=a", "input_topics:=[a, b]", "msgs_per_sec:=1.0", "X:=1", "Y:=2"],
 }
-UNDERLAY_COMPONENTS = [(package, plugin) for package, plugins in registered().items() for plugin in plugins]
+SHORT = ("demo_nodes_cpp::ListParameters", "demo_nodes_cpp::SetAndGetParameters")
+UNDERLAY_COMPONENTS = [
+    (package, plugin) for package, plugins in registered().items() for plugin in plugins if plugin not in SHORT
+]
+
+
+@pytest.mark.parametrize("plugin", SHORT)
+def test_a_component_that_is_done_at_once_does_its_work_and_is_not_listed(session, run, ros2, plugin):
+    container = run("rclcpp_components", "component_container")
+    session.clock.sleep(0.1)
+    refused = ros2("component", "load", "/ComponentManager", "demo_nodes_cpp", plugin)
+    assert refused == "Failed to load component: Component shut down as soon as it was made\n"
+    assert "\nParameter name" in container.output
+    assert ros2("component", "list") == "/ComponentManager\n"
 
 
 @pytest.mark.parametrize(("package", "plugin"), UNDERLAY_COMPONENTS, ids=lambda one: one)

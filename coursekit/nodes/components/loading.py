@@ -56,6 +56,8 @@ class LoadedComponent:
             names = [node.full_name for node in list(graph.nodes) if node.process is self.process]
             if names:
                 return str(names[0])
+            if self.process.exit_code == 0:
+                raise RuntimeError("Component shut down as soon as it was made")
             if self.process.exit_code is not None:
                 raise RuntimeError(f"Component constructor threw an exception: it ended with {self.process.exit_code}")
             time.sleep(0.01)

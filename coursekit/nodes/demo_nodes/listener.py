@@ -1,6 +1,7 @@
 """Prints what it hears on /chatter."""
 
 from rclpy.node import Node
+from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from std_msgs.msg import String
 
 from coursekit.nodes.demo_nodes.spinning import spin_demo
@@ -9,9 +10,9 @@ from coursekit.nodes.demo_nodes.spinning import spin_demo
 class Listener(Node):
     """Logs every message."""
 
-    def __init__(self) -> None:
+    def __init__(self, qos: QoSProfile | int = 10) -> None:
         super().__init__("listener")
-        self._subscription = self.create_subscription(String, "chatter", self._heard, 10)
+        self._subscription = self.create_subscription(String, "chatter", self._heard, qos)
 
     def _heard(self, msg: String) -> None:
         self.get_logger().info(f"I heard: [{msg.data}]")
@@ -20,3 +21,8 @@ class Listener(Node):
 def main(args: list[str] | None = None) -> None:
     """Run the node until Ctrl-C."""
     spin_demo(Listener, args)
+
+
+def best_effort(args: list[str] | None = None) -> None:
+    """Run it with the QoS of sensors."""
+    spin_demo(lambda: Listener(qos_profile_sensor_data), args)

@@ -1,8 +1,9 @@
-"""The service `add_two_ints`, and two ways to call it."""
+"""The service `add_two_ints`, and the ways to call it."""
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
 from rclpy.node import Node
+from rclpy.task import Future
 
 from coursekit.nodes.demo_nodes.spinning import spin_demo
 
@@ -57,3 +58,27 @@ def client_async(args: list[str] | None = None) -> None:
             break
     node.destroy_node()
     rclpy.shutdown()
+
+
+class AskingNode(Node):
+    """Asks once, as soon as there is a server, and ends with the answer."""
+
+    def __init__(self) -> None:
+        super().__init__("add_two_ints_client")
+        self._asking = self.create_client(AddTwoInts, "add_two_ints")
+        self._timer = self.create_timer(0.0, self._ask)
+
+    def _ask(self) -> None:
+        self._timer.cancel()
+        while not self._asking.wait_for_service(timeout_sec=1.0):
+            self.get_logger().info("service not available, waiting again...")
+        self._asking.call_async(AddTwoInts.Request(a=2, b=3)).add_done_callback(self._answered)
+
+    def _answered(self, future: Future) -> None:
+        self.get_logger().info(f"Result of add_two_ints: {future.result().sum}")
+        rclpy.shutdown()
+
+
+def client_cpp(args: list[str] | None = None) -> None:
+    """Ask once as demo_nodes_cpp's clients do."""
+    spin_demo(AskingNode, args)

@@ -1,0 +1,32 @@
+"""A talker with a number and a text in turn: C++ would lend their memory, Python has none to lend."""
+
+from __future__ import annotations
+
+from rclpy.node import Node
+from std_msgs.msg import Float64, String
+
+from coursekit.nodes.running import run
+
+
+class LoanedTalker(Node):
+    """Publishes a count on chatter_pod and the next one as a greeting on chatter, each second."""
+
+    def __init__(self) -> None:
+        super().__init__("loaned_message_talker")
+        self._count = 1
+        self._numbers = self.create_publisher(Float64, "chatter_pod", 7)
+        self._texts = self.create_publisher(String, "chatter", 7)
+        self._timer = self.create_timer(1.0, self._say)
+
+    def _say(self) -> None:
+        number, text = Float64(data=float(self._count)), String(data=f"Hello World: {self._count + 1}")
+        self._count += 2
+        self.get_logger().info(f"Publishing: '{number.data:f}'")
+        self._numbers.publish(number)
+        self.get_logger().info(f"Publishing: '{text.data}'")
+        self._texts.publish(text)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Talk until Ctrl-C."""
+    return run(LoanedTalker, args)

@@ -31,8 +31,8 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"rqt_\w+|plotjuggler\w*|foxglove\w*|rosbridge\w*", "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
     (r"rf2o_laser_odometry", _CPP, "odometry comes from the simulator's drive, or from robot_localization's ekf_node"),
-    (r"intra_process_demo|dummy_\w+|logging_demo|pendulum_control"
-     r"|examples_rclcpp_(async_client|cbg_executor|minimal_(action_\w+|composition)|multithreaded_executor|wait_set)", _CPP,
+    (r"pendulum_control|examples_rclcpp_(async_client|cbg_executor|minimal_(action_\w+|composition)|multithreaded_executor|wait_set)",
+     _CPP,
      "packages with the same lessons: demo_nodes_cpp, composition, image_tools, examples_rclpy_executors"),
     (r"image_proc|image_pipeline|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),

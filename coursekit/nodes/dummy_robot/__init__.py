@@ -1,0 +1,1 @@
+"""The dummy robot: a made-up map, scan and joint states for RViz."""

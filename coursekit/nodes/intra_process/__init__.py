@@ -1,0 +1,1 @@
+"""intra_process_demo: messages between nodes of one process."""

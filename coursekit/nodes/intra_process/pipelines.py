@@ -1,0 +1,76 @@
+"""Two nodes of one process that hand numbers on. In C++ the address stays the same; rclpy copies every message."""
+
+from __future__ import annotations
+
+import time
+
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32
+
+from coursekit.nodes.running import spin_to_the_end
+
+FIRST = 42
+
+
+def told(text: str, msg: Int32) -> str:
+    """A line about a message: its value, and where it is in memory."""
+    return f"{text} {msg.data}, and address: 0x{id(msg):X}"
+
+
+class Producer(Node):
+    """Publishes a count each second."""
+
+    def __init__(self, name: str, output: str) -> None:
+        super().__init__(name)
+        self._count = 0
+        self._publisher = self.create_publisher(Int32, output, 10)
+        self.create_timer(1.0, self._produce)
+
+    def _produce(self) -> None:
+        msg = Int32(data=self._count)
+        self._count += 1
+        print(told("Published message with value:", msg))
+        self._publisher.publish(msg)
+
+
+class Consumer(Node):
+    """Tells of what it gets."""
+
+    def __init__(self, name: str, source: str) -> None:
+        super().__init__(name)
+        self.create_subscription(Int32, source, lambda msg: print(told(" Received message with value:", msg)), 10)
+
+
+class IncrementerPipe(Node):
+    """Takes a number, waits a second, and sends the next one on."""
+
+    def __init__(self, name: str, source: str, output: str) -> None:
+        super().__init__(name)
+        self.publisher = self.create_publisher(Int32, output, 10)
+        self.create_subscription(Int32, source, self._pass_on, 10)
+
+    def _pass_on(self, msg: Int32) -> None:
+        print(told("Received message with value:        ", msg))
+        print("  sleeping for 1 second...")
+        time.sleep(1.0)
+        print("  done.")
+        msg.data += 1
+        print(told("Incrementing and sending with value:", msg))
+        self.publisher.publish(msg)
+
+
+def two_nodes(args: list[str] | None = None) -> int:
+    """One counts, one listens, until Ctrl-C."""
+    rclpy.init(args=args)
+    return spin_to_the_end(Producer("producer", "number"), Consumer("consumer", "number"))
+
+
+def cyclic(args: list[str] | None = None) -> int:
+    """A number goes round between two nodes until Ctrl-C."""
+    rclpy.init(args=args)
+    pipes = [IncrementerPipe("pipe1", "topic1", "topic2"), IncrementerPipe("pipe2", "topic2", "topic1")]
+    msg = Int32(data=FIRST)
+    print(told("Published first message with value: ", msg))
+    pipes[0].publisher.publish(msg)
+    return spin_to_the_end(*pipes)

@@ -1,0 +1,1 @@
+"""topic_monitor: how much of what is published arrives."""

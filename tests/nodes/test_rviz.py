@@ -1,6 +1,9 @@
 """rviz2: its configuration files, and the node without a notebook."""
 
+from pathlib import Path
+
 import pytest
+from ament_index_python import get_package_share_directory
 
 from coursekit.core.executables import find
 from coursekit.core.session import Session
@@ -204,3 +207,10 @@ def test_display_launch_of_urdf_tutorial_runs_to_the_end():
         process.wait(10.0)
     assert "No notebook shows this window. Fixed frame: base_link" in process.output
     assert "rviz2-3]: process has finished cleanly" in process.output
+
+
+@pytest.mark.parametrize("package", ["turtle_tf2_py", "turtle_tf2_cpp"])
+def test_the_tf2_tutorials_bring_the_window_that_they_open(package):
+    config = read(Path(get_package_share_directory(package)) / "rviz" / "turtle_rviz.rviz")
+    assert config.fixed_frame == "world"
+    assert {"Grid", "TF"} <= {display.kind for display in config.displays if display.enabled}

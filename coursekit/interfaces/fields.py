@@ -98,6 +98,10 @@ def kwarg_lines(field: Field, alias: Alias) -> list[str]:
     return [f"if {name!r} in kwargs:", f"    self.{name} = {given}", "else:", f"    self._{name} = {default}"]
 
 
+_AS_SENT = {"float32": "checks.float32({})", "float64": "float({})", **dict.fromkeys((*INTEGERS, "char"), "+{}")}
+"""What a number is when it comes in: a numpy.float64 has become a float, and True is 1."""
+
+
 def clone_of(field: Field) -> str:
     """Return the source of a copy, as one comes in that was sent: it shares nothing that can change."""
     kind, value = field.type, f"self._{field.name}"
@@ -107,8 +111,8 @@ def clone_of(field: Field) -> str:
         return f"list({value})" if kind.is_primitive else f"[item._clone() for item in {value}]"
     if kind.base == "byte":
         return f"bytes({value})"
-    if kind.base == "float32":
-        return f"checks.float32({value})"
+    if kind.base in _AS_SENT:
+        return _AS_SENT[kind.base].format(value)
     return value if kind.is_primitive else f"{value}._clone()"
 
 

@@ -1,9 +1,10 @@
+import numpy
 import pytest
 from rclpy.exceptions import InvalidTopicNameException
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message, serialize_message
 from std_msgs.msg import Float32, Int64, String
-from test_msgs.msg import Arrays
+from test_msgs.msg import Arrays, BasicTypes
 
 
 def test_a_message_arrives(world):
@@ -52,6 +53,17 @@ def test_a_float32_comes_in_with_the_digits_that_it_has(world):
     publisher.publish(sent)
     world.spin_until(lambda: heard)
     assert (sent.data, heard[0].data) == (0.1, 0.10000000149011612)
+
+
+def test_numbers_come_in_as_pythons_own(world):
+    node, heard = world.node(), []
+    publisher = node.create_publisher(BasicTypes, "basic", 10)
+    node.create_subscription(BasicTypes, "basic", heard.append, 10)
+    world.matched(publisher)
+    publisher.publish(BasicTypes(float64_value=numpy.float64(0.5), float32_value=numpy.float64(0.5), int32_value=True))
+    world.spin_until(lambda: heard)
+    kinds = [type(value) for value in (heard[0].float64_value, heard[0].float32_value, heard[0].int32_value)]
+    assert kinds == [float, float, int]
 
 
 def test_two_subscribers_get_messages_of_their_own(world):

@@ -14,6 +14,7 @@ INSIDE = {
     "gazebo": "coursekit.cli.gazebo_commands:run_server",
     "gzserver": "coursekit.cli.gazebo_commands:run_server",
     "gzclient": "coursekit.cli.gazebo_commands:run_client",
+    "rviz2": "coursekit.cli.window_commands:rviz2_inside",
 }
 """Command: the function that takes its words and returns its exit code."""
 

@@ -28,6 +28,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"turtlebot3_node|micro_ros_agent|rosserial\w*|diffdrive_arduino|serial_driver|mavros|dynamixel\w*", _DRIVER, _SENSORS),
     (r"interactive_markers", "is not part of the viewer", "to send numbers: `ros2 topic pub`, or pad() in a notebook"),
     (r"rqt|rqt_graph", "opens windows of its own", "in a notebook: graph(), or `ros2 node info NODE` in a terminal"),
+    (r"rqt_console", "opens a window of its own", "what nodes log: `ros2 topic echo /rosout`, or the terminals they run in"),
     (r"rqt_\w+|plotjuggler\w*|foxglove\w*|rosbridge\w*", "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
     (r"rf2o_laser_odometry", _CPP, "odometry comes from the simulator's drive, or from robot_localization's ekf_node"),

@@ -1,0 +1,44 @@
+"""Commands that tutorials type for windows: rviz2 runs its node, rqt's say what stands in."""
+
+import sys
+
+import pytest
+
+from coursekit.cli import ros2, window_commands
+from coursekit.cli.parser import run
+from coursekit.core.session import Session
+
+
+def test_rviz2_is_run_with_its_words(monkeypatch):
+    ran = []
+    monkeypatch.setattr(ros2, "main", lambda argv: ran.append(argv) or 0)
+    monkeypatch.setattr(sys, "argv", ["/somewhere/bin/rviz2", "-d", "turtle.rviz"])
+    assert window_commands.run_node() == 0
+    assert ran == [["run", "rviz2", "rviz2", "-d", "turtle.rviz"]]
+
+
+def test_a_launch_file_starts_rviz2_by_its_name(tmp_path):
+    path = tmp_path / "view.launch.py"
+    path.write_text(
+        "from launch import LaunchDescription\n"
+        "from launch.actions import ExecuteProcess\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([ExecuteProcess(cmd=['rviz2'], output='screen')])\n"
+    )
+    with Session(virtual=True).use() as session:
+        launch = session.start(lambda: run(["launch", str(path)]), name="ros2")
+        session.clock.sleep(2)
+        assert "No notebook shows this window" in launch.output
+        launch.interrupt()
+        assert launch.wait(10) == 0
+
+
+@pytest.mark.parametrize(
+    ("command", "instead"),
+    [("rqt", "graph()"), ("rqt_graph", "graph()"), ("rqt_console", "/rosout"), ("rqt_plot", "ros2 topic")],
+)
+def test_a_window_of_rqt_is_told_with_what_stands_in(monkeypatch, capsys, command, instead):
+    monkeypatch.setattr(sys, "argv", [f"/somewhere/bin/{command}"])
+    assert window_commands.explain() == 1
+    told = capsys.readouterr().err
+    assert told.startswith(f"{command} is not part of coursekit") and instead in told

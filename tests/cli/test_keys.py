@@ -54,7 +54,7 @@ def read_until(number, text):
 def test_a_key_needs_no_enter_and_the_terminal_is_as_before_afterwards(terminal):
     process, keyboard = terminal("run", "turtlesim", "turtle_teleop_key")
     before = termios.tcgetattr(keyboard)
-    assert "'Q' quits." in read_until(keyboard, "'Q' quits.")
+    assert "'Q' to quit." in read_until(keyboard, "'Q' to quit.")
     give_up = time.monotonic() + 10
     while termios.tcgetattr(keyboard)[3] & termios.ICANON and time.monotonic() < give_up:
         pass

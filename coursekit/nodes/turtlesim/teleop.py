@@ -34,9 +34,9 @@ HEADINGS = {
 USAGE = """\
 Reading from keyboard
 ---------------------------
-Arrow keys move the turtle.
-G|B|V|C|D|E|R|T rotate it to absolute orientations, 'F' cancels a rotation.
-'Q' quits."""
+Use arrow keys to move the turtle.
+Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.
+'Q' to quit."""
 
 
 def keys(stream: TextIO) -> Iterator[str]:

@@ -154,3 +154,19 @@ def test_components_in_a_container_drive_through_the_velocity_smoother(session, 
     session.clock.sleep(3.0)
     assert program(("", 0.0)) == "ended SUCCEEDED"
     assert running(session)[0].simulation.robots["rdk"].place.x == pytest.approx(1.0, abs=0.35)
+
+
+def test_the_bringup_composes_its_nodes_in_one_process_when_asked(session, run, program, tmp_path):
+    file = save_map(tmp_path / "map", true_map("tec_warehouse"))[0]
+    run("gazebo_ros", "gzserver", "tec_warehouse")
+    session.clock.sleep(0.2)
+    run("robot_state_publisher", "robot_state_publisher", str(ROBOT), "--ros-args", "-p", "use_sim_time:=true")
+    run("gazebo_ros", "spawn_entity.py", "-entity", "rdk", "-file", str(ROBOT)).wait(20.0)
+    words = ["launch", "nav2_bringup", "bringup_launch.py", f"map:={file}", "use_sim_time:=True", "use_composition:=True"]
+    launch = session.start(lambda: run_cli(words), name="ros2", argv=words)
+    session.clock.sleep(3.0)
+    assert program(("", 0.0)) == "ended SUCCEEDED"
+    assert launch.output.count("process started with pid") == 1
+    assert launch.output.count("in container '/nav2_container'") == 11
+    launch.interrupt()
+    assert launch.wait(20.0) == 0

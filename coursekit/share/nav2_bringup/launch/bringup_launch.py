@@ -8,9 +8,11 @@ from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDesc
 from launch.conditions import IfCondition
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import LaunchConfiguration, PythonExpression
-from launch_ros.actions import PushRosNamespace
+from launch_ros.actions import Node, PushRosNamespace
+from nav2_common.launch import RewrittenYaml
 
-PASSED_ON = ("namespace", "use_sim_time", "autostart", "params_file", "use_respawn", "log_level")
+PASSED_ON = ("namespace", "use_sim_time", "autostart", "params_file", "use_composition", "use_respawn", "log_level")
+TF = [("/tf", "tf"), ("/tf_static", "tf_static")]
 
 
 def generate_launch_description():
@@ -18,6 +20,11 @@ def generate_launch_description():
     here = Path(get_package_share_directory("nav2_bringup"))
     slam, use_namespace = LaunchConfiguration("slam"), LaunchConfiguration("use_namespace")
     given = {name: LaunchConfiguration(name) for name in PASSED_ON}
+
+    rewrites = {"use_sim_time": given["use_sim_time"], "yaml_filename": LaunchConfiguration("map")}
+    parameters = RewrittenYaml(
+        source_file=given["params_file"], root_key=given["namespace"], param_rewrites=rewrites, convert_types=True
+    )
 
     def part(name, more=(), condition=None):
         return IncludeLaunchDescription(
@@ -38,12 +45,18 @@ def generate_launch_description():
                 description="Full path to the ROS2 parameters file to use for all launched nodes",
             ),
             DeclareLaunchArgument("autostart", default_value="true", description="Automatically startup the nav2 stack"),
-            DeclareLaunchArgument("use_composition", default_value="True", description="Accepted; nodes run on their own here"),
+            DeclareLaunchArgument("use_composition", default_value="False", description="Whether to use composed bringup"),
             DeclareLaunchArgument("use_respawn", default_value="False", description="Start a node again when it crashes"),
             DeclareLaunchArgument("log_level", default_value="info", description="log level"),
             GroupAction(
                 [
                     PushRosNamespace(condition=IfCondition(use_namespace), namespace=given["namespace"]),
+                    Node(
+                        name="nav2_container", package="rclcpp_components", executable="component_container_isolated",
+                        condition=IfCondition(given["use_composition"]), output="screen", remappings=TF,
+                        parameters=[parameters, {"autostart": given["autostart"]}],
+                        arguments=["--ros-args", "--log-level", given["log_level"]],
+                    ),
                     part("slam_launch.py", condition=IfCondition(slam)),
                     part(
                         "localization_launch.py", {"map": LaunchConfiguration("map")},

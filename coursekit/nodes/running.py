@@ -37,10 +37,16 @@ def spin_to_the_end(*nodes: Node, executor: Executor | None = None) -> int:
     return 0
 
 
-def run(make: Callable[[], Node], args: list[str] | None = None) -> int:
-    """Start rclpy, and run the node that `make` gives until Ctrl-C."""
+def run(
+    make: Callable[[], Node], args: list[str] | None = None, *, refuses: tuple[type[Exception], ...] = ()
+) -> int:
+    """Start rclpy, and run the node that `make` gives until Ctrl-C; end as C++ does when it `refuses` to be made."""
     rclpy.init(args=args)
-    return spin_to_the_end(make())
+    try:
+        node = make()
+    except refuses as fault:
+        return terminate(str(fault))
+    return spin_to_the_end(node)
 
 
 def terminate(what: str) -> int:

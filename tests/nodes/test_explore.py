@@ -39,3 +39,9 @@ def seen(truth, made):
     i, j = ((y - made.origin[1]) / made.resolution).astype(int), ((x - made.origin[0]) / made.resolution).astype(int)
     inside = (i >= 0) & (j >= 0) & (i < made.cells.shape[0]) & (j < made.cells.shape[1])
     return (made.cells[i[inside], j[inside]] == 0).sum() / len(rows)
+
+
+def test_a_frequency_that_cannot_be_is_said(run):
+    explore = run("explore_lite", "explore", "--ros-args", "-p", "planner_frequency:=0.0")
+    assert explore.wait(2) == -6
+    assert "what():  planner_frequency is 0.0: give Hz, for example 0.25" in explore.output

@@ -46,6 +46,9 @@ def test_a_talker_that_ends_is_noticed_within_its_lease(session, run, policy):
 def test_what_does_not_match_is_told_to_both_and_nothing_is_heard(session, run, policy):
     demo = run("quality_of_service_demo_py", "incompatible_qos", policy)
     assert demo.wait(10) == 0
+    condition, offered, asked = demo.output.splitlines()[1:4]
+    assert condition.startswith("Incompatibility condition: publisher ")
+    assert offered.startswith("Setting publisher ") and asked.startswith("Setting subscription ")
     assert said(demo, "talker")[0].startswith("Offered incompatible qos - total 1 delta 1 last_policy_kind: ")
     assert said(demo, "listener")[0].startswith("Requested incompatible qos - total 1 delta 1 last_policy_kind: ")
     assert said(demo, "qos_listener") == ["Subscription created"] and len(said(demo, "qos_talker")) == 6

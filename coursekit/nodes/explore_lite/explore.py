@@ -33,11 +33,16 @@ _NEAR_CELLS = 5
 
 
 class Explore(Node):
-    """Chooses the cheapest frontier again and again; gives one up that it does not come nearer to."""
+    """Chooses the cheapest frontier again and again; gives one up that it does not come nearer to.
+
+    ValueError when a parameter cannot work.
+    """
 
     def __init__(self) -> None:
         super().__init__("explore_node")
         self._given = given = declare(self, _DEFAULTS)
+        if not given["planner_frequency"] > 0:
+            raise ValueError(f"planner_frequency is {given['planner_frequency']}: give Hz, for example 0.25")
         self._where = Whereabouts(self, given["robot_base_frame"])
         self._costmap = CostmapClient(self, given["costmap_topic"], given["costmap_updates_topic"])
         self._navigator = ActionClient(self, NavigateToPose, "navigate_to_pose")
@@ -51,8 +56,6 @@ class Explore(Node):
             self._markers = self.create_publisher(MarkerArray, "explore/frontiers", 10)
         self.create_subscription(Bool, "explore/resume", self._resume, 10)
         self.get_logger().info("Waiting to connect to move_base nav2 server")
-        if not given["planner_frequency"] > 0:
-            raise ValueError(f"planner_frequency is {given['planner_frequency']}: give Hz, for example 0.25")
         self._timer = self.create_timer(1.0 / given["planner_frequency"], self._plan)
 
     # -- planning
@@ -171,4 +174,4 @@ class Explore(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    return run(Explore, args)
+    return run(Explore, args, refuses=(ValueError,))

@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import cv2
-import rclpy
 from cv_bridge import CvBridge
 from rclpy.node import Node
 from sensor_msgs.msg import Image
 from std_msgs.msg import Bool
 
-from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.nodes.running import run
 
 from .burger import Burgers
 from .options import declared_qos
@@ -65,9 +64,4 @@ class Cam2Image(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Publish until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        node = Cam2Image()
-    except (RuntimeError, ValueError) as error:
-        return terminate(str(error))
-    return spin_to_the_end(node)
+    return run(Cam2Image, args, refuses=(RuntimeError, ValueError))

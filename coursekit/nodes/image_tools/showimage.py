@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import cv2
-import rclpy
 from rclpy.node import Node
 from sensor_msgs.msg import Image
 
 from coursekit.nodes.images.transport import to_bgr
-from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.nodes.running import run
 
 from .options import declared_qos
 
@@ -22,8 +21,9 @@ class ShowImage(Node):
         self._window = str(self.declare_parameter("window_name", "").value) or self.resolve_topic_name("image")
         self.create_subscription(Image, "image", self._seen, declared_qos(self))
 
-    def close(self) -> None:
-        """Close the window."""
+    def destroy_node(self) -> None:
+        """Close the window, and leave the graph."""
+        super().destroy_node()
         if self._shows and cv2.getWindowProperty(self._window, cv2.WND_PROP_VISIBLE) > 0:
             cv2.destroyWindow(self._window)
 
@@ -35,12 +35,4 @@ class ShowImage(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Watch until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        node = ShowImage()
-    except ValueError as error:
-        return terminate(str(error))
-    try:
-        return spin_to_the_end(node)
-    finally:
-        node.close()
+    return run(ShowImage, args, refuses=(ValueError,))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import rclpy
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from sensor_msgs.msg import Joy, JoyFeedback
 
 from coursekit.nodes.joy.device import Device, devices, name_of
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.nodes.running import run
 
 FULL = 32767
 LOOK_SECONDS = 1.0
@@ -112,12 +111,7 @@ def scaled(value: int, deadzone: float) -> float:
 
 def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        node = JoyNode()
-    except ValueError as fault:
-        return terminate(str(fault))
-    return spin_to_the_end(node)
+    return run(JoyNode, args, refuses=(ValueError,))
 
 
 def enumerate_devices(args: list[str] | None = None) -> int:

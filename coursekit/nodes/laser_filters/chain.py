@@ -6,7 +6,6 @@ import copy
 from typing import Any
 
 import numpy as np
-import rclpy
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
@@ -15,7 +14,7 @@ from tf2_ros import Buffer, TransformException, TransformListener
 
 from coursekit.nodes.laser_filters.kinds import KINDS
 from coursekit.nodes.nav2.parameters import no_such_plugin
-from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.nodes.running import run
 from coursekit.tf.pose import matrix
 
 
@@ -77,9 +76,4 @@ class FilterChain(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        node = FilterChain()
-    except ValueError as fault:
-        return terminate(str(fault))
-    return spin_to_the_end(node)
+    return run(FilterChain, args, refuses=(ValueError,))

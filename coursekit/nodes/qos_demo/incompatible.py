@@ -3,6 +3,7 @@
 import argparse
 import sys
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import rclpy
@@ -16,25 +17,51 @@ from .common import Listener, Talker, spin
 
 TOPIC, COUNT = "incompatible_qos_chatter", 5
 
-POLICIES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
-    "durability": (
-        {"durability": QoSDurabilityPolicy.VOLATILE},
-        {"durability": QoSDurabilityPolicy.TRANSIENT_LOCAL},
+
+@dataclass(frozen=True)
+class Pair:
+    """What a talker offers and a listener asks for that do not match, and how the demo tells of it."""
+
+    name: str
+    condition: str
+    setting: str
+    told: tuple[str, str]
+    offered: dict[str, Any]
+    asked: dict[str, Any]
+
+    def __str__(self) -> str:
+        return (
+            f"{self.name} incompatibility selected.\nIncompatibility condition: {self.condition}.\n"
+            f"Setting publisher {self.setting} to: {self.told[0]}\nSetting subscription {self.setting} to: {self.told[1]}\n"
+        )
+
+
+_SECONDS = ("2 seconds", "1 second")
+POLICIES = {
+    "durability": Pair(
+        "Durability", "publisher durability kind < subscription durability kind", "durability",
+        ("VOLATILE", "TRANSIENT_LOCAL"),
+        {"durability": QoSDurabilityPolicy.VOLATILE}, {"durability": QoSDurabilityPolicy.TRANSIENT_LOCAL},
     ),
-    "deadline": ({"deadline": Duration(seconds=2)}, {"deadline": Duration(seconds=1)}),
-    "liveliness_policy": (
-        {"liveliness": QoSLivelinessPolicy.AUTOMATIC},
-        {"liveliness": QoSLivelinessPolicy.MANUAL_BY_TOPIC},
+    "deadline": Pair(
+        "Deadline", "publisher deadline > subscription deadline", "deadline", _SECONDS,
+        {"deadline": Duration(seconds=2)}, {"deadline": Duration(seconds=1)},
     ),
-    "liveliness_lease_duration": (
-        {"liveliness_lease_duration": Duration(seconds=2)},
-        {"liveliness_lease_duration": Duration(seconds=1)},
+    "liveliness_policy": Pair(
+        "Liveliness Policy", "publisher liveliness policy < subscription liveliness policy", "liveliness policy",
+        ("AUTOMATIC", "MANUAL_BY_TOPIC"),
+        {"liveliness": QoSLivelinessPolicy.AUTOMATIC}, {"liveliness": QoSLivelinessPolicy.MANUAL_BY_TOPIC},
     ),
-    "reliability": (
-        {"reliability": QoSReliabilityPolicy.BEST_EFFORT},
-        {"reliability": QoSReliabilityPolicy.RELIABLE},
+    "liveliness_lease_duration": Pair(
+        "Liveliness lease duration", "publisher liveliness lease duration > subscription liveliness lease duration",
+        "liveliness lease duration", _SECONDS,
+        {"liveliness_lease_duration": Duration(seconds=2)}, {"liveliness_lease_duration": Duration(seconds=1)},
     ),
-}
+    "reliability": Pair(
+        "Reliability", "publisher reliability < subscription reliability", "reliability", ("BEST_EFFORT", "RELIABLE"),
+        {"reliability": QoSReliabilityPolicy.BEST_EFFORT}, {"reliability": QoSReliabilityPolicy.RELIABLE},
+    ),
+}  # fmt: skip
 
 
 def _tell(name: str, what: str) -> Callable[[Any], None]:
@@ -47,21 +74,15 @@ def _tell(name: str, what: str) -> Callable[[Any], None]:
     return tell
 
 
-def _named(value: Any) -> str:
-    return f"{value.nanoseconds // 10**9} s" if isinstance(value, Duration) else str(value.name)
-
-
 def main(args: list[str] | None = None) -> int:
     """Publish five messages that the listener does not get."""
     parser = argparse.ArgumentParser()
     parser.add_argument("incompatible_qos_policy_name", choices=list(POLICIES), help="The policy that shall not match")
-    policy = parser.parse_args(remove_ros_args(sys.argv)[1:]).incompatible_qos_policy_name
-    offered, asked = POLICIES[policy]
-    for who, profile in (("publisher", offered), ("subscription", asked)):
-        print(f"Setting {who} {policy} to: {_named(*profile.values())}")
+    pair = POLICIES[parser.parse_args(remove_ros_args(sys.argv)[1:]).incompatible_qos_policy_name]
+    print(pair)
     rclpy.init(args=args)
     told = PublisherEventCallbacks(incompatible_qos=_tell("talker", "Offered"))
     heard = SubscriptionEventCallbacks(incompatible_qos=_tell("listener", "Requested"))
-    talker = Talker(TOPIC, QoSProfile(depth=10, **offered), events=told, publish_count=COUNT)
-    listener = Listener(TOPIC, QoSProfile(depth=10, **asked), events=heard)
+    talker = Talker(TOPIC, QoSProfile(depth=10, **pair.offered), events=told, publish_count=COUNT)
+    listener = Listener(TOPIC, QoSProfile(depth=10, **pair.asked), events=heard)
     return spin(listener, talker, lambda _: talker.published < COUNT)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
-import rclpy
 from rclpy.node import Node
 from rclpy.qos import QoSPolicyKind, QoSProfile
 from rclpy.qos_overriding_options import InvalidQosOverridesError, QosCallbackResult, QoSOverridingOptions
@@ -12,7 +11,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
 
-from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.nodes.running import run
 
 TOPIC = "qos_overrides_chatter"
 MEBIBYTE = 1024 * 1024
@@ -92,33 +91,21 @@ class ImageListener(Node):
         self.get_logger().info(f"I heard an image. Message single trip latency: [{took:f}]")
 
 
-def _run(make: Callable[[], Node], args: list[str] | None) -> int:
-    """Run one until Ctrl-C; end as C++ does when its QoS is refused."""
-    rclpy.init(args=args)
-    try:
-        node = make()
-    except InvalidQosOverridesError as refused:
-        return terminate(str(refused))
-    return spin_to_the_end(node)
-
-
 def talker(args: list[str] | None = None) -> int:
     """The Python demo's talker."""
-    rclpy.init(args=args)
-    return spin_to_the_end(TextTalker())
+    return run(TextTalker, args)
 
 
 def listener(args: list[str] | None = None) -> int:
     """The Python demo's listener."""
-    rclpy.init(args=args)
-    return spin_to_the_end(TextListener())
+    return run(TextListener, args)
 
 
 def talker_cpp(args: list[str] | None = None) -> int:
     """The C++ demo's talker."""
-    return _run(ImageTalker, args)
+    return run(ImageTalker, args, refuses=(InvalidQosOverridesError,))
 
 
 def listener_cpp(args: list[str] | None = None) -> int:
     """The C++ demo's listener."""
-    return _run(ImageListener, args)
+    return run(ImageListener, args, refuses=(InvalidQosOverridesError,))

@@ -17,6 +17,7 @@ POLICIES = {
     "MANUAL_BY_TOPIC": QoSLivelinessPolicy.MANUAL_BY_TOPIC,
 }
 
+
 def _arguments(name: str, what: str, *options: tuple[str, int, str]) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser()
     parser.add_argument(name, type=int, help=what)

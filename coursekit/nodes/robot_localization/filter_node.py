@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import rclpy
 from geometry_msgs.msg import AccelWithCovarianceStamped, PoseWithCovarianceStamped, Twist, TwistStamped
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
@@ -26,7 +25,7 @@ from coursekit.nodes.robot_localization.geometry import pose_of, rpy, square, tu
 from coursekit.nodes.robot_localization.health import Health
 from coursekit.nodes.robot_localization.preparing import Preparing
 from coursekit.nodes.robot_localization.sources import sources
-from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.nodes.running import run
 from coursekit.tf.pose import compose
 
 
@@ -199,20 +198,11 @@ class FilterNode(Node):
             self._control.command(np.concatenate([vector(twist.linear), vector(twist.angular)]), time_ns)
 
 
-def _run(kind: type[Ekf], name: str, args: list[str] | None) -> int:
-    rclpy.init(args=args)
-    try:
-        node = FilterNode(kind, name)
-    except ValueError as fault:
-        return terminate(str(fault))
-    return spin_to_the_end(node)
-
-
 def ekf(args: list[str] | None = None) -> int:
     """Run an extended Kalman filter until Ctrl-C."""
-    return _run(Ekf, "ekf_filter_node", args)
+    return run(lambda: FilterNode(Ekf, "ekf_filter_node"), args, refuses=(ValueError,))
 
 
 def ukf(args: list[str] | None = None) -> int:
     """Run an unscented Kalman filter until Ctrl-C."""
-    return _run(Ukf, "ukf_filter_node", args)
+    return run(lambda: FilterNode(Ukf, "ukf_filter_node"), args, refuses=(ValueError,))

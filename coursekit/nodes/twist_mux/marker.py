@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from geometry_msgs.msg import Point, Twist
+from geometry_msgs.msg import Point, Twist, TwistStamped
 from rclpy.node import Node
 from visualization_msgs.msg import Marker
 
@@ -18,7 +18,10 @@ class TwistMarker(Node):
         given = declare(self, {"frame_id": "base_footprint", "scale": 1.0, "use_stamped": False, "vertical_position": 2.0})
         self._frame, self._scale, self._height = given["frame_id"], given["scale"], given["vertical_position"]
         self._out = self.create_publisher(Marker, "marker", 1)
-        self.create_subscription(Twist, "twist", self._hear, 1)
+        if given["use_stamped"]:
+            self.create_subscription(TwistStamped, "twist", lambda msg: self._hear(msg.twist), 1)
+        else:
+            self.create_subscription(Twist, "twist", self._hear, 1)
 
     def _hear(self, msg: Twist) -> None:
         arrow = Marker(type=Marker.ARROW, action=Marker.MODIFY, frame_locked=True)

@@ -112,3 +112,12 @@ def test_velocities_get_a_stamp_and_lose_it(friend, run):
     friend.spin(0.1)
     assert stamped[0].header.frame_id == "base" and stamped[0].header.stamp.sec > 0
     assert [msg.linear.x for msg in plain] == [0.7]
+
+
+def test_the_arrow_shows_velocities_with_a_stamp_where_that_is_asked_for(run, friend):
+    run("twist_mux", "twist_marker", "--ros-args", "-p", "use_stamped:=true")
+    arrows = friend.hear(Marker, "marker")
+    friend.spin(0.1)
+    friend.say("twist", TwistStamped(twist=forward(0.5)))
+    friend.spin(0.1)
+    assert [(one.points[1].x, one.points[1].y, one.points[1].z) for one in arrows] == [(0.5, 0.0, 2.0)]

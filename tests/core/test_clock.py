@@ -77,6 +77,22 @@ def test_virtual_lanes_run_in_the_order_in_which_they_are_due():
     assert [who for who, when in log if when == 300] == ["slow", "fast"]  # the slow one lay down first
 
 
+def test_lanes_that_are_due_together_are_all_ready_before_one_that_they_wake():
+    clock, seen = VirtualClock(), []
+    woken = clock.new_event()
+
+    def due(name):
+        clock.sleep(1.0)
+        seen.append(name)
+        woken.set()
+
+    clock.spawn(lambda: (woken.wait(), seen.append("woken")), "woken")
+    for name in ("first", "second"):
+        clock.spawn(lambda name=name: due(name), name)
+    clock.sleep(2.0)
+    assert seen == ["first", "second", "woken"]
+
+
 def test_a_loop_that_only_asks_cannot_stop_virtual_time():
     clock = VirtualClock()
     event = clock.new_event()

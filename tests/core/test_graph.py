@@ -38,6 +38,17 @@ def test_a_message_reaches_every_subscription_as_an_object_of_its_own(node):
     assert second.data[0] == 1.0
 
 
+def test_a_reader_of_a_few_numbers_gets_these_and_no_copy(node):
+    lasting = Qos(durability=TRANSIENT_LOCAL)
+    publisher = node.publisher("/t", Float64MultiArray, lasting)
+    subscription = node.subscription("/t", Float64MultiArray, lasting)
+    subscription.reduce = lambda msg: msg.data[0]
+    publisher.publish(Float64MultiArray(data=[1.0]))
+    assert subscription.take()[0] == 1.0
+    publisher.replay(subscription)
+    assert subscription.take()[0] == 1.0
+
+
 def test_the_oldest_message_goes_when_the_queue_is_full(node):
     subscription = node.subscription("/t", String, Qos(depth=2))
     publisher = node.publisher("/t", String, Qos())

@@ -1,6 +1,7 @@
 """Lookups: by tree and time, against plain matrices, and every reason for which they fail."""
 
 import math
+import random
 
 import numpy as np
 import pytest
@@ -75,6 +76,30 @@ def test_the_kept_path_gives_what_walking_gives(buffer, seed):
                 walked = outcome(a, b, time)
                 kept = outcome(a, b, time)
                 assert kept == walked
+
+
+def sample(dice):
+    """One of what is broadcast: a new frame, a next sample, one out of order, another parent, nonsense."""
+    child, parent = dice.choice("abc"), dice.choice(["map", "map", "map", "odom", "/map", "a"])
+    x = dice.choice([1.0, 2.0, 3.0, math.nan, math.inf]) if dice.random() < 0.2 else dice.random()
+    pose = (x, 0.0, 0.0, 0.0, 0.0, 0.0, dice.choice([1.0, 1.0, 1.0, 0.5]))
+    return parent, child, dice.randrange(1, 16) * S, pose
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_many_samples_at_once_are_taken_as_one_after_the_other(seed):
+    dice = random.Random(seed)
+    together, single = (FrameBuffer(report=lambda _level, _text: None) for _ in range(2))
+    for _ in range(12):
+        samples = sorted([sample(dice) for _ in range(dice.randrange(6))], key=lambda one: one[2])
+        together.extend(samples)
+        for one in samples:
+            single.set(*one)
+    held = [
+        {name: (cache.stamps, cache.poses, cache.parents) for name, cache in buffer.frames.items() if cache}
+        for buffer in (together, single)
+    ]
+    assert held[0] == held[1] and together.authorities == single.authorities
 
 
 def test_time_zero_is_the_newest_common_time(buffer):

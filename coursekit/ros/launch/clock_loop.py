@@ -12,8 +12,7 @@ import asyncio.events
 import asyncio.tasks
 import heapq
 from collections import deque
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from contextvars import Context
 from typing import Any
 
@@ -124,8 +123,11 @@ class ClockLoop(asyncio.AbstractEventLoop):
                 if not self.__ready:
                     self.__wait()
                     self.__take_due_timers()
-                with _as_running(self):
+                outer = _enter(self)
+                try:
                     self.__run_ready(finished)
+                finally:
+                    _leave(*outer)
         finally:
             self.__running = False
 
@@ -215,18 +217,18 @@ def _settle(future: asyncio.Future[Any], result: Any, error: BaseException | Non
         future.set_result(result)
 
 
-@contextmanager
-def _as_running(loop: ClockLoop) -> Iterator[None]:
-    """Have `loop` as this thread's running loop, then put the loop around it back."""
+_swap_current_task: Callable[..., Any] | None = getattr(asyncio.tasks, "_swap_current_task", None)
+
+
+def _enter(loop: ClockLoop) -> tuple[Any, Any]:
+    """Make `loop` this thread's running loop; what `_leave` puts back: the loop around it and that one's task."""
     outer = asyncio.events._get_running_loop()
-    task = None
-    swap = getattr(asyncio.tasks, "_swap_current_task", None)
-    if outer is not None and swap is not None:
-        task = swap(outer, None)
+    task = _swap_current_task(outer, None) if outer is not None and _swap_current_task is not None else None
     asyncio.events._set_running_loop(loop)
-    try:
-        yield
-    finally:
-        asyncio.events._set_running_loop(outer)
-        if outer is not None and swap is not None:
-            swap(outer, task)
+    return outer, task
+
+
+def _leave(outer: Any, task: Any) -> None:
+    asyncio.events._set_running_loop(outer)
+    if outer is not None and _swap_current_task is not None:
+        _swap_current_task(outer, task)

@@ -14,8 +14,14 @@ FAILED = 255
 """What the real commands return: -1, as a shell sees it."""
 
 
-def _read(path: str) -> Robot:
-    return parse(sys.stdin.read(), "standard input") if path == "-" else load(path)
+def _read(path: str) -> Robot | None:
+    """The robot of a file, or of standard input ("-"); None, when what is wrong has been said."""
+    try:
+        return parse(sys.stdin.read(), "standard input") if path == "-" else load(path)
+    except UrdfError as error:
+        print(error_text(error), end="", file=sys.stderr)
+        print("ERROR: Model Parsing the xml failed", file=sys.stderr)
+        return None
 
 
 def check_urdf(argv: Sequence[str] | None = None) -> int:
@@ -24,11 +30,8 @@ def check_urdf(argv: Sequence[str] | None = None) -> int:
     if not words:
         print("Expect URDF xml file to parse. Use - for stdin", file=sys.stderr)
         return FAILED
-    try:
-        robot = _read(words[0])
-    except UrdfError as error:
-        print(error_text(error), end="", file=sys.stderr)
-        print("ERROR: Model Parsing the xml failed", file=sys.stderr)
+    robot = _read(words[0])
+    if robot is None:
         return FAILED
     for fault in robot.faults:
         print(error_text(fault), end="", file=sys.stderr)
@@ -45,11 +48,8 @@ def urdf_to_graphviz(argv: Sequence[str] | None = None) -> int:
         usage = "Will create either $ROBOT_NAME.gv & $ROBOT_NAME.pdf in CWD  or OUTPUT.gv & OUTPUT.pdf."
         print(f"Usage: urdf_to_graphviz input.xml [OUTPUT]  {usage}", file=sys.stderr)
         return FAILED
-    try:
-        robot = _read(words[0])
-    except UrdfError as error:
-        print(error_text(error), end="", file=sys.stderr)
-        print("ERROR: Model Parsing the xml failed", file=sys.stderr)
+    robot = _read(words[0])
+    if robot is None:
         return FAILED
     output = words[1] if len(words) > 1 else robot.name
     Path(f"{output}.gv").write_text(graphviz_text(robot), encoding="utf-8")

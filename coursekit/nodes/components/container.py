@@ -6,13 +6,12 @@ import signal
 from pathlib import Path
 from typing import Any
 
-import rclpy
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rclpy.node import Node
 
 from coursekit.core.components import find_component
 from coursekit.core.process import current_process
-from coursekit.nodes.running import spin_to_the_end
+from coursekit.nodes.running import run
 
 from .loading import LoadedComponent
 
@@ -105,5 +104,4 @@ class ComponentManager(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Serve until Ctrl-C."""
-    rclpy.init(args=args)
-    return spin_to_the_end(ComponentManager())
+    return run(ComponentManager, args)

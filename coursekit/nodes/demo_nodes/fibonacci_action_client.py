@@ -1,5 +1,7 @@
 """Asks for the first Fibonacci numbers and tells how the answer grows."""
 
+from typing import Any
+
 import rclpy
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
@@ -23,7 +25,7 @@ class FibonacciActionClient(Node):
         sent = self._client.send_goal_async(Fibonacci.Goal(order=order), feedback_callback=self._hear)
         sent.add_done_callback(self._take_answer)
 
-    def _take_answer(self, future) -> None:
+    def _take_answer(self, future: Any) -> None:
         goal_handle = future.result()
         if not goal_handle.accepted:
             self.get_logger().info("Goal rejected :(")
@@ -32,11 +34,11 @@ class FibonacciActionClient(Node):
         self.get_logger().info("Goal accepted :)")
         goal_handle.get_result_async().add_done_callback(self._take_result)
 
-    def _take_result(self, future) -> None:
+    def _take_result(self, future: Any) -> None:
         self.get_logger().info(f"Result: {future.result().result.sequence}")
         rclpy.shutdown()
 
-    def _hear(self, message) -> None:
+    def _hear(self, message: Any) -> None:
         self.get_logger().info(f"Received feedback: {message.feedback.partial_sequence}")
 
 

@@ -1,6 +1,7 @@
 """Computes Fibonacci numbers as an action, one a second."""
 
 import time
+from typing import Any
 
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionServer
@@ -16,7 +17,7 @@ class FibonacciActionServer(Node):
         super().__init__("fibonacci_action_server")
         self._server = ActionServer(self, Fibonacci, "fibonacci", self._execute)
 
-    def _execute(self, goal_handle) -> Fibonacci.Result:
+    def _execute(self, goal_handle: Any) -> Fibonacci.Result:
         self.get_logger().info("Executing goal...")
         feedback = Fibonacci.Feedback(partial_sequence=[0, 1])
         for at in range(1, goal_handle.request.order):

@@ -1,10 +1,9 @@
 """The smallest publisher and subscriber; the C++ examples greet with a comma and other quotes."""
 
-import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
 
-from coursekit.nodes.running import run, spin_to_the_end
+from coursekit.nodes.running import run
 
 
 class MinimalPublisher(Node):
@@ -67,5 +66,4 @@ class MinimalTimer(Node):
 
 def timer_cpp(args: list[str] | None = None) -> int:
     """Say hello until Ctrl-C."""
-    rclpy.init(args=args)
-    return spin_to_the_end(MinimalTimer())
+    return run(MinimalTimer, args)

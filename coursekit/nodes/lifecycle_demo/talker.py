@@ -2,11 +2,10 @@
 
 import time
 
-import rclpy
 from rclpy.lifecycle import Node, State, TransitionCallbackReturn
 from std_msgs.msg import String
 
-from coursekit.nodes.running import spin_to_the_end
+from coursekit.nodes.running import run
 
 
 class LifecycleTalker(Node):
@@ -58,10 +57,9 @@ class LifecycleTalker(Node):
 
     def _take_away(self) -> None:
         self.destroy_timer(self._timer)
-        self.destroy_publisher(self._publisher)
+        self.destroy_lifecycle_publisher(self._publisher)
 
 
 def main(args: list[str] | None = None) -> int:
     """Be there until Ctrl-C."""
-    rclpy.init(args=args)
-    return spin_to_the_end(LifecycleTalker())
+    return run(LifecycleTalker, args)

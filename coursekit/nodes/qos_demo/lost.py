@@ -6,7 +6,6 @@ import argparse
 import sys
 from typing import Any
 
-import rclpy
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.qos_event import SubscriptionEventCallbacks
@@ -14,7 +13,7 @@ from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import Image
 
-from coursekit.nodes.running import run, spin_to_the_end
+from coursekit.nodes.running import run
 
 TOPIC = "message_lost_chatter"
 KIBIBYTES = 8192
@@ -63,8 +62,7 @@ def talker(args: list[str] | None = None) -> int:
     size = parser.parse_known_args(remove_ros_args(sys.argv if args is None else args)[1:])[0].s
     if size < 0:
         parser.error(f"-s must be followed by a positive integer, got: '{size}'")
-    rclpy.init(args=args)
-    return spin_to_the_end(MessageLostTalker(size * 1024))
+    return run(lambda: MessageLostTalker(size * 1024), args)
 
 
 def listener(args: list[str] | None = None) -> int:

@@ -7,13 +7,12 @@ import re
 import sys
 from typing import Any
 
-import rclpy
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.utilities import remove_ros_args
 from std_msgs.msg import Float32, Header
 
-from coursekit.nodes.running import spin_to_the_end
+from coursekit.nodes.running import run
 from coursekit.nodes.topic_monitor.statistics import TopicStatistics
 
 DEPTH = 10
@@ -96,5 +95,4 @@ def main(args: list[str] | None = None) -> int:
         parser.error("windows cannot be drawn here: `ros2 topic echo /reception_rate/TOPIC` shows a topic's rate")
     if min(options.expected_period, options.stats_calc_period, options.window_size) <= 0:
         parser.error("periods and the window's size are greater than 0")
-    rclpy.init(args=args)
-    return spin_to_the_end(TopicMonitor(options))
+    return run(lambda: TopicMonitor(options), args)

@@ -13,10 +13,11 @@ from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+from .named import NamedValueAction
 
 
 @expose_action("append_env")
-class AppendEnvironmentVariable(Action):
+class AppendEnvironmentVariable(NamedValueAction):
     """Adds a value after (or before) what an environment variable holds; sets it when it is not set."""
 
     def __init__(
@@ -27,9 +28,7 @@ class AppendEnvironmentVariable(Action):
         separator: SomeSubstitutionsType = os.pathsep,
         **kwargs: Any,
     ) -> None:
-        super().__init__(**kwargs)
-        self.__name = normalize_to_list_of_substitutions(name)
-        self.__value = normalize_to_list_of_substitutions(value)
+        super().__init__(name, value, **kwargs)
         self.__prepend = normalize_typed_substitution(prepend, bool)
         self.__separator = normalize_to_list_of_substitutions(separator)
 
@@ -37,8 +36,6 @@ class AppendEnvironmentVariable(Action):
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
         """Read `<append_env name= value= prepend= separator=/>`."""
         _, kwargs = super().parse(entity, parser)
-        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
-        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
         prepend = entity.get_attr("prepend", data_type=bool, optional=True, can_be_str=True)
         if prepend is not None:
             kwargs["prepend"] = parser.parse_if_substitutions(prepend)
@@ -46,16 +43,6 @@ class AppendEnvironmentVariable(Action):
         if separator is not None:
             kwargs["separator"] = parser.parse_substitution(separator)
         return cls, kwargs
-
-    @property
-    def name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__name
-
-    @property
-    def value(self) -> list[Substitution]:
-        """The value, as substitutions."""
-        return self.__value
 
     @property
     def prepend(self) -> Any:
@@ -69,8 +56,8 @@ class AppendEnvironmentVariable(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Add to the variable."""
-        name = perform_substitutions(context, self.__name)
-        parts = [perform_substitutions(context, self.__value)]
+        name = perform_substitutions(context, self.name)
+        parts = [perform_substitutions(context, self.value)]
         if name in context.environment:
             prepend = perform_typed_substitution(context, self.__prepend, bool)
             parts.insert(len(parts) if prepend else 0, context.environment[name])

@@ -2,46 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from ..action import Action
-from ..frontend import Entity, Parser, expose_action
+from ..frontend import expose_action
 from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
-from ..some_substitutions_type import SomeSubstitutionsType
-from ..substitution import Substitution
-from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
+from ..utilities import perform_substitutions
+from .named import NamedValueAction
 
 
 @expose_action("set_env")
-class SetEnvironmentVariable(Action):
-    """Gives an environment variable a value, for what is started afterwards."""
-
-    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
-        super().__init__(**kwargs)
-        self.__name = normalize_to_list_of_substitutions(name)
-        self.__value = normalize_to_list_of_substitutions(value)
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Read `<set_env name= value=/>`."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
-        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
-        return cls, kwargs
-
-    @property
-    def name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__name
-
-    @property
-    def value(self) -> list[Substitution]:
-        """The value, as substitutions."""
-        return self.__value
+class SetEnvironmentVariable(NamedValueAction):
+    """Gives an environment variable a value, for what is started afterwards: `<set_env name= value=/>`."""
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the variable."""
-        name = perform_substitutions(context, self.__name)
-        context.environment[name] = perform_substitutions(context, self.__value)
+        name = perform_substitutions(context, self.name)
+        context.environment[name] = perform_substitutions(context, self.value)
         return None

@@ -1,0 +1,51 @@
+"""What actions share that set or unset something by its name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..action import Action
+from ..frontend import Entity, Parser
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities import normalize_to_list_of_substitutions
+
+
+class NamedAction(Action):
+    """An action on a variable, which its attribute `name` tells."""
+
+    def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Read the name."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        return cls, kwargs
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__name
+
+
+class NamedValueAction(NamedAction):
+    """One that gives the variable something; its attribute `value` tells what."""
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(name, **kwargs)
+        self.__value = normalize_to_list_of_substitutions(value)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Read name and value."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
+        return cls, kwargs
+
+    @property
+    def value(self) -> list[Substitution]:
+        """The value, as substitutions."""
+        return self.__value

@@ -40,6 +40,7 @@ class Reading:
     project: str = ""
     found: list[str] = field(default_factory=list)
     targets: list[str] = field(default_factory=list)
+    tests: list[Call] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
 
 
@@ -59,11 +60,15 @@ _TARGETS = (
 )
 
 
-def read_project(folder: Path) -> Reading:
-    """Return what the CMakeLists.txt of a folder asks for; raises CMakeError."""
+_TESTS = ("ament_add_pytest_test", "add_launch_test", "ament_add_gtest", "ament_add_gmock", "ament_add_test", "add_test")
+
+
+def read_project(folder: Path, *, testing: bool = False) -> Reading:
+    """Return what the CMakeLists.txt of a folder asks for, with its tests if asked; raises CMakeError."""
     if not (folder / "CMakeLists.txt").is_file():
         raise CMakeError("there is no such file, but this is a CMake package", folder / "CMakeLists.txt", 1)
     runner = _Runner(folder)
+    runner.variables["BUILD_TESTING"] = "ON" if testing else "OFF"
     runner.run(read_commands(folder / "CMakeLists.txt"))
     return runner.reading
 
@@ -72,13 +77,14 @@ class _Runner:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.reading = Reading()
+        self.functions: dict[str, tuple[list[str], list[Command]]] = {}
+        self.depth = 0
         self.variables = {
             "CMAKE_SOURCE_DIR": str(folder),
             "CMAKE_CURRENT_SOURCE_DIR": str(folder),
             "CMAKE_CURRENT_LIST_DIR": str(folder),
             "PROJECT_SOURCE_DIR": str(folder),
             "CMAKE_INSTALL_PREFIX": "",
-            "BUILD_TESTING": "OFF",
             "UNIX": "1",
             "CMAKE_INSTALL_LIBDIR": "lib",
             "CMAKE_INSTALL_BINDIR": "bin",
@@ -126,6 +132,9 @@ class _Runner:
             self._if(command, body)
         elif command.name == "foreach":
             self._foreach(command, body)
+        elif command.name in ("function", "macro"):
+            name, *parameters = self.words(command) or [""]
+            self.functions[name.lower()] = (parameters, body)
 
     def _if(self, command: Command, body: list[Command]) -> None:
         branch: list[Command] = []
@@ -152,13 +161,30 @@ class _Runner:
 
     def _command(self, command: Command) -> None:
         words = self.words(command)
-        if command.name in _KEPT:
+        if command.name in self.functions:
+            self._call(command, words)
+        elif command.name in _KEPT:
             self.reading.calls.append(Call(command, words, self.folder))
+        elif command.name in _TESTS:
+            self.reading.tests.append(Call(command, words, self.folder))
         elif command.name in _TARGETS:
             if words and not {"INTERFACE", "IMPORTED", "ALIAS"} & set(words):
                 self.reading.targets.append(words[0])
         elif command.name in _ACTIONS:
             _ACTIONS[command.name](self, command, words)
+
+    def _call(self, command: Command, words: list[str]) -> None:
+        """A function or macro of the file's own; what it sets stays inside."""
+        if self.depth > 20:
+            raise command.error(f"{command.name}() calls itself without an end")
+        parameters, body = self.functions[command.name]
+        saved = dict(self.variables)
+        self.variables |= dict(zip(parameters, words, strict=False))
+        self.variables |= {"ARGV": ";".join(words), "ARGC": str(len(words)), "ARGN": ";".join(words[len(parameters) :])}
+        self.depth += 1
+        self.run(body)
+        self.depth -= 1
+        self.variables = saved
 
     def project(self, command: Command, words: list[str]) -> None:
         if not words:

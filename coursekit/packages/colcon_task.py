@@ -8,14 +8,15 @@ from typing import Any
 
 from colcon_core.environment import create_environment_scripts
 from colcon_core.event.output import StderrLine
+from colcon_core.event.test import TestFailure
 from colcon_core.plugin_system import satisfies_version
 from colcon_core.python_install_path import get_python_install_path
 from colcon_core.shell import create_environment_hook, get_command_environment
-from colcon_core.task import TaskExtensionPoint, create_file, install
+from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
-from coursekit.packages import install_rules, interface_rules
+from coursekit.packages import cmake_tests, install_rules, interface_rules
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 
@@ -125,13 +126,34 @@ def _prefixes(env: dict[str, Any]) -> list[Path]:
 
 
 class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
-    """Test a CMake package: its tests need CMake, so this says that they are left out."""
+    """Test a CMake package: its tests with pytest and launch_testing are run, those in C++ are named."""
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     async def test(self) -> int:
-        """Return 0."""
-        print(f"Skipped tests of {self.context.pkg.name}: they need CMake", flush=True)
+        """Return 0, also when tests fail, which their results tell; 1 when the package cannot be read."""
+        args, name = self.context.args, self.context.pkg.name
+        env = await get_command_environment("test", args.build_base, self.context.dependencies)
+        base = Path(args.test_result_base or args.build_base) / "test_results"
+        try:
+            reading = read_project(Path(args.path), testing=True)
+            tests = cmake_tests.commands(reading, base)
+        except (CMakeError, OSError) as error:
+            self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
+            return 1
+        ended = [await self._run(test, env) for test in tests]
+        if any(ended):
+            self.context.put_event_into_queue(TestFailure(name))
+        skipped = cmake_tests.left_out(reading)
+        if skipped or not tests:
+            print(f"Skipped tests of {name}: {', '.join(skipped) or 'it has none that need no compiler'}", flush=True)
         return 0
+
+    async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
+        test.results.parent.mkdir(parents=True, exist_ok=True)
+        test.results.unlink(missing_ok=True)
+        done = await run(self.context, test.command, cwd=self.context.args.build_base, env=env)
+        cmake_tests.note_missing_result(test)
+        return int(done.returncode)

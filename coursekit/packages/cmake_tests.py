@@ -1,0 +1,84 @@
+"""The tests of a CMakeLists.txt that need no compiler: those of pytest and of launch_testing."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+from coursekit.packages.cmake_run import Call, Reading
+from coursekit.packages.cmake_text import CMakeError
+
+_WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
+
+
+@dataclass(frozen=True)
+class TestCommand:
+    """A test: its name, the command that runs it, and the file for its results (JUnit's XML)."""
+
+    name: str
+    command: list[str]
+    results: Path
+
+
+def commands(reading: Reading, results: Path) -> list[TestCommand]:
+    """The tests that can be run here, with their results below a folder; CMakeError for a file that is not there."""
+    folder = results / reading.project
+    return [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
+
+
+def left_out(reading: Reading) -> list[str]:
+    """The names of the tests that need a compiler or CMake."""
+    return [call.words[0] for call in reading.tests if call.words and call.command.name not in _RUNNABLE]
+
+
+def note_missing_result(test: TestCommand) -> None:
+    """Write that a test failed which left no results, since it could not even begin."""
+    if test.results.is_file():
+        return
+    package, name = quoteattr(test.results.parent.name), quoteattr(f"{test.name}.missing_result")
+    test.results.write_text(
+        f'<testsuite name={package} tests="1" failures="0" errors="1" skipped="0">'
+        f'<testcase classname={package} name={name}><failure message="The test left no results."/></testcase></testsuite>\n',
+        encoding="utf-8",
+    )
+
+
+def _pytest(call: Call, results: Path) -> TestCommand:
+    if len(call.words) < 2:
+        raise call.command.error("ament_add_pytest_test() needs a name and a path")
+    name, path = call.words[0], _file(call, call.words[1])
+    file = results / f"{name}.xunit.xml"
+    report = [f"--junit-xml={file}", f"--junit-prefix={results.name}", "-o", "cache_dir=.pytest_cache"]
+    return TestCommand(name, [sys.executable, "-m", "pytest", str(path), *report], file)
+
+
+def _launch_test(call: Call, results: Path) -> TestCommand:
+    if not call.words:
+        raise call.command.error("add_launch_test() needs a path")
+    path = _file(call, call.words[0])
+    options = dict(zip(call.words[1:], call.words[2:], strict=False))
+    name = options.get("TARGET") or call.words[0].replace("/", "_")
+    file = results / f"{name}.xunit.xml"
+    report = [f"--junit-xml={file}", f"--package-name={results.name}"]
+    command = [sys.executable, "-m", "launch_testing.launch_test", str(path), *report, *_arguments(call.words)]
+    return TestCommand(name, command, file)
+
+
+def _arguments(words: Sequence[str]) -> list[str]:
+    """What stands behind ARGS, up to the next keyword."""
+    given = list(words[words.index("ARGS") + 1 :]) if "ARGS" in words else []
+    ends = [given.index(word) for word in given if word in _WITH_VALUE]
+    return given[: min(ends, default=len(given))]
+
+
+def _file(call: Call, path: str) -> Path:
+    found = call.folder / path
+    if not found.exists():
+        raise CMakeError(f"{call.command.name}: there is no {found}", call.command.file, call.command.line)
+    return found
+
+
+_RUNNABLE = {"ament_add_pytest_test": _pytest, "add_launch_test": _launch_test}

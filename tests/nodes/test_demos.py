@@ -2,13 +2,17 @@
 
 import math
 
+import cv2
+import numpy
 import pytest
 import rclpy
+from cv_bridge import CvBridge
 from nav_msgs.msg import OccupancyGrid
-from rclpy.qos import DurabilityPolicy, QoSProfile
-from sensor_msgs.msg import JointState, LaserScan
+from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from sensor_msgs.msg import Image, JointState, LaserScan
 
 from coursekit.nodes.dummy_robot.map_server import SIDE
+from coursekit.nodes.intra_process.images import HEIGHT, WIDTH
 from coursekit.nodes.topic_monitor.statistics import TopicStatistics
 
 
@@ -148,6 +152,50 @@ def test_a_number_goes_from_one_node_to_the_other_and_round(session, run):
     assert shown == [f"{what} message with value: {n}" for n in (0, 1) for what in ("Published", " Received")]
     values = [line.split(":")[1].split(",")[0].strip() for line in cycle.output.splitlines() if "value" in line]
     assert values == ["42", "42", "43", "43", "44", "44"]
+
+
+@pytest.fixture
+def film(monkeypatch, tmp_path):
+    """film(frames) stands for the first camera: a video of so many black frames, or, with 0, none."""
+    opened = cv2.VideoCapture
+
+    def show(frames):
+        path = str(tmp_path / "film.avi")
+        if frames:
+            writer = cv2.VideoWriter(path, cv2.VideoWriter.fourcc(*"MJPG"), 30, (WIDTH, HEIGHT))
+            for _ in range(frames):
+                writer.write(numpy.zeros((HEIGHT, WIDTH, 3), numpy.uint8))
+            writer.release()
+        monkeypatch.setattr(cv2, "VideoCapture", lambda device: opened(path))
+
+    return show
+
+
+def test_each_node_of_the_image_pipeline_signs_the_image(session, run, hear, film):
+    film(60)
+    run("intra_process_demo", "image_pipeline_with_two_image_view")
+    image = CvBridge().imgmsg_to_cv2(hear(Image, "watermarked_image", qos_profile_sensor_data), "bgr8")
+    signed = [int((image[row - 15 : row, :, 1] > 128).sum()) for row in (20, 40, 60)]
+    assert image.shape == (HEIGHT, WIDTH, 3) and signed[0] > 100 and signed[1] > 100 and signed[2] == 0
+
+
+def test_a_pipeline_of_processes_watermarks_what_cam2image_sees(session, run, hear):
+    words = ("--ros-args", "-p", "burger_mode:=true", "-p", "frequency:=5.0")
+    run("image_tools", "cam2image", *words)
+    nodes = [run("intra_process_demo", name) for name in ("watermark_node", "image_view_node")]
+    assert hear(Image, "watermarked_image", qos_profile_sensor_data).header.frame_id == "camera_frame"
+    session.clock.sleep(0.5)
+    for node in nodes:
+        node.interrupt()
+        assert node.wait(2) == 0
+
+
+@pytest.mark.parametrize("name", ["camera_node", "image_pipeline_all_in_one"])
+def test_without_a_camera_it_is_said_what_stands_in(run, film, name):
+    film(0)
+    process = run("intra_process_demo", name)
+    assert process.wait(5) == -6
+    assert "burger_mode:=true" in process.output and "Could not open video stream!" in process.output
 
 
 def test_a_large_image_comes_through_and_its_latency_is_told(session, run):

@@ -1,0 +1,121 @@
+"""A pipeline of images: a camera, a watermark, a view; each writes its process and its message's address on the image."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+import rclpy
+from cv_bridge import CvBridge
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
+
+from coursekit.core.process import current_process
+from coursekit.nodes.running import run, spin_to_the_end, terminate
+
+WIDTH, HEIGHT = 320, 240
+_GREEN = (0, 255, 0)
+_bridge = CvBridge()
+
+
+def _sign(image: Any, msg: Image, row: int, more: str = "") -> None:
+    """Write on an image which process has it, and where the message is in memory."""
+    process = current_process()
+    text = f"pid: {process.pid if process else 0}, ptr: {id(msg):#x}{more}"
+    cv2.putText(image, text, (10, row), cv2.FONT_HERSHEY_SIMPLEX, 0.5, _GREEN)
+
+
+class CameraNode(Node):
+    """Publishes what the first camera sees. RuntimeError without one."""
+
+    def __init__(self) -> None:
+        super().__init__("camera_node")
+        self._camera = cv2.VideoCapture(0)
+        self._camera.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
+        self._camera.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
+        if not self._camera.isOpened():
+            instead = "ros2 run image_tools cam2image --ros-args -p burger_mode:=true"
+            self.get_logger().error(f"Could not open video stream; without a camera `{instead}` publishes images")
+            raise RuntimeError("Could not open video stream!")
+        self._publisher = self.create_publisher(Image, "image", qos_profile_sensor_data)
+        self.create_timer(1 / 30, self._publish)
+
+    def _publish(self) -> None:
+        there, image = self._camera.read()
+        if not there:
+            return
+        msg = Image()
+        _sign(image, msg, 20)
+        whole = _bridge.cv2_to_imgmsg(image, "bgr8")
+        for field in ("height", "width", "encoding", "is_bigendian", "step", "data"):
+            setattr(msg, field, getattr(whole, field))
+        msg.header.stamp, msg.header.frame_id = self.get_clock().now().to_msg(), "camera_frame"
+        self._publisher.publish(msg)
+
+
+class WatermarkNode(Node):
+    """Hands images on from `image` to `watermarked_image`, with a greeting."""
+
+    def __init__(self) -> None:
+        super().__init__("watermark_node")
+        self._publisher = self.create_publisher(Image, "watermarked_image", qos_profile_sensor_data)
+        self.create_subscription(Image, "image", self._pass_on, qos_profile_sensor_data)
+
+    def _pass_on(self, msg: Image) -> None:
+        image = _bridge.imgmsg_to_cv2(msg, "bgr8").copy()
+        _sign(image, msg, 40, " Hello world!")
+        self._publisher.publish(_bridge.cv2_to_imgmsg(image, "bgr8", header=msg.header))
+
+
+class ImageViewNode(Node):
+    """Shows `watermarked_image` in a window of the node's name."""
+
+    def __init__(self, name: str = "image_view_node") -> None:
+        super().__init__(name)
+        self.create_subscription(Image, "watermarked_image", self._show, qos_profile_sensor_data)
+
+    def _show(self, msg: Image) -> None:
+        image = _bridge.imgmsg_to_cv2(msg, "bgr8").copy()
+        _sign(image, msg, 60)
+        cv2.imshow(self.get_name(), image)
+
+    def destroy_node(self) -> None:
+        """Close the window, and leave the graph."""
+        if cv2.getWindowProperty(self.get_name(), cv2.WND_PROP_VISIBLE) > 0:
+            cv2.destroyWindow(self.get_name())
+        super().destroy_node()
+
+
+def camera(args: list[str] | None = None) -> int:
+    """The camera alone."""
+    return run(CameraNode, args, refuses=(RuntimeError,))
+
+
+def watermark(args: list[str] | None = None) -> int:
+    """The watermark alone."""
+    return run(WatermarkNode, args)
+
+
+def view(args: list[str] | None = None) -> int:
+    """The view alone."""
+    return run(ImageViewNode, args)
+
+
+def _together(views: list[str], args: list[str] | None) -> int:
+    rclpy.init(args=args)
+    try:
+        source = CameraNode()
+    except RuntimeError as fault:
+        return terminate(str(fault))
+    return spin_to_the_end(source, WatermarkNode(), *(ImageViewNode(name) for name in views))
+
+
+def all_in_one(args: list[str] | None = None) -> int:
+    """All three in one process."""
+    return _together(["image_view_node"], args)
+
+
+def two_views(args: list[str] | None = None) -> int:
+    """The same with two views."""
+    return _together(["image_view_node", "image_view_node2"], args)

@@ -113,3 +113,14 @@ def test_a_client_waits_for_the_server_and_tells_the_sum(session, run, name):
 
 def test_what_is_left_out_is_said(ros2):
     assert "it counts what C++ allocates" in ros2("run", "demo_nodes_cpp", "allocator_tutorial")
+
+
+@pytest.mark.parametrize("ending", ["_launch.py", ".launch.py", "_launch.xml", "_launch.yaml"])
+def test_talker_and_best_effort_listener_are_launched(ros2, ending):
+    output = ros2("launch", "demo_nodes_cpp", f"talker_listener_best_effort{ending}", seconds=1.5)
+    assert "[listener_best_effort-2] [INFO]" in output and "I heard: [Hello World: 1]" in output
+
+
+def test_server_and_asynchronous_client_are_launched(ros2):
+    output = ros2("launch", "demo_nodes_cpp", "add_two_ints_async_launch.py", seconds=2.5)
+    assert "[add_two_ints_client_async-2]: process has finished cleanly" in output and "Result of add_two_ints: 5" in output

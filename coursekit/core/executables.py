@@ -41,10 +41,19 @@ class ExecutableNotFound(LookupError):
 
     def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
         names = ", ".join(known) or f"none ({_HOW})"
-        why = remark_on_executable(package, executable)
+        why = why_missing(package, executable)
         super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}{why and '; ' + why}")
         self.package = package
         self.executable = executable
+
+
+def why_missing(package: str, executable: str) -> str:
+    """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
+    for prefix in prefixes():
+        listed = _index(prefix).parent / "coursekit_skipped" / package
+        if listed.is_file() and executable in listed.read_text(encoding="utf-8").splitlines():
+            return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
+    return remark_on_executable(package, executable)
 
 
 def _hint(name: str, known: Sequence[str]) -> str:

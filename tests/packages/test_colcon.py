@@ -61,6 +61,12 @@ def test_cpp_is_skipped_in_one_line(built):
     assert (built / "install/s2_cpp_pubsub/share/s2_cpp_pubsub/launch/pair.launch.py").is_file()
 
 
+@pytest.mark.parametrize("command", ["run s2_cpp_pubsub publisher_exe", "launch s2_cpp_pubsub pair.launch.py"])
+def test_an_executable_in_cpp_is_told_as_such(built, command):
+    said = sourced(built, f'COURSEKIT_TIME=virtual "{BIN}/ros2" {command} 2>&1 || true')
+    assert "'publisher_exe' is written in C++, which is not compiled here" in said
+
+
 def test_interfaces_can_be_imported_after_sourcing(built):
     code = (
         "import s4_custom_interface.msg as m, s4_custom_interface.srv as s, s4_custom_interface.action as a; "

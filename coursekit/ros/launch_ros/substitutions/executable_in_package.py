@@ -13,7 +13,7 @@ from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
-from coursekit.core.elsewhere import remark_on_executable
+from coursekit.core.executables import why_missing
 
 from .find_package import FindPackagePrefix
 
@@ -59,7 +59,7 @@ class ExecutableInPackage(FindPackagePrefix):
             return path
         known = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         known = [name for name in known if os.path.isfile(os.path.join(folder, name))]
-        why = remark_on_executable(package, executable)
+        why = why_missing(package, executable)
         raise SubstitutionFailure(
             f"executable '{executable}' not found on the libexec directory '{folder}'"
             f"{'; the package has: ' + ', '.join(known) if known else '; the package has no executables'}"

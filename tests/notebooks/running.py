@@ -19,6 +19,16 @@ def chapters() -> list[Path]:
     return sorted(NOTEBOOKS.glob("[0-9A-Z]*_*.ipynb"))
 
 
+def read(path: Path) -> nbformat.NotebookNode:
+    """A chapter as it is stored."""
+    return nbformat.read(path, as_version=4)
+
+
+def code_cells(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
+    """The cells that run."""
+    return [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.strip()]
+
+
 def name_student(folder: Path) -> None:
     """Remember who works in a course folder, as chapter 0 does."""
     file = folder / ".coursekit" / "student.json"

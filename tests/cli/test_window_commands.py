@@ -33,6 +33,15 @@ def test_a_launch_file_starts_rviz2_by_its_name(tmp_path):
         assert launch.wait(10) == 0
 
 
+def test_the_node_of_a_launch_file_is_one_process_and_not_two():
+    with Session(virtual=True).use() as session:
+        launch = session.start(lambda: run(["launch", "urdf_tutorial", "display.launch.py", "gui:=false"]), name="ros2")
+        session.clock.sleep(1)
+        assert [process.name for process in session.processes].count("rviz2") == 1
+        launch.interrupt()
+        assert launch.wait(10) == 0
+
+
 @pytest.mark.parametrize(
     ("command", "instead"),
     [("rqt", "graph()"), ("rqt_graph", "graph()"), ("rqt_console", "/rosout"), ("rqt_plot", "ros2 topic")],

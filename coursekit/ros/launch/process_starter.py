@@ -38,7 +38,7 @@ def start_process(
     current = session.current()
     cmd = prefixed(without_terminal(cmd))
     words = ros2_words(" ".join(cmd)) if shell else list(cmd)
-    run = inside(os.path.basename(words[0])) if words else None
+    run = inside(os.path.basename(words[0])) if words and not is_package_executable(words[0]) else None
     if run is not None:
         name, argv = os.path.basename(words[0]), words[1:]
         return current.start(lambda: run(argv), name=name, argv=argv, env=env, cwd=cwd, on_output=on_output)

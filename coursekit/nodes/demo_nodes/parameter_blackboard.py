@@ -1,11 +1,10 @@
 """Keeps parameters for others: any may be set, none need be declared."""
 
-from rclpy.node import Node
-
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.demo_nodes.spinning import spin_demo
 
 
-class ParameterBlackboard(Node):
+class ParameterBlackboard(CppNode):
     """A node that takes every parameter."""
 
     def __init__(self) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from geometry_msgs.msg import Twist
-from rclpy.node import Node
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 from coursekit.sim.turtle import normalize_angle
 
@@ -17,7 +17,7 @@ LINEAR, ANGULAR = 1.0, 0.4
 """How fast it drives [m/s] and turns [rad/s]."""
 
 
-class DrawSquare(Node):
+class DrawSquare(CppNode):
     """A state machine: forward, stop, turn, stop, forward, ..."""
 
     def __init__(self) -> None:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from geometry_msgs.msg import Twist
-from rclpy.node import Node
 from turtlesim.msg import Pose
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 
-class Mimic(Node):
+class Mimic(CppNode):
     """Hears poses, publishes their velocities."""
 
     def __init__(self) -> None:

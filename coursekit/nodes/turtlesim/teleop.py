@@ -11,10 +11,10 @@ import rclpy
 from geometry_msgs.msg import Twist
 from rclpy.action import ActionClient
 from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
 from turtlesim.action import RotateAbsolute
 
 from coursekit.core.process import current_process
+from coursekit.nodes.cpp_node import CppNode
 
 ARROWS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "right": (0.0, -1.0), "left": (0.0, 1.0)}
 """Arrow keys: (linear, angular)."""
@@ -55,7 +55,7 @@ def keys(stream: TextIO) -> Iterator[str]:
             yield key.lower()
 
 
-class TeleopTurtle(Node):
+class TeleopTurtle(CppNode):
     """Turns keys into velocities and rotation goals."""
 
     def __init__(self) -> None:
@@ -90,7 +90,7 @@ class TeleopTurtle(Node):
         self._goal = asked.result()
 
 
-def _spin(node: Node) -> None:
+def _spin(node: CppNode) -> None:
     try:
         rclpy.spin(node)
     except ExternalShutdownException:

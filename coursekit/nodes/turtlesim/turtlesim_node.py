@@ -10,12 +10,12 @@ from contextlib import closing
 import rclpy
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.exceptions import InvalidTopicNameException
-from rclpy.node import Node
 from std_srvs.srv import Empty
 from turtlesim.srv import Kill, Spawn
 
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import to_the_end
 from coursekit.nodes.turtlesim import simulators
 from coursekit.nodes.turtlesim.turtle import TurtleInterface
@@ -24,7 +24,7 @@ from coursekit.sim.turtle import SIDE, STEP, World
 BACKGROUND = {"r": ("Red", 69), "g": ("Green", 86), "b": ("Blue", 255)}
 
 
-class TurtleSim(Node):
+class TurtleSim(CppNode):
     """The simulator."""
 
     def __init__(self) -> None:

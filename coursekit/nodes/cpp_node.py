@@ -1,0 +1,49 @@
+"""What rclcpp gives each of its nodes and rclpy does not, for nodes that stand for C++ programs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.qos import qos_profile_parameter_events
+
+_EVENTS_QOS = {"depth": 1000, "durability": "volatile", "history": "keep_last", "reliability": "reliable"}
+
+
+class CppNode(Node):
+    """Has the QoS of its parameter events as parameters, hears such events, and refuses parameters in rclcpp's words."""
+
+    def __init__(self, node_name: str, **options: Any) -> None:
+        super().__init__(node_name, **options)
+        for policy, value in _EVENTS_QOS.items():
+            name = f"qos_overrides./parameter_events.publisher.{policy}"
+            self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
+        self.create_subscription(ParameterEvent, "/parameter_events", lambda _event: None, qos_profile_parameter_events)
+
+    def _check(
+        self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
+    ) -> SetParametersResult:
+        result = super()._check(parameter, descriptor, check_read_only)
+        if descriptor is not None and not result.successful:
+            result.reason = _reason(parameter, descriptor)
+        return result
+
+
+def _reason(parameter: Parameter, descriptor: ParameterDescriptor) -> str:
+    """Why a parameter may not have that value."""
+    if descriptor.read_only:
+        return f"parameter '{parameter.name}' cannot be set because it is read-only"
+    if descriptor.type != parameter.type_.value:
+        old, new = _in_words(Parameter.Type(descriptor.type)), _in_words(parameter.type_)
+        return (
+            f"Wrong parameter type, parameter {{{parameter.name}}} is of type {{{old}}}, "
+            f"setting it to {{{new}}} is not allowed."
+        )
+    kind = "integer" if parameter.type_ == Parameter.Type.INTEGER else "floating point"
+    return f"Parameter {{{parameter.name}}} doesn't comply with {kind} range."
+
+
+def _in_words(kind: Parameter.Type) -> str:
+    return "not set" if kind == Parameter.Type.NOT_SET else kind.name.lower()

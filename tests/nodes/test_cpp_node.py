@@ -1,0 +1,58 @@
+"""Nodes that stand for C++ programs have what rclcpp gives to each node, and refuse in its words."""
+
+import pytest
+import rclpy
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rclpy.parameter import Parameter
+
+from coursekit.core.session import Session
+from coursekit.nodes.cpp_node import CppNode
+
+DEPTH = "qos_overrides./parameter_events.publisher.depth"
+
+
+@pytest.fixture
+def node():
+    with Session(virtual=True).use():
+        rclpy.init(args=[])
+        made = CppNode("node")
+        made.declare_parameter("red", 1, ParameterDescriptor(integer_range=[IntegerRange(to_value=255, step=1)]))
+        made.declare_parameter("speed", 1.0, ParameterDescriptor(floating_point_range=[FloatingPointRange(to_value=2.0)]))
+        yield made
+        made.destroy_node()
+        rclpy.try_shutdown()
+
+
+def test_it_has_the_qos_of_its_events_as_parameters_and_hears_those_of_others(node):
+    assert node.get_parameter(DEPTH).value == 1000
+    assert {name: node.get_parameter(name).value for name in node._parameters if name.startswith("qos_")} == {
+        DEPTH: 1000,
+        "qos_overrides./parameter_events.publisher.durability": "volatile",
+        "qos_overrides./parameter_events.publisher.history": "keep_last",
+        "qos_overrides./parameter_events.publisher.reliability": "reliable",
+    }
+    heard = node.get_subscriber_names_and_types_by_node("node", "/")
+    assert ("/parameter_events", ["rcl_interfaces/msg/ParameterEvent"]) in heard
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "reason"),
+    [
+        (DEPTH, 3, f"parameter '{DEPTH}' cannot be set because it is read-only"),
+        (
+            "red",
+            "dark",
+            "Wrong parameter type, parameter {red} is of type {integer}, setting it to {string} is not allowed.",
+        ),
+        ("red", 300, "Parameter {red} doesn't comply with integer range."),
+        ("speed", 2.5, "Parameter {speed} doesn't comply with floating point range."),
+    ],
+)
+def test_it_refuses_parameters_in_the_words_of_rclcpp(node, name, value, reason):
+    result = node.set_parameters([Parameter(name, value=value)])[0]
+    assert (result.successful, result.reason) == (False, reason)
+
+
+def test_what_fits_is_set(node):
+    assert node.set_parameters([Parameter("red", value=7)])[0].successful
+    assert node.get_parameter("red").value == 7

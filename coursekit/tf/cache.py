@@ -94,13 +94,18 @@ class FrameCache:
             return None
         if not stamp or self.static or stamp == self.newest:
             return self.newest_pose
+        return self.between(stamp)
+
+    def between(self, stamp: int) -> Pose | None:
+        """`at` for a frame that moves, at a time which is neither 0 nor that of the newest sample."""
+        stamps = self.stamps
         after = bisect_right(stamps, stamp)
         if not after or after == len(stamps):
             return None
         here = after - 1
         then = stamps[here]
         pose = self.poses[here]
-        if then == stamp or self.parents[here] != self.parents[after]:
+        if then == stamp or not (self.single_parent or self.parents[here] == self.parents[after]):
             return pose
         return interpolate(pose, self.poses[after], (stamp - then) / (stamps[after] - then))
 

@@ -54,15 +54,14 @@ def product(edges: Sequence[FrameCache], time: int) -> Pose | None:
 
     This is `compose` over the edges, written out: half of a lookup's time is spent in here.
     """
-    first = edges[0]
-    pose = first.newest_pose if first.newest == time or first.static else first.at(time)
+    following = iter(edges)
+    first = next(following)
+    pose = first.newest_pose if first.newest == time or first.static else first.between(time)
     if pose is None:
         return None
-    if len(edges) == 1:
-        return pose
     x, y, z, bi, bj, bk, bw = pose
-    for edge in edges[1:]:
-        pose = edge.newest_pose if edge.newest == time or edge.static else edge.at(time)
+    for edge in following:
+        pose = edge.newest_pose if edge.newest == time or edge.static else edge.between(time)
         if pose is None:
             return None
         ax, ay, az, i, j, k, w = pose

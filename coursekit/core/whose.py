@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import contextvars
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -16,13 +14,3 @@ owner: contextvars.ContextVar[Process | None] = contextvars.ContextVar("courseki
 def current_process() -> Process | None:
     """The process in which the calling code runs; None in the interpreter's own code."""
     return owner.get()
-
-
-@contextlib.contextmanager
-def outside() -> Iterator[None]:
-    """Run a block as the interpreter's own code."""
-    token = owner.set(None)
-    try:
-        yield
-    finally:
-        owner.reset(token)

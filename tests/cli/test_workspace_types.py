@@ -4,13 +4,15 @@ import pytest
 
 from coursekit.cli.parser import run
 from coursekit.core.session import Session
+from coursekit.interfaces import find
 
 FACE = "from coursekit.interfaces.face import expose\n__getattr__, __dir__, __all__ = expose(__name__, __file__)\n"
 
 
 @pytest.fixture
-def install(tmp_path):
+def install(tmp_path, monkeypatch):
     """An install folder with the message own_things/msg/Box, and a way to change it."""
+    monkeypatch.setattr(find, "_remembered", [])  # other tests do not search here
     share = tmp_path / "share"
     for kind, text in (("packages", ""), ("rosidl_interfaces", "msg/Box.msg\n")):
         (share / "ament_index/resource_index" / kind).mkdir(parents=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import signal
+import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,10 @@ from .output import Input, Output
 
 if TYPE_CHECKING:
     from .session import Session
+
+
+RETRY_NS = 2_000_000
+"""When it is tried again to reach a thread that was importing."""
 
 
 class Interruptible:
@@ -88,8 +93,13 @@ class Interruptible:
         try:
             action()
         except BaseException as error:
-            if self.exit_code is None:  # else another thread may have its number by now
-                raise_in_thread(lane.ident, type(error))
+            self._raise(lane, type(error))
+
+    def _raise(self, lane: Lane, kind: type[BaseException]) -> None:
+        if self.exit_code is not None or raise_in_thread(lane.ident, kind):
+            return  # it has ended, and another thread may have its number by now
+        clock = self.session.clock
+        clock.call_at(clock.steady() + RETRY_NS, lambda: self._raise(lane, kind))
 
     def _kill(self) -> None:
         self._deliver(raise_killed)
@@ -116,6 +126,14 @@ def raise_killed() -> None:
     raise ProcessKilled(9)
 
 
-def raise_in_thread(ident: int, kind: type[BaseException]) -> None:
-    """Raise `kind` in a thread that runs Python code, at its next bytecode."""
+def raise_in_thread(ident: int, kind: type[BaseException]) -> bool:
+    """Raise `kind` in a thread that runs Python code, at its next bytecode; False, and not now, when it is importing.
+
+    In the import system's own code (not in that of the module that is imported) it would leave the interpreter's import
+    lock taken, and no thread could ever import again.
+    """
+    frame = sys._current_frames().get(ident)
+    if frame is not None and frame.f_code.co_filename.startswith("<frozen importlib"):
+        return False
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
+    return True

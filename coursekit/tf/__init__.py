@@ -10,7 +10,7 @@ True
 In ROS 2: tf2::BufferCore.
 """
 
-from .buffer import DEFAULT_CACHE_NS, FrameBuffer, Lookup
+from .buffer import FrameBuffer, Lookup
 from .errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -20,6 +20,7 @@ from .errors import (
     TransformException,
 )
 from .pose import IDENTITY, Pose, compose, interpolate, inverse, rotate, slerp
+from .store import DEFAULT_CACHE_NS, Sample
 
 __all__ = [
     "DEFAULT_CACHE_NS",
@@ -31,6 +32,7 @@ __all__ = [
     "Lookup",
     "LookupException",
     "Pose",
+    "Sample",
     "TimeoutException",
     "TransformException",
     "compose",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
+from operator import lt
 
 from . import errors
 from .pose import IDENTITY, Pose, interpolate
@@ -46,6 +48,21 @@ class FrameCache:
         self.newest, self.newest_pose = stamp, pose
         while stamps[0] < stamp - self.span_ns:
             del stamps[0], self.poses[0], self.parents[0]
+        return True
+
+    def follow_all(self, stamps: Sequence[int], poses: Sequence[Pose], parents: Sequence[str]) -> bool:
+        """`follow` for samples that were told one after the other; False, and none is added, when one does not fit."""
+        first = stamps[0]
+        if first <= self.newest or not self.stamps or not self.single_parent or self.static:
+            return False
+        if parents.count(self.parents[-1]) != len(parents) or not all(map(lt, stamps, stamps[1:])):
+            return False
+        self.stamps += stamps
+        self.poses += poses
+        self.parents += parents
+        self.newest, self.newest_pose = stamps[-1], poses[-1]
+        if self.stamps[0] < self.newest - self.span_ns:
+            self._prune()
         return True
 
     def insert(self, stamp: int, pose: Pose, parent: str) -> bool:

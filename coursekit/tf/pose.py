@@ -6,6 +6,7 @@ faster here than small numpy arrays.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import acos, sin, sqrt
 
 Pose = tuple[float, float, float, float, float, float, float]
@@ -138,6 +139,17 @@ def normalized(pose: Pose) -> Pose:
     x, y, z, i, j, k, w = pose
     length = sqrt(i * i + j * j + k * k + w * w)
     return x, y, z, i / length, j / length, k / length, w / length
+
+
+def are_units(poses: Iterable[Pose]) -> bool:
+    """Whether all quaternions have length 1 and no number is missing (NaN).
+
+    >>> are_units([IDENTITY]), are_units([IDENTITY, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5)])
+    (True, False)
+    """
+    return all(
+        -1e-12 < i * i + j * j + k * k + w * w - 1.0 + 0.0 * (x + y + z) < 1e-12 for x, y, z, i, j, k, w in poses
+    )
 
 
 def matrix(pose: Pose) -> list[list[float]]:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
 from coursekit.core.session import current
-from coursekit.tf import FrameBuffer, Pose
+from coursekit.tf import FrameBuffer, Sample
 
-Sample = tuple[str, str, int, Pose]
-"""Parent, child, stamp [ns], and the child's pose in the parent."""
-HEAR_SECONDS = 0.1
-"""Frames that nobody asks for are heard so often, so that they do not pile up."""
+LOOK_SECONDS = 0.5
+"""Messages that nobody asks about are looked through so often, so that they do not pile up."""
 
 
 class BroadcastFrames(FrameBuffer):
@@ -21,17 +19,22 @@ class BroadcastFrames(FrameBuffer):
         super().__init__(report=lambda _level, _text: None)
         self.newest = self._arrived = 0
         self._unheard: list[tuple[Any, bool]] = []
+        self._outlived: dict[str, Sample] = {}
+        self._outlived_at = 0
 
-    def hear(self, samples: list[Sample], fixed: bool, now_ns: int) -> None:
+    def hear(self, samples: Collection[Sample], fixed: bool, now_ns: int) -> None:
         """Take the samples of a message that came at this time [ns]."""
         if fixed:
             for parent, child, _, pose in samples:
                 self.set_static(parent, child, pose)
             return
+        self._note(samples, now_ns)
         self.extend(samples)
-        for _, _, stamp, _ in samples:
-            if stamp > self.newest:
-                self.newest, self._arrived = stamp, now_ns
+
+    def _note(self, samples: Iterable[Sample], now_ns: int) -> None:
+        newest = max([stamp for _, _, stamp, _ in samples], default=0)
+        if newest > self.newest:
+            self.newest, self._arrived = newest, now_ns
 
     def collect(self, subscription: Any, fixed: bool) -> None:
         """Let the messages of a subscription lie until `catch_up`: that is much cheaper than a callback for each."""
@@ -42,37 +45,57 @@ class BroadcastFrames(FrameBuffer):
 
     def catch_up(self) -> None:
         """Hear all that has come meanwhile."""
+        outlived, self._outlived = self._outlived, {}
+        self.hear(outlived.values(), False, self._outlived_at)
         for core, fixed in self._unheard:
+            moving: list[Sample] = []
             while core.queue and (entry := core.take()) is not None:
-                kept = entry[0]  # a message, if it came before the subscription knew that samples are enough
-                self.hear(kept if type(kept) is list else samples_of(kept), fixed, entry[1])
+                samples = _samples_in(entry)
+                if fixed:
+                    self.hear(samples, fixed, entry[1])
+                else:
+                    self._note(samples, entry[1])
+                    moving += samples
+            self.extend(moving)
+
+    def thin_out(self, now_ns: int) -> None:
+        """Of what came longer ago than the buffer reaches, keep where each frame was last."""
+        limit = now_ns - self.cache_ns
+        for core, fixed in self._unheard:
+            while not fixed and core.queue and core.queue[0][1] < limit and (entry := core.take()) is not None:
+                self._outlived_at = entry[1]
+                for sample in _samples_in(entry):
+                    self._outlived[sample[1]] = sample
 
     def now(self, now_ns: int) -> int:
         """What time it is for who broadcasts [ns]: a simulator's clock need not be the session's."""
         return self.newest + now_ns - self._arrived if self.newest else now_ns
 
 
+def _samples_in(entry: Any) -> list[Sample]:
+    """What a subscription kept: a message, if it came before the subscription knew that samples are enough."""
+    kept = entry[0]
+    return kept if type(kept) is list else samples_of(kept)
+
+
 def samples_of(msg: Any) -> list[Sample]:
     """The transforms of a tf2_msgs/TFMessage."""
-    return [_sample(transform) for transform in msg._transforms]
-
-
-def _sample(transform: Any) -> Sample:
-    """A geometry_msgs/TransformStamped as a sample."""
-    header, motion = transform._header, transform._transform
-    stamp, place, turn = header._stamp, motion._translation, motion._rotation
-    return (
-        header._frame_id,
-        transform._child_frame_id,
-        stamp._sec * 1_000_000_000 + stamp._nanosec,
-        (place._x, place._y, place._z, turn._x, turn._y, turn._z, turn._w),
-    )
+    return [
+        (
+            header._frame_id,
+            transform._child_frame_id,
+            header._stamp._sec * 1_000_000_000 + header._stamp._nanosec,
+            (place._x, place._y, place._z, turn._x, turn._y, turn._z, turn._w),
+        )
+        for transform in msg._transforms
+        for header, place, turn in [(transform._header, transform._transform._translation, transform._transform._rotation)]
+    ]
 
 
 def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> BroadcastFrames:
     """A buffer that follows what is broadcast; `heard()` is called after every message.
 
-    Without `heard` it is up to date after `catch_up()`.
+    Without `heard` it is up to date after `catch_up()`; the node is in its executor already then.
     """
     from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
     from tf2_msgs.msg import TFMessage
@@ -93,7 +116,7 @@ def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> Broad
         if heard is None:
             buffer.collect(subscription, fixed)
     if heard is None:
-        node.create_timer(HEAR_SECONDS, buffer.catch_up)
+        node.create_timer(LOOK_SECONDS, lambda: buffer.thin_out(clock.now()))
     return buffer
 
 

@@ -8,6 +8,7 @@ from geometry_msgs.msg import TransformStamped
 from rclpy.time import Time
 
 from coursekit.tf import (
+    DEFAULT_CACHE_NS,
     ConnectivityException,
     ExtrapolationException,
     FrameBuffer,
@@ -16,7 +17,6 @@ from coursekit.tf import (
     TimeoutException,
     TransformException,
 )
-from coursekit.tf.buffer import DEFAULT_CACHE_NS
 from coursekit.tf.velocity import velocity
 from tf2_py._convert import nanoseconds, pose_of, stamped
 

@@ -1,0 +1,155 @@
+"""What is known of frames: who is whose child, since when, and where."""
+
+from __future__ import annotations
+
+import _thread
+import sys
+from collections.abc import Callable, Iterable, Sequence
+
+from . import describe
+from .cache import FrameCache
+from .faults import faults, too_old
+from .path import Path
+from .pose import Pose, are_units, normalized
+
+DEFAULT_CACHE_NS = 10_000_000_000
+"""How much of the past is kept: ten seconds."""
+
+Sample = tuple[str, str, int, Pose]
+"""Parent, child, stamp [ns], and the child's pose in the parent."""
+
+
+def to_stderr(level: str, text: str) -> None:
+    """Print a complaint as tf2's logger does."""
+    print(f"{level + ':':<9}{text}", file=sys.stderr)
+
+
+class FrameStore:
+    """Poses of frames in their parents over time. Complaints about data that is ignored go to `report(level, text)`.
+
+    >>> store = FrameStore()
+    >>> store.set("map", "robot", 10**9, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)), store.parent("robot")
+    (True, 'map')
+    """
+
+    def __init__(self, cache_ns: int = DEFAULT_CACHE_NS, report: Callable[[str, str], None] = to_stderr) -> None:
+        self.cache_ns = cache_ns
+        self.report = report
+        self.frames: dict[str, FrameCache | None] = {}
+        self.authorities: dict[str, str] = {}
+        self.version = 0
+        self._paths: dict[tuple[str, str], Path] = {}  # what lookups found, for as long as the tree stays
+        self._lock = _thread.allocate_lock()
+
+    def set(
+        self,
+        parent: str,
+        child: str,
+        stamp: int,
+        pose: Pose,
+        authority: str = "default_authority",
+        *,
+        static: bool = False,
+    ) -> bool:
+        """Tell the pose of `child` in `parent` at a time; False when it is ignored (`report` says why)."""
+        if parent[:1] == "/":
+            parent = parent[1:]
+        if child[:1] == "/":
+            child = child[1:]
+        x, y, z, i, j, k, w = pose
+        off = i * i + j * j + k * k + w * w - 1.0
+        if not -1e-12 < off < 1e-12 or parent == child or not parent or not child or x + y + z != x + y + z:
+            found = list(faults(parent, child, pose, authority))
+            for fault in found:
+                self.report("Error", fault)
+            if found:
+                return False
+            pose = normalized(pose)
+        with self._lock:
+            cache = self.frames.get(child)
+            if static or cache is None or not cache.follow(stamp, pose, parent):
+                kept = self._insert(parent, child, stamp, pose, static)
+            else:
+                kept = True
+            if kept:
+                self.authorities[child] = authority
+                self.version += 1
+        if not kept:
+            self.report("Warning", too_old(child, stamp, authority))
+        return kept
+
+    def set_static(self, parent: str, child: str, pose: Pose, authority: str = "default_authority") -> bool:
+        """Tell the pose of `child` in `parent` for all times."""
+        return self.set(parent, child, 0, pose, authority, static=True)
+
+    def extend(self, samples: Iterable[Sample]) -> None:
+        """`set` for each sample; many of moving frames cost a fraction, frame by frame."""
+        by_child: dict[str, list[Sample]] = {}
+        for sample in samples:
+            by_child.setdefault(sample[1], []).append(sample)
+        plain = all(child[:1] != "/" for child in by_child)  # else two names may mean one frame
+        with self._lock:
+            others = [batch for child, batch in by_child.items() if not (plain and self._follow(child, batch))]
+            self.version += 1
+        for batch in others:
+            for sample in batch:
+                self.set(*sample)
+
+    def _follow(self, child: str, batch: Sequence[Sample]) -> bool:
+        """Take the next samples of a moving frame; False, and none is taken, when they are not just that."""
+        cache = self.frames.get(child)
+        if cache is None:
+            return False
+        parents, _, stamps, poses = zip(*batch, strict=True)
+        if not (are_units(poses) and cache.follow_all(stamps, poses, parents)):
+            return False
+        self.authorities[child] = "default_authority"
+        return True
+
+    def _insert(self, parent: str, child: str, stamp: int, pose: Pose, static: bool) -> bool:
+        frames = self.frames
+        cache = frames.get(child)
+        if cache is None or cache.static != static:
+            cache = frames[child] = FrameCache(child, self.cache_ns, static=static)
+            self._paths.clear()
+        straight, before = cache.single_parent, cache.newest_pose
+        was = cache.parents[-1] if cache.parents else None
+        if not cache.insert(stamp, pose, parent):
+            return False
+        if was != parent or not straight or not cache.single_parent or (static and before != pose):
+            self._paths.clear()
+        if parent not in frames:
+            frames[parent] = None
+        return True
+
+    def clear(self) -> None:
+        """Forget all that moves; static frames and the names of all frames stay."""
+        with self._lock:
+            for cache in self.frames.values():
+                if cache is not None:
+                    cache.clear()
+            self._paths.clear()
+            self.version += 1
+
+    # -- what there is
+
+    def parent(self, frame: str, time: int = 0) -> str | None:
+        """The parent of a frame at a time; None for a root and outside of what is held."""
+        with self._lock:
+            cache = self.frames.get(frame)
+            return None if cache is None else cache.parent_at(time)
+
+    def all_frames_as_string(self) -> str:
+        """A line for each frame that has a parent."""
+        with self._lock:
+            return describe.as_string(self.frames)
+
+    def all_frames_as_yaml(self, now: int = 0) -> str:
+        """Each frame with its parent, broadcaster, rate and times."""
+        with self._lock:
+            return describe.as_yaml(self.frames, self.authorities, now)
+
+    def all_frames_as_dot(self, now: int = 0) -> str:
+        """The tree for Graphviz."""
+        with self._lock:
+            return describe.as_dot(self.frames, self.authorities, now)

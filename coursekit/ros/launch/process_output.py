@@ -42,5 +42,12 @@ class ProcessOutput:
         """Log lines that came together as one record: a record costs more than a line."""
         logger = self.__loggers[stream]
         if logger.isEnabledFor(logging.INFO):
-            shown = "\n".join([self.__format.format(line=line, this=self.__action) for line in lines])
-            logger.handle(logger.makeRecord(logger.name, logging.INFO, "", 0, shown, (), None))
+            logger.log_output("\n".join(self.__shown(lines)))
+
+    def __shown(self, lines: list[str]) -> list[str]:
+        """Lines in the process's form."""
+        head, mark, tail = self.__format.partition("{line}")
+        if not mark or "{line" in tail or "{line" in head:
+            return [self.__format.format(line=line, this=self.__action) for line in lines]
+        head, tail = head.format(this=self.__action), tail.format(this=self.__action)
+        return [f"{head}{line}{tail}" for line in lines]

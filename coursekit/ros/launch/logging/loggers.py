@@ -26,6 +26,7 @@ class LaunchLogger(logging.Logger):
     def __init__(self, name: str, config: LaunchConfig) -> None:
         super().__init__(name)
         self.__config = config
+        self.__output: logging.LogRecord | None = None
         self.propagate = False
 
     def getEffectiveLevel(self) -> int:
@@ -42,6 +43,14 @@ class LaunchLogger(logging.Logger):
         record.created = session.current().clock.now() / 1e9
         return record
 
+    def log_output(self, text: str) -> None:
+        """Log what a process wrote, whatever the level: such records differ only in text and time, so one is copied."""
+        if self.__output is None:
+            self.__output = self.makeRecord(self.name, logging.INFO, "", 0, "", (), None)
+        record = object.__new__(type(self.__output))
+        record.__dict__.update(self.__output.__dict__, msg=text, created=session.current().clock.now() / 1e9)
+        self.handle(record)
+
 
 class LineByLine(logging.Formatter):
     """Writes each line of a record in the same form: a process's lines come together."""
@@ -52,7 +61,7 @@ class LineByLine(logging.Formatter):
         return "\n".join(form.format(created=record.created, message=line) for line in record.getMessage().split("\n"))
 
 
-PLAIN, STAMPED = LineByLine("{message}", style="{"), LineByLine("{created:.7f} {message}", style="{")
+PLAIN, STAMPED = logging.Formatter("{message}", style="{"), LineByLine("{created:.7f} {message}", style="{")
 
 
 def get_logger(name: str | None = None) -> LaunchLogger:

@@ -92,10 +92,13 @@ def kwarg_lines(field: Field, alias: Alias) -> list[str]:
     """Return the statements by which the constructor takes this field from its arguments; defaults need no check."""
     kind, name = field.type, field.name
     given = f"kwargs[{name!r}]"
+    taken = [f"self.{name} = {given}"]
     if kind.is_number_block and kind.is_sequence and field.default is None:
-        given = f"array.array('{TYPE_CODES[kind.base]}', {given})"
+        taken = [f"self.{name} = array.array('{TYPE_CODES[kind.base]}', {given})"]
+    elif not kind.is_array:  # what its setter does, without the call
+        taken = [f"value = {given}", *setter_lines(field, alias)]
     default = default_of(field, alias)
-    return [f"if {name!r} in kwargs:", f"    self.{name} = {given}", "else:", f"    self._{name} = {default}"]
+    return [f"if {name!r} in kwargs:", *(f"    {line}" for line in taken), "else:", f"    self._{name} = {default}"]
 
 
 _AS_SENT = {"float32": "checks.float32({})", "float64": "float({})", **dict.fromkeys((*INTEGERS, "char"), "+{}")}

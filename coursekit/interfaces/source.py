@@ -71,7 +71,8 @@ def _read_only(name: str, value: str) -> list[str]:
 
 def _head(message: Message) -> str:
     fields = message.fields
-    lines = ["", "", f"class {message.name}(metaclass=Metaclass_{message.name}):"]
+    lines = ["", "", f"_FIELDS = frozenset({[f.name for f in fields]!r})", "", ""]
+    lines.append(f"class {message.name}(metaclass=Metaclass_{message.name}):")
     lines.append(f'    """{_doc(message)}"""')
     lines += ["", f"    _TYPE_NAME = {message.full_name!r}"]
     lines += [f"    {c.name} = {value_source(c.type, c.value)}" for c in message.constants]
@@ -112,7 +113,7 @@ def _init(message: Message) -> str:
         )
     lines.append("        if not kwargs:")
     lines += [f"            self._{f.name} = {default_of(f, alias)}" for f in fields]
-    lines += ["            return", f"        if not kwargs.keys() <= {message.name}._fields_and_field_types.keys():"]
+    lines += ["            return", "        if not _FIELDS.issuperset(kwargs):"]
     lines.append(f"            reject_unknown({message.name}, kwargs)")
     lines += [f"        {line}" for f in fields for line in kwarg_lines(f, alias)]
     return "\n".join(lines)

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Sequence
 
 import rclpy
-from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -16,11 +14,11 @@ from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
-from tf2_py._convert import nanoseconds, stamped
+from tf2_py._convert import nanoseconds
 
+from coursekit.nodes.robots.joint_frames import JointFrames
 from coursekit.nodes.running import spin_to_the_end, terminate
-from coursekit.urdf import Robot, UrdfError, load_text, parse
-from coursekit.urdf.kinematics import Pose, joint_motion
+from coursekit.urdf import UrdfError, load_text, parse
 from coursekit.urdf.texts import error_text
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -84,8 +82,7 @@ class RobotStatePublisher(Node):
                 f"The root link {robot.root} has an inertia specified in the URDF, but KDL does not support a root link "
                 "with an inertia.  As a workaround, you can add an extra dummy link to your URDF."
             )
-        self._moving, self._fixed = _edges(robot)
-        self._mimics = [joint for joint in robot.joints.values() if joint.mimic is not None]
+        self._frames = JointFrames(robot, self._prefix)
         self._published.clear()
         for name in sorted(robot.links):
             self.get_logger().info(f"got segment {name}")
@@ -100,11 +97,7 @@ class RobotStatePublisher(Node):
 
     def _publish_fixed(self) -> None:
         stamp = self.get_clock().now().nanoseconds
-        transforms = [self._transform(edge, 0.0, stamp) for edge in self._fixed]
-        (self._tf_static if self._use_static else self._tf).publish(TFMessage(transforms=transforms))
-
-    def _transform(self, edge: Edge, position: float, stamp_ns: int) -> TransformStamped:
-        return stamped(self._prefix + edge.parent, self._prefix + edge.child, stamp_ns, edge.motion(position))
+        (self._tf_static if self._use_static else self._tf).publish(TFMessage(transforms=self._frames.fixed(stamp)))
 
     def _joint_states(self, msg: JointState) -> None:
         if len(msg.name) != len(msg.position):
@@ -118,7 +111,7 @@ class RobotStatePublisher(Node):
             return
         sent = nanoseconds(msg.header.stamp)
         if self._is_due(msg.name, sent):
-            self._publish_moving(dict(zip(msg.name, msg.position, strict=True)), sent)
+            self._tf.publish(TFMessage(transforms=self._frames.moving(msg.name, msg.position, sent)))
 
     def _is_due(self, names: Sequence[str], sent: int) -> bool:
         """Whether the interval since the joint that was published longest ago is over."""
@@ -134,15 +127,6 @@ class RobotStatePublisher(Node):
         for name in names:
             published[name] = sent
         return True
-
-    def _publish_moving(self, positions: dict[str, float], stamp: int) -> None:
-        for joint in self._mimics:
-            mimic = joint.mimic
-            if mimic is not None and mimic.joint in positions:
-                positions.setdefault(joint.name, positions[mimic.joint] * mimic.multiplier + mimic.offset)
-        moved = sorted(name for name in positions if name in self._moving)
-        transforms = [self._transform(self._moving[name], positions[name], stamp) for name in moved]
-        self._tf.publish(TFMessage(transforms=transforms))
 
     # -- parameters that change
 
@@ -167,7 +151,7 @@ class RobotStatePublisher(Node):
             except RuntimeError as error:
                 return str(error)
         elif parameter.name == "frame_prefix":
-            self._prefix = value
+            self._prefix = self._frames.prefix = value
         elif parameter.name == "ignore_timestamp":
             self._ignore_timestamp = value
         elif parameter.name == "use_tf_static":
@@ -188,21 +172,6 @@ class RobotStatePublisher(Node):
             return f"Failed to parse new URDF: {error}"
         self._publish_fixed()
         return ""
-
-
-class Edge(NamedTuple):
-    """A joint as an edge between two frames."""
-
-    parent: str
-    child: str
-    motion: Callable[[float], Pose]
-
-
-def _edges(robot: Robot) -> tuple[dict[str, Edge], list[Edge]]:
-    """The joints that move, by name, and those that do not; a floating joint is neither: somebody else publishes it."""
-    joints = [robot.joints[name] for name in sorted(robot.joints)]
-    moving = {one.name: Edge(one.parent, one.child, joint_motion(one)) for one in joints if one.moves}
-    return moving, [Edge(one.parent, one.child, joint_motion(one)) for one in joints if one.type in ("fixed", "planar")]
 
 
 def main(args: list[str] | None = None) -> int:

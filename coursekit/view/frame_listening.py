@@ -60,12 +60,13 @@ class BroadcastFrames(FrameBuffer):
 
     def thin_out(self, now_ns: int) -> None:
         """Of what came longer ago than the buffer reaches, keep where each frame was last."""
-        limit = now_ns - self.cache_ns
+        limit, outlived = now_ns - self.cache_ns, self._outlived
         for core, fixed in self._unheard:
-            while not fixed and core.queue and core.queue[0][1] < limit and (entry := core.take()) is not None:
+            lying = core.queue
+            while not fixed and lying and lying[0][1] < limit and (entry := core.take()) is not None:
                 self._outlived_at = entry[1]
                 for sample in _samples_in(entry):
-                    self._outlived[sample[1]] = sample
+                    outlived[sample[1]] = sample
 
     def now(self, now_ns: int) -> int:
         """What time it is for who broadcasts [ns]: a simulator's clock need not be the session's."""

@@ -100,18 +100,19 @@ class RobotStatePublisher(Node):
         (self._tf_static if self._use_static else self._tf).publish(TFMessage(transforms=self._frames.fixed(stamp)))
 
     def _joint_states(self, msg: JointState) -> None:
-        if len(msg.name) != len(msg.position):
-            if msg.position:
+        names, positions = msg.name, msg.position
+        if len(names) != len(positions):
+            if positions:
                 self.get_logger().error("Robot state publisher ignored an invalid JointState message")
             else:
                 self.get_logger().warning(
                     "Robot state publisher ignored a JointState message about joint(s) "
-                    f'"{msg.name[0]}"(,...) whose position member was empty.'
+                    f'"{names[0]}"(,...) whose position member was empty.'
                 )
             return
         sent = nanoseconds(msg.header.stamp)
-        if self._is_due(msg.name, sent):
-            self._tf.publish(TFMessage(transforms=self._frames.moving(msg.name, msg.position, sent)))
+        if self._is_due(names, sent):
+            self._tf.publish(TFMessage(transforms=self._frames.moving(names, positions, sent)))
 
     def _is_due(self, names: Sequence[str], sent: int) -> bool:
         """Whether the interval since the joint that was published longest ago is over."""

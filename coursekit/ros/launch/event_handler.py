@@ -18,6 +18,8 @@ class BaseEventHandler:
 
     _event_class: type = object
     """No event of another class is shown to the matcher: a launch has hundreds of handlers, and each line is an event."""
+    _action: Any = None
+    """When there is one, no event of another action either."""
 
     def __init__(self, *, matcher: Callable[[Event], bool], handle_once: bool = False) -> None:
         if not isinstance(handle_once, bool):

@@ -27,7 +27,7 @@ class LaunchContext:
         self.__noninteractive = noninteractive
         self._event_queue = EventQueue()
         self._event_handlers: deque[BaseEventHandler] = deque()
-        self.__handlers_by_event: dict[type, tuple[BaseEventHandler, ...]] = {}
+        self.__handlers_by_event: dict[tuple[type, Any], tuple[BaseEventHandler, ...]] = {}
         self._completion_futures: list[asyncio.Future[Any]] = []
         self.__globals: dict[str, Any] = {}
         self.__locals_stack: list[dict[str, Any]] = []
@@ -160,11 +160,11 @@ class LaunchContext:
 
     def _handlers_for(self, event: Event) -> tuple[BaseEventHandler, ...]:
         """The handlers that may want `event`, in order."""
-        kind = type(event)
-        found = self.__handlers_by_event.get(kind)
+        kind, action = key = type(event), getattr(event, "action", None)
+        found = self.__handlers_by_event.get(key)
         if found is None:
-            found = tuple(handler for handler in self._event_handlers if issubclass(kind, handler._event_class))
-            self.__handlers_by_event[kind] = found
+            mine = [one for one in self._event_handlers if issubclass(kind, one._event_class)]
+            found = self.__handlers_by_event[key] = tuple(one for one in mine if one._action in (None, action))
         return found
 
     def emit_event_sync(self, event: Event) -> None:

@@ -165,8 +165,9 @@ def spin(node: Any, executor: Any = None) -> None:
     executor = get_global_executor() if executor is None else executor
     try:
         executor.add_node(node)
-        while executor.context.ok():
-            executor.spin_once()
+        ok, spin_once = executor.context.ok, executor.spin_once
+        while ok():
+            spin_once()
     finally:
         executor.remove_node(node)
 

@@ -86,8 +86,9 @@ class Executor(Work):
 
     def spin(self) -> None:
         """Run callbacks until the context or the executor is shut down."""
-        while self._context.ok() and not self._is_shutdown:
-            self.spin_once()
+        ok, spin_once = self._context.ok, self.spin_once
+        while ok() and not self._is_shutdown:
+            spin_once()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Run callbacks until `future` is done, at most `timeout_sec` (None or negative: without end)."""

@@ -49,6 +49,7 @@ class OnActionEventBase(BaseEventHandler):
         self.__target = action_matcher
         is_action = isinstance(action_matcher, LaunchDescriptionEntity)
         self.__wants_action: Any = None if is_action else action_matcher
+        self._action = action_matcher if is_action else None
         self.__on_event: Any = on_event
         self.__target_event_cls = self._event_class = target_event_cls
         super().__init__(matcher=self.matches, **kwargs)

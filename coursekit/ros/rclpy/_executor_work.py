@@ -161,7 +161,7 @@ class Work:
         arguments.
         """
         queue = self._queue
-        context = self._context
+        handle = self._context._handle
         deadline = None if timeout_sec is None else deadline_of(timeout_sec)
         waited = False
         if self._cycle != (cycle := (timeout_sec, condition)):
@@ -169,7 +169,7 @@ class Work:
         while True:
             if self._is_shutdown:
                 raise ShutdownException()
-            if not context.ok():
+            if handle is None or not handle.alive:
                 raise ExternalShutdownException()
             if self._tasks:
                 task = self._next_task()
@@ -186,7 +186,7 @@ class Work:
                 self._begin_cycle(cycle)
                 if self._tasks:
                     continue
-            if condition() or self._errors:
+            if (condition is not never and condition()) or self._errors:
                 self._cycle = None
                 raise ConditionReachedException()
             if deadline is not None and self._clock.steady() >= deadline:

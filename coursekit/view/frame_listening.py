@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from coursekit.core.session import current
 from coursekit.tf import FrameBuffer, Sample
 
+Kept = tuple[str, str, int, int, float, float, float, float, float, float, float]
+"""A transform's parent, child, stamp [s, ns], translation and quaternion."""
 LOOK_SECONDS = 0.5
 """Messages that nobody asks about are looked through so often, so that they do not pile up."""
 
@@ -19,11 +21,12 @@ class BroadcastFrames(FrameBuffer):
         super().__init__(report=lambda _level, _text: None)
         self.newest = self._arrived = 0
         self._unheard: list[tuple[Any, bool]] = []
-        self._outlived: dict[str, Sample] = {}
+        self._outlived: dict[str, Kept] = {}
         self._outlived_at = 0
 
-    def hear(self, samples: Collection[Sample], fixed: bool, now_ns: int) -> None:
-        """Take the samples of a message that came at this time [ns]."""
+    def hear(self, kept: Iterable[Kept], fixed: bool, now_ns: int) -> None:
+        """Take the transforms of a message that came at this time [ns]."""
+        samples = _samples(kept)
         if fixed:
             for parent, child, _, pose in samples:
                 self.set_static(parent, child, pose)
@@ -40,7 +43,7 @@ class BroadcastFrames(FrameBuffer):
         """Let the messages of a subscription lie until `catch_up`: that is much cheaper than a callback for each."""
         core = subscription.handle.core
         core.attach(None, None)
-        core.reduce = samples_of
+        core.reduce = numbers_of
         self._unheard.append((core, fixed))
 
     def catch_up(self) -> None:
@@ -50,10 +53,10 @@ class BroadcastFrames(FrameBuffer):
         for core, fixed in self._unheard:
             moving: list[Sample] = []
             while core.queue and (entry := core.take()) is not None:
-                samples = _samples_in(entry)
                 if fixed:
-                    self.hear(samples, fixed, entry[1])
+                    self.hear(_kept_in(entry), fixed, entry[1])
                 else:
+                    samples = _samples(_kept_in(entry))
                     self._note(samples, entry[1])
                     moving += samples
             self.extend(moving)
@@ -65,31 +68,36 @@ class BroadcastFrames(FrameBuffer):
             lying = core.queue
             while not fixed and lying and lying[0][1] < limit and (entry := core.take()) is not None:
                 self._outlived_at = entry[1]
-                for sample in _samples_in(entry):
-                    outlived[sample[1]] = sample
+                for one in _kept_in(entry):
+                    outlived[one[1]] = one
 
     def now(self, now_ns: int) -> int:
         """What time it is for who broadcasts [ns]: a simulator's clock need not be the session's."""
         return self.newest + now_ns - self._arrived if self.newest else now_ns
 
 
-def _samples_in(entry: Any) -> list[Sample]:
-    """What a subscription kept: a message, if it came before the subscription knew that samples are enough."""
+def _kept_in(entry: Any) -> list[Kept]:
+    """What a subscription kept: a message, if it came before the subscription knew that numbers are enough."""
     kept = entry[0]
-    return kept if type(kept) is list else samples_of(kept)
+    return kept if type(kept) is list else numbers_of(kept)
 
 
-def samples_of(msg: Any) -> list[Sample]:
-    """The transforms of a tf2_msgs/TFMessage."""
+def numbers_of(msg: Any) -> list[Kept]:
+    """The transforms of a tf2_msgs/TFMessage; this is done with each message, the rest only when somebody asks."""
     return [
         (
-            header._frame_id,
-            transform._child_frame_id,
-            header._stamp._sec * 1_000_000_000 + header._stamp._nanosec,
-            (place._x, place._y, place._z, turn._x, turn._y, turn._z, turn._w),
+            header._frame_id, transform._child_frame_id, header._stamp._sec, header._stamp._nanosec,
+            place._x, place._y, place._z, turn._x, turn._y, turn._z, turn._w,
         )
         for transform in msg._transforms
         for header, place, turn in [(transform._header, transform._transform._translation, transform._transform._rotation)]
+    ]  # fmt: skip
+
+
+def _samples(kept: Iterable[Kept]) -> list[Sample]:
+    return [
+        (parent, child, sec * 1_000_000_000 + nanosec, (x, y, z, i, j, k, w))
+        for parent, child, sec, nanosec, x, y, z, i, j, k, w in kept
     ]
 
 
@@ -108,7 +116,7 @@ def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> Broad
     ):
 
         def take(msg: TFMessage, fixed: bool = fixed) -> None:
-            buffer.hear(samples_of(msg), fixed, clock.now())
+            buffer.hear(numbers_of(msg), fixed, clock.now())
             if heard is not None:
                 heard()
 

@@ -2,12 +2,9 @@
 
 import pytest
 
+from tests.nodes.log import said
+
 EVENT = "\nParameter event:\n new parameters:{}\n changed parameters:{}\n deleted parameters:\n"
-
-
-def said(process):
-    """The log without its stamps."""
-    return [line.split("]: ", 1)[1] for line in process.output.splitlines() if "]: " in line]
 
 
 @pytest.mark.parametrize("timer", ["one_off_timer", "reuse_timer"])
@@ -124,3 +121,12 @@ def test_talker_and_best_effort_listener_are_launched(ros2, ending):
 def test_server_and_asynchronous_client_are_launched(ros2):
     output = ros2("launch", "demo_nodes_cpp", "add_two_ints_async_launch.py", seconds=2.5)
     assert "[add_two_ints_client_async-2]: process has finished cleanly" in output and "Result of add_two_ints: 5" in output
+
+
+@pytest.mark.parametrize(("package", "code"), [("demo_nodes_cpp", 0), ("demo_nodes_py", 1)])
+@pytest.mark.parametrize("name", ["talker", "listener", "add_two_ints_server"])
+def test_a_program_in_cpp_ends_well_when_it_is_told_to_and_one_in_python_does_not(session, run, package, code, name):
+    process = run(package, name)
+    session.clock.sleep(0.1)
+    process.terminate()
+    assert process.wait(2) == code

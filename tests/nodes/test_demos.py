@@ -15,10 +15,7 @@ from coursekit.nodes.dummy_robot.map_server import SIDE
 from coursekit.nodes.intra_process.images import HEIGHT, WIDTH
 from coursekit.nodes.topic_monitor.statistics import TopicStatistics
 
-
-def said(process):
-    """The log without its stamps."""
-    return [line.split("]: ", 1)[1] for line in process.output.splitlines() if "]: " in line]
+from tests.nodes.log import said
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from std_msgs.msg import String
 
 from coursekit.nodes.demo_nodes.spinning import spin_demo
+from coursekit.nodes.running import run
 
 
 class Listener(Node):
@@ -23,6 +24,11 @@ def main(args: list[str] | None = None) -> None:
     spin_demo(Listener, args)
 
 
-def best_effort(args: list[str] | None = None) -> None:
-    """Run it with the QoS of sensors."""
-    spin_demo(lambda: Listener(qos_profile_sensor_data), args)
+def main_cpp(args: list[str] | None = None) -> int:
+    """Run it as demo_nodes_cpp's listener."""
+    return run(Listener, args)
+
+
+def best_effort(args: list[str] | None = None) -> int:
+    """Run demo_nodes_cpp's listener with the QoS of sensors."""
+    return run(lambda: Listener(qos_profile_sensor_data), args)

@@ -1,7 +1,7 @@
 """Keeps parameters for others: any may be set, none need be declared."""
 
 from coursekit.nodes.cpp_node import CppNode
-from coursekit.nodes.demo_nodes.spinning import spin_demo
+from coursekit.nodes.running import run
 
 
 class ParameterBlackboard(CppNode):
@@ -19,6 +19,6 @@ class ParameterBlackboard(CppNode):
         )
 
 
-def main(args: list[str] | None = None) -> None:
+def main(args: list[str] | None = None) -> int:
     """Run the node until Ctrl-C."""
-    spin_demo(ParameterBlackboard, args)
+    return run(ParameterBlackboard, args)

@@ -6,6 +6,7 @@ from rclpy.node import Node
 from rclpy.task import Future
 
 from coursekit.nodes.demo_nodes.spinning import spin_demo
+from coursekit.nodes.running import run
 
 
 class AddTwoIntsServer(Node):
@@ -24,6 +25,11 @@ class AddTwoIntsServer(Node):
 def server(args: list[str] | None = None) -> None:
     """Serve until Ctrl-C."""
     spin_demo(AddTwoIntsServer, args)
+
+
+def server_cpp(args: list[str] | None = None) -> int:
+    """Serve as demo_nodes_cpp's server does."""
+    return run(AddTwoIntsServer, args)
 
 
 def client(args: list[str] | None = None) -> None:
@@ -79,6 +85,6 @@ class AskingNode(Node):
         rclpy.shutdown()
 
 
-def client_cpp(args: list[str] | None = None) -> None:
+def client_cpp(args: list[str] | None = None) -> int:
     """Ask once as demo_nodes_cpp's clients do."""
-    spin_demo(AskingNode, args)
+    return run(AskingNode, args)

@@ -4,6 +4,7 @@ from rclpy.node import Node
 from std_msgs.msg import String
 
 from coursekit.nodes.demo_nodes.spinning import spin_demo
+from coursekit.nodes.running import run
 
 
 class Talker(Node):
@@ -23,11 +24,11 @@ class Talker(Node):
         self._publisher.publish(msg)
 
 
-def main(args: list[str] | None = None, first: int = 0, quote: str = '"') -> None:
+def main(args: list[str] | None = None) -> None:
     """Run the node until Ctrl-C."""
-    spin_demo(lambda: Talker(first, quote), args)
+    spin_demo(Talker, args)
 
 
-def main_cpp() -> None:
+def main_cpp(args: list[str] | None = None) -> int:
     """Run it as demo_nodes_cpp's talker: that one counts from 1."""
-    main(first=1, quote="'")
+    return run(lambda: Talker(1, "'"), args)

@@ -74,7 +74,6 @@ class PinholeCameraModel:
 
     def rectifyImage(self, raw: Any, rectified: Any) -> None:
         """Write an image without the lens's distortion into an array of the same size."""
-        assert self.resolution is not None
         size = (raw.shape[1], raw.shape[0])
         x, y = cv2.initUndistortRectifyMap(self.K, self.D, self.R, self.P, size, cv2.CV_32FC1)  # type: ignore[arg-type, call-overload]
         cv2.remap(raw, x, y, cv2.INTER_CUBIC, rectified)

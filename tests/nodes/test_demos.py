@@ -14,7 +14,6 @@ from sensor_msgs.msg import Image, JointState, LaserScan
 from coursekit.nodes.dummy_robot.map_server import SIDE
 from coursekit.nodes.intra_process.images import HEIGHT, WIDTH
 from coursekit.nodes.topic_monitor.statistics import TopicStatistics
-
 from tests.nodes.log import said
 
 

@@ -160,11 +160,15 @@ class LaunchContext:
 
     def _handlers_for(self, event: Event) -> tuple[BaseEventHandler, ...]:
         """The handlers that may want `event`, in order."""
-        kind, action = key = type(event), getattr(event, "action", None)
-        found = self.__handlers_by_event.get(key)
+        return self._handlers_of(type(event), getattr(event, "action", None))
+
+    def _handlers_of(self, kind: type[Event], action: Any) -> tuple[BaseEventHandler, ...]:
+        """The handlers that may want events of this class about this action."""
+        found = self.__handlers_by_event.get((kind, action))
         if found is None:
             mine = [one for one in self._event_handlers if issubclass(kind, one._event_class)]
-            found = self.__handlers_by_event[key] = tuple(one for one in mine if one._action in (None, action))
+            found = tuple(one for one in mine if one._action in (None, action))
+            self.__handlers_by_event[kind, action] = found
         return found
 
     def emit_event_sync(self, event: Event) -> None:

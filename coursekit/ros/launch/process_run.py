@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import traceback
 from collections import deque
 from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from .events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
+from .events.process import ProcessExited, ProcessIO, ProcessStarted, ProcessStderr, ProcessStdout
 from .logging import LaunchLogger
+from .process_output import ProcessOutput
 from .process_starter import start_process
 from .temporary_files import temporary_files
 
@@ -22,13 +24,14 @@ class ProcessRun:
     """Starts a command and follows it; `details` are the arguments of its events, pid included once known."""
 
     def __init__(
-        self, context: LaunchContext, details: dict[str, Any], shell: bool, logger: LaunchLogger
+        self, context: LaunchContext, details: dict[str, Any], shell: bool, logger: LaunchLogger, lines: ProcessOutput
     ) -> None:
         assert context.asyncio_loop is not None
         self.__context = context
         self.__details = details
         self.__shell = shell
         self.__logger = logger
+        self.__lines = lines
         self.__loop = context.asyncio_loop
         self.__ended: asyncio.Future[int] = self.__loop.create_future()
         self.__pieces: deque[tuple[str, str]] = deque()
@@ -69,8 +72,17 @@ class ProcessRun:
         pieces = [self.__pieces.popleft() for _ in range(len(self.__pieces))]
         for stream, group in groupby(pieces, itemgetter(0)):
             kind = ProcessStdout if stream == "stdout" else ProcessStderr
-            text = "".join(piece for _, piece in group).encode("utf-8", "replace")
-            self.__context.emit_event_sync(kind(text=text, **self.__details))
+            text = "".join([piece for _, piece in group]).encode("utf-8", "replace")
+            if self.__is_only_logged(kind):
+                self.__lines.write(stream, text.decode())
+            else:
+                self.__context.emit_event_sync(kind(text=text, **self.__details))
+
+    def __is_only_logged(self, kind: type[ProcessIO]) -> bool:
+        """Whether nobody but the action itself wants such an event, and nobody would see it: then there need be none."""
+        context = self.__context
+        alone = len(context._handlers_of(kind, self.__details["action"])) == 1 and context._event_queue.empty()
+        return alone and not self.__logger.isEnabledFor(logging.DEBUG)
 
     def __on_end(self, process: Any) -> None:
         self.__loop.call_soon_threadsafe(self.__ended.set_result, process.exit_code)

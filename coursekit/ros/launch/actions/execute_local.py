@@ -215,11 +215,11 @@ class ExecuteLocal(Action):
 
     async def __run_once(self, context: LaunchContext) -> bool:
         """Run the process to its end; return whether it was started."""
-        assert self.__details is not None and self.__shutdown is not None
+        assert self.__details is not None and self.__shutdown is not None and self.__lines is not None
         if self.__shutdown.done():
             return False
         self.__log_details(context)
-        run = ProcessRun(context, self.__details, self.__shell, self.__logger)
+        run = ProcessRun(context, self.__details, self.__shell, self.__logger, self.__lines)
         if not run.start():
             return False
         self.__process = run.process

@@ -128,6 +128,29 @@ def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(prefi
         assert len(ticks) == 10
 
 
+def test_time_passes_for_a_process_that_waits_beside_a_child_that_writes(prefix):
+    from coursekit.core.executables import ChildProcess
+
+    path = prefix("slow", "#!/bin/sh\nfor i in 1 2 3 4 5 6 7 8 9; do echo $i; sleep 0.2; done\n")
+    with Session(virtual=True).use() as session:
+        child = session.launch(ChildProcess(session, [str(path)], name="slow"))
+        ended = []
+
+        def main():
+            woken = session.clock.new_event()
+            child.on_output(lambda _stream, _text: woken.set())
+            give_up = session.clock.steady() + 500_000_000
+            while session.clock.steady() < give_up:
+                woken.wait(0.3)
+                woken.clear()
+            ended.append(child.exit_code)
+
+        assert session.start(main, name="waiting").wait(10) == 0
+        assert ended == [None], "the child still lives"
+        child.kill()
+        child.wait()
+
+
 def test_errors_of_a_child_stand_where_it_wrote_them(tmp_path):
     from coursekit.core.executables import ChildProcess
 

@@ -70,9 +70,11 @@ class EventHandler(BaseEventHandler):
         matcher: Callable[[Event], bool],
         entities: SomeEntitiesType | Callable[..., SomeEntitiesType | None] | None = None,
         handle_once: bool = False,
+        _event_class: type = object,
     ) -> None:
         super().__init__(matcher=matcher, handle_once=handle_once)
         self.__entities: Any = entities
+        self._event_class = _event_class
 
     @property
     def entities(self) -> Any:

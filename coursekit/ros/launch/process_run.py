@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextvars
 import logging
 import traceback
 from collections import deque
@@ -32,6 +33,7 @@ class ProcessRun:
         self.__shell = shell
         self.__logger = logger
         self.__lines = lines
+        self.__here = contextvars.copy_context()  # the launch's, in which its output is printed
         self.__loop = context.asyncio_loop
         self.__ended: asyncio.Future[int] = self.__loop.create_future()
         self.__pieces: deque[tuple[str, str]] = deque()
@@ -64,7 +66,7 @@ class ProcessRun:
         self.__pieces.append((stream, text))
         if not self.__emits:
             self.__emits = True
-            self.__loop.call_soon_threadsafe(self.__emit_output)
+            self.__loop.call_soon_threadsafe(self.__emit_output, context=self.__here)
 
     def __emit_output(self) -> None:
         """What was written since the last time is one event, as what lies in a pipe is."""

@@ -196,11 +196,11 @@ class ExecuteLocal(Action):
 
     def __on_request(self, kind: type[Event], reaction: Callable[..., Any]) -> EventHandler:
         """What handles events of a class that name this process."""
-        handler = EventHandler(
-            matcher=lambda event: isinstance(event, kind) and cast(Any, event).process_matcher(self), entities=reaction
+        return EventHandler(
+            matcher=lambda event: isinstance(event, kind) and cast(Any, event).process_matcher(self),
+            entities=reaction,
+            _event_class=kind,
         )
-        handler._event_class = kind
-        return handler
 
     async def __run(self, context: LaunchContext) -> None:
         """Run the process, again and again when it is to be respawned."""

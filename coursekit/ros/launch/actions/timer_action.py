@@ -98,7 +98,10 @@ class TimerAction(Action):
             context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
         context.register_event_handler(
             EventHandler(
-                matcher=self.__is_mine, entities=lambda _, where: self.handle(where), handle_once=True
+                matcher=self.__is_mine,
+                entities=lambda _, where: self.handle(where),
+                handle_once=True,
+                _event_class=TimerEvent,
             )
         )
         self.__context_locals = dict(context.get_locals_as_dict())

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 class OnIncludeLaunchDescription(BaseEventHandler):
     """Visits the description of each IncludeLaunchDescription event."""
 
+    _event_class = IncludeLaunchDescription
+
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(matcher=lambda event: isinstance(event, IncludeLaunchDescription), **kwargs)
 

@@ -48,7 +48,9 @@ class LifecycleNode(Node):
             10,
         )
         self.__client = node.create_client(lifecycle_msgs.srv.ChangeState, f"{self.node_name}/change_state")
-        context.register_event_handler(EventHandler(matcher=self.__wants, entities=self.__change))
+        context.register_event_handler(
+            EventHandler(matcher=self.__wants, entities=self.__change, _event_class=ChangeState)
+        )
         return super().execute(context)
 
     def __wants(self, event: Event) -> bool:

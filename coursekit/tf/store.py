@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import _thread
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 from . import describe
 from .cache import FrameCache
@@ -82,15 +82,17 @@ class FrameStore:
         """Tell the pose of `child` in `parent` for all times."""
         return self.set(parent, child, 0, pose, authority, static=True)
 
-    def extend(self, samples: Iterable[Sample]) -> None:
+    def extend(self, samples: Sequence[Sample]) -> None:
         """`set` for each sample; many of moving frames cost a fraction, frame by frame."""
         by_child: dict[str, list[Sample]] = {}
         for sample in samples:
             by_child.setdefault(sample[1], []).append(sample)
-        plain = all(child[:1] != "/" for child in by_child)  # else two names may mean one frame
-        with self._lock:
-            others = [batch for child, batch in by_child.items() if not (plain and self._follow(child, batch))]
-            self.version += 1
+        if any(child[:1] == "/" for child in by_child):  # two names may mean one frame: the order counts
+            others = [samples]
+        else:
+            with self._lock:
+                others = [batch for child, batch in by_child.items() if not self._follow(child, batch)]
+                self.version += 1
         for batch in others:
             for sample in batch:
                 self.set(*sample)

@@ -1,9 +1,13 @@
-"""Random trees of frames."""
+"""Poses, and random trees of frames."""
 
 import math
 import random
 
 S = 10**9
+
+
+def at(x, y=0.0, yaw=0.0):
+    return x, y, 0.0, 0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)
 
 
 def random_pose(dice):

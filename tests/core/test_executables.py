@@ -26,12 +26,6 @@ def prefix(tmp_path, monkeypatch):
     return add
 
 
-@pytest.fixture(params=["wall", "virtual"])
-def session(request):
-    with Session(virtual=request.param == "virtual").use() as session:
-        yield session
-
-
 def test_packages_of_the_prefix_and_the_underlay_are_known(prefix):
     assert {"mine", "demo_nodes_py", "std_msgs"} <= set(packages())
 

@@ -1,7 +1,6 @@
 """Processes: unmodified main functions side by side, each with its own argv, output, signals and end."""
 
 import os
-import signal
 import subprocess
 import sys
 import threading
@@ -11,17 +10,7 @@ import pytest
 
 from coursekit.core.process import current_process
 from coursekit.core.session import Session
-
-
-@pytest.fixture(params=["wall", "virtual"])
-def session(request):
-    with Session(virtual=request.param == "virtual").use() as session:
-        yield session
-
-
-def run(session, main, **options):
-    process = session.start(main, name=options.pop("name", "prog"), **options)
-    return process.wait(30), process
+from tests.core.programs import run
 
 
 def test_argv_output_and_exit_code_are_the_process_s_own(session):
@@ -57,74 +46,6 @@ def test_an_exception_ends_it_with_a_traceback_that_begins_in_the_program(sessio
     assert process.output.startswith("Traceback (most recent call last):\n")
     assert process.output.endswith("ValueError: broken\n")
     assert "core/process.py" not in process.output
-
-
-def test_ctrl_c_ends_a_sleep_with_a_keyboard_interrupt(session):
-    def main():
-        try:
-            time.sleep(1000)
-        except KeyboardInterrupt:
-            print("interrupted")
-
-    process = session.start(main, name="sleeper")
-    session.clock.sleep(0.01)
-    process.interrupt()
-    assert process.wait(10) == 0 and process.output == "interrupted\n"
-
-
-def test_ctrl_c_that_is_not_caught_ends_it_like_signal_2(session):
-    process = session.start(lambda: time.sleep(1000), name="sleeper")
-    session.clock.sleep(0.01)
-    process.interrupt()
-    assert process.wait(10) == -2
-    assert process.output.endswith("KeyboardInterrupt\n")
-
-
-def test_ending_one_does_not_end_another(session):
-    one = session.start(lambda: time.sleep(1000), name="one")
-    other = session.start(lambda: time.sleep(1000), name="other")
-    session.clock.sleep(0.01)
-    one.kill()
-    assert one.wait(10) == -9 and other.state == "running"
-
-
-def test_terminate_ends_it_like_signal_15(session):
-    process = session.start(lambda: time.sleep(1000), name="sleeper")
-    session.clock.sleep(0.01)
-    process.terminate()
-    assert process.wait(10) == -signal.SIGTERM
-
-
-def test_a_program_may_handle_its_signals_itself(session):
-    def main():
-        caught = []
-        signal.signal(signal.SIGINT, lambda number, frame: caught.append(number))
-        while not caught:
-            time.sleep(0.01)
-        print("caught", caught, signal.getsignal(signal.SIGTERM) == signal.SIG_DFL)
-
-    process = session.start(main, name="handler")
-    session.clock.sleep(0.05)
-    process.interrupt()
-    assert process.wait(10) == 0 and process.output == "caught [2] True\n"
-    assert signal.getsignal(signal.SIGINT) is not None
-
-
-def test_killing_ends_a_program_that_swallows_ctrl_c(session):
-    def main():
-        while True:
-            try:
-                time.sleep(1000)
-            except KeyboardInterrupt:
-                print("no")
-
-    process = session.start(main, name="stubborn")
-    session.clock.sleep(0.01)
-    process.interrupt()
-    session.clock.sleep(0.01)
-    assert process.state == "running" and process.output == "no\n"
-    process.kill()
-    assert process.wait(10) == -9 and not process.abandoned
 
 
 def test_input_reads_what_is_typed_and_ends_at_the_end_of_the_text(session):
@@ -206,38 +127,6 @@ def test_listeners_hear_all_output_and_the_end(session):
     assert "".join(text for _, text in heard) == "x\n" and ended == [0]
 
 
-def test_busy_code_is_interrupted_on_the_wall_clock():
-    with Session().use() as session:
-
-        def main():
-            while True:
-                pass
-
-        process = session.start(main, name="busy")
-        process.interrupt()
-        assert process.wait(10) == -2
-
-
-def test_a_ctrl_c_that_comes_after_the_end_hits_no_thread_that_took_its_number():
-    with Session().use() as session:
-        _, process = run(session, lambda: None)
-        process._lane.post(lambda: process._receive(signal.SIGINT))  # it was pressed twice
-        process._lane.ident = threading.get_ident()  # as a later thread's may be
-        process._reach_busy(process._lane)
-        assert sum(range(1000)) == 499500  # a KeyboardInterrupt would come at one of these steps
-
-
-def test_what_cannot_be_stopped_is_cut_off_and_said_to_be():
-    release = threading.Lock()
-    release.acquire()
-    with Session().use() as session:
-        process = session.start(release.acquire, name="stuck")
-        process.kill()
-        assert process.wait(10) == -9 and process.abandoned
-        assert "process stuck" in process.output and "does not answer" in process.output
-    release.release()
-
-
 def test_output_beyond_the_limit_is_dropped_from_the_front_and_counted():
     with Session(virtual=True).use() as session:
 
@@ -289,19 +178,6 @@ def test_waiting_for_a_child_of_the_system_leaves_the_virtual_clock_alone():
         assert process.wait(1.0) == 0
         assert process.output == "0\n"
         assert session.clock.steady() - before < 1e9
-
-
-def test_a_signal_whose_handler_returns_does_not_shorten_a_sleep(session):
-    def sleeper():
-        signal.signal(signal.SIGINT, lambda *_: print("handled", end=" "))
-        before = session.clock.steady()
-        time.sleep(0.4)
-        print(session.clock.steady() - before >= 400_000_000)
-
-    process = session.start(sleeper, name="sleeper")
-    session.clock.sleep(0.1)
-    process.interrupt()
-    assert process.wait(10) == 0 and process.output == "handled True\n"
 
 
 def test_a_process_is_told_the_distribution_as_after_sourcing_ros(session):

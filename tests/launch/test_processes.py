@@ -49,50 +49,6 @@ def test_a_program_that_does_not_exist_is_an_error_of_its_process_only(launch) -
     assert "[ERROR] [no-such-program-1]: exception occurred while executing process:" in result.lines
 
 
-@pytest.mark.parametrize(
-    ("output", "shown"),
-    [
-        ("log", ["err"]),
-        ("screen", ["out", "err"]),
-        ("both", ["out", "err"]),
-        ("own_log", []),
-        ({"stdout": "screen", "stderr": "log"}, ["out"]),
-    ],
-)
-def test_output_goes_where_it_is_sent(launch, output, shown: list[str]) -> None:
-    code = "import sys; print('out', flush=True); print('err', file=sys.stderr)"
-    result = launch([python(code, output=output)])
-    lines = [line for line in result.lines if line.startswith("[python-1]")]
-    assert sorted(lines) == sorted(f"[python-1] {word}" for word in shown)
-
-
-def test_own_logs_are_files_in_the_log_folder(launch, tmp_path) -> None:
-    launch([ExecuteProcess(cmd=["echo", "hi"], output="own_log")])
-    (folder,) = (tmp_path / "log").iterdir()
-    assert sorted(path.name for path in folder.iterdir()) == ["echo-1-stdout.log", "echo-1.log", "launch.log"]
-    assert "[echo-1] hi" in (folder / "echo-1.log").read_text()
-    assert "process started with pid" in (folder / "launch.log").read_text()
-
-
-def test_an_unknown_output_is_an_error(launch) -> None:
-    result = launch([ExecuteProcess(cmd=["true"], output="scren")])
-    assert result.code == 1
-    assert "'scren' is not a valid standard output config, expected one of ['screen', 'log'" in result.text
-
-
-def test_a_last_line_without_end_is_shown_too(launch) -> None:
-    result = launch([ExecuteProcess(cmd=["printf", r"a\nb"], output="screen")])
-    assert [line for line in result.lines if line.startswith("[printf-1] ")] == [
-        "[printf-1] a",
-        "[printf-1] b",
-    ]
-
-
-def test_the_output_format_may_be_changed(launch) -> None:
-    result = launch([ExecuteProcess(cmd=["echo", "a"], output="screen", output_format="<{line}>")])
-    assert "<a>" in result.lines
-
-
 def test_environment_and_folder_are_the_ones_given(launch, tmp_path) -> None:
     code = "import os; print(os.environ.get('A'), os.environ.get('B'), os.path.basename(os.getcwd()))"
     (tmp_path / "here").mkdir()
@@ -137,14 +93,6 @@ def test_the_command_is_logged_on_request(launch) -> None:
     assert result.lines[0] == "[INFO] [true-1]: process details: cmd='true', cwd='None', custom_env?=False"
 
 
-def test_output_can_be_asked_for_afterwards(launch) -> None:
-    process = ExecuteProcess(cmd=["echo", "kept"], cached_output=True)
-    launch([process])
-    assert (process.get_stdout(), process.get_stderr(), process.return_code) == ("kept\n", "", 0)
-    with pytest.raises(RuntimeError, match="cached output must be true"):
-        ExecuteProcess(cmd=["true"]).get_stdout()
-
-
 def test_an_action_cannot_be_carried_out_twice(launch) -> None:
     process = ExecuteProcess(cmd=["true"])
     result = launch([process, process])
@@ -169,9 +117,7 @@ def test_handlers_hear_of_start_output_and_exit(launch) -> None:
                 )
             ),
             RegisterEventHandler(
-                OnProcessExit(
-                    target_action=lambda action: action is other, on_exit=[LogInfo(msg="the other")]
-                )
+                OnProcessExit(target_action=lambda action: action is other, on_exit=[LogInfo(msg="the other")])
             ),
             process,
             other,
@@ -252,12 +198,6 @@ def test_a_launch_can_be_shut_down_from_another_lane(launch, talker, session) ->
     assert result.code == 0
 
 
-def test_the_output_of_all_processes_can_be_shown(launch, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("OVERRIDE_LAUNCH_PROCESS_OUTPUT", "both")
-    result = launch([ExecuteProcess(cmd=["echo", "shown"], output="log")])
-    assert "[echo-1] shown" in result.lines
-
-
 def test_a_function_may_start_processes(launch) -> None:
     result = launch([OpaqueFunction(function=lambda context: [ExecuteProcess(cmd=["true"])])])
     assert result.lines[-1] == "[INFO] [true-1]: process has finished cleanly [pid 1001]"
@@ -289,9 +229,7 @@ def test_what_needs_a_shell_is_left_to_it(launch, monkeypatch: pytest.MonkeyPatc
 def test_a_terminal_window_before_a_node_is_left_out(launch, talker) -> None:
     node = Node(package="demo", executable="talker", prefix="xterm -hold -e", output="screen")
     result = launch([node], interrupt_after=1.5)
-    assert (
-        '[talker-1] [INFO] [1700000001.000000000] [talker]: Publishing: "hello 0" on /chatter' in result.lines
-    )
+    assert '[talker-1] [INFO] [1700000001.000000000] [talker]: Publishing: "hello 0" on /chatter' in result.lines
 
 
 def test_the_wall_clock_launches_as_well(workspace, tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 import pytest
-from launch.actions import ExecuteProcess, RegisterEventHandler, TimerAction
+from launch.actions import ExecuteProcess, LogInfo, RegisterEventHandler, TimerAction
 from launch.event_handler import EventHandler
 from launch.event_handlers import OnProcessIO
 from launch.events.process import ProcessStdout
@@ -34,6 +34,14 @@ def test_own_logs_are_files_in_the_log_folder(launch, tmp_path) -> None:
     assert sorted(path.name for path in folder.iterdir()) == ["echo-1-stdout.log", "echo-1.log", "launch.log"]
     assert "[echo-1] hi" in (folder / "echo-1.log").read_text()
     assert "process started with pid" in (folder / "launch.log").read_text()
+
+
+def test_lines_have_the_session_s_time_to_the_millisecond(launch, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OVERRIDE_LAUNCH_SCREEN_FORMAT", "{asctime} {message}")
+    echo = ExecuteProcess(cmd=["echo", "hi"], output="screen", output_format="{line}")
+    result = launch([TimerAction(period=1.25, actions=[LogInfo(msg="late"), echo])])
+    (late,) = [line for line in result.lines if line.endswith("late")]
+    assert ",250 " in late
 
 
 def test_an_unknown_output_is_an_error(launch) -> None:

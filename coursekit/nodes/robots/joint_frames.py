@@ -12,6 +12,9 @@ from coursekit.urdf import Robot
 from coursekit.urdf.kinematics import Pose, joint_motion
 from coursekit.urdf.model import Joint
 
+MOST_PLANS = 64
+"""So many lists of joint names are remembered at most."""
+
 
 class Edge(NamedTuple):
     """A joint as an edge between two frames."""
@@ -61,6 +64,8 @@ class JointFrames:
         key = tuple(names)  # a robot tells the same joints again and again
         plan = self._plans.get(key)
         if plan is None:
+            if len(self._plans) >= MOST_PLANS:
+                self._plans.clear()
             plan = self._plans[key] = self._plan(names)
         return [
             stamped(parent, child, stamp_ns, motion(positions[place] * factor + offset))

@@ -40,7 +40,7 @@ class LaunchLogger(logging.Logger):
     def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:
         """Return the record, with the session's time: logs on the virtual clock repeat."""
         record = super().makeRecord(*args, **kwargs)
-        record.created = session.current().clock.now() / 1e9
+        record.__dict__.update(_now())
         return record
 
     def log_output(self, text: str) -> None:
@@ -48,8 +48,14 @@ class LaunchLogger(logging.Logger):
         if self.__output is None:
             self.__output = self.makeRecord(self.name, logging.INFO, "", 0, "", (), None)
         record = object.__new__(type(self.__output))
-        record.__dict__.update(self.__output.__dict__, msg=text, created=session.current().clock.now() / 1e9)
+        record.__dict__.update(self.__output.__dict__, msg=text, **_now())
         self.handle(record)
+
+
+def _now() -> dict[str, float]:
+    """The session's time, as records have it."""
+    nanoseconds = session.current().clock.now()
+    return {"created": nanoseconds / 1e9, "msecs": nanoseconds // 1_000_000 % 1000}
 
 
 class LineByLine(logging.Formatter):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from operator import lt
 
 from . import errors
-from .pose import IDENTITY, Pose, interpolate
+from .pose import IDENTITY, Pose, Segment, interpolate, segment
 
 
 class FrameCache:
@@ -16,7 +16,10 @@ class FrameCache:
     A static frame has one pose for all times. The parent may change: each sample knows its own.
     """
 
-    __slots__ = ("name", "newest", "newest_pose", "parents", "poses", "single_parent", "span_ns", "stamps", "static")
+    __slots__ = (
+        "_asked_after", "name", "newest", "newest_pose", "parents", "poses", "segment", "since", "single_parent", "span_ns",
+        "stamps", "static", "until",
+    )  # fmt: skip
 
     def __init__(self, name: str, span_ns: int, *, static: bool = False) -> None:
         self.name = name
@@ -36,6 +39,12 @@ class FrameCache:
         self.newest = 0
         self.newest_pose = IDENTITY
         self.single_parent = True
+        self._forget_segment()
+
+    def _forget_segment(self) -> None:
+        """`segment` tells what lies between two samples between which was asked twice; it holds for since < t < until."""
+        self.since = self.until = self._asked_after = 0
+        self.segment: Segment = ()
 
     def follow(self, stamp: int, pose: Pose, parent: str) -> bool:
         """Add a newer sample in the same parent, which is what nearly all are; False when this one is not."""
@@ -47,6 +56,8 @@ class FrameCache:
         self.parents.append(parent)
         self.newest, self.newest_pose = stamp, pose
         while stamps[0] < stamp - self.span_ns:
+            if self.since == stamps[0]:
+                self._forget_segment()
             del stamps[0], self.poses[0], self.parents[0]
         return True
 
@@ -81,7 +92,7 @@ class FrameCache:
             self.newest, self.newest_pose = stamp, pose
         elif not self._insert_older(stamp, pose, parent):
             return False
-        if parent != self.parents[0] or not self.single_parent:
+        if not (self.single_parent and parent == self.parents[0] == self.parents[-1]):
             self.single_parent = self.parents.count(parent) == len(stamps)
         if stamps[0] < self.newest - self.span_ns:
             self._prune()
@@ -93,12 +104,14 @@ class FrameCache:
         place = bisect_right(self.stamps, stamp)
         before = place - 1
         if before < 0 or (self.stamps[before], self.poses[before], self.parents[before]) != (stamp, pose, parent):
+            self._forget_segment()
             self.stamps.insert(place, stamp)
             self.poses.insert(place, pose)
             self.parents.insert(place, parent)
         return True
 
     def _prune(self) -> None:
+        self._forget_segment()
         gone = bisect_right(self.stamps, self.newest - self.span_ns - 1)
         del self.stamps[:gone], self.poses[:gone], self.parents[:gone]
         if not self.single_parent:
@@ -124,6 +137,9 @@ class FrameCache:
         pose = self.poses[here]
         if then == stamp or not (self.single_parent or self.parents[here] == self.parents[after]):
             return pose
+        if then == self._asked_after and (found := segment(pose, self.poses[after])) is not None:
+            self.since, self.until, self.segment = then, stamps[after], found
+        self._asked_after = then
         return interpolate(pose, self.poses[after], (stamp - then) / (stamps[after] - then))
 
     def parent_at(self, stamp: int) -> str | None:

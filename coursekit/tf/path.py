@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import sin
 
 from .cache import FrameCache
 from .pose import IDENTITY, Pose, between, canonical, compose, inverse
@@ -61,10 +62,18 @@ def product(edges: Sequence[FrameCache], time: int) -> Pose | None:
         return None
     x, y, z, bi, bj, bk, bw = pose
     for edge in following:
-        pose = edge.newest_pose if edge.newest == time or edge.static else edge.between(time)
-        if pose is None:
-            return None
-        ax, ay, az, i, j, k, w = pose
+        if edge.since < time < edge.until:  # `interpolate`, written out, too
+            ax, dx, ay, dy, az, dz, i, j, k, w, ni, nj, nk, nw, angle = edge.segment
+            ratio = (time - edge.since) / (edge.until - edge.since)
+            turned = ratio * angle
+            p, r = sin(angle - turned), sin(turned)
+            ax, ay, az = ax + ratio * dx, ay + ratio * dy, az + ratio * dz
+            i, j, k, w = p * i + r * ni, p * j + r * nj, p * k + r * nk, p * w + r * nw
+        else:
+            pose = edge.newest_pose if edge.newest == time or edge.static else edge.between(time)
+            if pose is None:
+                return None
+            ax, ay, az, i, j, k, w = pose
         t = j * z - k * y
         u = k * x - i * z
         v = i * y - j * x

@@ -12,6 +12,8 @@ from math import acos, sin, sqrt
 Pose = tuple[float, float, float, float, float, float, float]
 Quaternion = tuple[float, float, float, float]
 Vector = tuple[float, float, float]
+Segment = tuple[float, ...]
+"""What lies between two poses, worked out: see `segment`."""
 
 IDENTITY: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
@@ -122,6 +124,24 @@ def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
     )
 
 
+def segment(a: Pose, b: Pose) -> Segment | None:
+    """What `interpolate` needs of two poses, for who asks many times; None when there is no turn between them.
+
+    (x, dx, y, dy, z, dz), then the quaternions a and b over the sine of the angle between them, and the angle: at a ratio
+    r the attitude is a * sin(angle - r * angle) + b * sin(r * angle).
+    """
+    x, y, z, i, j, k, w = a
+    bx, by, bz, bi, bj, bk, bw = b
+    dot = i * bi + j * bj + k * bk + w * bw
+    same = dot if dot >= 0.0 else -dot
+    if same >= 1.0:
+        return None
+    angle = acos(same)
+    p = 1.0 / sin(angle)
+    r = p if dot >= 0.0 else -p
+    return (x, bx - x, y, by - y, z, bz - z, p * i, p * j, p * k, p * w, r * bi, r * bj, r * bk, r * bw, angle)
+
+
 def canonical(pose: Pose) -> Pose:
     """The same pose with the sign of quaternion that tf2 gives (it takes the way through a matrix)."""
     x, y, z, i, j, k, w = pose
@@ -147,9 +167,7 @@ def are_units(poses: Iterable[Pose]) -> bool:
     >>> are_units([IDENTITY]), are_units([IDENTITY, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5)])
     (True, False)
     """
-    return all(
-        -1e-12 < i * i + j * j + k * k + w * w - 1.0 + 0.0 * (x + y + z) < 1e-12 for x, y, z, i, j, k, w in poses
-    )
+    return all(-1e-12 < i * i + j * j + k * k + w * w - 1.0 + 0.0 * (x + y + z) < 1e-12 for x, y, z, i, j, k, w in poses)
 
 
 def matrix(pose: Pose) -> list[list[float]]:

@@ -42,7 +42,8 @@ def transforms() -> None:
     """Print the table of lookups."""
     print("\n| lookup_transform, every edge moves | coursekit | C++ tf2 (Python binding) | goal |")
     print("|---|---|---|---|")
-    words = {"latest": "newest, after new data", "again": "the same once more", "between": "interpolated"}
+    words = {"latest": "newest, after new data", "again": "the same once more"}
+    words |= {"between": "interpolated", "once": "interpolated, elsewhere each time"}
     for depth, times in json.loads(measure(sys.executable, "transforms.py")).items():
         for kind, ours in times["ours"].items():
             theirs = "not installed" if times["peer"] is None else f"{times['peer'][kind]:.1f} µs"

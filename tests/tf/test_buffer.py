@@ -1,5 +1,7 @@
 """Lookups: by tree and time, against plain matrices, and every reason for which they fail."""
 
+import random
+
 import numpy as np
 import pytest
 
@@ -7,13 +9,14 @@ from coursekit.tf import (
     IDENTITY,
     ConnectivityException,
     ExtrapolationException,
+    FrameBuffer,
     InvalidArgumentException,
     LookupException,
     TransformException,
 )
 from coursekit.tf.pose import matrix
 from coursekit.tf.velocity import velocity
-from tests.tf.trees import S, at, random_tree, times
+from tests.tf.trees import S, at, random_pose, random_tree, times
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -58,6 +61,35 @@ def test_the_kept_path_gives_what_walking_gives(buffer, seed):
                 walked = outcome(a, b, time)
                 kept = outcome(a, b, time)
                 assert kept == walked
+
+
+def answer(buffer, time):
+    try:
+        return buffer.lookup("f0", "f3", time)
+    except TransformException as fault:
+        return str(fault)
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_who_asks_again_and_again_gets_what_one_gets_who_asks_once(seed):
+    dice = random.Random(seed)
+    asked, told = FrameBuffer(report=lambda _level, _text: None), []
+    for _ in range(60):
+        frame, late = dice.randrange(3), dice.random() < 0.2
+        now = max([stamp for _, _, stamp, _ in told], default=20 * S)
+        stamp = now - dice.randrange(12 * S) if late else now + dice.randrange(S // 2)
+        parent = f"f{frame}" if dice.random() < 0.97 else "f0"
+        told.append((parent, f"f{frame + 1}", stamp, random_pose(dice)))
+        asked.set(*told[-1])
+        fresh = FrameBuffer(report=lambda _level, _text: None)
+        for one in told:
+            fresh.set(*one)
+        middle = now - dice.randrange(11 * S)
+        for time in (middle, middle + 1000, middle + 2000, middle):
+            ours, expected = answer(asked, time), answer(fresh, time)
+            assert ours == expected if isinstance(expected, str) else ours.stamp == expected.stamp
+            if not isinstance(expected, str):
+                assert ours.pose == pytest.approx(expected.pose, abs=1e-12)
 
 
 def test_time_zero_is_the_newest_common_time(buffer):

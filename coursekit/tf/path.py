@@ -66,9 +66,15 @@ def product(edges: Sequence[FrameCache], time: int) -> Pose | None:
             ax, dx, ay, dy, az, dz, i, j, k, w, ni, nj, nk, nw, angle = edge.segment
             ratio = (time - edge.since) / (edge.until - edge.since)
             turned = ratio * angle
-            p, r = sin(angle - turned), sin(turned)
-            ax, ay, az = ax + ratio * dx, ay + ratio * dy, az + ratio * dz
-            i, j, k, w = p * i + r * ni, p * j + r * nj, p * k + r * nk, p * w + r * nw
+            p = sin(angle - turned)
+            r = sin(turned)
+            ax += ratio * dx
+            ay += ratio * dy
+            az += ratio * dz
+            i = p * i + r * ni
+            j = p * j + r * nj
+            k = p * k + r * nk
+            w = p * w + r * nw
         else:
             pose = edge.newest_pose if edge.newest == time or edge.static else edge.between(time)
             if pose is None:

@@ -105,12 +105,13 @@ def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
     rest = 1.0 - ratio
     dot = i * bi + j * bj + k * bk + w * bw
     same = dot if dot >= 0.0 else -dot
-    if same >= 1.0:  # no turn; also for equal quaternions that rounding made a little long
-        return rest * x + ratio * bx, rest * y + ratio * by, rest * z + ratio * bz, i, j, k, w
-    angle = acos(same)
-    scale = 1.0 / sin(angle)
-    p = sin(rest * angle) * scale
-    r = sin(ratio * angle) * scale
+    if same >= 1.0:  # hardly a turn, or none: the straight way is as good
+        p, r = rest, ratio
+    else:
+        angle = acos(same)
+        scale = 1.0 / sin(angle)
+        p = sin(rest * angle) * scale
+        r = sin(ratio * angle) * scale
     if dot < 0.0:
         r = -r
     return (

@@ -64,9 +64,9 @@ class BroadcastFrames(FrameBuffer):
     def thin_out(self, now_ns: int) -> None:
         """Of what came longer ago than the buffer reaches, keep where each frame was last."""
         limit, outlived = now_ns - self.cache_ns, self._outlived
-        for core, fixed in self._unheard:
+        for core in [core for core, fixed in self._unheard if not fixed]:
             lying = core.queue
-            while not fixed and lying and lying[0][1] < limit and (entry := core.take()) is not None:
+            while lying and lying[0][1] < limit and (entry := core.take()) is not None:
                 self._outlived_at = entry[1]
                 for one in _kept_in(entry):
                     outlived[one[1]] = one

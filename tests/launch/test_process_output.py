@@ -58,9 +58,13 @@ def test_a_last_line_without_end_is_shown_too(launch) -> None:
     ]
 
 
-def test_the_output_format_may_be_changed(launch) -> None:
-    result = launch([ExecuteProcess(cmd=["echo", "a"], output="screen", output_format="<{line}>")])
-    assert "<a>" in result.lines
+@pytest.mark.parametrize(
+    ("form", "shown"),
+    [("<{line}>", "<a>"), ("{{line}} {line}", "{line} a"), ("{{line}}", "{line}"), ("{line!r}", "'a'"), ("- {line}", "- a")],
+)
+def test_the_output_format_may_be_changed(launch, form: str, shown: str) -> None:
+    result = launch([ExecuteProcess(cmd=["echo", "a"], output="screen", output_format=form)])
+    assert shown in result.lines
 
 
 def test_output_can_be_asked_for_afterwards(launch) -> None:

@@ -46,8 +46,8 @@ class ProcessOutput:
 
     def __shown(self, lines: list[str]) -> list[str]:
         """Lines in the process's form."""
-        head, mark, tail = self.__format.partition("{line}")
-        if not mark or "{line" in tail or "{line" in head:
+        head = self.__format.removesuffix("{line}")  # the usual form is filled in once for all lines
+        if head == self.__format or "{line" in head:
             return [self.__format.format(line=line, this=self.__action) for line in lines]
-        head, tail = head.format(this=self.__action), tail.format(this=self.__action)
-        return [f"{head}{line}{tail}" for line in lines]
+        head = head.format(this=self.__action)
+        return [head + line for line in lines]

@@ -161,7 +161,7 @@ class Work:
         arguments.
         """
         queue = self._queue
-        handle = self._context._handle
+        handle = self._context._handle  # asked below as Context.ok asks it: the call is a fortieth of a message's way
         deadline = None if timeout_sec is None else deadline_of(timeout_sec)
         waited = False
         if self._cycle != (cycle := (timeout_sec, condition)):

@@ -1,13 +1,10 @@
+"""Panels of topics, services and the graph, and what holds for all."""
+
 import pytest
 import rclpy
-from example_interfaces.srv import AddTwoInts
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
 from std_msgs.msg import String
 
 from coursekit.core.names import is_hidden
-from coursekit.core.session import Session
 from coursekit.lab.graph_panel import GraphPanel, graph
 from coursekit.lab.log_console import LogConsole
 from coursekit.lab.messages import echo
@@ -15,65 +12,13 @@ from coursekit.lab.panel import close_panels, open_panels
 from coursekit.lab.parameter_panel import ParameterPanel
 from coursekit.lab.service_panel import ServiceCaller
 from coursekit.lab.topic_panel import TopicPanel
-
-
-class Robot(Node):
-    """Publishes, serves, logs and has parameters."""
-
-    def __init__(self):
-        super().__init__("robot")
-        self.count = 0
-        self.publisher = self.create_publisher(String, "news", 10)
-        self.create_timer(0.5, self.publish)
-        self.create_service(AddTwoInts, "add", self.add)
-        limits = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=1)])
-        self.declare_parameter("speed", 3, limits)
-        self.declare_parameter("names", ["a", "b"])
-        self.declare_parameter("serial", "X1", ParameterDescriptor(read_only=True))
-        self.add_on_set_parameters_callback(self.judge)
-
-    def publish(self):
-        self.count += 1
-        self.publisher.publish(String(data=f"news {self.count}"))
-        self.get_logger().info(f"sent {self.count}")
-        if self.count == 2:
-            self.get_logger().warning("two is enough")
-
-    def add(self, request, response):
-        response.sum = request.a + request.b
-        return response
-
-    def judge(self, parameters):
-        bad = any(one.name == "names" and not one.value for one in parameters)
-        return SetParametersResult(successful=not bad, reason="names must not be empty" if bad else "")
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(Robot())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
+from tests.lab.panel_robot import heard_by_browser, robot_running, says
 
 
 @pytest.fixture
 def session():
-    with Session(virtual=True).use() as made:
-        made.start(main, name="robot")
-        made.clock.sleep(0.1)
+    with robot_running() as made:
         yield made
-        close_panels()
-
-
-def heard_by_browser(panel, monkeypatch):
-    """What the panel sends from now on."""
-    sent = []
-    monkeypatch.setattr(panel, "send", lambda message, buffers=None: sent.append(message))
-    return sent
-
-
-def says(panel, **message):
-    panel._hear(panel, message, [])
 
 
 # -- the topic panel
@@ -180,101 +125,11 @@ def test_a_service_that_nobody_serves_is_told(session):
         ServiceCaller().call("/ad", a=1)
 
 
-# -- the parameter panel
-
-
-def test_parameters_are_listed_with_type_range_and_lock(session):
-    text = ParameterPanel("robot").text()
-    assert "speed (integer): 3  0 .. 10" in text
-    assert "names (string array): [a, b]" in text
-    assert "serial (string): X1  read-only" in text
-
-
-def test_a_parameter_set_elsewhere_is_followed(session):
-    panel = ParameterPanel("/robot")
-    other = ParameterPanel("/robot")
-    assert other.set("speed", 7)
-    session.clock.sleep(0.1)
-    assert panel.values["speed"] == 7
-
-
-def test_a_refused_value_goes_back_with_the_nodes_reason(session, monkeypatch):
-    panel = ParameterPanel("/robot")
-    sent = heard_by_browser(panel, monkeypatch)
-    says(panel, type="set", name="names", value="[]")
-    session.clock.sleep(0.1)
-    assert sent[0] == {"type": "refused", "name": "names", "reason": "names must not be empty"}
-    assert next(row for row in sent[1]["rows"] if row["name"] == "names")["value"] == "[a, b]"
-
-
-def test_what_is_not_a_number_does_not_reach_the_node(session, monkeypatch):
-    panel = ParameterPanel("/robot")
-    sent = heard_by_browser(panel, monkeypatch)
-    says(panel, type="set", name="speed", value="fast")
-    assert sent[0]["reason"] == "'fast' is no integer"
-
-
-def test_a_node_that_does_not_exist_is_told_with_its_neighbour(session):
-    with pytest.raises(LookupError, match="Did you mean /robot"):
-        ParameterPanel("/robbot")
-    assert open_panels() == []
-
-
-# -- the log
-
-
-def test_the_log_counts_levels_and_filters(session):
-    console = LogConsole()
-    session.clock.sleep(1.6)
-    assert console.text().splitlines()[0] == "log: 3 INFO, 1 WARN"
-    console.filter(level="WARN")
-    assert console.lines() == ["[WARN] [robot]: two is enough"]
-    console.filter(level="DEBUG", text="SENT 3")
-    assert console.lines() == ["[INFO] [robot]: sent 3"]
-    console.filter(text="", node="nobody")
-    assert console.lines() == []
-
-
-def test_a_paused_log_stands_still_but_forgets_nothing(session):
-    console = LogConsole()
-    session.clock.sleep(0.6)
-    console.pause()
-    session.clock.sleep(2.0)
-    assert len(console.lines()) == 1
-    console.pause(False)
-    assert len(console.lines()) > 4
-
-
-def test_a_late_log_is_in_the_order_of_time(session):
-    session.clock.sleep(2.0)
-    assert [line.rpartition(" ")[2] for line in LogConsole().lines()] == []
-    console = LogConsole()
-    session.clock.sleep(0.1)
-    assert console.lines()[0].endswith("sent 1")
-
-
-def test_the_log_is_filtered_from_the_browser(session, monkeypatch):
-    console = LogConsole()
-    session.clock.sleep(1.6)
-    sent = heard_by_browser(console, monkeypatch)
-    says(console, type="ready")
-    says(console, type="filter", level="WARN")
-    assert [len(message["lines"]) for message in sent] == [4, 1]
-    assert sent[1]["counts"]["INFO"] == 3 and sent[1]["lines"][0]["time"] == "22:13:21.000"
-
-
-def test_a_level_that_does_not_exist_names_those_that_do(session):
-    with pytest.raises(ValueError, match="DEBUG, INFO, WARN"):
-        LogConsole("LOUD")
-
-
 # -- the graph
 
 
 def test_a_still_graph_is_a_picture_and_a_live_one_a_panel(session):
-    assert (
-        graph().text() == "graph: 1 node, 1 topic\nnodes: /robot\ntopic /news [std_msgs/msg/String]: /robot -> (nobody)"
-    )
+    assert graph().text() == "graph: 1 node, 1 topic\nnodes: /robot\ntopic /news [std_msgs/msg/String]: /robot -> (nobody)"
     assert isinstance(graph(live=True), GraphPanel)
 
 

@@ -99,21 +99,28 @@ def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> 
 
 def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[float, ...]:
     """So many finite numbers of a tuple, a list or an array; Wrong when it is something else."""
-    parts = items(value, expected, cause)
+    array = _array(value)
+    parts = items(value, expected, cause) if array is None else array.ravel().tolist()
     if len(parts) != count:
         raise Wrong(expected, gave=shown(value), cause=cause)
     return tuple(number(one, expected, cause) for one in parts)
 
 
 def items(value: Any, expected: str, cause: str = "") -> list[Any]:
-    """What is in a tuple, a list or an array of numbers, which are taken row by row; Wrong for all else."""
-    numpy = sys.modules.get("numpy")
+    """What is in a tuple, a list or an array of numbers (its rows); Wrong for all else."""
     if type(value) in (tuple, list):
         return list(value)
-    if numpy is not None and type(value) is numpy.ndarray and value.dtype.kind in "iuf" and value.size <= 10**6:
-        found: list[Any] = value.ravel().tolist() if value.ndim < 2 or 1 in value.shape else value.tolist()
-        return found
+    if (array := _array(value)) is not None and array.ndim:
+        return list(array.tolist())
     raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value))
+
+
+def _array(value: Any) -> Any:
+    """The value when it is an array of plain numbers, of a size to be looked at, else None."""
+    numpy = sys.modules.get("numpy")
+    if numpy is None or type(value) is not numpy.ndarray or value.dtype.kind not in "iuf" or value.size > 10**6:
+        return None
+    return value
 
 
 def text(value: Any, expected: str, cause: str = "") -> str:

@@ -1,4 +1,4 @@
-"""What a student's programs said and did in a trial: the exception that ended one, its last words, whether a node is there."""
+"""What a student's programs said and did in a trial: the exception that ended one, its last words, its nodes."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+from .plain import fields, is_number
 from .verdict import Wrong
 
 _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ")
@@ -18,8 +19,8 @@ _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "
 def exception_in(output: str) -> str:
     """The last exception that a program's output tells of, with the student's own line; empty when there is none.
 
-    >>> said = 'Traceback (most recent call last):\\n  File "/ws/my_node.py", line 9, in main\\n    spin()\\nNameError: no spin'
-    >>> exception_in(said)
+    >>> trace = 'Traceback (most recent call last):\\n  File "/ws/my_node.py", line 9, in main\\n    spin()\\n'
+    >>> exception_in(trace + 'NameError: no spin')
     'NameError: no spin (line 9 of my_node.py: spin())'
     """
     lines = [_LAUNCHED.sub("", line) for line in output.splitlines()]
@@ -80,9 +81,22 @@ def exit_code(seen: Any, program: int = 0) -> int | None:
     return found if type(found) is int else None
 
 
+def course_said(seen: Any, topic: str) -> list[tuple[float, Any]]:
+    """What the course's own programs said on a topic, and when."""
+    return [(when, message) for when, message in seen.of_course(topic) if is_number(when)]
+
+
+def way_of(seen: Any, topic: str) -> list[tuple[float, ...]]:
+    """Where turtlesim says that a turtle was, as x, y and theta, in order; Wrong when it says nothing."""
+    found = [fields(pose, ("x", "y", "theta"), topic) for _, pose in course_said(seen, topic)]
+    if not found:
+        raise Wrong(f"poses on {topic}", "there are none")
+    return found
+
+
 def heard(seen: Any, topic: str) -> list[tuple[float, Any]]:
     """The messages of a topic with the seconds at which they came, the first ones first."""
-    return [(when, message) for when, message in seen.messages.get(topic, []) if type(when) in (int, float)]
+    return [(when, message) for when, message in seen.messages.get(topic, []) if is_number(when)]
 
 
 def last_message(seen: Any, topic: str, whose: str = "") -> Any:

@@ -15,7 +15,7 @@ from .builds import build_note
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
 from .plain import error_of
-from .programs import exception_in
+from .outputs import exception_in
 from .progress import Progress
 from .verdict import CheckFailed, Verdict, Wrong
 from .work import Work

@@ -7,8 +7,7 @@ from itertools import pairwise
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import fields, near, shown, texts
-from coursekit.grade.programs import exit_code, heard, said, way_of
-from coursekit.grade.reading import dice, try_out
+from coursekit.grade.outputs import exit_code, heard, said, way_of
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -30,10 +29,10 @@ BROKEN = {
 def where(work: Work) -> None:
     """One number, the x at which the turtle stands, from a command that ends."""
     command = _command(work.value("command", str), "command")
-    chance = dice(work, "appa.q1")
+    chance = work.dice("appa.q1")
     twist = {"linear": {"x": chance.uniform(1.5, 3.0)}, "angular": {"z": chance.choice((-1, 1)) * chance.uniform(0.5, 0.9)}}
     drive = (0.5, CMD_VEL, TWIST, twist)
-    seen = try_out(work, beside=[TURTLESIM], seconds=4.0, publish=[drive], record=[POSE], later=[(3.0, command)])
+    seen = work.try_out(beside=[TURTLESIM], seconds=4.0, publish=[drive], record=[POSE], later=[(3.0, command)])
     output, x = said(seen), way_of(seen, POSE)[-1][0]
     _understood(command, output)
     lines = [line for line in output.splitlines() if line.strip() and line.strip() != "---"]
@@ -63,7 +62,7 @@ def where(work: Work) -> None:
 def drive_on(work: Work) -> None:
     """A stream of velocities, four times a second, to the right."""
     command = _command(work.value("command", str), "command")
-    seen = try_out(work, beside=[TURTLESIM], seconds=5.0, record=[CMD_VEL], later=[(1.0, command)])
+    seen = work.try_out(beside=[TURTLESIM], seconds=5.0, record=[CMD_VEL], later=[(1.0, command)])
     _understood(command, said(seen))
     spoken = heard(seen, CMD_VEL)
     if not spoken:
@@ -120,7 +119,7 @@ def prove(work: Work) -> None:
 def _answers(work: Work, commands: list[str], option: str) -> list[str]:
     scene = f"{TURTLESIM} --ros-args {option}" if option else TURTLESIM
     later = [(1.0 + place, command) for place, command in enumerate(commands)]
-    return try_out(work, beside=[scene], seconds=6.0, later=later).outputs
+    return work.try_out(beside=[scene], seconds=6.0, later=later).outputs
 
 
 def _command(text: str, variable: str) -> str:

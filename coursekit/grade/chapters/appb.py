@@ -9,8 +9,7 @@ from typing import Any
 from coursekit.grade.exercise import exercise
 from coursekit.grade.photographs import Flat, judge_views, told
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
-from coursekit.grade.programs import heard, last_words, said
-from coursekit.grade.reading import dice, try_out
+from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 from coursekit.tf.pose import Quaternion, multiply, rotate
@@ -54,7 +53,7 @@ def _fill(message: Any, values: tuple[float, ...]) -> Any:
 def there_and_back(work: Work) -> None:
     """Headings of all sizes there; -q, tilted and upright poses back."""
     to_pose, to_flat = work.function("to_pose"), work.function("to_flat")
-    chance = dice(work, "appb.q1")
+    chance = work.dice("appb.q1")
     by_chance = tuple(round(chance.uniform(-3, 3), 2) for _ in range(3))
     for x, y, theta in ((1.0, -2.0, 0.0), (0.5, 0.25, 1.2), (-3.0, 4.0, -2.5), (0.0, 0.0, 3.1), (2.0, 2.0, 7.0), by_chance):
         _judge_pose(to_pose, x, y, theta)
@@ -115,7 +114,7 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
 )
 def the_ellipse(work: Work) -> None:
     """Axes of many lengths and directions, in tables that are full of other things as well."""
-    function, chance = work.function("ellipse"), dice(work, "appb.q2")
+    function, chance = work.function("ellipse"), work.dice("appb.q2")
     by_chance = (round(chance.uniform(0.5, 0.9), 2), round(chance.uniform(0.1, 0.3), 2), chance.uniform(-3, 3))
     for a, b, yaw in ((0.6, 0.2, 0.0), (0.6, 0.2, math.pi / 2), (2.0, 0.3, -1.1), (0.05, 0.02, 2.5), by_chance):
         given = f"half-axes {a} m and {b} m, the longer one at {math.degrees(yaw):.0f}°"
@@ -162,7 +161,7 @@ def _estimate(a: float, b: float, yaw: float) -> Any:
 def the_lookout(work: Work) -> None:
     """Poses all over the floor and on a ramp; the node tells where the pallet is, in her axes, with their stamps."""
     work.built("b_geometry")
-    chance = dice(work, "appb.q3")
+    chance = work.dice("appb.q3")
     somewhere = (chance.uniform(-2, 2), chance.uniform(-2, 2), 0.0)
     poses = {
         1: ((0.0, 0.0, 0.0), _rpy(0.0, 0.0, 0.0)),
@@ -175,7 +174,7 @@ def the_lookout(work: Work) -> None:
     }
     spoken = [(0.5 + 0.1 * second, "/vera/pose", "geometry_msgs/msg/PoseStamped", _fields(second, *pose))
               for second, pose in poses.items()]  # fmt: skip
-    seen = try_out(work, "run b_geometry lookout_exe", publish=spoken, record=["/vera/pallet"], seconds=2.5)
+    seen = work.try_out("run b_geometry lookout_exe", publish=spoken, record=["/vera/pallet"], seconds=2.5)
     points = [message for _, message in heard(seen, "/vera/pallet")]
     if len(points) != len(poses):
         got = f"{len(points)}; it said: {last_words(said(seen))}"
@@ -225,7 +224,7 @@ def once_around(work: Work) -> None:
     """Outlines of several kinds: every side is seen, whole, from outside, and nobody is run over."""
     from geometry_msgs.msg import Point32, PolygonStamped, PoseArray
 
-    function, chance = work.function("views"), dice(work, "appb.q4")
+    function, chance = work.function("views"), work.dice("appb.q4")
     outlines = SIDES | {"a pallet anywhere": _pallet(chance.uniform(-5, 5), chance.uniform(-5, 5), chance.uniform(-3, 3))}
     for place, (name, corners) in enumerate(outlines.items()):
         outline = PolygonStamped()

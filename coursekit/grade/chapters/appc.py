@@ -9,8 +9,6 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, error_of, shown, text
-from coursekit.grade.reading import dice, exists
-from coursekit.grade.reading import robot as robot_of
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -79,8 +77,8 @@ def large_cone(work: Work) -> None:
     work.built(PACKAGE)
     wanted = ("urdf/cone.urdf", "urdf/large_cone.urdf", "meshes/cone.stl", "meshes/large/cone.stl")
     places = [f"install/{folder}share/{PACKAGE}/" for folder in (f"{PACKAGE}/", "")]
-    share = next((one for one in places if exists(work, one + "package.xml")), places[0])
-    there = [file for file in wanted if exists(work, share + file)]
+    share = next((one for one in places if work.exists(one + "package.xml")), places[0])
+    there = [file for file in wanted if work.exists(share + file)]
     for file in wanted:
         if file not in there:
             raise Wrong(
@@ -90,7 +88,7 @@ def large_cone(work: Work) -> None:
                 share=0.5 if len(there) >= 3 else 0.0,
                 hint=1 if len(there) >= 3 else 0,
             )
-    robot_of(work, share + "urdf/large_cone.urdf")
+    work.robot(share + "urdf/large_cone.urdf")
     names = re.findall(r'filename\s*=\s*["\']([^"\']*)', work.text(share + "urdf/large_cone.urdf"))
     if names != [f"package://{PACKAGE}/meshes/large/cone.stl"]:
         raise Wrong("large_cone.urdf with the large mesh", shown(names), "Was the cell that writes it run?")
@@ -110,7 +108,7 @@ def large_cone(work: Work) -> None:
 )
 def travels(work: Work) -> None:
     """Names of every kind, and files that lie outside."""
-    function, number = work.function("portable"), dice(work, "appc.q3").randint(2, 99)
+    function, number = work.function("portable"), work.dice("appc.q3").randint(2, 99)
     root = f"/home/vera{number}/ws/src/vera_description"
     near = f"{root}/urdf"
     inside = {

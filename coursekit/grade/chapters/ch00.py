@@ -8,8 +8,7 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import is_number, shown
-from coursekit.grade.programs import way_of
-from coursekit.grade.reading import try_out
+from coursekit.grade.outputs import way_of
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -49,7 +48,7 @@ def keys(work: Work) -> None:
     if now > 120:
         raise Wrong("presses of two minutes at most in all", gave=f"{now:.0f} s")
     plan.append((now, CMD_VEL, TWIST, {}))
-    seen = try_out(work, beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
+    seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
     if any("hit the wall" in one for one in seen.beside):
         raise Wrong("no wall on the way", "it hit one", "Press for a shorter time.", share=0.25)
     places = way_of(seen, POSE)

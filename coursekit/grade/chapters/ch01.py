@@ -8,8 +8,7 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import close, numbers, shown, texts
-from coursekit.grade.programs import course_said, exit_code, last_words, said, way_of
-from coursekit.grade.reading import try_out
+from coursekit.grade.outputs import course_said, exit_code, last_words, said, way_of
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -36,7 +35,7 @@ PIXEL = 1 / 45
 def ask(work: Work) -> None:
     """The two facts, as a fresh graph with the same two programs has them."""
     kind, count = work.value("rosout_type", str), work.value("rosout_publishers", int)
-    seen = try_out(work, beside=["run demo_nodes_py talker", "run demo_nodes_py listener"], seconds=1.0)
+    seen = work.try_out(beside=["run demo_nodes_py talker", "run demo_nodes_py listener"], seconds=1.0)
     if kind not in seen.topics.get("/rosout", []):
         raise Wrong("the type that `ros2 topic info /rosout` prints", gave=shown(kind), cause="Is it in full?", hint=1)
     right = len(seen.publishers.get("/rosout", []))
@@ -63,7 +62,7 @@ def corner(work: Work) -> None:
         plan += [(now + seconds * step / steps, CMD_VEL, TWIST, _twist(forward, turn)) for step in range(steps)]
         now += seconds
     plan.append((now, CMD_VEL, TWIST, _twist(0.0, 0.0)))
-    seen = try_out(work, beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
+    seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
     _no_wall(seen)
     x, y, _ = way_of(seen, POSE)[-1]
     if not (x > 9 and y > 9):
@@ -88,8 +87,8 @@ def stage(work: Work) -> None:
         raise Wrong("command lines without the word ros2", gave=shown(commands))
     looks = [(6.5, "/spawn", "turtlesim/srv/Spawn", {"x": 6.0, "y": _beside(off), "name": _look(off)}) for off in ASIDE]
     colours = {off: f"/{_look(off)}/color_sensor" for off in ASIDE}
-    seen = try_out(
-        work, *commands, beside=[TURTLESIM], seconds=7.0, publish=[(5.0, CMD_VEL, TWIST, _twist(1.0, 0.0))],
+    seen = work.try_out(
+        *commands, beside=[TURTLESIM], seconds=7.0, publish=[(5.0, CMD_VEL, TWIST, _twist(1.0, 0.0))],
         call=looks, record=[f"/{name}/pose", *colours.values()],
     )  # fmt: skip
     complaint = _complaint(seen, commands)
@@ -164,7 +163,7 @@ def dance(work: Work) -> None:
     for _, _, turn in steps:
         _expect_radians(turn)
     plan = [(when, CMD_VEL, TWIST, _twist(forward, turn)) for when, forward, turn in steps]
-    seen = try_out(work, beside=[TURTLESIM], seconds=22.0, publish=plan, record=[POSE])
+    seen = work.try_out(beside=[TURTLESIM], seconds=22.0, publish=plan, record=[POSE])
     _no_wall(seen)
     poses = way_of(seen, POSE)
     length = sum(math.dist(a[:2], b[:2]) for a, b in pairwise(poses))

@@ -9,8 +9,7 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, field, is_number, shown, text
-from coursekit.grade.programs import expect_node, heard, last_words, said
-from coursekit.grade.reading import dice, try_out
+from coursekit.grade.outputs import expect_node, heard, last_words, said
 from coursekit.grade.trial import EVERY_NODE_S
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
@@ -40,7 +39,7 @@ def full_name(work: Work) -> None:
     """Names expand as ROS expands them, for nodes of any name."""
     from coursekit.core.names import expand
 
-    function, chance = work.function("full_name"), dice(work, "ch02.q1")
+    function, chance = work.function("full_name"), work.dice("ch02.q1")
     for name in ("scan", "/scan", "~/scan", "a/b", "~", "/a/b", _word(chance)):
         for namespace in ("/", "/vera", f"/fleet/{_word(chance)}"):
             node = chance.choice(("lidar", _word(chance)))
@@ -64,10 +63,10 @@ def full_name(work: Work) -> None:
 def listener(work: Work) -> None:
     """The node hears what is said and logs it, each text once."""
     work.built(PACKAGE)
-    chance = dice(work, "ch02.q2")
+    chance = work.dice("ch02.q2")
     words = [f"{_word(chance)} {number}" for number in range(3)]
     spoken = [(0.5 + index, "/py_str_topic", STRING, {"data": word}) for index, word in enumerate(words)]
-    seen = try_out(work, f"run {PACKAGE} subscriber_exe", publish=spoken, seconds=4.0)
+    seen = work.try_out(f"run {PACKAGE} subscriber_exe", publish=spoken, seconds=4.0)
     expect_node(seen, "/py_subscriber_node")
     if not seen.subscriptions.get("/py_str_topic"):
         others = ", ".join(name for name, ends in seen.subscriptions.items() if ends) or "none"
@@ -95,12 +94,12 @@ def listener(work: Work) -> None:
 def relay(work: Work) -> None:
     """Each message comes out in capitals, once and at once; also those that come in quick succession."""
     work.built(PACKAGE)
-    chance = dice(work, "ch02.q3")
+    chance = work.dice("ch02.q3")
     texts = ["Vera is awake: 1", "grüß dich", *(f"{_word(chance)} MiXed {number}" for number in range(6))]
     times = [0.5 + 0.4 * index + chance.uniform(0.0, 0.3) for index in range(len(texts) - 2)]
     times += [times[-1] + 0.011, times[-1] + 0.022]
     spoken = [(when, "/py_str_topic", STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
-    seen = try_out(work, f"run {PACKAGE} relay_exe", record=["/py_upper_topic"], publish=spoken, seconds=4.5)
+    seen = work.try_out(f"run {PACKAGE} relay_exe", record=["/py_upper_topic"], publish=spoken, seconds=4.5)
     expect_node(seen, "/py_relay_node")
     if "/py_upper_topic" not in seen.messages:
         topics = ", ".join(name for name in seen.topics if name not in EVERY_NODE_S)
@@ -129,7 +128,7 @@ def relay(work: Work) -> None:
 def health(work: Work) -> None:
     """Two topics of different types, 1 to 20 Hz, values that change."""
     work.built(PACKAGE)
-    seen = try_out(work, f"run {PACKAGE} health_exe", record=["*"], seconds=SECONDS)
+    seen = work.try_out(f"run {PACKAGE} health_exe", record=["*"], seconds=SECONDS)
     own = {name: types[0] for name, types in seen.topics.items() if name not in EVERY_NODE_S and seen.publishers.get(name)}
     if len(set(own.values())) < 2:
         what = ", ".join(f"{name} ({kind})" for name, kind in own.items()) or f"none; it said: {last_words(said(seen))}"

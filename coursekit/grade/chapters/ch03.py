@@ -8,9 +8,9 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, field, is_number, shown
-from coursekit.grade.programs import exit_code, expect_node, heard, last_words, said
-from coursekit.grade.reading import Watched, dice, try_out
+from coursekit.grade.outputs import exit_code, expect_node, heard, last_words, said
 from coursekit.grade.trial import EVERY_NODE_S
+from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -72,15 +72,15 @@ def client(work: Work) -> None:
     """What the service says about two numbers is logged; other counts give the usage line and exit status 1."""
     work.built(PACKAGE)
     for words in ("", "17", "1 2 3"):
-        _expect_usage(try_out(work, f"run {PACKAGE} client_exe {words}", seconds=1.5), words)
-    chance = dice(work, "ch03.q2")
+        _expect_usage(work.try_out(f"run {PACKAGE} client_exe {words}", seconds=1.5), words)
+    chance = work.dice("ch03.q2")
     for _ in range(2):
         a, b, more = chance.randint(-99, 99), chance.randint(1, 999), chance.randint(3, 60)
-        seen = try_out(work, f"run {PACKAGE} client_exe {a} {b}", beside=[f"{SERVER}{more}"], seconds=3.0)
+        seen = work.try_out(f"run {PACKAGE} client_exe {a} {b}", beside=[f"{SERVER}{more}"], seconds=3.0)
         _judge_client(seen, a, b, a + b + more)
 
 
-def _judge_client(seen: Watched, a: int, b: int, answer: int) -> None:
+def _judge_client(seen: Seen, a: int, b: int, answer: int) -> None:
     output = said(seen).strip()
     if f"asked for {a} and {b}" not in "".join(seen.beside):
         wanted = f"client_exe {a} {b} asks the service for {a} and {b}"
@@ -96,7 +96,7 @@ def _judge_client(seen: Watched, a: int, b: int, answer: int) -> None:
         raise Wrong("exit status 0 as soon as the answer is there", f"{exit_code(seen)}", cause, share=0.5)
 
 
-def _expect_usage(seen: Watched, words: str) -> None:
+def _expect_usage(seen: Seen, words: str) -> None:
     call = f"client_exe {words}".strip()
     lines = [line for line in said(seen).splitlines() if not line.startswith("[ros2run]")]
     if "usage: client_exe A B" not in [line.strip() for line in lines]:
@@ -120,11 +120,11 @@ def _expect_usage(seen: Watched, words: str) -> None:
 def gate(work: Work) -> None:
     """The gate's answer is the server's plus the boxes that stand there; the server does not say the sum."""
     work.built(PACKAGE)
-    boxes, chance = work.variant("boxes", 10), dice(work, "ch03.q3")
+    boxes, chance = work.variant("boxes", 10), work.dice("ch03.q3")
     more = chance.randint(20, 70)
     questions = [(chance.randint(-50, 99), chance.randint(-50, 99)) for _ in range(3)]
     calls = [(1.0 + at, "/py_gate_service", ADD, {"a": a, "b": b}) for at, (a, b) in enumerate(questions)]
-    seen = try_out(work, f"run {PACKAGE} gate_exe", beside=[f"{SERVER}{more}"], call=calls, seconds=5.0)
+    seen = work.try_out(f"run {PACKAGE} gate_exe", beside=[f"{SERVER}{more}"], call=calls, seconds=5.0)
     expect_node(seen, "/py_gate_node")
     if "/py_gate_service" not in seen.services:
         raise Wrong("a service /py_gate_service", "none of that name", "Is create_service in the constructor?", hint=0)
@@ -156,7 +156,7 @@ def switch(work: Work) -> None:
     """A SetBool service whose state can be seen on a topic."""
     work.built(PACKAGE)
     command = f"run {PACKAGE} switch_exe"
-    first = try_out(work, command, seconds=1.0)
+    first = work.try_out(command, seconds=1.0)
     services = [name for name, types in first.services.items() if SET in types]
     if not services:
         last = last_words(said(first))
@@ -165,7 +165,7 @@ def switch(work: Work) -> None:
     if not topics:
         raise Wrong("a topic that shows whether it is on", "the node publishes nothing", share=0.25, hint=0)
     calls = [(when, services[0], SET, {"data": on}) for when, on in ((3.05, True), (6.05, False))]
-    seen = try_out(work, command, call=calls, record=topics, seconds=9.0)
+    seen = work.try_out(command, call=calls, record=topics, seconds=9.0)
     for (_, name, _, request), response in zip(calls, seen.responses, strict=True):
         told = f"{name} answers {request}: success, and a message"
         if field(response, "success", bool, told) is not True or not field(response, "message", str, told).strip():

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import shown
-from coursekit.grade.programs import expect_node, heard, last_words, said
-from coursekit.grade.reading import Watched, dice, exists, message, try_out
+from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -27,10 +27,10 @@ METRES = re.compile(r"\b(m|met(re|er)s?|metros?|mètres?|metri)\b", re.I)
 def _message(work: Work, name: str) -> Message:
     """A message type as it stands in src/, which also has to be in install/ like that."""
     source = f"src/{TYPES}/msg/{name}.msg"
-    found = message(work, source)
+    found = work.message(source)
     work.built(TYPES)
     places = [f"install/{folder}share/{TYPES}/msg/{name}.msg" for folder in (f"{TYPES}/", "")]
-    installed = [work.text(one) for one in places if exists(work, one)]
+    installed = [work.text(one) for one in places if work.exists(one)]
     if work.text(source) not in installed:
         build = f"%colcon build --packages-select {TYPES}"
         what = "an older one is in install/" if installed else "not in install/"
@@ -75,7 +75,7 @@ def sphere(work: Work) -> None:
 def mechanic(work: Work) -> None:
     """Statuses and spheres are logged in the words that were asked for."""
     work.built(APPS)
-    chance = dice(work, "ch04.q2")
+    chance = work.dice("ch04.q2")
     states = [(chance.randint(-20, 90), up) for up in (True, False, chance.random() < 0.5)]
     radii = [_radius(chance) for _ in range(3)]
     publish: list[tuple[float, str, str, dict[str, Any]]] = [
@@ -83,7 +83,7 @@ def mechanic(work: Work) -> None:
         for at, (degrees, up) in enumerate(states)
     ]
     publish += [(1.5 + at, "/py_sphere_topic", f"{TYPES}/msg/Sphere", {"radius": r}) for at, r in enumerate(radii)]
-    seen = try_out(work, f"run {APPS} subscriber_exe", publish=publish, seconds=5.0)
+    seen = work.try_out(f"run {APPS} subscriber_exe", publish=publish, seconds=5.0)
     expect_node(seen, "/py_subscriber_node")
     for topic in ("/py_hs_topic", "/py_sphere_topic"):
         if not seen.subscriptions.get(topic):
@@ -107,7 +107,7 @@ def _radius(chance: Random) -> float:
             return radius
 
 
-def _expect_line(seen: Watched, line: str, what: str) -> None:
+def _expect_line(seen: Seen, line: str, what: str) -> None:
     logged = re.findall(r"^\[[A-Z]+\] \[[0-9.]+\] \[py_subscriber_node\]: (.*)$", said(seen), re.M)
     if line not in logged:
         got = "; ".join(logged[:6]) or f"nothing is logged; the program said: {last_words(said(seen))}"
@@ -128,15 +128,15 @@ def fetch(work: Work) -> None:
     """Feedback box by box, a result at the end, and a cancelled goal that ends early."""
     work.built(APPS)
     goal = f'action send_goal --feedback /fetch {TYPES}/action/Fetch "{{boxes: %d}}"'
-    for boxes in (1, dice(work, "ch04.q3").randint(3, 6)):
-        _expect_fetched(try_out(work, f"run {APPS} fetch_exe", goal % boxes, seconds=4.5), boxes)
+    for boxes in (1, work.dice("ch04.q3").randint(3, 6)):
+        _expect_fetched(work.try_out(f"run {APPS} fetch_exe", goal % boxes, seconds=4.5), boxes)
     _expect_cancelled(work, goal % 40)
-    seen = try_out(work, f"run {APPS} fetch_exe", goal % 4, seconds=1.7)
+    seen = work.try_out(f"run {APPS} fetch_exe", goal % 4, seconds=1.7)
     if len(_numbers(said(seen, 1), "brought_yet:")) != 3:
         raise Wrong("one box each half second", "another pace", "time.sleep(0.5) for each box", share=0.75, hint=0)
 
 
-def _expect_fetched(seen: Watched, boxes: int) -> None:
+def _expect_fetched(seen: Seen, boxes: int) -> None:
     output, last = said(seen, 1), f"; the server's last words: {last_words(said(seen))}"
     feedback = _numbers(output, "brought_yet:")
     if feedback != list(range(1, boxes + 1)):
@@ -150,7 +150,7 @@ def _expect_fetched(seen: Watched, boxes: int) -> None:
 def _expect_cancelled(work: Work, goal: str) -> None:
     empty: dict[str, Any] = {}
     cancel = [(1.7, "/fetch/_action/cancel_goal", "action_msgs/srv/CancelGoal", empty)]
-    output = said(try_out(work, f"run {APPS} fetch_exe", goal, call=cancel, seconds=4.0), 1)
+    output = said(work.try_out(f"run {APPS} fetch_exe", goal, call=cancel, seconds=4.0), 1)
     if "Goal finished with status" not in output:
         raise Wrong("a goal that ends soon after it is cancelled", "it went on", "is_cancel_requested", share=0.5, hint=0)
     if "status: CANCELED" not in output:
@@ -185,7 +185,7 @@ def report(work: Work) -> None:
     for missing in _missing(definition):
         raise Wrong(missing, gave=_told(definition.fields, len(definition.constants)), hint=0)
     work.built(APPS)
-    seen = try_out(work, f"run {APPS} report_exe", record=["/vera_report"], seconds=4.0)
+    seen = work.try_out(f"run {APPS} report_exe", record=["/vera_report"], seconds=4.0)
     types = seen.topics.get("/vera_report", [])
     if types != [f"{TYPES}/msg/Report"]:
         got = f"{', '.join(types) or 'no such topic'}; the program said: {last_words(said(seen))}"

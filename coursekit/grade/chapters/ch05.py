@@ -9,8 +9,8 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import field, fields, near, shown
-from coursekit.grade.programs import expect_node, heard, last_words, said
-from coursekit.grade.reading import Watched, dice, parameters, try_out
+from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -34,7 +34,7 @@ PICTURES = 12
 def lamp(work: Work) -> None:
     """Range and callback refuse what they should, also as one of several, and what is taken takes effect."""
     work.built(PACKAGE)
-    no_lamp = dice(work, "ch05.q1").choice(("violet", "blue", "white", "Red", "pink"))
+    no_lamp = work.dice("ch05.q1").choice(("violet", "blue", "white", "Red", "pink"))
     asks: list[tuple[str, dict[str, Any], bool]] = [
         ("lamp.period 5.0", {"lamp.period": 5.0}, False),
         ("lamp.period 0.05", {"lamp.period": 0.05}, False),
@@ -47,7 +47,7 @@ def lamp(work: Work) -> None:
     describe = (0.5, f"{LAMP}/describe_parameters", "rcl_interfaces/srv/DescribeParameters", {"names": ["lamp.period"]})
     service = f"{LAMP}/set_parameters_atomically"
     calls = [(1.1 + 0.05 * index, service, _SET, _set(ask)) for index, (_, ask, _) in enumerate(asks)]
-    seen = try_out(work, f"run {PACKAGE} lamp_exe", record=["/lamp"], call=[describe, *calls], seconds=5.0)
+    seen = work.try_out(f"run {PACKAGE} lamp_exe", record=["/lamp"], call=[describe, *calls], seconds=5.0)
     expect_node(seen, LAMP)
     colours = [(when, field(one, "data", str, "/lamp")) for when, one in heard(seen, "/lamp")]
     early = [colour for when, colour in colours if when < 1.1]
@@ -115,12 +115,12 @@ def fleet(work: Work) -> None:
     """ROS's own reading of the file gives each node what it should have, whatever namespace it is in."""
     small = work.variant("width", 320), work.variant("height", 240)
     large, gate = (work.variant("gate_width", 1280), work.variant("gate_height", 720)), work.variant("gate", "gate")
-    chance = dice(work, "ch05.q2")
+    chance = work.dice("ch05.q2")
     hall, room = (f"{word}{chance.randint(2, 99)}" for word in ("hall", "room"))
     cameras = dict.fromkeys(("", f"/{hall}", "/hall/north", f"/a/{hall}/{room}", f"/{gate}/east", f"/{hall}/{gate}"), small)
     nodes = {f"{where}/py_camera_node": size for where, size in (cameras | {f"/{gate}": large}).items()}
     others = ("/turtlesim", f"/{gate}/py_lamp_node", f"/{hall}/node_{room}")
-    read = parameters(work, f"src/{PACKAGE}/config/fleet.yaml", [*nodes, *others])
+    read = work.parameters(f"src/{PACKAGE}/config/fleet.yaml", [*nodes, *others])
     for node, size in nodes.items():
         for name, wanted in zip(("camera.width", "camera.height"), size, strict=True):
             _expect_value(node, name, wanted, read[node])
@@ -155,13 +155,13 @@ def _expect_value(node: str, name: str, wanted: Any, got: dict[str, Any]) -> Non
 def two_eyes(work: Work) -> None:
     """Two cameras in two namespaces, their width from the command line."""
     work.built(PACKAGE)
-    other = 16 * dice(work, "ch05.q3").randint(5, 18)
+    other = 16 * work.dice("ch05.q3").randint(5, 18)
     for argument, width in (("", 320), (f" width:={other}", other)):
         command = f"launch {PACKAGE} two_cameras.launch.py{argument}"
         nodes = [f"/{side}/py_camera_node" for side in ("left", "right")]
         names = {"names": ["camera.width", "camera.height"]}
         calls = [(1.0, f"{node}/get_parameters", "rcl_interfaces/srv/GetParameters", names) for node in nodes]
-        seen = try_out(work, command, call=calls, seconds=2.0)
+        seen = work.try_out(command, call=calls, seconds=2.0)
         for node, answer in zip(nodes, seen.responses, strict=True):
             expect_node(seen, node)
             values = field(answer, "values", list, f"an answer of {node}")
@@ -186,13 +186,13 @@ def two_eyes(work: Work) -> None:
 def ball(work: Work) -> None:
     """The ball is where the scene has it, in small and in large pictures, at moments that only the judge knows."""
     work.built(USERS)
-    chance = dice(work, "ch05.q4")
+    chance = work.dice("ch05.q4")
     for width, height in ((320, 240), (200, 150)):
         moments = _moments(chance)
         pictures = [_picture(number, moment, width, height) for number, moment in enumerate(moments, 1)]
         spoken = [(0.5 + 0.1 * k, "/camera/image_raw", "sensor_msgs/msg/Image", one) for k, one in enumerate(pictures)]
         seconds = 1.0 + 0.1 * len(pictures)
-        seen = try_out(work, f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=seconds)
+        seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=seconds)
         expect_node(seen, "/py_tracker_node")
         _judge_places(seen, _places(moments, width, height), width, height)
 
@@ -227,7 +227,7 @@ def _places(moments: list[float], width: int, height: int) -> dict[int, tuple[fl
     }
 
 
-def _judge_places(seen: Watched, places: dict[int, tuple[float, float]], width: int, height: int) -> None:
+def _judge_places(seen: Seen, places: dict[int, tuple[float, float]], width: int, height: int) -> None:
     said_of: dict[int, float] = {}
     for _, one in heard(seen, "/ball/pixel"):
         number = field(one, "header.stamp.sec", int, "/ball/pixel")

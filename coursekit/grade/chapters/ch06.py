@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 from coursekit.grade.body import FLOOR, extent, inverse, outside, poses, solids, turned
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
-from coursekit.grade.programs import expect_node, heard
-from coursekit.grade.reading import Watched, dice, try_out
-from coursekit.grade.reading import robot as robot_of
+from coursekit.grade.outputs import expect_node, heard
+from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -38,7 +37,7 @@ POSTURES = 300
 )
 def cart(work: Work) -> None:
     """The links are where they should be, at rest and when the joints move."""
-    robot = robot_of(work, f"src/{PACKAGE}/urdf/cart.urdf")
+    robot = work.robot(f"src/{PACKAGE}/urdf/cart.urdf")
     if robot.name != "cart":
         raise Wrong("a robot named cart", gave=shown(robot.name), cause="The name stands in <robot name=...>.")
     if robot.root != "base_footprint":
@@ -118,7 +117,7 @@ def _judge_lift(robot: Robot) -> None:
 )
 def by_hand(work: Work) -> None:
     """The same places as the library's, for other angles and other arms."""
-    tip, chance = work.function("tip"), dice(work, "ch06.q2")
+    tip, chance = work.function("tip"), work.dice("ch06.q2")
     for index in range(12):
         upper, fore = (0.4, 0.3) if index < 6 else (chance.uniform(0.2, 0.9), chance.uniform(0.2, 0.9))
         shoulder, elbow = chance.uniform(-3, 3), chance.uniform(-3, 3)
@@ -158,14 +157,14 @@ def _arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[
 def rolling(work: Work) -> None:
     """The way of each wheel's place over the floor is the way that its rim unrolls."""
     work.built(PACKAGE)
-    for radius in (1.0, dice(work, "ch06.q3").uniform(0.3, 0.8), 0.05):
+    for radius in (1.0, work.dice("ch06.q3").uniform(0.3, 0.8), 0.05):
         command = f"run {PACKAGE} rolling_exe --ros-args -p radius:={radius:.3f}"
-        seen = try_out(work, command, record=["/joint_states", "/tf"], seconds=1.5)
+        seen = work.try_out(command, record=["/joint_states", "/tf"], seconds=1.5)
         expect_node(seen, "/py_rolling_node")
         _judge_rolling(seen, round(radius, 3))
 
 
-def _judge_rolling(seen: Watched, radius: float) -> None:
+def _judge_rolling(seen: Seen, radius: float) -> None:
     frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
     states = [message for _, message in heard(seen, "/joint_states")]
     if len(states) < 40 or len(frames) < 40:
@@ -226,7 +225,7 @@ def _moved(frame: Any) -> tuple[float, float, float]:
 )
 def own(work: Work) -> None:
     """All kinds of joints, possible masses, and it stands, wherever its joints are."""
-    robot = robot_of(work, f"src/{PACKAGE}/urdf/own.urdf.xacro")
+    robot = work.robot(f"src/{PACKAGE}/urdf/own.urdf.xacro")
     kinds = {joint.type for joint in robot.joints.values()}
     missing = sorted({"fixed", "continuous", "revolute", "prismatic"} - kinds)
     if robot.root != "base_footprint" or len(robot.links) < 6:
@@ -238,7 +237,7 @@ def own(work: Work) -> None:
         if limit is not None and joint.type != "continuous" and not limit.upper - limit.lower >= 0.05:
             raise Wrong(f"room to move for {joint.name}", f"{limit.lower:g} to {limit.upper:g}", share=0.25)
     _judge_masses(robot)
-    _judge_standing(robot, dice(work, "ch06.q4"))
+    _judge_standing(robot, work.dice("ch06.q4"))
 
 
 def _judge_masses(robot: Robot) -> None:

@@ -10,8 +10,8 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, close, field, fields, near, numbers
-from coursekit.grade.programs import heard, last_words, said
-from coursekit.grade.reading import Watched, dice, try_out
+from coursekit.grade.outputs import heard, last_words, said
+from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -37,7 +37,7 @@ Spot = tuple[float, float, float]
 )
 def seen_from_me(work: Work) -> None:
     """The same as tf2 says, for many poses."""
-    function, chance = work.function("seen"), dice(work, "ch07.q1")
+    function, chance = work.function("seen"), work.dice("ch07.q1")
     for index in range(20):
         me, other = (tuple(round(chance.uniform(-3, 3), 2) for _ in range(3)) for _ in range(2))
         if index == 0:
@@ -95,20 +95,20 @@ def _slip(got: tuple[float, float], me: Sequence[float], other: Sequence[float])
 def stages(work: Work) -> None:
     """All steps of a robot that works alone: how far, how fast, to where."""
     work.built(CLIENT)
-    for seed in dice(work, "ch07.q2").sample(range(1, 10_000), 2):
+    for seed in work.dice("ch07.q2").sample(range(1, 10_000), 2):
         robot = f"run {CLIENT} client_exe --ros-args -r __ns:=/robot1 -r get_two_poses:=/get_two_poses"
         topics = [f"/robot1/{name}" for name in ("robot_status", "pickup_pose", "delivery_pose")]
         manager = f"run {MANAGER} manager_exe --ros-args -p seed:={seed}"
-        _judge_stages(try_out(work, manager, robot, record=topics, seconds=60.0))
+        _judge_stages(work.try_out(manager, robot, record=topics, seconds=60.0))
 
 
-def _reports(seen: Watched, number: int) -> list[tuple[int, Spot]]:
+def _reports(seen: Seen, number: int) -> list[tuple[int, Spot]]:
     """What a robot has told of itself: stage and place, in order."""
     topic = f"/robot{number}/robot_status"
     return [(field(one, "task_stage", int, topic), _spot(field(one, "pose", dict, topic))) for _, one in heard(seen, topic)]
 
 
-def _judge_stages(seen: Watched) -> None:
+def _judge_stages(seen: Seen) -> None:
     told = _reports(seen, 1)
     goals = [[_spot(one) for _, one in heard(seen, f"/robot1/{kind}_pose")] for kind in ("pickup", "delivery")]
     if len(told) < 100 or not all(goals):
@@ -179,7 +179,7 @@ def silent(work: Work) -> None:
     times = {
         1: (4, [begin + 0.1 * step for step in range(16)]),
         3: (0, [begin + 0.9 * step for step in range(6)]),
-        4: (dice(work, "ch07.q3").choice((1, 2, 3, 5)), [begin, begin + 2.0, begin + 2.1]),
+        4: (work.dice("ch07.q3").choice((1, 2, 3, 5)), [begin, begin + 2.0, begin + 2.1]),
     }
     spoken = [
         (
@@ -191,7 +191,7 @@ def silent(work: Work) -> None:
         for robot, (stage, whens) in times.items()
         for when in whens
     ]
-    seen = try_out(work, f"run {MONITOR} logger_exe", publish=spoken, seconds=5.2)
+    seen = work.try_out(f"run {MONITOR} logger_exe", publish=spoken, seconds=5.2)
     shown: dict[int, list[int]] = {robot: [] for robot in range(1, 5)}
     for robot, stage in re.findall(r"^ +([1-4]) \| (\d{1,3}) ", said(seen), re.M):
         shown[int(robot)].append(int(stage))
@@ -241,8 +241,8 @@ def _row(stages: Sequence[int]) -> str:
 def no_collisions(work: Work) -> None:
     """Four robots work for a minute and a half, with several seeds."""
     work.built(MANAGER)
-    for seed in dice(work, "ch07.q4").sample(SEEDS, 2):
-        told = try_out(work, *_crew(seed), record=[f"/robot{n}/robot_status" for n in range(1, 5)], seconds=90.0)
+    for seed in work.dice("ch07.q4").sample(SEEDS, 2):
+        told = work.try_out(*_crew(seed), record=[f"/robot{n}/robot_status" for n in range(1, 5)], seconds=90.0)
         _judge_crew(told)
 
 
@@ -254,7 +254,7 @@ def _crew(seed: int) -> list[str]:
     return [f"run {MANAGER} safe_exe --ros-args -p seed:={seed}", *robots]
 
 
-def _judge_crew(seen: Watched) -> None:
+def _judge_crew(seen: Seen) -> None:
     told = [_reports(seen, number) for number in range(1, 5)]
     if min(len(one) for one in told) < 2500 or any(one[-1][0] == 6 == one[-60][0] for one in told):
         what = f"the manager said: {last_words(said(seen))}"

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, items, near, number, numbers, shown, whole
-from coursekit.grade.reading import dice
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -41,7 +40,7 @@ def _world(name: str) -> Path:
 )
 def sensor_model(work: Work) -> None:
     """Signs and silence in the right places; then a room is mapped with it."""
-    model, chance = work.function("inverse_sensor_model"), dice(work, "ch08.q1")
+    model, chance = work.function("inverse_sensor_model"), work.dice("ch08.q1")
     _judge_signs(model, chance)
     _judge_passer_by(model)
     _judge_room(model, chance.getrandbits(60))
@@ -138,7 +137,7 @@ def ray_caster(work: Work) -> None:
     """The same distances as the simulator's LiDAR, in rooms and among random walls."""
     from coursekit.sim import load_world
 
-    cast, chance = work.function("cast_ray"), dice(work, "ch08.q2")
+    cast, chance = work.function("cast_ray"), work.dice("ch08.q2")
     _judge_single(cast)
     room = [tuple(one) for one in load_world(_world("robot_world")).cut(0.2).edges.tolist()]
     for walls in (room, [tuple(chance.uniform(-6, 6) for _ in range(4)) for _ in range(12)]):
@@ -197,7 +196,7 @@ def _judge_cast(
 )
 def scan_matcher(work: Work) -> None:
     """Poses beside the truth, in three worlds."""
-    match, chance = work.function("match"), dice(work, "ch08.q3")
+    match, chance = work.function("match"), work.dice("ch08.q3")
     worlds = 2 * ("office", "robot_world", "tec_warehouse")
     found = [
         _try_match(match, _puzzle(_world(name), chance), f"{name} {number}")
@@ -243,7 +242,7 @@ def _try_match(match: Any, puzzle: Any, told: str) -> tuple[float, float, str]:
 )
 def explorer(work: Work) -> None:
     """It goes where it can, and sees nearly all."""
-    next_goal, chance = work.function("next_goal"), dice(work, "ch08.q4")
+    next_goal, chance = work.function("next_goal"), work.dice("ch08.q4")
     for name in ("robot_world", "office", "tec_warehouse"):
         _explore(next_goal, name, chance.random())
 

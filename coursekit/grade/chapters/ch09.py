@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, fields, items, shown, whole
-from coursekit.grade.programs import course_said, exit_code, last_words, said
-from coursekit.grade.reading import dice, try_out
+from coursekit.grade.outputs import course_said, exit_code, last_words, said
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -39,7 +38,7 @@ JUMP = 0.3
 )
 def inflation(work: Work) -> None:
     """nav2's formula, also with other radii and scalings."""
-    cost, chance = work.function("inflation_cost"), dice(work, "ch09.q1")
+    cost, chance = work.function("inflation_cost"), work.dice("ch09.q1")
     for inscribed, scaling, radius in ((0.2, 3.0, 0.55), (0.3, 10.0, 1.0), (0.1, 1.5, 2.0)):
         gaps = [0.0, inscribed / 2, inscribed, inscribed + 0.05, inscribed + 0.2, radius, radius + 0.01, 9.0]
         for gap in [*gaps, *(round(chance.uniform(inscribed, radius), 3) for _ in range(12))]:
@@ -76,7 +75,7 @@ def planner(work: Work) -> None:
     """Ways that may be driven, and none is cheaper."""
     import numpy as np
 
-    find, chance = work.function("find_way"), np.random.default_rng(dice(work, "ch09.q2").getrandbits(60))
+    find, chance = work.function("find_way"), np.random.default_rng(work.dice("ch09.q2").getrandbits(60))
     open_floor = np.zeros((6, 9), int)
     _judge_way(find, open_floor, (0, 0), (5, 8), "an empty floor of 6 x 9")
     _judge_way(find, open_floor, (2, 2), (2, 2), "start and goal in one cell")
@@ -159,8 +158,7 @@ def _least(costs: np.ndarray, start: Cell, goal: Cell) -> float:
 def patrol(work: Work) -> None:
     """The robot comes to every stop, in order, and the program says so and ends."""
     work.built(PACKAGE)
-    seen = try_out(
-        work,
+    seen = work.try_out(
         beside=[SIMULATION, f"launch nav2_bringup bringup_launch.py map:={_course_map()} use_sim_time:=True"],
         later=[(3.0, f"run {PACKAGE} patrol_exe --ros-args -p use_sim_time:=true")],
         record=["/odom"],
@@ -211,7 +209,7 @@ def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
 )
 def task_manager(work: Work) -> None:
     """No collision, everything delivered, and in half the time of one robot."""
-    manage, chance = work.function("manage"), dice(work, "ch09.q4")
+    manage, chance = work.function("manage"), work.dice("ch09.q4")
     told = [_judge_plan(manage, number, chance) for number in range(1, 6)]
     slow = [(ticks, alone, number) for number, (ticks, alone) in enumerate(told, 1) if ticks > alone / 2]
     if slow:

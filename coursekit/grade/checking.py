@@ -14,8 +14,8 @@ from . import events
 from .builds import build_note
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
-from .plain import error_of
 from .outputs import exception_in
+from .plain import error_of
 from .progress import Progress
 from .verdict import CheckFailed, Verdict, Wrong
 from .work import Work

@@ -6,8 +6,8 @@ import re
 from itertools import pairwise
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import fields, near, shown, texts
 from coursekit.grade.outputs import exit_code, heard, said, way_of
+from coursekit.grade.plain import fields, near, shown, texts
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.photographs import Flat, judge_views, told
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
-from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 from coursekit.tf.pose import Quaternion, multiply, rotate

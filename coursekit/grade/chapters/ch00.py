@@ -7,8 +7,8 @@ from itertools import pairwise
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import is_number, shown
 from coursekit.grade.outputs import way_of
+from coursekit.grade.plain import is_number, shown
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 

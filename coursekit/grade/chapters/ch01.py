@@ -7,8 +7,8 @@ from itertools import pairwise
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import close, numbers, shown, texts
 from coursekit.grade.outputs import course_said, exit_code, last_words, said, way_of
+from coursekit.grade.plain import close, numbers, shown, texts
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 

@@ -8,8 +8,8 @@ from random import Random
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, field, is_number, shown, text
 from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.plain import called, field, is_number, shown, text
 from coursekit.grade.trial import EVERY_NODE_S
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work

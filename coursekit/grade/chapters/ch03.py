@@ -7,10 +7,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, field, is_number, shown
 from coursekit.grade.outputs import exit_code, expect_node, heard, last_words, said
-from coursekit.grade.trial import EVERY_NODE_S
-from coursekit.grade.trial import Seen
+from coursekit.grade.plain import called, field, is_number, shown
+from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 

@@ -9,8 +9,8 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import shown
 from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.plain import shown
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.body import FLOOR, extent, inverse, outside, poses, solids, turned
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.outputs import expect_node, heard
+from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, close, field, fields, near, numbers
 from coursekit.grade.outputs import heard, last_words, said
+from coursekit.grade.plain import called, close, field, fields, near, numbers
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work

@@ -7,8 +7,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, fields, items, shown, whole
 from coursekit.grade.outputs import course_said, exit_code, last_words, said
+from coursekit.grade.plain import called, fields, items, shown, whole
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 

@@ -179,8 +179,8 @@ class _Reader:
         if base in PRIMITIVES:
             return base
         parts = base.split("/")
-        if len(parts) == 3 and parts[1] == "msg":
-            parts = [parts[0], parts[2]]
+        if len(parts) == 3 and parts[1] == "msg":  # as it is written elsewhere; rosidl's parser refuses it, too
+            raise self.error(f"in a definition '{base}' is written {parts[0]}/{parts[2]}", index)
         package, name = parts if len(parts) == 2 else (self.package, base)
         if base in ("time", "duration"):
             known = f"builtin_interfaces/{base.capitalize()}"

@@ -29,6 +29,30 @@ def hear_all(kernel: Any) -> None:
     thread.io_loop.add_callback(take)
 
 
+def keep_output_in_cells(shell: Any) -> None:
+    """Let what threads print go to the cell that ran last, never to a message from a widget.
+
+    A thread that began outside of any request prints to the request that came last. A viewer sends thirty messages a
+    second, and what is printed in answer to a message is shown nowhere: only cells may be that last request.
+    """
+    if not hasattr(shell, "_parent_header_global") or hasattr(shell.set_parent, "for_cells"):
+        return
+    set_parent = shell.set_parent
+
+    def take(request: dict[str, Any]) -> None:
+        header = request.get("header", {})
+        if header.get("msg_type") == "execute_request" and not request.get("content", {}).get("silent"):
+            set_parent(request)
+            return
+        shell._parent_header.set(request)  # for this thread alone
+        for one in (shell.displayhook, shell.display_pub, sys.stdout, sys.stderr):
+            if hasattr(one, "_parent_header"):
+                one._parent_header.set(header)
+
+    take.for_cells = True  # type: ignore[attr-defined]
+    shell.set_parent = take
+
+
 def write_kernelspec(folder: Path) -> Path:
     """Make JupyterLab start its Python kernels by this module: a folder for JUPYTER_PATH, written below `folder`."""
     place = folder / ".coursekit" / "jupyter"
@@ -52,6 +76,7 @@ def main() -> None:
         def init_kernel(self) -> None:
             super().init_kernel()
             hear_all(self.kernel)
+            keep_output_in_cells(self.kernel.shell)
 
     KernelApp.launch_instance()
 

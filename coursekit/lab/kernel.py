@@ -10,7 +10,7 @@ from typing import Any
 
 import ipywidgets
 
-from coursekit.cli.kernel import hear_all
+from coursekit.cli.kernel import hear_all, keep_output_in_cells
 from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
@@ -43,6 +43,7 @@ def start() -> Session:
     if shell is not None and getattr(shell, "kernel", None) is not None:
         session.embedded = True
         hear_all(shell.kernel)
+        keep_output_in_cells(shell)
         cells = Cells(session, shell)
         _state["cells"] = cells
         _register_magics(shell)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextvars
 import os
 import re
 import shlex
@@ -152,7 +153,8 @@ def _to_cell(background: bool, change: Any = str) -> Any:
     """Where output goes: into the cell that waits for it, or only into the terminal."""
     if background:
         return None
-    return lambda stream, text: print(_without_folders(change(text)), end="")
+    cell = contextvars.copy_context()  # it knows the cell, also in the thread that reads a child process
+    return lambda stream, text: cell.copy().run(print, _without_folders(change(text)), end="")
 
 
 def _without_folders(text: str) -> str:

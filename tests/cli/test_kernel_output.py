@@ -32,8 +32,8 @@ def request(kind, number, **content):
     return {"header": {"msg_type": kind, "msg_id": number}, "content": content}
 
 
-@pytest.fixture
-def shell(monkeypatch):
+def shell_with(monkeypatch):
+    """A shell, mended twice; to be made in the test itself, because pytest has its own stdout before."""
     made = Part()
     made.displayhook, made.display_pub = Part(), Part()
     monkeypatch.setattr(sys, "stdout", Part())
@@ -50,7 +50,8 @@ def shell(monkeypatch):
 
 
 @pytest.mark.parametrize("other", [request("comm_msg", 2), request("execute_request", 2, silent=True), {"header": {}}])
-def test_a_message_that_is_no_cell_does_not_take_the_output_of_threads(shell, other):
+def test_a_message_that_is_no_cell_does_not_take_the_output_of_threads(monkeypatch, other):
+    shell = shell_with(monkeypatch)
     shell.set_parent(request("execute_request", 1))
     shell.set_parent(other)
     assert [part.parent_of_new_thread().get("msg_id") for part in shell.parts] == [1, 1, 1]
@@ -58,8 +59,9 @@ def test_a_message_that_is_no_cell_does_not_take_the_output_of_threads(shell, ot
     assert [part.parent_of_new_thread().get("msg_id") for part in shell.parts] == [3, 3, 3]
 
 
-def test_what_answers_a_message_still_belongs_to_it(shell):
+def test_what_answers_a_message_still_belongs_to_it(monkeypatch):
     """`with out:` in a button's function takes what was said in answer to the click."""
+    shell = shell_with(monkeypatch)
     shell.set_parent(request("execute_request", 1))
     shell.set_parent(request("comm_msg", 2))
     assert [part._parent_header.get()["msg_id"] for part in shell.parts] == [2, 2, 2]

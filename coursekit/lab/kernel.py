@@ -6,6 +6,7 @@ import atexit
 import os
 import sys
 import time
+from collections import Counter
 from typing import Any
 
 import ipywidgets
@@ -127,6 +128,8 @@ class Cells:
         self.made: dict[str, list[Any]] = {}
         self.ran: dict[str, str] = {}
         """The text of each cell as it was run last."""
+        self.counts: Counter[str] = Counter()
+        """How often the running cell has done what."""
         session.in_cell = False
         session.on_start.append(self._note_process)
         shell.events.register("pre_run_cell", self._begin)
@@ -146,6 +149,7 @@ class Cells:
 
     def _begin(self, info: Any) -> None:
         self.cell = getattr(info, "cell_id", None) or ""
+        self.counts.clear()
         if self.cell:
             self.ran.pop(self.cell, None)  # the cell that runs comes last
             self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
@@ -181,6 +185,15 @@ def this_cell() -> str:
     return cells.cell if cells is not None else ""
 
 
+def run_number(what: str) -> int:
+    """Which time it is that the running cell does this: 0, then 1, ..."""
+    cells = _state.get("cells")
+    if cells is None:
+        return 0
+    cells.counts[what] += 1
+    return int(cells.counts[what]) - 1
+
+
 def give_to(cell: str, process: Any) -> None:
     """Let a process belong to a cell: it was started by what the cell shows."""
     cells = _state.get("cells")
@@ -210,4 +223,4 @@ def _end_one(one: Any) -> bool:
     return True
 
 
-__all__ = ["adopt", "give_to", "last_runs", "reset", "start", "this_cell"]
+__all__ = ["adopt", "give_to", "last_runs", "reset", "run_number", "start", "this_cell"]

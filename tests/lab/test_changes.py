@@ -43,7 +43,8 @@ def test_what_a_student_typed_by_hand_is_not_added_again():
 
 def test_the_same_line_on_the_other_side_is_another_one():
     text = "    <depend>a</depend>\n  <exec>b</exec>\n"
-    assert edited(text, "  <exec>b</exec>\n", "  <exec>b</exec>\n    <depend>a</depend>\n") == text + "    <depend>a</depend>\n"
+    want = text + "    <depend>a</depend>\n"
+    assert edited(text, "  <exec>b</exec>\n", "  <exec>b</exec>\n    <depend>a</depend>\n") == want
 
 
 def test_a_break_that_was_mended_can_be_made_again():

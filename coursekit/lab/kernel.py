@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
 import os
 import sys
 import time
@@ -73,15 +74,31 @@ def _register_magics(shell: Any) -> None:
 
 
 def _open_door(session: Session) -> None:
+    """Have the terminals of the domain: the notebook that is opened last has them, until a cell of another is run."""
     from coursekit.cli.attach import domain_id
     from coursekit.cli.hub import open_door
 
-    _state["door"] = open_door(session, domain_id())
+    _state["door"] = open_door(session, domain_id(), notebook_name(), take=True)
     if _state["door"] is None:
-        print(
-            f"Another session already answers terminals for ROS_DOMAIN_ID={domain_id()} (another notebook?). "
-            "Its graph is what `ros2` in a terminal shows; close that notebook's kernel to have this one's."
-        )
+        print("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor")
+
+
+def notebook_name() -> str:
+    """The file of this kernel's notebook, as far as Jupyter or VS Code tells it."""
+    path = os.environ.get("JPY_SESSION_NAME") or running_variables().get("__vsc_ipynb_file__") or "a notebook"
+    return os.path.basename(str(path))
+
+
+def running_variables() -> dict[str, Any]:
+    """The variables of the notebook; none outside of one."""
+    return dict(getattr(running_shell(), "user_ns", {}))
+
+
+def _claim_terminals() -> None:
+    door = _state.get("door")
+    if door is not None:
+        with contextlib.suppress(OSError):
+            door.claim()
 
 
 def _stop() -> None:
@@ -96,6 +113,7 @@ def _stop() -> None:
 def reset() -> None:
     """End every process and node of the session, as if the kernel had been restarted; variables stay."""
     session = start()
+    _claim_terminals()
     ended = len(session.processes)
     for process in list(session.processes):
         process.interrupt()
@@ -157,6 +175,7 @@ class Cells:
         if replaced:
             print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
         self.session.in_cell = True
+        _claim_terminals()
 
     def _end(self, _result: Any) -> None:
         if self.cell:

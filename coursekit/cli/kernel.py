@@ -1,4 +1,4 @@
-"""`python -m coursekit.cli.kernel`: IPython's kernel, which hears every request.
+"""`python -m coursekit.cli.kernel`: IPython's kernel with the lab in it, which hears every request.
 
 ipykernel 7.0 to 7.3 sends replies past the stream that reads requests from the same socket. A request that comes in that
 moment is never read, nor is any after it: the kernel is deaf until it is restarted (ipykernel's issue 1554). Later
@@ -7,6 +7,8 @@ versions are mended, but 7.4.0 lets widgets' synced traits get stuck, so the cou
 
 from __future__ import annotations
 
+import functools
+import importlib
 import json
 import sys
 from pathlib import Path
@@ -68,8 +70,26 @@ def write_kernelspec(folder: Path) -> Path:
     return place
 
 
+def load_lab(shell: Any) -> None:
+    """Have the names and magics of the lab in a kernel before its first cell, also after a restart."""
+    try:
+        lab = importlib.import_module("coursekit.lab")
+    except Exception as error:  # a kernel that starts and says what is wrong is better than none
+        shell.events.register("pre_run_cell", functools.partial(_say_once, shell, f"The lab did not start: {error!r}"))
+        return
+    names = {name: getattr(lab, name) for name in lab.__all__}
+    shell.user_ns.update(names)
+    shell.user_ns_hidden.update(names)
+
+
+def _say_once(shell: Any, text: str, *_event: Any) -> None:
+    callbacks = shell.events.callbacks["pre_run_cell"]
+    callbacks[:] = [one for one in callbacks if getattr(one, "func", None) is not _say_once]
+    print(f"{text}\nWhat is wrong, and the cure: !coursekit doctor", file=sys.stderr)
+
+
 def main() -> None:
-    """Run a kernel that hears all."""
+    """Run a kernel of the course."""
     from ipykernel.kernelapp import IPKernelApp
 
     class KernelApp(IPKernelApp):
@@ -77,6 +97,10 @@ def main() -> None:
             super().init_kernel()
             hear_all(self.kernel)
             keep_output_in_cells(self.kernel.shell)
+
+        def init_code(self) -> None:
+            super().init_code()
+            load_lab(self.shell)
 
     KernelApp.launch_instance()
 

@@ -39,7 +39,8 @@ def start() -> Session:
     source_underlay(os.environ)
     os.environ.setdefault("COURSEKIT_COURSE", os.path.abspath("."))  # said once: a cell may change the folder
     os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
-    os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
+    with contextlib.suppress(OSError):  # a folder that can only be read may still be looked at; writing says what is wrong
+        os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
     streams.install()
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
@@ -49,16 +50,18 @@ def start() -> Session:
         cells = Cells(session, shell)
         _state["cells"] = cells
         _register_magics(shell)
-        if not session.clock.virtual:
-            _have_a_subshell(shell.kernel)
+        if cells.in_cell:
+            _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
         _open_door(session)
     atexit.register(_stop)
     return session
 
 
-def _have_a_subshell(kernel: Any) -> None:
+def _have_a_subshell(session: Session, kernel: Any) -> None:
     """Show JupyterLab a widget now: with the first it makes the subshell that answers panels while a cell runs."""
+    if session.clock.virtual or "first widget" in _state:
+        return
     _state["first widget"] = ipywidgets.Layout()
     thread = getattr(kernel, "shell_channel_thread", None)
     give_up = time.monotonic() + SUBSHELL_SECONDS
@@ -148,11 +151,16 @@ class Cells:
         """The text of each cell as it was run last."""
         self.counts: Counter[str] = Counter()
         """How often the running cell has done what."""
-        session.in_cell = False
+        self.shell = shell
         session.on_start.append(self._note_process)
         shell.events.register("pre_run_cell", self._begin)
         shell.events.register("post_run_cell", self._end)
-        self.session.in_cell = True  # the cell that imports the lab is running
+        session.in_cell = bool(shell.kernel.get_parent())  # the one that imports the lab, or the kernel starts with it
+
+    @property
+    def in_cell(self) -> bool:
+        """Whether a cell runs now."""
+        return bool(self.session.in_cell)
 
     def _note_process(self, process: Any) -> None:
         if process.parent is None and self.session.in_cell and self.cell:
@@ -176,6 +184,7 @@ class Cells:
             print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
         self.session.in_cell = True
         _claim_terminals()
+        _have_a_subshell(self.session, self.shell.kernel)
 
     def _end(self, _result: Any) -> None:
         if self.cell:

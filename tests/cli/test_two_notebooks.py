@@ -55,7 +55,8 @@ def ros2(*words):
 def nodes_in_terminal():
     """`ros2 node list` as a person sees it."""
     ours, theirs = pty.openpty()
-    subprocess.run([sys.executable, "-m", "coursekit.cli.ros2", "node", "list"], timeout=60, check=True, stdout=theirs, stderr=theirs, stdin=theirs)  # fmt: skip
+    command = [sys.executable, "-m", "coursekit.cli.ros2", "node", "list"]
+    subprocess.run(command, timeout=60, check=True, stdout=theirs, stderr=theirs, stdin=theirs)
     os.close(theirs)
     said = os.read(ours, 65536).decode()
     os.close(ours)

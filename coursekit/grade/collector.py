@@ -109,13 +109,19 @@ class Collector:
             if loose and not self._is_somebody_s(name):
                 self._made.told.append(f"'{shown(name)}' is no notebook, zip or folder: left out.")
             else:
-                self._put(self._gatherer.entry(name, files))
+                self._put(self._gathered(name, files))
         for handed in self._people.values():
             self._choose(handed)
         self._made.handed = sorted(self._people.values(), key=lambda one: (plain(one.label), one.key))
         self._look_alike()
         self._made.unanswered += [one for _, one in self._made.whose]
         return self._made
+
+    def _gathered(self, name: str, files: Iterable[Raw]) -> Entry:
+        try:
+            return self._gatherer.entry(name, files)
+        except Exception as error:  # one hand-in that nobody thought of never stops the class
+            return Entry(name, faults=[f"it cannot be read ({type(error).__name__}: {shown(str(error), 100)})"])
 
     def _entries(self, place: Path, leave: Iterable[Path]) -> Iterable[tuple[str, bool, Iterable[Raw]]]:
         return entries_of_folder(place, leave) if place.is_dir() else entries_of_zip(place)

@@ -63,6 +63,7 @@ class Identifier:
         for how, found in (
             ("the exact name", self._exactly([stem, *(given.logins if given else ())], name_only=given is None)),
             ("the platform's name for it", self._of_platform(given)),
+            ("the same words in another order", self._shuffled.get(_words(given.name if given else stem), set())),
         ):
             if found:
                 return Identified(self._sorted(found), how if len(found) == 1 else "several have that name")
@@ -112,6 +113,10 @@ class Identifier:
         return _table((plain(one), person) for person in self.roster.people for one in (*person.names(), *person.keys()))
 
     @cached_property
+    def _shuffled(self) -> dict[str, set[Person]]:
+        return _table((_words(one), person) for person in self.roster.people for one in person.names())
+
+    @cached_property
     def _keys(self) -> dict[str, set[Person]]:
         return _table((plain(one), person) for person in self.roster.people for one in person.keys())  # noqa: SIM118
 
@@ -129,6 +134,12 @@ def _table(pairs: Iterable[tuple[str, Person]]) -> dict[str, set[Person]]:
 
 def _letters(text: str) -> str:
     return re.sub(r"[\W_]", "", unicodedata.normalize("NFKC", text)).casefold()
+
+
+def _words(name: str) -> str:
+    """Two words or more of a name in the order of the alphabet; nothing of one."""
+    found = sorted(plain(one) for one in re.split(r"[\W_]+", name) if plain(one))
+    return " ".join(found) if len(found) > 1 else ""
 
 
 def _without_ending(name: str) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .roster_formats import Layout, is_nobody, is_test, layout_of, parted
+from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
 from .tables import Table, decoded, read_table
 
 
@@ -124,6 +124,8 @@ class Roster:
     @classmethod
     def _of_table(cls, table: Table, file: Path) -> Roster:
         layout = layout_of(table.headings)
+        if layout is None and any(one.strip().casefold() in HEADINGS for one in table.headings):
+            raise ValueError(f"No column of {file} is one of names. Call it 'name', or: 'given name' and 'family name'.")
         if layout is None:  # no headings: names stand in the first column
             layout, table = Layout("", {"name": 0}), Table([""] * len(table.headings), [table.headings, *table.rows])
         people, notes = [], []

@@ -18,6 +18,7 @@ COLUMNS: dict[str, tuple[str, ...]] = {
     "when": ("last modified (submission)", "submitted", "submission time", "submitted at", "last submitted"),
 }  # fmt: skip
 """By what is meant: headings that say so, in the order in which they count. Moodle, Canvas, Blackboard, Google Classroom."""
+HEADINGS = frozenset(word for words in COLUMNS.values() for word in words)
 _NOBODY = re.compile(r"points possible|puntos posibles|possible points", re.I)
 _TEST = re.compile(r"(?:student, test|test student|\w+_previewuser)", re.I)
 

@@ -33,11 +33,11 @@ def decoded(data: bytes) -> str:
     ('José', 'José', 'José')
     """
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        return data.decode("utf-16", "replace")
+        return data.decode("utf-16", "replace").lstrip("\ufeff")
     if data[1:2] == b"\0" and data[:1] != b"\0":
         return data.decode("utf-16-le", "replace")
     try:
-        return data.decode("utf-8-sig")
+        return data.decode("utf-8-sig").lstrip("\ufeff")
     except UnicodeDecodeError:
         return data.decode("cp1252", "replace")
 

@@ -93,7 +93,7 @@ def _through(place: Path) -> Iterator[Walked]:
             name = level.names.pop()
             seen += 1
             if seen > MOST:
-                yield Walked(level.parts, fault=f"holds more than {MOST} files")
+                yield Walked(level.parts or (place.name,), fault=f"holds more than {MOST} files")
                 return
             found = _looked_at(level, name)
             if isinstance(found, Walked):

@@ -41,10 +41,10 @@ class Recorder:
         return "*" in self._wanted and topic not in EVERY_NODE_S and own
 
     def _record(self, topic: str, publisher: Publisher) -> None:
-        from rosidl_runtime_py.utilities import get_message
+        from coursekit.interfaces import load
 
         qos = Qos(history=KEEP_ALL, reliability=BEST_EFFORT, durability=publisher.qos.durability)
-        kind = get_message(publisher.type_name)
+        kind = load(publisher.type_name)
         self._graph.add_subscription(_Recording(self._graph, self._node, topic, kind, qos, self._keep))
 
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.literals import LiteralError, parse_scalar, parse_value
 from coursekit.interfaces.model import (
@@ -225,7 +226,9 @@ def _parts(lines: list[str], count: int, kind: str, file: str) -> list[tuple[int
 def parse_file(package: str, path: Path) -> Interface:
     """Read one definition file; the kind is its suffix, the name its stem."""
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_text(path)
+    except OSError as error:
+        raise InterfaceError(f"the file cannot be read: {error.strerror}", file=str(path)) from None
     except UnicodeDecodeError as error:
         raise InterfaceError(
             f"the file is not UTF-8 text ({error.reason} at byte {error.start})", file=str(path)

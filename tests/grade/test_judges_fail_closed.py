@@ -22,7 +22,9 @@ CALLS_A_FUNCTION = [
     "appb.q1", "appb.q2", "appb.q4", "appc.q1", "appc.q3", "ch02.q1", "ch03.q1", "ch06.q2", "ch07.q1",
     "ch08.q1", "ch08.q2", "ch08.q3", "ch08.q4", "ch09.q1", "ch09.q2", "ch09.q4",
 ]  # fmt: skip
-READS_A_VARIABLE = ["appa.q1", "appa.q2", "appa.q3", "ch00.q1", "ch00.q2", "ch00.q3", "ch01.q1", "ch01.q2", "ch01.q3", "ch01.q4"]
+READS_A_VARIABLE = [
+    "appa.q1", "appa.q2", "appa.q3", "ch00.q1", "ch00.q2", "ch00.q3", "ch01.q1", "ch01.q2", "ch01.q3", "ch01.q4",
+]  # fmt: skip
 JUDGES_A_TRIAL = [
     "appa.q1", "appa.q2", "appb.q3", "ch00.q2", "ch01.q2", "ch01.q3", "ch01.q4", "ch02.q2", "ch02.q3", "ch02.q4", "ch03.q2",
     "ch03.q3", "ch03.q4", "ch04.q2", "ch04.q3", "ch04.q4", "ch05.q1", "ch05.q3", "ch05.q4", "ch06.q3", "ch07.q2", "ch07.q3",
@@ -76,7 +78,8 @@ class Fed(Work):
             assert not any(isinstance(one, float) and not math.isfinite(one) for one in leaves(fields)), fields
         if self._seen is None:
             raise Wrong("a trial")
-        return self._seen(Plan(run=list(commands), **{key: list(value) if key != "seconds" else value for key, value in plan.items()}))
+        kept = {key: value if key == "seconds" else list(value) for key, value in plan.items()}
+        return self._seen(Plan(run=list(commands), **kept))
 
 
 def leaves(value):
@@ -113,7 +116,8 @@ def test_no_message_whose_fields_are_no_numbers_is_taken(name):
             for one in names:
                 setattr(part, one, number)
         poses.poses = [pose] * 3
-        for value in (pose, poses, Pose2D(x=number, y=number, theta=number), SetBool.Response(success=True, message=LyingStr())):
+        flat, said = Pose2D(x=number, y=number, theta=number), SetBool.Response(success=True, message=LyingStr())
+        for value in (pose, poses, flat, said):
             refused(name, Fed(answer=value), shown(number))
 
 
@@ -216,8 +220,8 @@ def test_no_trial_in_which_nothing_was_seen_is_taken(name):
 @pytest.mark.parametrize("name", ["ch05.q2", "ch04.q1"])
 def test_no_file_of_junk_is_taken(name):
     for value in [*LEAVES, *containers()[:5]]:
-        work = Fed()
-        work.parameters = lambda path, nodes, value=value: {node: {"camera.width": value, "use_sim_time": value} for node in nodes}
+        work, held = Fed(), {"camera.width": value, "use_sim_time": value}
+        work.parameters = lambda path, nodes, held=held: dict.fromkeys(nodes, held)
         refused(name, work, shown(value))
 
 
@@ -226,7 +230,8 @@ def robots():
     from coursekit.urdf import parse
 
     parts = '<link name="base_footprint"/><link name="base_link"/>'
-    joint = '<joint name="base_joint" type="fixed"><origin xyz="{} 0 0"/><parent link="base_footprint"/><child link="base_link"/></joint>'
+    joint = '<joint name="base_joint" type="fixed"><origin xyz="{} 0 0"/>'
+    joint += '<parent link="base_footprint"/><child link="base_link"/></joint>'
     for number in ("0", "1e308"):
         yield parse(f'<robot name="cart">{parts}{joint.format(number)}</robot>')
 

@@ -145,7 +145,11 @@ def test_load_map_answers_with_the_code_of_the_fault_and_keeps_the_map(serve, fr
 
 @pytest.mark.parametrize(
     ("arguments", "ending"),
-    [(("--free", "0.196"), "pgm"), (("--fmt", "bmp", "--free", "0.196"), "bmp"), (("--mode", "scale", "--occ", "0.99", "--free", "0.01"), "png")],
+    [
+        (("--free", "0.196"), "pgm"),
+        (("--fmt", "bmp", "--free", "0.196"), "bmp"),
+        (("--mode", "scale", "--occ", "0.99", "--free", "0.01"), "png"),
+    ],
 )
 def test_the_saver_writes_what_the_server_serves_and_says_where(serve, run, house, tmp_path, arguments, ending):
     serve(house)

@@ -1,15 +1,25 @@
-"""`coursekit release` and `coursekit grade`: what teachers hand out and how they mark it."""
+"""`coursekit release`, `coursekit grade` and `coursekit verify`: what teachers hand out and how they mark it."""
 
 from __future__ import annotations
 
 import argparse
 import datetime
 import os
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from coursekit.grade.variants import Variants, secret_file
 
-_NAMES = "a copy for each of these students with numbers and names of its own; a name on each line, or a .csv"
+if TYPE_CHECKING:
+    from coursekit.grade.batch import Class, Outcome
+    from coursekit.grade.lateness import Policy
+    from coursekit.grade.roster import Roster
+
+_NAMES = "a copy for each of these students with numbers and names of its own; a roster, or a name on each line"
+_ROSTER = "the class: an export of Moodle, Canvas, Blackboard or Google Classroom, a .csv, or a name on each line"
+SEAL = "A seal shows what was changed after it was made. It does not prove who made it, or when."
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -19,22 +29,51 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("--out", type=Path, default=Path("release"), help="the folder (default: release)")
     release.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     release.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
+    release.add_argument("--roster", type=Path, metavar="FILE", help=f"a marked copy for each student. {_ROSTER}")
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
     release.set_defaults(main=run_release)
-    grade = commands.add_parser("grade", help="mark a folder of submissions in sandboxes, and write a table")
-    grade.add_argument("folder", type=Path, help="a folder, notebook or zip for each student in it")
-    grade.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions at the same time")
-    grade.add_argument("--out", type=Path, default=Path("grades.csv"), help="the table (default: grades.csv)")
-    grade.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
-    grade.add_argument("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
-    grade.add_argument("--variants", type=Path, metavar="NAMES", help="the names that the copies were made for")
-    grade.set_defaults(main=run_grade)
-    verify = commands.add_parser("verify", help="find out whether a file made by hand_in() was changed, and run it again")
-    verify.add_argument("file", type=Path)
+    _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
+    verify = commands.add_parser("verify", help="find out whether files made by hand_in() were changed, and run them again")
+    verify.add_argument("file", type=Path, nargs="+")
     verify.add_argument("--no-run", action="store_true", help="only look for changes")
     verify.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     verify.add_argument("--variants", type=Path, metavar="NAMES", help="the names that the copies were made for")
     verify.set_defaults(main=run_verify)
+
+
+def _add_grade(grade: argparse.ArgumentParser) -> None:
+    add = grade.add_argument
+    add("folder", type=Path, help="a folder with a folder, notebook or zip for each student, or the platform's zip of it")
+    add("--jobs", type=int, default=os.cpu_count() or 1, help="submissions at the same time")
+    add("--out", type=Path, default=Path("grades.csv"), help="the table (default: grades.csv)")
+    add("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
+    add("--chapters", nargs="+", metavar="CHAPTER", help="which are marked, such as 02 (default: what most handed in)")
+    add("--roster", type=Path, metavar="FILE", help=_ROSTER)
+    add("--variants", type=Path, metavar="NAMES", help="the roster that copies with numbers of their own were made for")
+    add("--again", nargs="*", metavar="STUDENT", help="mark again, kept result or not: these, or everybody")
+    add("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
+    add("--count", choices=("newest", "in-time"), help="which version counts: the newest, or the last before the deadline")
+    add("--policy", type=Path, metavar="FILE", help="grace, percent per day and extensions (docs/teachers.md)")
+    add("--for", dest="platform", choices=("moodle", "canvas", "blackboard"), help="write that platform's own columns, too")
+    add("--anonymous", action="store_true", help="codes in the place of names; who is who lies in a file of its own")
+    grade.set_defaults(main=run_grade)
+
+
+def teachers_page() -> str:
+    """Where the page for teachers is."""
+    package = Path(__file__).resolve().parents[1]
+    for file in (package.parent / "docs" / "teachers.md", package / "teachers.md"):
+        if file.is_file():
+            return str(file)
+    return "docs/teachers.md"
+
+
+def _chosen(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
+    """The chapters that begin with one of the words; every word has to name one."""
+    unknown = [word for word in words if not any(one.name.startswith(word) for one in known)]
+    if unknown:
+        raise SystemExit(f"No chapter begins with {', '.join(unknown)}. There are: {', '.join(p.stem for p in known)}")
+    return [one for one in known if not words or any(one.name.startswith(word) for word in words)]
 
 
 def run_release(args: argparse.Namespace) -> int:
@@ -49,15 +88,15 @@ def run_release(args: argparse.Namespace) -> int:
         known = chapters(folder, args.language)
     except ValueError as error:
         raise SystemExit(str(error)) from None
-    chosen = [one for one in known if not args.chapters or any(one.name.startswith(word) for word in args.chapters)]
-    if not chosen:
-        raise SystemExit(f"No chapter begins with {', '.join(args.chapters)}. There are: {', '.join(p.stem for p in known)}")
-    variants = _variants(args.variants, new=True)
+    chosen = _chosen(known, args.chapters)
+    names = args.variants or args.roster
+    variants = _variants(names, new=True)
     out = args.out.resolve()
-    for written in release(chosen, out, variants):
+    for written in release(chosen, out, variants, personal=args.variants is not None):
         print(written.relative_to(out))
-    if args.variants is not None:
-        print(f"Keep {secret_file(args.variants).name}, beside the names, and show it to nobody: grading needs it.")
+    if names is not None:
+        print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
+    print(f"Handing out, collecting, marking, handing back: {teachers_page()}")
     return 0
 
 
@@ -69,36 +108,112 @@ def _variants(names: Path | None, *, new: bool = False) -> Variants | None:
 
 
 def run_grade(args: argparse.Namespace) -> int:
-    """Grade, and say where the results are."""
-    from coursekit.grade.batch import Bar, Class
+    """Grade, and say where the results are; 1 when a question is open, 2 when the grader itself does not work."""
+    from coursekit.grade.archives import BadArchive
+    from coursekit.grade.batch import Bar
+    from coursekit.grade.reference import GraderBroken
+
+    if not args.folder.is_dir() and not (args.folder.suffix.casefold() == ".zip" and args.folder.is_file()):
+        raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what each student handed in.")
+    if args.platform and args.anonymous:
+        raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
+    try:
+        group = _class(args)
+        outcome = group.grade(args.jobs, Bar(), args.again)
+    except GraderBroken as error:
+        print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
+        return 2
+    except (ValueError, BadArchive, OSError) as error:
+        raise SystemExit(str(error)) from None
+    _tell(group, outcome, args)
+    return outcome.exit_status()
+
+
+def _class(args: argparse.Namespace) -> Class:
+    from coursekit.grade.batch import Class
+    from coursekit.grade.roster import Roster
 
     from .coursekit import notebooks_folder
 
-    if not args.folder.is_dir():
-        raise SystemExit(f"'{args.folder}' is not a folder. Give the one that holds a folder for each student.")
-    due = None if args.due is None else args.due.timestamp()
-    notebooks, variants = args.notebooks or notebooks_folder(), _variants(args.variants)
-    group = Class(args.folder.resolve(), args.out.resolve(), notebooks, due=due, variants=variants)
-    marks = group.grade(args.jobs, Bar())
-    total = sum(one.total() for one in marks) / len(marks) if marks else 0
-    print(f"{len(marks)} graded, {total:.2f} points on average: {args.out}")
-    print(f"Open {group.kept / 'class.html'}; beside it are the reports, statistics, histogram.png and similar.csv.")
-    return 0
+    notebooks = args.notebooks or notebooks_folder()
+    names = args.variants or args.roster
+    roster = Roster.read(names) if names is not None else None
+    known = args.variants is not None or (names is not None and secret_file(names).is_file())
+    found = sorted(notebooks.glob("*.ipynb"))
+    chapters = [one.name for one in _chosen(found, args.chapters)] if args.chapters else []
+    return Class(
+        args.folder.resolve(),
+        args.out.resolve(),
+        notebooks,
+        policy=_policy(args, roster),
+        roster=roster,
+        variants=Variants.read(names) if known and names is not None else None,
+        personal=args.variants is not None,
+        chapters=chapters,
+        anonymous=args.anonymous,
+    )
+
+
+def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
+    from coursekit.grade.lateness import Policy, read_policy
+
+    made = read_policy(args.policy, roster) if args.policy else Policy()
+    if args.due is not None:
+        made = replace(made, due=args.due.timestamp())
+    return replace(made, count=args.count) if args.count else made
+
+
+def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
+    from coursekit.grade import statuses
+    from coursekit.grade.handing_back import hand_back
+    from coursekit.grade.harmless import shown
+
+    for line in outcome.told:
+        print(f"! {shown(line, 400)}")
+    for question in outcome.collection.unanswered:
+        print(f"? {shown(question.text)} {shown(question.about, 300)}")
+    if outcome.collection.unanswered:
+        where = group.out.with_name("questions.csv")
+        print(f"Fill in the column 'answer' of {where}, and run this again: those who are asked about have no mark yet.")
+    marks = [total for one in outcome.records if (total := one.total()) is not None]
+    average = sum(marks) / len(marks) if marks else 0
+    tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
+    counts = statuses.told(outcome.statuses()) or "nothing was handed in"
+    print(f"{counts}; {average:.2f} points on average of {len(marks)}; run in the sandbox {tiers}: {args.out}")
+    if args.platform:
+        for file in hand_back(args.platform, outcome.records, group.roster, group.out):
+            print(f"To hand back: {file}")
+    if group.anonymity is not None:
+        print(f"Who is who: {group.anonymity.names}")
+    print(f"Open {group.kept / 'class.html'}; beside it are the pages, gradebook.csv, statistics and similar.csv.")
+    print(f"How marks come about: {teachers_page()}")
+    if outcome.interrupted:
+        print("It was stopped: what was marked is kept, and the next run goes on from there.")
 
 
 def run_verify(args: argparse.Namespace) -> int:
-    """Say what is wrong with a file that was handed in; 1 when something is."""
-    from coursekit.grade.handing_in import verify
+    """Say what is wrong with files that were handed in; 1 when something is."""
+    from coursekit.grade.handing_in import same_in, verify
+    from coursekit.grade.harmless import shown
 
     from .coursekit import notebooks_folder
 
-    if not args.file.is_file():
-        raise SystemExit(f"There is no file '{args.file}'. Give the zip that hand_in() made.")
-    folder = args.notebooks or notebooks_folder()
-    faults, marked = verify(args.file, folder, run=not args.no_run, variants=_variants(args.variants))
-    for fault in faults:
-        print(f"✘ {fault}")
-    if marked is not None:
-        print(f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points in a clean run")
-    print("✔ Nothing was changed." if not faults else f"{len(faults)} fault(s)")
-    return 1 if faults else 0
+    folder, variants, count = args.notebooks or notebooks_folder(), _variants(args.variants), 0
+    for file in args.file:
+        if not file.is_file():
+            raise SystemExit(f"There is no file '{file}'. Give the zip that hand_in() made.")
+    for file in args.file:
+        if len(args.file) > 1:
+            print(f"{shown(file.name)}:")
+        faults, marked = verify(file, folder, run=not args.no_run, variants=variants)
+        for fault in faults:
+            print(f"✘ {shown(fault, 400)}")
+        if marked is not None:
+            print(f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points in a clean run")
+        print("✔ Nothing was changed." if not faults else f"{len(faults)} fault(s)")
+        count += len(faults)
+    for said in same_in({file.name: file for file in args.file}) if len(args.file) > 1 else ():
+        print(f"✘ {shown(said, 400)}")
+        count += 1
+    print(SEAL)
+    return 1 if count else 0

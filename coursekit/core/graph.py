@@ -81,7 +81,10 @@ class Graph:
 
     def add_node(self, name: str, namespace: str, process: Any = None) -> GraphNode:
         """A new node; two may have the same name, as in ROS."""
-        node = GraphNode(self, name, namespace, process)
+        return self.enter(GraphNode(self, name, namespace, process))
+
+    def enter(self, node: GraphNode) -> GraphNode:
+        """Take a node in."""
         with self._lock:
             self.nodes.append(node)
         self.changed()

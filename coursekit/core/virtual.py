@@ -108,6 +108,8 @@ class VirtualClock:
         """Real child processes that live: while there are any, time passes no faster than on the wall."""
         self.frozen = 0
         """Real child processes that take no virtual time (a build): while there are any, time stands still."""
+        self.partner: Any = None
+        """Another interpreter that shares this time: `partner.meet(deadline)` is asked before time goes on."""
         self._elapsed = 0
         self._ready: deque[Lane] = deque()
         self._heap: list[tuple[int, int, Any, int]] = []
@@ -123,6 +125,10 @@ class VirtualClock:
     def steady(self) -> int:
         """Nanoseconds since the session began."""
         return self._elapsed
+
+    def jump(self, steady: int) -> None:
+        """Go on to a time [steady ns] before which nothing is planned here; never back."""
+        self._elapsed = max(self._elapsed, steady)
 
     def new_waiter(self) -> VirtualWaiter:
         """A new waiter on this clock."""
@@ -231,6 +237,8 @@ class VirtualClock:
         heap = self._heap
         while heap and _is_over(heap[0]):
             heapq.heappop(heap)
+        if self.partner is not None and self.partner.meet(heap[0][0] if heap else None):
+            return None
         if not heap:
             self._wait_outside(None)
             return None

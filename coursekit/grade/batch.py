@@ -1,106 +1,248 @@
-"""Grades a class: many submissions side by side, resumed where it stopped, into a table and a report each."""
+"""Grades a class: collects, marks what is not marked yet side by side, and writes table, pages and gradebook."""
 
 from __future__ import annotations
 
-import csv
 import json
 import sys
+import tempfile
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from . import sandbox
+from .anonymity import Anonymity
+from .collector import Collection, Collector, Handed, wanted_chapters
 from .exercise import Exercise, exercises_in
+from .gradebook import write_gradebook
+from .lateness import Policy
 from .mark import Marked, mark
+from .marks_table import MarksTable
 from .overview import write_overview
+from .parcel import note_copies
+from .questions import NAME as QUESTIONS
+from .questions import read_answers, write_questions
+from .record import Record, lateness_of
+from .reference import Reference, expect_sound
 from .report import write_reports
+from .results import Results, key_of
+from .roster import Roster
 from .sandbox import Limits
 from .similar import write_similar
 from .statistics import write_statistics
-from .submissions import Submission, find_submissions
-from .variants import Variants, values_of
+from .statuses import LOOK, counted
+from .variants import Variants
+from .verdict import Verdict
+
+Tell = Callable[[int, int, str], None]
+
+
+@dataclass
+class Outcome:
+    """What came of a run."""
+
+    records: list[Record]
+    collection: Collection
+    told: list[str] = field(default_factory=list)
+    interrupted: bool = False
+
+    def statuses(self) -> dict[str, int]:
+        """How many there are of each status; what is nobody's yet counts as a question."""
+        return counted([*(one.status() for one in self.records), *("question" for _ in self.collection.whose)])
+
+    def exit_status(self) -> int:
+        """Not 0 when a teacher has to do something."""
+        if self.interrupted:
+            return 130
+        open_ = self.collection.unanswered or any(one.status() == "not marked" for one in self.records)
+        return 1 if open_ else 0
+
+    def to_look_at(self) -> list[Record]:
+        """Who needs a look."""
+        return [one for one in self.records if one.status() in LOOK or one.marked().concerns]
 
 
 class Class:
-    """A folder of submissions, and where its results are kept."""
+    """A folder or zip of submissions, and where its results are kept."""
 
     def __init__(
-        self, folder: Path, out: Path, notebooks: Path, *, due: float | None = None, variants: Variants | None = None
+        self,
+        place: Path,
+        out: Path,
+        notebooks: Path,
+        *,
+        policy: Policy | None = None,
+        roster: Roster | None = None,
+        variants: Variants | None = None,
+        personal: bool = False,
+        chapters: Sequence[str] = (),
+        anonymous: bool = False,
     ) -> None:
-        self.folder = folder
+        self.place = place
         self.out = out
-        self.due = due
-        self.variants = variants
         self.kept = out.with_suffix("")
+        self.policy = policy or Policy()
+        self.variants = variants
+        self.personal = personal
+        """Whether the copies ask for values of their own."""
+        self.roster = roster or (variants.roster if variants else None)
         self.sources = _sources(notebooks)
+        self.chapters = list(chapters)
         self.limits = Limits()
+        self.results = Results(self.kept / "results")
+        self.table = MarksTable(out, self.kept / "results")
+        self.dice = variants.dice() if variants else self.results.dice()
+        self.anonymity = Anonymity(out.with_name(f"{out.stem}.names.csv")) if anonymous else None
 
-    def grade(self, jobs: int, tell: Callable[[int, int, str], None]) -> list[Marked]:
-        """Grade what is not graded yet, and write everything; the results in the order of the students."""
-        submissions = find_submissions(self.folder)
-        self.kept.mkdir(parents=True, exist_ok=True)
-        wanted, exercises = self._wanted(submissions)
-        done: dict[str, Marked] = {}
-        with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
-            waiting = {pool.submit(self._one, one, wanted, exercises): one for one in submissions}
+    def grade(self, jobs: int, tell: Tell, again: Sequence[str] | None = None) -> Outcome:
+        """Grade what is not graded yet, or what is asked for `again` (everybody for an empty list), and write everything.
+
+        Raises:
+            GraderBroken: when the reference solutions do not get all points; nobody is marked then.
+            ValueError: when a table of the teacher's cannot be read, or a name is nobody's.
+        """
+        with tempfile.TemporaryDirectory(prefix="collected-") as scratch:
+            by_hand = self.table.notice()
+            collection = self._collect(Path(scratch))
+            chapters, others = self._wanted(collection)
+            wanted = {name: _unmarked(exercises_in(self.sources[name])) for name in chapters}
+            records = [self._record(one, wanted) for one in collection.handed]
+            if again is not None:
+                self.results.forget(_asked(records, again), chapters)
+            outcome = Outcome(records, collection)
+            outcome.told += [*collection.told, *by_hand.told, *_told_others(others)]
+            for name in chapters if any(one.chapters() for one in records) else ():
+                expect_sound(self._reference(name, Path(scratch)), self.results, mark)
+            try:
+                self._mark(records, jobs, tell)
+            except KeyboardInterrupt:
+                outcome.interrupted = True
+            self.write(outcome)
+            outcome.told += self.results.told
+            return outcome
+
+    def _reference(self, chapter: str, scratch: Path) -> Reference:
+        source = self.sources[chapter]
+        return Reference(chapter, source, exercises_in(source), scratch, self.limits, self.dice)
+
+    def _collect(self, scratch: Path) -> Collection:
+        asked = self.out.with_name(QUESTIONS)
+        answers = read_answers(asked)
+        marks = self.variants.copy_marks() if self.variants else {}
+        collector = Collector(
+            self.sources, scratch, roster=self.roster, copies=marks, policy=self.policy, answers=answers
+        )
+        found = collector.collect(self.place, leave=[self.kept, self.out])
+        write_questions(asked, found.questions, answers)
+        return found
+
+    def _wanted(self, collection: Collection) -> tuple[list[str], dict[str, list[str]]]:
+        if self.chapters:
+            return self.chapters, {}
+        found, others = wanted_chapters(collection.handed)
+        return found or sorted(self.sources), others
+
+    def _record(self, handed: Handed, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
+        made = Record(handed, wanted, tier=sandbox.tier())
+        for chapter in [one for one in handed.chosen if one not in wanted]:
+            handed.concerns.append(f"{chapter} was handed in too; it is not marked here")
+        made.late = lateness_of(handed, list(wanted), self.policy)
+        key = self._shown([made])[0].key
+        made.by_hand = dict(self.table.by_hand.points.get(key, {}))
+        made.extra = dict(self.table.by_hand.extra.get(key, {}))
+        return made
+
+    def _mark(self, records: Sequence[Record], jobs: int, tell: Tell) -> None:
+        """Mark what no kept result is valid for; the table is whole after each."""
+        waiting: dict[Future[Marked], tuple[Record, str, dict[str, Any]]] = {}
+        pool = ThreadPoolExecutor(max_workers=max(1, jobs))
+        try:
+            for one in records:
+                for chapter in one.chapters():
+                    task = self._task(one, chapter)
+                    depends = key_of(task[0].digest(), task[1][chapter], task[2], sandbox.tier(), self.dice)
+                    kept = self.results.read(one.key, chapter, depends)
+                    if kept is not None:
+                        one.marks[chapter] = replace(kept, student=one.label)
+                    else:
+                        waiting[pool.submit(mark, *task, self.limits, self.dice)] = (one, chapter, depends)
             for number, future in enumerate(as_completed(waiting), 1):
-                marked = future.result()
-                done[marked.student] = marked
-                tell(number, len(submissions), marked.student)
-        marks = [done[one.student] for one in submissions]
-        self._write(marks, exercises)
-        return marks
+                self._take(future, *waiting[future])
+                self.table.write(self._shown(records))
+                tell(number, len(waiting), self._shown([waiting[future][0]])[0].label)
+        except KeyboardInterrupt:
+            pool.shutdown(wait=False, cancel_futures=True)
+            for future, facts in waiting.items():
+                if future.done() and not future.cancelled() and facts[1] not in facts[0].marks:
+                    self._take(future, *facts)
+            raise
+        pool.shutdown()
 
-    def _wanted(self, submissions: Sequence[Submission]) -> tuple[dict[str, Any], dict[str, Exercise]]:
-        """The notebooks that at least one student handed in, and their exercises."""
-        names = {name for one in submissions for name in one.names()}
-        chosen = {name: text for name, text in self.sources.items() if _meant(name, names)} or self.sources
-        return chosen, exercises_in(*chosen.values())
+    def _task(self, one: Record, chapter: str) -> tuple[Any, dict[str, Any], dict[str, Exercise]]:
+        sources = {chapter: self.sources[chapter]}
+        if self.variants and self.personal:
+            sources = self.variants.copies(one.label, sources)
+        return one.handed.submission(chapter), sources, exercises_in(*sources.values())
 
-    def _one(self, submission: Submission, sources: Mapping[str, Any], exercises: Mapping[str, Exercise]) -> Marked:
-        file = self.kept / f"{submission.student}.json"
-        student = self.variants.roster.find(submission.student) if self.variants else ""
-        if self.variants and student:
-            sources = self.variants.copies(student, sources)
-        marked = _kept(file, submission)
-        known = marked and ({one.name for one in marked.verdicts}, marked.variants)
-        if marked is None or known != (set(exercises), values_of(sources.values())):
-            marked = mark(submission, sources, exercises, self.limits)
-            if self.variants and not student:
-                marked.notes.append("nobody in the list of names is called so; judged by the course's own values")
-        late = 0.0 if self.due is None else max(0.0, (submission.newest() - self.due) / 60)
-        marked.minutes_late = round(late, 1)
-        file.write_text(json.dumps(marked.as_json()), encoding="utf-8")
-        return marked
+    def _take(self, future: Future[Marked], one: Record, chapter: str, depends: Mapping[str, Any]) -> None:
+        try:
+            marked = future.result()
+        except Exception as error:  # mark() promises not to; the others' marks do not depend on it
+            marked = Marked(one.label, "", status="error", notes=[f"it could not be marked: {error}"])
+            marked.verdicts = list(one.wanted[chapter])
+        one.marks[chapter] = marked
+        if marked.status != "error":
+            self.results.write(one.key, chapter, depends, marked)
 
-    def _write(self, marks: Sequence[Marked], exercises: Mapping[str, Exercise]) -> None:
-        _note_copies(marks)
-        write_table(self.out, marks, list(exercises))
-        write_reports(self.kept, marks)
+    def write(self, outcome: Outcome) -> None:
+        """Everything that is made of the marks."""
+        records = outcome.records
+        note_copies({one.label: (one.handed.concerns, one.handed.parcels()) for one in records})
+        for one in records:
+            for chapter, late in one.late.items():
+                self.results.note(one.key, chapter, {"percent_off": late.percent_off})
+        shown = self._shown(records)
+        self.table.write(shown)
+        self.kept.mkdir(parents=True, exist_ok=True)
+        marks = [one.marked() for one in shown if one.chapters()]
+        write_reports(self.kept, shown)
         write_similar(self.kept / "similar.csv", marks)
         write_statistics(self.kept, marks)
-        write_overview(self.kept, marks)
+        write_overview(self.kept, shown, outcome)
+        write_gradebook(self.kept / "gradebook.csv", shown, records, self.results)
+
+    def _shown(self, records: Sequence[Record]) -> list[Record]:
+        """As they are shown: with codes for names where marking is anonymous."""
+        return list(records) if self.anonymity is None else self.anonymity.of(records)
 
 
-def _note_copies(marks: Sequence[Marked]) -> None:
-    """Tell who handed in the same pictures or the same log as somebody else; that is found anew each time."""
-    owners: dict[str, list[str]] = {}
-    for one in marks:
-        for digest in one.traces:
-            owners.setdefault(digest, []).append(one.student)
-    for one in marks:
-        shared: dict[str, list[str]] = {}
-        for digest, what in one.traces.items():
-            for other in owners[digest]:
-                if other != one.student:
-                    shared.setdefault(other, []).append(what)
-        one.concerns += [f"the same as in {other}'s: {', '.join(what[:3])}" for other, what in shared.items()]
+def _unmarked(exercises: Mapping[str, Exercise]) -> list[Verdict]:
+    return [Verdict(one.name, one.title, 0, one.points, "your work", "nothing was handed in") for one in exercises.values()]
 
 
-def _meant(name: str, handed_in: Iterable[str]) -> bool:
-    """Whether one of the files is that notebook, perhaps with more in its name."""
-    return any(one.startswith(Path(name).stem) for one in handed_in)
+def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
+    """Chapters that few handed in are no columns of everybody's."""
+    return [
+        f"{name} was handed in only by {', '.join(people[:5])}{' and others' if len(people) > 5 else ''}: it is not marked. "
+        f"To mark it: --chapters {name.partition('_')[0]}"
+        for name, people in others.items()
+    ]
+
+
+def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
+    """The keys of those who are to be marked again."""
+    if not again:
+        return [one.key for one in records]
+    found = []
+    for name in again:
+        fitting = [r.key for r in records if name in (r.key, r.label, r.handed.person.id, r.handed.person.email)]
+        if not fitting:
+            known = ", ".join(one.label for one in records[:10])
+            raise ValueError(f"--again: nobody is called '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
+        found += fitting
+    return found
 
 
 def _sources(notebooks: Path) -> dict[str, Any]:
@@ -110,32 +252,6 @@ def _sources(notebooks: Path) -> dict[str, Any]:
     if not found:
         raise SystemExit(f"There are no notebooks in {notebooks}: say with --notebooks where the course's are.")
     return found
-
-
-def _kept(file: Path, submission: Submission) -> Marked | None:
-    """The result of an earlier run, if the submission is still the same."""
-    try:
-        found = Marked.of_json(json.loads(file.read_text(encoding="utf-8")))
-    except (OSError, ValueError, TypeError, KeyError):
-        return None
-    return found if found.digest == submission.digest() and found.status != "error" else None
-
-
-def write_table(file: Path, marks: Sequence[Marked], exercises: Sequence[str]) -> None:
-    """A CSV table: a row per student, a column per question."""
-    with open(file, "w", newline="", encoding="utf-8") as out:
-        table = csv.writer(out)
-        table.writerow(["student", *exercises, "total", "status", "tier", "minutes_late", "notes"])
-        for one in marks:
-            points = {verdict.name: verdict.points for verdict in one.verdicts}
-            row = [_harmless(one.student), *(f"{points.get(name, 0):g}" for name in exercises)]
-            notes = _harmless("; ".join([*one.concerns, *one.notes]))
-            table.writerow([*row, f"{one.total():g}", one.status, one.tier, f"{one.minutes_late:g}", notes])
-
-
-def _harmless(text: str) -> str:
-    """No cell begins like a formula: spreadsheets would run it."""
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t") else text
 
 
 class Bar:

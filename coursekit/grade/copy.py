@@ -13,6 +13,8 @@ from .editions import ENGLISH, chapters
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
 HANDED_OUT = "handed_out"
 """What a notebook's metadata say when a teacher released it."""
+GIVEN = "given"
+"""What a notebook's metadata call the digests of its solution cells as they were handed out."""
 MARKUP_STUB = "<!-- YOUR CODE HERE -->"
 """The stub in files of XML: URDF, xacro, launch files"""
 _SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
@@ -39,6 +41,7 @@ def without_solution(source: str) -> str:
 def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
     """A notebook for students: stubs for solutions, no outputs, locked check cells."""
     made: dict[str, Any] = json.loads(json.dumps(notebook))
+    given = {}
     for cell in made["cells"]:
         text = "".join(cell["source"])
         if cell["cell_type"] == "code":
@@ -51,7 +54,19 @@ def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
         grading = cell.get("metadata", {}).get("nbgrader", {})
         if grading.get("locked"):
             cell["metadata"] |= {"editable": False, "deletable": False}
+        if grading.get("solution"):
+            given[str(grading.get("grade_id"))] = given_digest(cleared)
+    made.setdefault("metadata", {})["coursekit"] = {GIVEN: given}
     return made
+
+
+def given_digest(text: str) -> str:
+    """A short digest of a cell's text, by which it is known again.
+
+    >>> given_digest("a = 1\\n") == given_digest("a = 1  ")
+    True
+    """
+    return hashlib.sha256(text.strip().encode("utf-8", "replace")).hexdigest()[:16]
 
 
 def edition_of(text: str) -> str:

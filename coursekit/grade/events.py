@@ -41,7 +41,7 @@ def faults(lines: Iterable[str]) -> list[str]:
         try:
             line = json.loads(text)
             said = line.pop("digest")
-        except (ValueError, AttributeError, KeyError):
+        except (ValueError, AttributeError, KeyError, TypeError, RecursionError):
             return [f"events.jsonl: line {number} cannot be read"]
         if line.get("before") != before:
             return [f"events.jsonl: line {number} does not follow the one before it"]

@@ -11,17 +11,29 @@ import time
 from collections.abc import Mapping
 from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from . import events
 from .exercise import exercises_in
+from .harmless import shown
 from .mark import Marked, mark
-from .parcel import EVENTS, cell_digests, digest_of, other_hands, other_results, pack_parcel, parcel_faults, read_parcel
+from .parcel import (
+    EVENTS,
+    cell_digests,
+    digest_of,
+    note_copies,
+    other_hands,
+    other_results,
+    pack_parcel,
+    parcel_faults,
+    read_parcel,
+)
+from .recognising import Recogniser, parse_notebook
 from .roster import student_word
 from .sandbox import Limits
 from .submissions import Submission, read_notebook
-from .variants import Variants
+from .variants import Variants, checks_in
 
 EVIDENCE = re.compile(r"\w+_evidence_s\w+\.(png|pdf)")
 
@@ -42,12 +54,44 @@ def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked
         return mark(Submission("me", place), {notebook.name: dict(source or found)}, exercises, Limits())
 
 
-def make_parcel(notebook: Path, course: Path, student: str, out: Path) -> tuple[Path, Marked]:
-    """Run the notebook afresh and write the parcel; where it is, and the mark."""
+def make_parcel(
+    notebook: Path, course: Path, student: str, out: Path, notebooks: Path | None = None
+) -> tuple[Path, Marked]:
+    """Run the notebook afresh and write the parcel; where it is, and the mark, with notes on what is missing.
+
+    Raises:
+        ValueError: when nothing in the notebook could be marked.
+    """
+    known = Recogniser(_chapters(notebooks))
+    notes = missing_checks(notebook.name, read_notebook(notebook), known)
+    if not checks_in(read_notebook(notebook)):
+        names = ", ".join(known.chapters)
+        raise ValueError(f"{notebook.name} holds no check of the course: nothing in it can be marked. Hand in one of: {names}")
     marked = clean_run(notebook)
     file = out / f"{student_word(student)}_{notebook.stem}.zip"
     file.write_bytes(parcel_of(notebook, course, student, marked))
+    if not any(EVIDENCE.fullmatch(one.name) for one in (course / "evidence").glob("*")):
+        notes.append('There is no evidence in it. If the assignment asks for some: evidence("s2_1", graph()), then hand_in() again.')
+    marked.notes += notes
     return file, marked
+
+
+def missing_checks(name: str, notebook: Mapping[str, Any], known: Recogniser) -> list[str]:
+    """What a notebook lost of the checks of the chapter that it is."""
+    chapter = known.chapters.get(known.recognise(notebook).chapter or known.by_name(name))
+    lost = sorted(set(checks_in(chapter.source)) - set(checks_in(notebook))) if chapter else []
+    if not lost:
+        return []
+    return [f"{name}: its checks of {', '.join(lost)} were taken out. They stand in the chapter as it was handed out."]
+
+
+def _chapters(notebooks: Path | None) -> dict[str, Any]:
+    """The chapters of the course, by file name."""
+    if notebooks is None:
+        from coursekit.cli.coursekit import notebooks_folder
+
+        notebooks = notebooks_folder()
+    return {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks.glob("*.ipynb"))}
 
 
 def parcel_of(notebook: Path, course: Path, student: str, marked: Marked) -> bytes:
@@ -76,33 +120,52 @@ def parcel_of(notebook: Path, course: Path, student: str, marked: Marked) -> byt
 def verify(
     file: Path, notebooks: Path | None = None, *, run: bool = True, variants: Variants | None = None
 ) -> tuple[list[str], Marked | None]:
-    """What is wrong with a parcel, and the mark that it really earns (None when it was not run)."""
+    """What is wrong with a parcel, and the mark that it really earns (None when it was not run).
+
+    What is run is the course's own notebook with the student's answers in it; a name that is none of the course's is refused.
+    """
     data = file.read_bytes()
     found = parcel_faults(data)
     try:
         found += other_hands(data, file.stem)
         manifest, files = read_parcel(data)
-        name = Path(str(manifest["notebook"])).name
+        name = PurePosixPath(str(manifest["notebook"])).name
         content = files[name]
+        handed_in = parse_notebook(content, name)
     except (ValueError, KeyError) as error:
-        return found or [f"it has no notebook: {error}"], None
+        return found or [f"it has no notebook: {shown(str(error))}"], None
+    known = Recogniser(_chapters(notebooks))
+    if name not in known.chapters:
+        found.append(_no_chapter(name, known.recognise(handed_in).chapter, known))
+        return found, None
+    found += missing_checks(name, handed_in, known)
+    if cell_digests(handed_in) != manifest.get("cells"):
+        found.append(f"{name}: its cells are not those of the manifest")
     if not run:
         return found, None
+    own = dict(known.chapters[name].source)
+    if variants is not None:
+        student = variants.roster.find(file.stem) or variants.roster.find(str(manifest.get("student")))
+        if not student:
+            return [*found, "it is nobody's in the list of names: without a name its numbers are not known"], None
+        own = variants.copies(student, {name: own})[name]
     with tempfile.TemporaryDirectory() as scratch:
-        handed_in = Path(scratch) / name
-        handed_in.write_bytes(content)
-        source = notebooks / name if notebooks is not None else None
-        own = json.loads(source.read_text(encoding="utf-8")) if source is not None and source.is_file() else None
-        if own is not None and variants is not None:
-            student = variants.roster.find(file.stem) or variants.roster.find(str(manifest.get("student")))
-            own = variants.copies(student, {name: own})[name] if student else own
-        try:
-            if cell_digests(read_notebook(handed_in)) != manifest.get("cells"):
-                found.append(f"{name}: its cells are not those of the manifest")
-            marked = clean_run(handed_in, own)
-        except ValueError as error:
-            return [*found, str(error)], None
+        place = Path(scratch) / name
+        place.write_bytes(content)
+        marked = clean_run(place, own)
     return found + other_results(manifest, {one.name: one.points for one in marked.verdicts}), marked
+
+
+def _no_chapter(name: str, chapter: str, known: Recogniser) -> str:
+    like = f" It looks like {chapter}: ask for it under that name." if chapter else ""
+    return f"'{shown(name, 60)}' is no chapter of the course.{like} There are: {', '.join(known.chapters)}."
+
+
+def same_in(parcels: Mapping[str, Path]) -> list[str]:
+    """What several parcels have in common that no two students have alike."""
+    concerns: dict[str, list[str]] = {name: [] for name in parcels}
+    note_copies({name: (concerns[name], [file]) for name, file in parcels.items()})
+    return [f"{name}: {said}" for name, listed in concerns.items() for said in listed]
 
 
 def _version() -> str:

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
-from .wire import pack, refresh, unpack
+from .wire import pack, refresh, unpack_of_judge
 
 WAIT_SECONDS = 600.0
 """Virtual seconds that a cell may take."""
@@ -85,7 +85,6 @@ class Runner:
         shell.kernel = SimpleNamespace()  # the lab's magics want one
         self.shell.colors = "NoColor"
         self.build: list[str] = []
-        self.moments: dict[str, dict[str, Any]] = {}
 
     def run(self, source: str, seconds: float) -> dict[str, Any]:
         """Run a cell; what went wrong is told, what it prints is not."""
@@ -111,24 +110,18 @@ class Runner:
         if kind == "run":
             return self.run(str(question["source"]), float(question["seconds"]))
         if kind == "value":
-            names = self._variables(question)
+            names = self.shell.user_ns
             return {"value": pack(names[question["name"]])} if question["name"] in names else {"missing": True}
-        if kind == "keep":
-            self.moments[str(question["moment"])] = dict(self.shell.user_ns)
-            return {}
+        if kind == "callable":
+            return {} if callable(self.shell.user_ns.get(question["name"])) else {"missing": True}
         if kind == "call":
             return self._call(question)
         if kind == "build":
             return self._build(float(question["seconds"]))
         return {"error": f"there is no question {kind!r}"}
 
-    def _variables(self, question: dict[str, Any]) -> dict[str, Any]:
-        """The notebook's variables at the moment that the judge asks about."""
-        found: dict[str, Any] = self.moments.get(str(question.get("moment")), self.shell.user_ns)
-        return found
-
     def _call(self, question: dict[str, Any]) -> dict[str, Any]:
-        names = self._variables(question)
+        names = self.shell.user_ns
         function = names.get(question["name"])
         if not callable(function):
             return {"missing": True}
@@ -162,8 +155,8 @@ def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> d
     given = dict(question.get("variables") or {})
     for name, packed in given.items():
         if pack(names.get(name)) != packed:
-            refresh(names.get(name), unpack(packed))
-    args = [unpack(one) for one in question["args"]]
+            refresh(names.get(name), unpack_of_judge(packed))
+    args = [unpack_of_judge(one) for one in question["args"]]
     value = function(*args)
     after = [pack(one) for one in args]
     changed = {place: one for place, one in enumerate(after) if one != question["args"][place]}

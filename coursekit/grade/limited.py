@@ -24,8 +24,18 @@ def main(argv: list[str]) -> None:
             _, hard = resource.getrlimit(getattr(resource, name))
             most = value if hard == resource.RLIM_INFINITY else min(value, hard)
             resource.setrlimit(getattr(resource, name), (most, most))
+    end_with_parent()
     command = argv[argv.index("--") + 1 :]
     os.execvp(command[0], command)
+
+
+def end_with_parent() -> None:
+    """End when the process that started this one does, where the system offers that."""
+    if sys.platform.startswith("linux"):
+        import ctypes
+
+        parent_death_signal, kill = 1, 9
+        ctypes.CDLL(None).prctl(parent_death_signal, kill)
 
 
 if __name__ == "__main__":

@@ -1,28 +1,34 @@
-"""The class on one page: every student with their questions, what needs the teacher's eye, and work that is alike."""
+"""The class on one page: who needs a look, the hardest exercises and their frequent wrong answers, everybody's points."""
 
 from __future__ import annotations
 
 import html
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
+from .harmless import number, shown
+from .record import Record
 from .similar import similar
+from .statuses import LOOK, counted, told
+from .tables import write_whole
+from .verdict import Verdict
 
 if TYPE_CHECKING:
-    from .mark import Marked
-    from .verdict import Verdict
+    from .batch import Outcome
 
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>The class</title>
 <style>body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
 h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:2rem}} img{{max-width:100%}} table{{border-collapse:collapse}}
 td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid #e3e8ea;vertical-align:top;font-weight:400}}
-th{{color:#68757d;position:sticky;top:0;background:#fff}} td:first-child,th:first-child,.words{{text-align:left}}
+th{{color:#5c686f;position:sticky;top:0;background:#fff}} td:first-child,th:first-child,.words{{text-align:left}}
 .all{{background:#e3f2e9}} .some{{background:#fbf3dc}} .none{{color:#b3392f}} .eye{{color:#b3392f}}
-.words{{font-size:.88rem}} td:first-child{{white-space:nowrap}}</style>
-</head><body><h1>The class</h1><p><img src="histogram.png" alt="How many students have how many points"></p>
+.words{{font-size:.88rem}} td:first-child{{white-space:nowrap}} .wrap td:first-child{{white-space:normal}}</style>
+</head><body><h1>The class</h1><p>{counts}; run in the sandbox <code>{tier}</code></p>
+{look}{hardest}<h2>Everybody</h2><p><img src="histogram.png" alt="How many students have how many points"></p>
 <table><tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
 {rows}</table>{alike}</body></html>
 """
@@ -30,25 +36,64 @@ _MOST = 200
 """Pairs that are shown; similar.csv has them all."""
 
 
-def overview(marks: Sequence[Marked]) -> str:
+def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
     """The page."""
-    questions = sorted({verdict.name for one in marks for verdict in one.verdicts})
+    questions = sorted({verdict.name for one in records for verdicts in one.wanted.values() for verdict in verdicts})
+    counts = outcome.statuses() if outcome else counted(one.status() for one in records)
+    tiers = sorted({one.marked().tier for one in records} - {""})
     return _PAGE.format(
+        counts=html.escape(told(counts) or "nothing was handed in"),
+        tier=html.escape(", ".join(tiers) or "none"),
+        look=_look(records, outcome),
+        hardest=_hardest(records),
         questions="".join(f"<th>{html.escape(name)}</th>" for name in questions),
-        rows="\n".join(_row(one, questions) for one in marks),
-        alike=_alike(marks),
+        rows="\n".join(_row(one, questions) for one in records),
+        alike=_alike(records),
     )
 
 
-def _row(marked: Marked, questions: Sequence[str]) -> str:
+def _look(records: Sequence[Record], outcome: Outcome | None) -> str:
+    """Who needs the teacher's eye, and why; the most pressing first."""
+    rows = []
+    for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
+        concerns = one.marked().concerns
+        if one.status() in LOOK or concerns:
+            words = "<br>".join(_text(word) for word in [*one.handed.open, *concerns, *one.marked().notes][:12])
+            rows.append(f"<tr><td>{_link(one)}</td><td class='words'>{one.status()}</td><td class='words'>{words}</td></tr>")
+    for _, question in outcome.collection.whose if outcome else ():
+        rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
+    heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"
+    return f"<h2>Who needs a look</h2><table>{heading}{''.join(rows)}</table>" if rows else ""
+
+
+def _hardest(records: Sequence[Record]) -> str:
+    """The exercises by what they cost, with the wrong answers that most gave."""
+    verdicts: dict[str, list[Verdict]] = {}
+    for one in records:
+        for verdict in one.marked().verdicts if one.marks and one.total() is not None else ():
+            verdicts.setdefault(verdict.name, []).append(verdict)
+    share = {name: sum(one.points for one in found) / (sum(one.of for one in found) or 1) for name, found in verdicts.items()}
+    rows = []
+    for name in sorted(share, key=lambda each: (share[each], each)):
+        wrong = Counter(shown(one.got, 160) for one in verdicts[name] if not one.passed and one.got)
+        said = "<br>".join(f"{times} × {html.escape(text)}" for text, times in wrong.most_common(3))
+        title = html.escape(verdicts[name][0].title)
+        what = f"<td>{html.escape(name)} {title}</td><td>{100 * share[name]:.0f} %</td>"
+        rows.append(f"<tr>{what}<td class='words'>{said}</td></tr>")
+    heading = "<tr><th>exercise</th><th>of the points</th><th class='words'>most frequent wrong answers</th></tr>"
+    return f"<h2>Exercises, the hardest first</h2><table class='wrap'>{heading}{''.join(rows)}</table>" if rows else ""
+
+
+def _row(record: Record, questions: Sequence[str]) -> str:
+    marked, total = record.marked(), record.total()
     verdicts = {verdict.name: verdict for verdict in marked.verdicts}
-    cells = "".join(_cell(verdicts.get(name)) for name in questions)
-    eye = [f"<span class='eye'>{html.escape(one)}</span>" for one in marked.concerns]
-    words = "<br>".join([*eye, *(html.escape(one) for one in marked.notes)])
-    late = f"{marked.minutes_late:g}" if marked.minutes_late else ""
+    cells = "".join(_cell(verdicts.get(name) if record.marks else None) for name in questions)
+    eye = [f"<span class='eye'>{_text(one)}</span>" for one in [*record.handed.open, *marked.concerns]]
+    words = "<br>".join([*eye, *(_text(one) for one in marked.notes)])
+    late = number(marked.minutes_late) if marked.minutes_late else ""
     return (
-        f"<tr><td>{_link(marked.student)}</td>{cells}<td><b>{marked.total():g}</b></td><td>{html.escape(marked.status)}</td>"
-        f"<td>{late}</td><td class='words'>{words}</td></tr>"
+        f"<tr><td>{_link(record)}</td>{cells}<td><b>{'?' if total is None else number(total)}</b></td>"
+        f"<td>{record.status()}</td><td>{late}</td><td class='words'>{words}</td></tr>"
     )
 
 
@@ -56,24 +101,29 @@ def _cell(verdict: Verdict | None) -> str:
     if verdict is None:
         return "<td></td>"
     kind = "all" if verdict.passed else "some" if verdict.points else "none"
-    return f"<td class='{kind}' title='{html.escape(verdict.got or verdict.title, quote=True)}'>{verdict.points:g}</td>"
+    return f"<td class='{kind}' title='{_text(verdict.got or verdict.title)}'>{number(verdict.points)}</td>"
 
 
-def _link(student: str) -> str:
-    return f"<a href='{quote(student)}.html'>{html.escape(student)}</a>"
+def _text(text: str) -> str:
+    return html.escape(shown(text, 400), quote=True)
 
 
-def _alike(marks: Sequence[Marked]) -> str:
+def _link(record: Record) -> str:
+    return f"<a href='{quote(record.key)}.html'>{_text(record.label)}</a>"
+
+
+def _alike(records: Sequence[Record]) -> str:
     """Pairs whose work is nearly one: where to look, not a verdict."""
-    pairs = similar(marks)
+    by_name = {one.label: one for one in records}
+    pairs = similar([one.marked() for one in records if one.marks])
     rows = "".join(
-        f"<tr><td>{_link(one)}</td><td class='words'>{_link(other)}</td><td>{100 * likeness:.0f} %</td></tr>"
-        for one, other, likeness in pairs[:_MOST]
+        f"<tr><td>{_link(by_name[one])}</td><td class='words'>{_link(by_name[other])}</td><td>{100 * like:.0f} %</td></tr>"
+        for one, other, like in pairs[:_MOST]
     )
     more = f"<p>{len(pairs) - _MOST} more are in similar.csv.</p>" if len(pairs) > _MOST else ""
     return f"<h2>Work that is alike</h2><table>{rows}</table>{more}" if pairs else ""
 
 
-def write_overview(folder: Path, marks: Sequence[Marked]) -> None:
+def write_overview(folder: Path, records: Sequence[Record], outcome: Outcome | None = None) -> None:
     """class.html."""
-    (folder / "class.html").write_text(overview(marks), encoding="utf-8")
+    write_whole(folder / "class.html", overview(records, outcome).encode("utf-8", "replace"))

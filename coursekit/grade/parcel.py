@@ -1,19 +1,26 @@
 """The one file that a student hands in: the notebook, pictures, what happened, and a manifest with the mark of a clean run.
 
-It shows changes, it does not prevent them: the mark that counts comes from running the notebook again.
+What its seal proves: that it is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove: who
+that was, when (the clock is the student's), and that nobody made another seal; all that is needed for one is on the student's
+computer. So the mark that counts comes from running the notebook again, and the parcels of a class are compared: a log or a
+picture that two people hand in is told, sealed anew or not.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import io
 import json
 import zipfile
-from collections.abc import Mapping
-from pathlib import PurePosixPath
+from collections.abc import Mapping, Sequence
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from . import events
+from .archives import Archive, Bounds
+from .harmless import shown
+from .recognising import text_of
 from .roster import plain, student_word
 
 MANIFEST, EVENTS = "manifest.json", "events.jsonl"
@@ -32,7 +39,7 @@ def pack_parcel(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
 
 def cell_digests(notebook: Mapping[str, Any]) -> list[str]:
     """A digest of the text of each cell."""
-    return [hashlib.sha256("".join(cell.get("source", "")).encode()).hexdigest() for cell in notebook.get("cells", [])]
+    return [hashlib.sha256(text_of(cell).encode("utf-8", "replace")).hexdigest() for cell in notebook.get("cells", [])]
 
 
 def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
@@ -40,13 +47,11 @@ def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
     if len(data) > LARGEST:
         raise ValueError(f"it is larger than {LARGEST >> 20} MB")
     try:
-        with zipfile.ZipFile(io.BytesIO(data)) as opened:
-            if sum(one.file_size for one in opened.infolist()) > LARGEST:
-                raise ValueError(f"it unpacks to more than {LARGEST >> 20} MB")
-            files = {one.filename: opened.read(one) for one in opened.infolist()}
+        with Archive(io.BytesIO(data), Bounds(file=LARGEST, total=LARGEST)) as opened:
+            files = {one.info.filename: opened.read(one) for one in opened.members()}
         manifest = json.loads(files.pop(MANIFEST))
-    except (zipfile.BadZipFile, KeyError, NotImplementedError, RuntimeError, OSError, EOFError) as error:
-        raise ValueError(f"it is no parcel made by hand_in(): {error}") from None
+    except (KeyError, ValueError, RecursionError) as error:
+        raise ValueError(f"it is no parcel made by hand_in(): {shown(str(error))}") from None
     if not isinstance(manifest, dict) or not isinstance(manifest.get("files"), dict):
         raise ValueError("its manifest is none")
     return manifest, files
@@ -55,9 +60,15 @@ def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
 def parcel_faults(data: bytes) -> list[str]:
     """Every sign that it was changed after it was made."""
     try:
-        manifest, files = read_parcel(data)
+        return [shown(one) for one in _faults(data)]
     except ValueError as error:
         return [str(error)]
+    except (TypeError, LookupError, AttributeError, RecursionError):
+        return ["its manifest or its log is not as hand_in() writes them"]
+
+
+def _faults(data: bytes) -> list[str]:
+    manifest, files = read_parcel(data)
     found = [f"{name}: is missing" for name in manifest["files"] if name not in files]
     for name, content in files.items():
         if name not in manifest["files"]:
@@ -127,8 +138,37 @@ def traces(data: bytes) -> dict[str, str]:
     _, files = read_parcel(data)
     found = {digest_of(content): name for name, content in files.items() if name.startswith("evidence/")}
     for number, line in enumerate(_lines(files), 1):
-        found[digest_of(line.encode())] = f"line {number} of {EVENTS}"
+        found[digest_of(_happened(line))] = f"line {number} of {EVENTS}"
     return found
+
+
+def _happened(line: str) -> bytes:
+    """What a line of the log tells, without its place in the chain: that is made anew in a moment."""
+    try:
+        facts = json.loads(line)
+        return json.dumps({k: v for k, v in facts.items() if k not in ("before", "digest")}, sort_keys=True).encode()
+    except (ValueError, AttributeError, RecursionError):
+        return line.encode()
+
+
+def note_copies(owners: Mapping[str, tuple[list[str], Sequence[Path]]]) -> None:
+    """Tell each person's concerns who else handed in the same pictures or log, in parcels sealed by whomever."""
+    found: dict[str, dict[str, str]] = {}
+    for who, (_, files) in owners.items():
+        for file in files:
+            with contextlib.suppress(ValueError, OSError):
+                found.setdefault(who, {}).update(traces(file.read_bytes()))
+    shared: dict[str, list[str]] = {}
+    for who, traced in found.items():
+        for digest in traced:
+            shared.setdefault(digest, []).append(who)
+    for who, traced in found.items():
+        others: dict[str, list[str]] = {}
+        for digest, what in traced.items():
+            for other in shared[digest]:
+                if other != who:
+                    others.setdefault(other, []).append(what)
+        owners[who][0].extend(f"the same as in {other}'s: {', '.join(what[:3])}" for other, what in others.items())
 
 
 def digest_of(data: bytes) -> str:

@@ -9,9 +9,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .copy import HANDED_OUT, student_notebook
+from .copy import HANDED_OUT, edition_of, student_notebook
+from .exercise import exercises_in
+from .harmless import name_of_files
 from .roster import student_word
-from .variants import Variants
+from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 _PAGE = """<h2>{title}</h2>
@@ -24,22 +26,34 @@ Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</co
 
 
 def released(notebook: dict[str, Any]) -> dict[str, Any]:
-    """A notebook as it is handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata."""
+    """A notebook as it is handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata with the judges' points."""
     made = student_notebook(notebook)
-    made["metadata"] = {"kernelspec": KERNEL, "language_info": {"name": "python"}}
+    facts = made["metadata"]["coursekit"]
+    made["metadata"] = {"kernelspec": KERNEL, "language_info": {"name": "python"}, "coursekit": facts}
+    points = {name: one.points for name, one in exercises_in(made).items()}
+    for name, place in checks_in(made).items():
+        grading = made["cells"][place].get("metadata", {}).get("nbgrader", {})
+        if grading.get("grade") and name in points:
+            grading["points"] = points[name]
     return made
 
 
-def release(notebooks: Sequence[Path], out: Path, variants: Variants | None = None) -> list[Path]:
+def release(
+    notebooks: Sequence[Path], out: Path, variants: Variants | None = None, *, personal: bool = True
+) -> list[Path]:
     """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written.
 
-    With `variants` each student of the class has a folder and a zip of their own.
+    With `variants` each student of the class has a folder and a zip of their own, whose notebooks carry a mark that says
+    whose they are; with `personal` they ask for numbers of their own, too.
     """
     sources = {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks)}
     written = []
-    for student in variants.roster.students if variants else []:
-        copies = variants.copies(student, sources) if variants else sources
-        written.append(_zipped(_written(copies, out / student_word(student), out.name), out))
+    for person in variants.roster.people if variants else []:
+        assert variants is not None
+        student = variants.roster.label(person)
+        copies = variants.copies(student, sources) if personal else sources
+        folder = out / (student_word(student) or name_of_files(person.identity))
+        written.append(_zipped(_written(copies, folder, out.name, variants.copy_mark(person)), out))
     if not variants:
         files = _written(sources, out, out.name)
         written = [*files, _zipped(files, out)]
@@ -50,13 +64,15 @@ def release(notebooks: Sequence[Path], out: Path, variants: Variants | None = No
     return [*written, page]
 
 
-def _written(notebooks: Mapping[str, Any], folder: Path, name: str) -> list[Path]:
+def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = "") -> list[Path]:
     """The notebooks as they are handed out; they say so, and a new edition of the course leaves them alone."""
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for file, notebook in notebooks.items():
         made = released(notebook)
-        made["metadata"]["coursekit"] = {HANDED_OUT: name}
+        edition = edition_of(json.dumps(made))[:24]
+        made["metadata"]["coursekit"] |= {HANDED_OUT: name, "chapter": file, "release": edition}
+        made["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
         files.append(folder / file)
         files[-1].write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")
     return files
@@ -71,6 +87,6 @@ def _zipped(files: Sequence[Path], out: Path) -> Path:
 
 
 def _row(name: str, notebook: dict[str, Any]) -> str:
-    grading = [cell.get("metadata", {}).get("nbgrader", {}) for cell in notebook["cells"]]
-    points = [float(one.get("points", 0)) for one in grading if one.get("grade")]
+    """The points are the judges': what is told is what is given."""
+    points = [one.points for one in exercises_in(notebook).values()]
     return f"<tr><td>{html.escape(name)}</td><td>{len(points)}</td><td>{sum(points):g}</td></tr>"

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import builtins
 import contextlib
+import hashlib
+import hmac
 import json
+import os
+import random
 import select
 import sys
 import time
@@ -13,181 +17,206 @@ from pathlib import Path
 from typing import Any
 
 from . import sandbox
+from .facts import checked
 from .inside import PATIENCE
 from .interruptions import Gone, NeedsWorkspace
+from .reading import KINDS
 from .trial import PATIENCE as PATIENT
-from .trial import Plan, Seen, TrialFailed, answered, asked
+from .trial import PROGRAMS, WATCHER, Plan, Seen, TrialFailed, answered, question
 from .variants import Values
 from .verdict import Wrong
 from .wire import pack, refresh, unpack
-from .work import Work, _words
+from .work import Work
 
-CALL_SECONDS = 10.0
-BUILD_SECONDS = 60.0
+READ_SECONDS = 20.0
 
 
 class Line:
     """Questions and answers over the sandbox's stdin and stdout."""
 
     def __init__(self, running: sandbox.Sandboxed, limits: sandbox.Limits) -> None:
-        self._running = running
+        self.running = running
         self._limits = limits
         self._read = 0
         self._rest = b""
 
     def ask(self, question: dict[str, Any], seconds: float) -> dict[str, Any]:
         """The answer; Gone when there is none."""
-        assert self._running.child.stdin is not None
+        assert self.running.child.stdin is not None
         try:
-            self._running.child.stdin.write(json.dumps(question).encode() + b"\n")
-            self._running.child.stdin.flush()
+            self.running.child.stdin.write(json.dumps(question).encode() + b"\n")
+            self.running.child.stdin.flush()
             answer = json.loads(self._line(time.monotonic() + seconds))
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, RecursionError) as error:
             raise Gone(self._why(error)) from None
         if not isinstance(answer, dict):
             raise Gone("the sandbox answered nonsense")
         return answer
 
     def _line(self, give_up: float) -> bytes:
-        assert self._running.child.stdout is not None
-        pipe = self._running.child.stdout
+        assert self.running.child.stdout is not None
+        pipe = self.running.child.stdout
         while b"\n" not in self._rest:
             left = give_up - time.monotonic()
             if left <= 0 or not select.select([pipe], [], [], min(left, 0.5))[0]:
                 if left <= 0:
-                    self._running.end("it did not answer in time")
+                    self.running.end("it did not answer in time")
                     raise ValueError("no answer")
                 continue
             data = pipe.read1(65536)  # type: ignore[attr-defined]
             self._read += len(data)
             if not data or self._read > self._limits.output:
-                self._running.end("" if not data else "it wrote more than it may")
+                self.running.end("" if not data else "it wrote more than it may")
                 raise ValueError("no answer")
             self._rest += data
         line, _, self._rest = self._rest.partition(b"\n")
         return line
 
     def _why(self, error: Exception) -> str:
-        return self._running.stopped or f"the program ended while it ran ({error})"
+        return self.running.stopped or f"the program ended while it ran ({error})"
 
 
 class RemoteWork(Work):
-    """`Work` whose variables live in a sandbox and whose programs are tried out in further ones."""
+    """`Work` whose variables live in a sandbox, and whose files and programs are looked at in further ones.
+
+    A judge that looks at files before `finish` is interrupted by NeedsWorkspace, and asked again afterwards. By then the
+    notebook's sandbox has ended, so nothing can change what is read and run; the variables that the judge asked for before
+    are kept.
+    """
 
     def __init__(
         self,
-        line: Line,
+        running: sandbox.Sandboxed,
         workspace: Path,
         environment: Mapping[str, str],
         limits: sandbox.Limits,
         values: Values | None = None,
+        secret: bytes = b"",
     ) -> None:
         super().__init__({}, workspace)
         self._values = values or {}
-        self._line = line
+        self._running = running
+        self._line = Line(running, limits)
         self._environment = environment
         self._limits = limits
+        self._secret = secret
+        self._given: dict[str, dict[str, Any]] = {}
+        """By exercise: the variables that its judge asked for."""
         self._moment = ""
-        self._given: dict[str, Any] = {}
+        self._reader: Line | None = None
         self.complete = False
-        """Whether all cells have run and the packages are built."""
+        """Whether all cells have run, the packages are built, and the notebook has ended."""
 
     def run(self, source: str, seconds: float) -> str:
         """Run a cell in the sandbox; what went wrong."""
         question = {"ask": "run", "source": source, "seconds": seconds}
         return str(self._line.ask(question, PATIENCE * seconds + 10).get("error", ""))
 
-    def build(self, seconds: float) -> None:
-        """Build what the notebook builds; then files and programs can be judged."""
+    def finish(self, seconds: float) -> None:
+        """Build what the notebook builds, and end the notebook; then files and programs can be judged."""
         self._line.ask({"ask": "build", "seconds": seconds}, PATIENCE * seconds + 10)
+        self._running.end()
         self.complete = True
 
+    def end(self) -> None:
+        """End all sandboxes."""
+        self._running.end()
+        if self._reader is not None:
+            self._reader.running.end()
+
     def judge_from_here(self, exercise: str) -> None:
-        """The work is judged as it is now: whoever judges `exercise` later still sees the variables of this moment."""
+        """The work for `exercise` is judged as it is now."""
         self._moment = exercise
         self.variants = self._values.get(exercise, {})
-        self._given = {}
-        if not self.complete:
-            self._line.ask({"ask": "keep", "moment": exercise}, CALL_SECONDS)
+        self._given.setdefault(exercise, {})
+
+    def dice(self, name: str) -> random.Random:
+        return random.Random(hmac.new(self._secret, f"{self._moment} {name}".encode(), hashlib.sha256).digest())
 
     def value(self, name: str, kind: type[Any]) -> Any:
-        answer = self._line.ask({"ask": "value", "name": name, "moment": self._moment}, CALL_SECONDS)
-        self.variables = {} if answer.get("missing") else {name: _unpacked(answer)}
-        found = self._given[name] = super().value(name, kind)
-        return found
+        given = self._given[self._moment]
+        if name not in given:
+            answer = self._line.ask({"ask": "value", "name": name}, self._limits.call)
+            self.variables = {} if answer.get("missing") else {name: _unpacked(answer)}
+            given[name] = super().value(name, kind)
+        return given[name]
 
     def function(self, name: str) -> Any:
-        answer = self._line.ask({"ask": "value", "name": name, "moment": self._moment}, CALL_SECONDS)
+        answer = self._line.ask({"ask": "callable", "name": name}, self._limits.call)
         if answer.get("missing"):
             raise Wrong(f"a function named `{name}`", "there is none", "Was the cell above run?")
         return lambda *args: self._call(name, args)
 
     def _call(self, name: str, args: Sequence[Any]) -> Any:
         """Call the student's function; what it and the judge change in arguments and variables, both see."""
+        given = self._given[self._moment]
         question = {
             "ask": "call",
             "name": name,
-            "moment": self._moment,
             "args": [pack(one) for one in args],
-            "variables": {known: pack(one) for known, one in self._given.items()},
-            "seconds": CALL_SECONDS,
+            "variables": {known: pack(one) for known, one in given.items()},
+            "seconds": self._limits.call,
         }
-        said = self._line.ask(question, PATIENCE * CALL_SECONDS + 5)
+        said = self._line.ask(question, PATIENCE * self._limits.call + 5)
         if said.get("missing") or said.get("error"):
             raise _error_of(str(said.get("error") or f"RuntimeError: `{name}` cannot be called"))
         with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing
             for place, changed in dict(said.get("args") or {}).items():
                 refresh(args[int(place)], unpack(changed))
             for known, changed in dict(said.get("variables") or {}).items():
-                refresh(self._given[known], unpack(changed))
+                refresh(given[known], unpack(changed))
         returned = said.get("argument")
         return args[returned] if type(returned) is int and 0 <= returned < len(args) else _unpacked(said)
 
-    def file(self, path: str) -> Path:
+    def _read(self, what: str, **arguments: Any) -> Any:
         self._need()
-        found = super().file(path)
-        if not found.resolve().is_relative_to(self.workspace.resolve()):
-            raise Wrong(f"the file {path} in {self.workspace.name}/", "a link to a place outside of it")
-        return found
-
-    def built(self, package: str) -> Path:
-        self._need()
-        return super().built(package)
-
-    def environment(self) -> dict[str, str]:
-        from coursekit.packages.overlay import overlay_environment
-
-        install = self.workspace / "install"
-        env = dict(self._environment)
-        return overlay_environment(install, env) if install.is_dir() else env
-
-    def try_out(
-        self, *commands: str, seconds: float = 3.0, later: Sequence[tuple[float, str]] = (), **plan: Any
-    ) -> Seen:
-        self._need()
-        run, asked = [_words(one) for one in commands], [(when, _words(one)) for when, one in later]
+        if self._reader is None:
+            command = [sys.executable, "-I", "-m", "coursekit.grade.reader", str(self.workspace)]
+            folder = self.workspace.parent
+            running = sandbox.start(command, folder, self._environment, self._limits, writable=False)
+            self._reader = Line(running, self._limits)
         try:
-            return self._sandboxed_trial(Plan(run=run, seconds=seconds, later=asked, **plan))
-        except TrialFailed as failure:
-            raise Wrong("programs that run", str(failure)) from None
+            found = self._reader.ask({"ask": what, **arguments}, READ_SECONDS)
+            if "wrong" in found:
+                expected, got, cause = checked(list[str], json.dumps(found["wrong"]))
+                raise Wrong(expected, got, cause)
+            return checked(KINDS[what], json.dumps(found["facts"]))
+        except (Gone, ValueError, KeyError) as error:
+            self._reader.running.end()
+            self._reader = None
+            raise Wrong("files that can be read", f"{error}"[:300]) from None
 
     def _need(self) -> None:
         if not self.complete:
             raise NeedsWorkspace
 
-    def _sandboxed_trial(self, plan: Plan) -> Seen:
-        # -I: what the student's folders hold must not stand in for modules of ours
-        command = [sys.executable, "-I", "-m", "coursekit.grade.trial", str(PATIENT)]
-        env = self.environment() | {"COURSEKIT_TIME": "virtual"}
-        running = sandbox.start(command, self.workspace.parent, env, self._limits)
-        key, question = asked(plan)
+    def _carry_out(self, plan: Plan) -> Seen:
+        """The watcher and the student's programs in a sandbox each, joined by two pipes."""
+        self._need()
+        env = dict(self._environment) | {"COURSEKIT_TIME": "virtual", "COURSEKIT_WORKSPACE": str(self.workspace)}
+        folder = self.workspace.parent
+        there, back = os.pipe(), os.pipe()
+        started: list[sandbox.Sandboxed] = []
         try:
-            out = running.answer(question, self._limits.output)
-            if running.stopped:
-                raise TrialFailed(running.stopped)
-            return answered(key, out)
+            command = [*WATCHER, str(PATIENT), str(back[0]), str(there[1])]
+            pipes = (back[0], there[1])
+            started.append(sandbox.start(command, folder, env, self._limits, writable=False, pipes=pipes))
+            command = [*PROGRAMS, str(there[0]), str(back[1])]
+            started.append(sandbox.start(command, folder, env, self._limits, pipes=(there[0], back[1])))
+            for one in (*there, *back):
+                os.close(one)
+            there = back = (-1, -1)
+            out = started[0].answer(question(plan), self._limits.output)
+            why = started[1].stopped or started[0].stopped
+            if why:
+                raise TrialFailed(why)
+            return answered(out)
         finally:
-            running.end()
+            for running in started:
+                running.end()
+            for one in (*there, *back):
+                if one >= 0:
+                    os.close(one)
 
 
 def _unpacked(answer: dict[str, Any]) -> Any:

@@ -1,4 +1,4 @@
-"""A page for each student: points, what was expected and seen, what to improve; and Gradescope's results.json."""
+"""A page for each student: points, their code beside what was expected and seen; and Gradescope's results.json."""
 
 from __future__ import annotations
 
@@ -6,38 +6,67 @@ import html
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from .mark import Marked
+from .harmless import lines, number, shown
+from .mark import Marked
+from .record import Record
+from .tables import write_whole
+from .verdict import Verdict
 
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}</title>
-<style>body{{font:16px/1.5 system-ui,sans-serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
-h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
-.total{{font-size:1.2rem}} footer{{color:#68757d;font-size:.85rem;margin-top:2rem}}</style></head>
-<body><h1>{student}</h1><p class="total"><b>{points:g}</b> of {of:g} points</p>{notes}
+<style>body{{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
+h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}} .comment{{border-left:4px solid #2f7d8c;padding:4px 12px}}
+.total{{font-size:1.2rem}} footer,.how{{color:#5c686f;font-size:.85rem}} footer{{margin-top:2rem}}
+.work{{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:1rem;margin:.8rem 0;align-items:start}}
+@media(max-width:50rem){{.work{{grid-template-columns:1fr}}}}
+pre{{background:#f5f7f8;padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
+<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points{off}</p>{comments}{notes}
 {verdicts}<footer>{status}{late}; run in the sandbox <code>{tier}</code></footer></body></html>
 """
 
 
-def page(marked: Marked) -> str:
+def page(record: Record) -> str:
     """The report as HTML."""
+    marked, total, code = record.marked(), record.total(), record.code()
     improve = [verdict for verdict in marked.verdicts if not verdict.passed]
     right = [verdict for verdict in marked.verdicts if verdict.passed]
-    parts = ["<h2>To improve</h2>" if improve else "", *(one.html() for one in improve)]
-    parts += ["<h2>Right</h2>" if right else "", *(one.html() for one in right)]
-    notes = "".join(f"<li>{html.escape(note)}</li>" for note in marked.notes)
+    parts = ["<h2>To improve</h2>" if improve else "", *(_beside(one, record, code) for one in improve)]
+    parts += ["<h2>Right</h2>" if right else "", *(_beside(one, record, code) for one in right)]
+    notes = "".join(f"<li>{_text(note)}</li>" for note in [*record.handed.open, *marked.notes])
+    off = max((one.percent_off for one in record.late.values()), default=0.0)
+    written = [(name, text) for name, text in record.extra.items() if text]
+    said = "".join(f"<p class='comment'><b>{_text(name)}</b>: {_text(text)}</p>" for name, text in written)
     return _PAGE.format(
-        student=html.escape(marked.student),
-        points=marked.total(),
-        of=sum(verdict.of for verdict in marked.verdicts),
+        student=_text(record.label),
+        points="no mark yet" if total is None else number(total),
+        of=number(record.of()),
+        off=f" ({number(off)} % off for being late)" if off else "",
+        comments=said,
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),
-        status=html.escape(marked.status.capitalize()),
-        tier=html.escape(marked.tier),
-        late=f"; {marked.minutes_late:g} minutes late" if marked.minutes_late else "",
+        status=_text(record.status().capitalize()),
+        tier=_text(marked.tier or "none"),
+        late=f"; {number(marked.minutes_late)} minutes late by {_text(record.time_from())}" if marked.minutes_late else "",
     )
+
+
+def _beside(verdict: Verdict, record: Record, code: dict[str, str]) -> str:
+    """A verdict, and the student's code beside it."""
+    hand = "<p class='how'>These points were given by hand.</p>" if verdict.name in record.by_hand else ""
+    text = code.get(verdict.name, "")
+    own = f"<pre>{html.escape(lines(text))}</pre>" if text else "<p class='how'>Nothing was handed in for this.</p>"
+    return f"<div class='work' id='{_text(verdict.name)}'><div>{_plain(verdict).html()}{hand}</div><div>{own}</div></div>"
+
+
+def _plain(one: Verdict) -> Verdict:
+    """What was seen is the student's own text: nothing in it may turn or hide the page."""
+    return Verdict(one.name, one.title, one.points, one.of, lines(one.expected), lines(one.got), one.cause, one.hint)
+
+
+def _text(text: str) -> str:
+    return html.escape(shown(text, 600), quote=True)
 
 
 def gradescope(marked: Marked) -> dict[str, Any]:
@@ -57,8 +86,9 @@ def gradescope(marked: Marked) -> dict[str, Any]:
     return {"score": marked.total(), "output": "\n".join(marked.notes), "output_format": "text", "tests": tests}
 
 
-def write_reports(folder: Path, marks: Sequence[Marked]) -> None:
-    """NAME.html and NAME.results.json for every student."""
-    for one in marks:
-        (folder / f"{one.student}.html").write_text(page(one), encoding="utf-8")
-        (folder / f"{one.student}.results.json").write_text(json.dumps(gradescope(one), indent=1), encoding="utf-8")
+def write_reports(folder: Path, records: Sequence[Record]) -> None:
+    """KEY.html and KEY.results.json for everybody; no page for whom nothing is known of."""
+    for one in records:
+        write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"))
+        said = {**gradescope(one.marked()), "score": one.total() or 0.0}
+        write_whole(folder / f"{one.key}.results.json", json.dumps(said, indent=1).encode())

@@ -1,15 +1,16 @@
-"""The names of a class, as a teacher has them: a text with a name on each line, or a table."""
+"""Who is in a class: a list that a learning platform exported, a table, or a text with a name on each line."""
 
 from __future__ import annotations
 
-import csv
 import re
 import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-_HEADINGS = ("student", "students", "name", "names", "full name", "student name")
+from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
+from .tables import Table, decoded, read_table
 
 
 def student_word(student: str) -> str:
@@ -30,50 +31,153 @@ def plain(name: str) -> str:
     return re.sub(r"[\W_]", "", unicodedata.normalize("NFKD", name)).casefold()
 
 
+@dataclass(frozen=True)
+class Person:
+    """Somebody in a class."""
+
+    name: str
+    """As it is shown: given names first."""
+    id: str = ""
+    """What the school calls them."""
+    email: str = ""
+    family: str = ""
+    given: str = ""
+    login: str = ""
+    number: str = ""
+    """What the platform calls them: Moodle's participant, Canvas's user."""
+    when: str = ""
+    """When the platform says that they handed in."""
+    row: int = -1
+    """The row of the list."""
+
+    @property
+    def identity(self) -> str:
+        """What stays the same when a name is corrected: the id, else the e-mail, else the name."""
+        return self.id or self.email.casefold() or self.name
+
+    def names(self) -> list[str]:
+        """Their name in all orders in which platforms write it."""
+        parts = [f"{self.given} {self.family}", f"{self.family} {self.given}"] if self.family and self.given else []
+        return [self.name, *parts]
+
+    def keys(self) -> list[str]:
+        """What else stands for them alone: id, e-mail, its part before the @, login."""
+        return [one for one in (self.id, self.email, self.email.partition("@")[0], self.login) if one]
+
+
 class Roster:
-    """Who is in a class.
+    """A class.
 
     >>> Roster(["Ann Lee", "Ann Leeds"]).find("annleeds_1234_AnnLeeds_03_services")
     'Ann Leeds'
     """
 
-    def __init__(self, students: Sequence[str]) -> None:
-        words = {plain(student): student for student in students}
-        if len(words) < len(students):
-            count = Counter(plain(student) for student in students)
-            twice = ", ".join(one for one in students if count[plain(one)] > 1)
-            raise ValueError(f"Students have the same name: {twice}. Tell them apart by a number.")
-        self.students = list(students)
-        self._words = words
+    def __init__(
+        self,
+        people: Iterable[str | Person],
+        table: Table | None = None,
+        layout: Layout | None = None,
+        notes: Sequence[str] = (),
+    ) -> None:
+        self.people = [Person(one) if isinstance(one, str) else one for one in people]
+        self.table, self.layout = table, layout
+        """The list as it was read, for handing grades back in it."""
+        self.notes = list(notes)
+        """What was left out."""
+        _expect_different(self.people)
+        twice = Counter(plain(one.name) for one in self.people)
+        self._labels = {
+            one: f"{one.name} ({one.id or one.email})" if twice[plain(one.name)] > 1 else one.name for one in self.people
+        }
+
+    @property
+    def students(self) -> list[str]:
+        """What each is called in this class: the name, with the id where two have the same."""
+        return list(self._labels.values())
+
+    def label(self, person: Person) -> str:
+        """What a person is called in this class."""
+        return self._labels.get(person, person.name)
 
     @classmethod
     def read(cls, file: Path) -> Roster:
-        """The names in a file: one on each line, or in a table (.csv) the column `student` or `name`, else the first.
+        """The people in a file: a table with headings, else a name on each line.
 
         Raises:
-            ValueError: when there are none, or two are the same.
+            ValueError: when there is none, two cannot be told apart, or a row is not understood.
         """
-        with open(file, newline="", encoding="utf-8-sig") as lines:
-            found = list(_column(csv.reader(lines))) if file.suffix == ".csv" else [line.strip() for line in lines]
-        names = [name for name in found if plain(name)]
+        if not file.is_file():
+            raise ValueError(f"There is no file '{file}'. Give one with a student's name on each line, or a table.")
+        if file.suffix.casefold() not in (".csv", ".tsv"):
+            first = decoded(file.read_bytes()).partition("\n")[0]
+            if not any(one in first for one in ";\t,") or layout_of(re.split("[;,\t]", first)) is None:
+                return cls._of_lines(file)
+        return cls._of_table(read_table(file), file)
+
+    @classmethod
+    def _of_lines(cls, file: Path) -> Roster:
+        names = [line.strip() for line in decoded(file.read_bytes()).splitlines() if plain(line)]
         if not names:
             raise ValueError(f"There are no names in {file}. Write one on each line.")
-        return cls(names)
+        return cls([_person(Layout("", {"name": 0}), [one], at) for at, one in enumerate(names)])
+
+    @classmethod
+    def _of_table(cls, table: Table, file: Path) -> Roster:
+        layout = layout_of(table.headings)
+        if layout is None and any(one.strip().casefold() in HEADINGS for one in table.headings):
+            raise ValueError(f"No column of {file} is one of names. Call it 'name', or: 'given name' and 'family name'.")
+        if layout is None:  # no headings: names stand in the first column
+            layout, table = Layout("", {"name": 0}), Table([""] * len(table.headings), [table.headings, *table.rows])
+        people, notes = [], []
+        for at, row in enumerate(table.rows):
+            if is_nobody(row) or not any(plain(one) for one in row):
+                continue
+            person = _person(layout, row, at)
+            if is_test(person.name) or is_test(layout.of(row, "name")) or is_test(person.login):
+                notes.append(f"'{person.name}' is the platform's made-up student: left out.")
+            elif plain(person.name) or person.keys():
+                people.append(person)
+            else:
+                raise ValueError(f"Row {at + 2} of {file} has neither name nor id. Fill it in, or delete the row.")
+        if not people:
+            raise ValueError(f"There are no names in {file}. Write one on each line.")
+        return cls(people, table, layout, notes)
 
     def find(self, handed_in_by: str) -> str:
-        """The student whose name stands in that of a folder or file, the longest if several do; '' if none does."""
-        text = plain(handed_in_by)
-        fitting = [word for word in self._words if word in text]
-        return self._words[max(fitting, key=len)] if fitting else ""
+        """The student who stands in the name of a folder or file; '' if none does, or more than one could be meant."""
+        from .identifying import Identifier
+
+        found = Identifier(self).by_name(handed_in_by)
+        return self.label(found.people[0]) if len(found.people) == 1 else ""
+
+    def of(self, label: str) -> Person | None:
+        """The person of that label, id, e-mail or name; None when it is nobody's or not one person's."""
+        exact = [one for one in self.people if label in (self.label(one), one.id, one.email, one.login)]
+        named = exact or [one for one in self.people if plain(label) in {plain(name) for name in one.names()}]
+        return named[0] if len(named) == 1 else None
 
 
-def _column(rows: Iterable[list[str]]) -> Iterable[str]:
-    """The names of a table; `Course, Vera` in one cell is Vera Course."""
-    place = 0
-    for number, row in enumerate(rows):
-        headings = [at for at, cell in enumerate(row) if cell.strip().casefold() in _HEADINGS]
-        if number == 0 and headings:
-            place = headings[0]
-        elif len(row) > place:
-            last, _, first = row[place].partition(",")
-            yield f"{first.strip()} {last.strip()}".strip()
+def _person(layout: Layout, row: Sequence[str], at: int) -> Person:
+    family, given, name = layout.of(row, "family"), layout.of(row, "given"), layout.of(row, "name")
+    if name and not (family and given):
+        family, given = parted(name)
+    if family or given:
+        name = f"{given} {family}".strip()
+    facts = {what: layout.of(row, what) for what in ("id", "email", "login", "number", "when")}
+    facts["number"] = re.sub(r"\D", "", facts["number"])
+    return Person(name or facts["email"] or facts["id"], family=family, given=given, row=at, **facts)
+
+
+def _expect_different(people: Sequence[Person]) -> None:
+    """Ids and e-mails are one person's each; people of one name need them."""
+    for what in ("id", "email", "login"):
+        count = Counter(getattr(one, what).casefold() for one in people)
+        twice = [one for one in people if getattr(one, what) and count[getattr(one, what).casefold()] > 1]
+        if twice:
+            names = ", ".join(one.name for one in twice)
+            raise ValueError(f"These have the same {what} '{getattr(twice[0], what)}': {names}. Mend the list.")
+    count = Counter(plain(one.name) for one in people)
+    twice = [one for one in people if count[plain(one.name)] > 1 and not (one.id or one.email)]
+    if twice:
+        names = ", ".join(one.name for one in twice)
+        raise ValueError(f"Students have the same name: {names}. Tell them apart by an id, an e-mail or a number.")

@@ -1,7 +1,8 @@
 """A place where a student's code can do no harm: no network, no files but its own, limits on everything.
 
-Tiers, the best that works here is taken and named in each result: `bubblewrap` (own namespaces, only the folders that
-are needed, read-only), then `limits` (a process of its own with limits, but the files and network of the user).
+Tiers, named in each result: `bubblewrap` (namespaces of its own, no capability, an unprivileged user, only the folders that
+are needed, read-only) and `limits` (a process with limits, but the files and the network of the user: only for work that
+one trusts).
 """
 
 from __future__ import annotations
@@ -9,18 +10,25 @@ from __future__ import annotations
 import contextlib
 import functools
 import os
-import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from . import folders
+from .confined import SERVICE_VARIABLES, confined
+
 PACKAGE = Path(__file__).resolve().parents[1]
 _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/fonts", "/etc/ld.so.cache")
+_BWRAP = ("/usr/bin/bwrap", "/usr/local/bin/bwrap", "/bin/bwrap")
+_NOBODY = "65534"
+_HIDDEN = ("grade/chapters",)
+"""Folders of the package that hold what is asked and what is right."""
 
 LOOK_SECONDS = 0.15
 """How often it is seen what a program uses: each look reads the list of all processes."""
@@ -42,6 +50,18 @@ class Limits:
     """Bytes of all files of the work folder."""
     output: int = 8 << 20
     """Bytes that are read from it."""
+    scratch: int = 64 << 20
+    """Bytes of /tmp, and as many of /dev/shm."""
+    cell: float = 20.0
+    """Seconds that a student's cell may compute."""
+    course_cell: float = 60.0
+    """Seconds that the course's own cells may."""
+    build: float = 60.0
+    """Seconds of a build."""
+    call: float = 10.0
+    """Seconds of a call of a student's function."""
+    chapter: float = 600.0
+    """Real time for marking one chapter of one submission."""
 
 
 @dataclass
@@ -55,7 +75,7 @@ class Sandboxed:
     def answer(self, question: bytes, most: int) -> bytes:
         """Give it the question and hang up; what it wrote until it ended, `most` bytes of it."""
         assert self.child.stdin is not None and self.child.stdout is not None
-        with contextlib.suppress(BrokenPipeError):
+        with contextlib.suppress(OSError):
             self.child.stdin.write(question)
             self.child.stdin.close()
         out = self.child.stdout.read(most + 1)
@@ -81,57 +101,92 @@ def tier() -> str:
     >>> tier() in ("bubblewrap", "limits")
     True
     """
-    bwrap = shutil.which("bwrap")
-    if bwrap is None:
+    if _bwrap() is None:
         return "limits"
-    probe = [bwrap, "--unshare-all", "--die-with-parent", "--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev", "true"]
-    with contextlib.suppress(OSError):
-        if subprocess.run(probe, capture_output=True).returncode == 0:
+    with tempfile.TemporaryDirectory() as work, contextlib.suppress(OSError):
+        probe = [*_bubblewrap(Path(work), True, {"PATH": "/usr/bin:/bin"}, Limits()), "true"]
+        if subprocess.run(probe, capture_output=True, stdin=subprocess.DEVNULL).returncode == 0:
             return "bubblewrap"
     return "limits"
 
 
+def refusal(*, allow_root: bool = False, unsafe: bool = False) -> str:
+    """Why other people's work must not be run here, in words for the teacher; empty when it may."""
+    if tier() != "bubblewrap" and not unsafe:
+        return (
+            "Submissions are programs of other people, and this computer has nothing that keeps them in: no working "
+            "bubblewrap. On Debian or Ubuntu: sudo apt install bubblewrap. For work that you trust as your own, add "
+            "--unsafe: it can then read your files, the solutions and other submissions."
+        )
+    if hasattr(os, "geteuid") and os.geteuid() == 0 and not allow_root:
+        return (
+            "You are root, and a fault in a sandbox would then reach the whole computer. Grade as an ordinary user; where "
+            "there is none, in a container for instance, add --allow-root."
+        )
+    return ""
+
+
 def start(
-    command: Sequence[str], work: Path, env: Mapping[str, str], limits: Limits, *, writable: bool = True
+    command: Sequence[str],
+    work: Path,
+    env: Mapping[str, str],
+    limits: Limits,
+    *,
+    writable: bool = True,
+    pipes: Sequence[int] = (),
 ) -> Sandboxed:
-    """Run a command in a sandbox whose only own folder is `work`; its stdin and stdout are pipes."""
-    inside = env_inside(env, work)
-    words = [*(_bubblewrap(work, writable, inside) if tier() == "bubblewrap" else ()), *_limited(limits), *command]
+    """Run a command in a sandbox whose only own folder is `work`; its stdin and stdout are pipes, `pipes` stay open too."""
+    inside = env_inside(env, work, writable)
+    own: list[str] = []
+    around: dict[str, str] = {}
+    if tier() == "bubblewrap":
+        own = [*confined(limits.memory, limits.processes), *_bubblewrap(work, writable, inside, limits)]
+        around = {name: os.environ[name] for name in SERVICE_VARIABLES if name in os.environ}
     child = subprocess.Popen(
-        words,
+        [*own, *_limited(limits), *command],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         cwd=work,
-        env=inside,
+        env=inside | around,
         start_new_session=True,
+        pass_fds=tuple(pipes),
     )
     running = Sandboxed(child)
-    threading.Thread(target=_watch, args=(running, work, limits), daemon=True).start()
+    threading.Thread(target=_watch, args=(running, work if writable else None, limits), daemon=True).start()
     return running
 
 
-def env_inside(env: Mapping[str, str], work: Path) -> dict[str, str]:
+def env_inside(env: Mapping[str, str], work: Path, writable: bool = True) -> dict[str, str]:
     """What a sandboxed program sees of the environment: what it needs, and a home of its own."""
     wanted = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LANG", "ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
     kept = {name: value for name, value in env.items() if name in wanted or name.startswith("COURSEKIT_")}
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])
-    quiet = {"PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "COLUMNS": "120", "NUMBA_CACHE_DIR": str(work / ".numba")}
+    home = str(work) if writable else "/tmp"
+    quiet = {"PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "COLUMNS": "120", "NUMBA_CACHE_DIR": f"{home}/.numba"}
     single = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
-    return {**kept, **quiet, **single, "PATH": path, "HOME": str(work), "USER": "student", "TMPDIR": "/tmp"}
+    return {**kept, **quiet, **single, "PATH": path, "HOME": home, "USER": "student", "TMPDIR": "/tmp"}
 
 
-def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str]) -> list[str]:
-    words = ["bwrap", "--unshare-all", "--die-with-parent", "--hostname", "sandbox", "--clearenv"]
+def _bwrap() -> str | None:
+    """Where bubblewrap is, never by PATH: a program of that name in some folder is not it."""
+    return next((one for one in _BWRAP if os.access(one, os.X_OK)), None)
+
+
+def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str], limits: Limits) -> list[str]:
+    words = [_bwrap() or _BWRAP[0], "--unshare-all", "--unshare-user", "--disable-userns", "--cap-drop", "ALL"]
+    words += ["--uid", _NOBODY, "--gid", _NOBODY, "--die-with-parent", "--hostname", "sandbox", "--clearenv"]
     for name, value in env.items():
         words += ["--setenv", name, value]
-    words += ["--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp", "--size", str(64 << 20), "--tmpfs", "/dev/shm"]
-    for folder in _SYSTEM:
+    words += ["--proc", "/proc", "--dev", "/dev"]
+    for folder in ("/tmp", "/dev/shm"):
+        words += ["--size", str(limits.scratch), "--tmpfs", folder]
+    for folder in (*_SYSTEM, *_python_folders()):
         words += ["--ro-bind-try", folder, folder]
-    for folder in _python_folders():
-        words += ["--ro-bind-try", folder, folder]
-    words += ["--tmpfs", str(PACKAGE / "grade" / "chapters")]
-    return [*words, "--bind" if writable else "--ro-bind", str(work), str(work), "--chdir", str(work), "--"]
+    for name in _HIDDEN:
+        words += ["--size", "4096", "--tmpfs", str(PACKAGE / name), "--remount-ro", str(PACKAGE / name)]
+    words += ["--bind" if writable else "--ro-bind", str(work), str(work), "--chdir", str(work)]
+    return [*words, "--remount-ro", "/dev", "--remount-ro", "/", "--"]
 
 
 def _python_folders() -> list[str]:
@@ -147,24 +202,31 @@ def _limited(limits: Limits) -> list[str]:
             str(limits.file), str(int(limits.seconds) + 1), "--"]  # fmt: skip
 
 
-def _watch(running: Sandboxed, work: Path, limits: Limits) -> None:
-    """End it when its time is over, or when all its processes together use too much."""
+def _watch(running: Sandboxed, work: Path | None, limits: Limits) -> None:
+    """End it when its time is over, when all its processes together use too much, or when that cannot be told."""
     give_up = time.monotonic() + limits.seconds
     look_at_folder = 0.0
-    while not running._ended.wait(LOOK_SECONDS) and running.child.poll() is None:
-        now = time.monotonic()
-        if now > give_up:
-            running.end(f"it took longer than {limits.seconds:g} s")
-            return
-        family = _family(running.child.pid)
-        if len(family) > limits.processes:
-            running.end(f"it started more than {limits.processes} processes")
-        elif sum(resident for _, resident in family) > limits.memory:
-            running.end(f"it used more than {limits.memory >> 20} MB of memory")
-        elif now > look_at_folder:
-            look_at_folder = now + 0.5
-            if _size(work) > limits.folder:
-                running.end(f"it wrote more than {limits.folder >> 20} MB of files")
+    try:
+        while not running._ended.wait(LOOK_SECONDS) and running.child.poll() is None:
+            now = time.monotonic()
+            why = f"it took longer than {limits.seconds:g} s" if now > give_up else _excess(running.child.pid, limits)
+            if not why and work is not None and now > look_at_folder:
+                look_at_folder = now + 0.5
+                why = folders.excess(work, limits.folder)
+            if why:
+                running.end(why)
+                return
+    except Exception as error:
+        running.end(f"it could not be watched: {type(error).__name__}")
+
+
+def _excess(pid: int, limits: Limits) -> str:
+    family = _family(pid)
+    if len(family) > limits.processes:
+        return f"it started more than {limits.processes} processes"
+    if sum(resident for _, resident in family) > limits.memory:
+        return f"it used more than {limits.memory >> 20} MB of memory"
+    return ""
 
 
 def _family(pid: int) -> list[tuple[int, int]]:
@@ -176,7 +238,7 @@ def _family(pid: int) -> list[tuple[int, int]]:
     for entry in os.scandir("/proc"):
         if entry.name.isdigit():
             with contextlib.suppress(OSError, ValueError, IndexError):
-                fields = Path(entry.path, "stat").read_text().rpartition(")")[2].split()
+                fields = Path(entry.path, "stat").read_text(errors="replace").rpartition(")")[2].split()
                 children.setdefault(int(fields[1]), []).append((int(entry.name), int(fields[21]) * page))
     found: list[tuple[int, int]] = []
     waiting = [pid]
@@ -185,12 +247,3 @@ def _family(pid: int) -> list[tuple[int, int]]:
             found.append(child)
             waiting.append(child[0])
     return found
-
-
-def _size(folder: Path) -> int:
-    total = 0
-    for place, _, files in os.walk(folder):
-        for name in files:
-            with contextlib.suppress(OSError):
-                total += os.lstat(os.path.join(place, name)).st_size
-    return total

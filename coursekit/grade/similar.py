@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import itertools
 import keyword
@@ -12,6 +11,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .harmless import cell, number
+from .tables import write_table
+
 if TYPE_CHECKING:
     from .mark import Marked
 
@@ -20,6 +22,9 @@ SHINGLE = 8
 ALIKE = 0.85
 FEWEST = 40
 """Shingles below which everybody's answer looks the same."""
+
+LARGE, USUAL = 10, 0.8
+"""Students of a class, and the part of them, above which what all wrote says nothing: of five, three who copied are many."""
 
 
 def shingles(answers: Sequence[str]) -> set[tuple[str, ...]]:
@@ -50,11 +55,11 @@ def _tokens(text: str) -> list[str]:
 def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
     """(student, student, likeness) of pairs whose work is nearly one, most alike first.
 
-    What more than half of the class wrote, the course's own stubs for instance, does not count.
+    What nearly everybody in a large class wrote does not count: it stood in the course's own stubs, or there is one way.
     """
     found = {one.student: shingles(one.answers) for one in marks if one.answers}
     common = Counter(part for parts in found.values() for part in parts)
-    usual = {part for part, number in common.items() if number > max(2, len(found) / 2)}
+    usual = {part for part, number in common.items() if number > USUAL * len(found)} if len(found) >= LARGE else set()
     own = {student: parts - usual for student, parts in found.items()}
     pairs = []
     for one, other in itertools.combinations(sorted(own), 2):
@@ -66,7 +71,5 @@ def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
 
 def write_similar(file: Path, marks: Sequence[Marked]) -> None:
     """The pairs as a table: where to look, not a verdict."""
-    with open(file, "w", newline="", encoding="utf-8") as out:
-        table = csv.writer(out)
-        table.writerow(["student", "other", "likeness"])
-        table.writerows(similar(marks))
+    rows = [(cell(one), cell(other), number(likeness)) for one, other, likeness in similar(marks)]
+    write_table(file, ["student", "other", "likeness"], rows)

@@ -1,20 +1,17 @@
-"""What students handed in: one folder, notebook or zip each."""
+"""What is marked: the files of one person that count, as plain copies; or a folder, notebook or zip as it lies there."""
 
 from __future__ import annotations
 
 import hashlib
-import json
-import os
-import shutil
-import stat
-import zipfile
-from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-LARGEST = 50 << 20
-"""Bytes that a submission may have, unpacked."""
+from .archives import Archive, BadArchive
+from .parcel import LARGEST as LARGEST_PARCEL
+from .parcel import MANIFEST
+from .recognising import LARGEST, parse_notebook
+from .walking import Walked, open_plain, walk
 
 
 @dataclass(frozen=True)
@@ -23,97 +20,127 @@ class Submission:
 
     student: str
     place: Path
+    chosen: dict[str, Path] = field(default_factory=dict)
+    """The file that counts, by the file name of the chapter: a plain copy, of a bounded size."""
+    parcel_files: list[Path] = field(default_factory=list)
+    """Plain copies of the files made by `hand_in()` that these lay in."""
+    notes: list[str] = field(default_factory=list)
+    concerns: list[str] = field(default_factory=list)
+
+    def as_json(self) -> dict[str, Any]:
+        """As plain values, for another process; `of_json` reads them again."""
+        return {
+            "student": self.student,
+            "place": str(self.place),
+            "chosen": {name: str(file) for name, file in self.chosen.items()},
+            "parcel_files": [str(file) for file in self.parcel_files],
+            "notes": self.notes,
+            "concerns": self.concerns,
+        }
+
+    @classmethod
+    def of_json(cls, said: dict[str, Any]) -> Submission:
+        """What `as_json` gave."""
+        chosen = {str(name): Path(file) for name, file in said["chosen"].items()}
+        parcels = [Path(file) for file in said["parcel_files"]]
+        return cls(said["student"], Path(said["place"]), chosen, parcels, list(said["notes"]), list(said["concerns"]))
 
     def digest(self) -> str:
         """Changes when anything that was handed in changes."""
         found = hashlib.sha256()
-        for file in _files(self.place):
-            found.update(str(file.relative_to(self.place.parent)).encode())
-            found.update(file.read_bytes())
+        if self.chosen:
+            for name, file in sorted(self.chosen.items()):
+                found.update(f"{name}\0".encode() + _bytes(file, LARGEST))
+            for file in self.parcel_files:
+                found.update(b"\0parcel\0" + _bytes(file, LARGEST_PARCEL))
+            return found.hexdigest()
+        for one in walk(self.place):
+            found.update("/".join(one.parts).encode("utf-8", "surrogateescape") + b"\0")
+            if one.open is not None:
+                with one.open() as data:
+                    while piece := data.read(1 << 16):
+                        found.update(piece)
         return found.hexdigest()
-
-    def newest(self) -> float:
-        """When it was last changed, in seconds since 1970."""
-        return max((file.stat().st_mtime for file in _files(self.place)), default=0.0)
-
-    def archives(self) -> list[Path]:
-        """Its zips."""
-        return [file for file in _files(self.place) if file.suffix == ".zip"]
 
     def parcels(self) -> list[bytes]:
         """The zips that `hand_in()` made, or that say so."""
-        found = [file for file in self.archives() if "manifest.json" in _names(file)]
-        for file in found:
-            if file.stat().st_size > 2 * LARGEST:
-                raise ValueError(f"{file.name} is larger than {2 * LARGEST >> 20} MB")
-        return [file.read_bytes() for file in found]
-
-    def names(self) -> list[str]:
-        """What the files are called, those in a zip too."""
-        return [name for file in _files(self.place) for name in (_names(file) if file.suffix == ".zip" else [file.name])]
+        if self.chosen or self.parcel_files:
+            return [_bytes(file, LARGEST_PARCEL) for file in self.parcel_files]
+        found = []
+        for one in walk(self.place):
+            data = _zip(one)
+            if data is not None and _says_parcel(one):
+                found.append(data)
+        return found
 
     def notebooks(self, scratch: Path) -> list[Path]:
-        """The notebooks, unpacked into `scratch` where they come in a zip; ValueError for a bad or huge zip."""
-        for number, archive in enumerate(self.archives()):
-            _unpack(archive, scratch / str(number))
-        found = [*_files(self.place), *_files(scratch)]
-        return [file for file in found if file.suffix == ".ipynb" and ".ipynb_checkpoints" not in file.parts]
+        """Plain copies of the notebooks, those in a zip too; ValueError for a bad or huge one."""
+        if self.chosen:
+            counts = enumerate(self.chosen.items())
+            return [_copy(_bytes(file, LARGEST), scratch / str(at) / name) for at, (name, file) in counts]
+        found = []
+        for number, one in enumerate(walk(self.place)):
+            name = one.parts[-1]
+            if one.open is None or name.startswith("._") or ".ipynb_checkpoints" in one.parts:
+                continue
+            if name.endswith(".ipynb"):
+                with one.open() as data:
+                    found.append(_copy(_whole(data.read(LARGEST + 1), name), scratch / str(number) / name[:120]))
+            elif name.endswith(".zip"):
+                found += _unpacked(one, scratch / str(number))
+        return found
 
 
-def _names(archive: Path) -> list[str]:
+def _bytes(file: Path, most: int) -> bytes:
+    with open_plain(file) as data:
+        return _whole(data.read(most + 1), file.name, most)
+
+
+def _whole(data: bytes, name: str, most: int = LARGEST) -> bytes:
+    if len(data) > most:
+        raise ValueError(f"{name} is larger than {most >> 20} MB")
+    return data
+
+
+def _copy(data: bytes, file: Path) -> Path:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(data)
+    return file
+
+
+def _zip(one: Walked) -> bytes | None:
+    if one.open is None or not one.parts[-1].endswith(".zip"):
+        return None
+    with one.open() as data:
+        return _whole(data.read(LARGEST_PARCEL + 1), one.parts[-1], LARGEST_PARCEL)
+
+
+def _says_parcel(one: Walked) -> bool:
+    """Whether a zip has a manifest where `hand_in()` puts it."""
+    assert one.open is not None
     try:
-        with zipfile.ZipFile(archive) as opened:
-            return [Path(name).name for name in opened.namelist()]
-    except (zipfile.BadZipFile, NotImplementedError, OSError):
-        return []
+        with Archive(one.open()) as opened:
+            return any(member.parts == (MANIFEST,) for member in opened.members())
+    except BadArchive:
+        return False
 
 
-def find_submissions(folder: Path) -> list[Submission]:
-    """Every submission in a folder, by student."""
+def _unpacked(one: Walked, scratch: Path) -> list[Path]:
+    assert one.open is not None
     found = []
-    for entry in sorted(folder.iterdir()):
-        if entry.name.startswith(".") or entry.is_symlink():
-            continue
-        if entry.is_dir() or entry.suffix in (".ipynb", ".zip"):
-            found.append(Submission(entry.stem if entry.is_file() else entry.name, entry))
+    try:
+        with Archive(one.open()) as opened:
+            for number, member in enumerate(opened.members()):
+                name = member.parts[-1]
+                left = name.startswith("._") or ".ipynb_checkpoints" in member.parts
+                if name.endswith(".ipynb") and not left:
+                    found.append(_copy(opened.read(member, LARGEST), scratch / str(number) / name[-120:]))
+    except BadArchive as error:
+        raise ValueError(f"{one.parts[-1]} is no zip that can be opened: {error}") from None
     return found
 
 
 def read_notebook(file: Path) -> dict[str, Any]:
     """A notebook's JSON; ValueError when it is none."""
-    if file.stat().st_size > LARGEST:
-        raise ValueError(f"{file.name} is larger than {LARGEST >> 20} MB")
-    try:
-        found = json.loads(file.read_text(encoding="utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{file.name} is no notebook: {error}") from None
-    if not isinstance(found, dict) or not isinstance(found.get("cells"), list):
-        raise ValueError(f"{file.name} is no notebook of format 4: it has no list of cells")
-    return found
-
-
-def _files(place: Path) -> Iterator[Path]:
-    """Regular files, without following links."""
-    if place.is_file() and not place.is_symlink():
-        yield place
-    elif place.is_dir():
-        for entry in sorted(place.iterdir()):
-            if not entry.is_symlink() and (entry.is_dir() or stat.S_ISREG(entry.lstat().st_mode)):
-                yield from _files(entry)
-
-
-def _unpack(archive: Path, target: Path) -> None:
-    """Unpack notebooks only: no links, no way out of the folder, no bombs."""
-    try:
-        with zipfile.ZipFile(archive) as opened:
-            members = [one for one in opened.infolist() if one.filename.endswith(".ipynb")]
-            if sum(one.file_size for one in members) > LARGEST or len(members) > 200:
-                raise ValueError(f"{archive.name} unpacks to more than {LARGEST >> 20} MB")
-            for number, member in enumerate(members):
-                place = target / str(number) / Path(member.filename.replace("\\", "/")).name
-                place.parent.mkdir(parents=True, exist_ok=True)
-                with opened.open(member) as data, open(place, "wb") as out:
-                    shutil.copyfileobj(data, out, 1 << 16)
-                os.utime(place, (archive.stat().st_mtime,) * 2)
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError) as error:
-        raise ValueError(f"{archive.name} is no zip that can be opened: {error}") from None
+    with open_plain(file) as data:
+        return parse_notebook(data.read(LARGEST + 1), file.name)

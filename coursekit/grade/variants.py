@@ -19,7 +19,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from .roster import Roster
+from .roster import Person, Roster
 
 Values = dict[str, dict[str, Any]]
 """By exercise: its values by name."""
@@ -127,13 +127,11 @@ class Variants:
 
     @classmethod
     def read(cls, students: Path, *, new: bool = False) -> Variants:
-        """The class in a file of names; its secret lies beside it as NAME.secret, made here when it is `new`.
+        """The class in a list of it; its secret lies beside it as NAME.secret, made here when it is `new`.
 
         Raises:
             ValueError: when the names are not right, or the secret is missing.
         """
-        if not students.is_file():
-            raise ValueError(f"There is no file '{students}'. Give one with a student's name on each line.")
         roster, file = Roster.read(students), secret_file(students)
         if new and not file.exists():
             with open(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8") as out:
@@ -148,6 +146,19 @@ class Variants:
             exercise: {name: self._drawn(student, exercise, name, choices) for name, choices in names.items()}
             for exercise, names in declared(notebook).items()
         }
+
+    def copy_mark(self, person: Person) -> str:
+        """What every copy of a person's carries: it says whose it is to the teacher, and nothing to others."""
+        key = hmac.new(self._secret, f"copy\0{person.identity}".encode("utf-8", "replace"), hashlib.sha256)
+        return key.hexdigest()[:24]
+
+    def copy_marks(self) -> dict[str, Person]:
+        """Whose copy carries which mark."""
+        return {self.copy_mark(one): one for one in self.roster.people}
+
+    def dice(self) -> bytes:
+        """What the judges' chance is made of: the same for the whole class, and each time."""
+        return hmac.new(self._secret, b"dice", hashlib.sha256).digest()
 
     def copies(self, student: str, notebooks: Mapping[str, Any]) -> dict[str, Any]:
         """The notebooks, by file name, as this student has them."""

@@ -7,10 +7,22 @@ Nothing is ever unpickled: what a student's object is, the judge learns from its
 from __future__ import annotations
 
 import base64
+import re
 from typing import Any
 
 DEPTH = 30
 LENGTH = 200_000
+"""Elements of a list, letters of a text."""
+KEYS = 5_000
+"""Elements of a set or a dictionary: keys that all collide cost their square."""
+DIGITS = 4_000
+"""Digits of an integer."""
+LETTERS = 1_000
+"""Letters that each text of an array has room for."""
+_NUMBERS = ("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64",
+            "float16", "float32", "float64")  # fmt: skip
+_TEXTS = re.compile(r"[<>|=]?U\d{1,4}")
+_TYPE_NAME = re.compile(r"[a-z][a-z0-9_]*/(msg|srv|action)/[A-Z][A-Za-z0-9_]*")
 
 
 class Described:
@@ -44,9 +56,9 @@ def pack(value: Any, depth: int = 0) -> Any:
         return {"float": repr(value)}
     if kind is list and len(value) <= LENGTH:
         return [pack(one, depth + 1) for one in value]
-    if kind in (tuple, set, frozenset) and len(value) <= LENGTH:
+    if kind in (tuple, set, frozenset) and len(value) <= (LENGTH if kind is tuple else KEYS):
         return {kind.__name__: [pack(one, depth + 1) for one in value]}
-    if kind is dict and len(value) <= LENGTH:
+    if kind is dict and len(value) <= KEYS:
         return {"dict": [[pack(key, depth + 1), pack(one, depth + 1)] for key, one in value.items()]}
     if kind is bytes:
         return {"bytes": base64.b64encode(value[:LENGTH]).decode()}
@@ -71,24 +83,59 @@ def _pack_object(value: Any, kind: type) -> Any:
 
 
 def unpack(tree: Any) -> Any:
-    """The value that `pack` made JSON of; ValueError for JSON that it never makes."""
+    """The value that `pack` made JSON of, where the JSON may be anybody's; ValueError for what `pack` never makes.
+
+    What takes more room than its JSON is refused before it is made.
+
+    >>> unpack({"array": ["<U250000000", [1], ["x"]]})
+    Traceback (most recent call last):
+    ValueError: there is no array of '<U250000000'
+    """
     if isinstance(tree, list):
         return [unpack(one) for one in tree]
     if not isinstance(tree, dict):
         return tree
-    if len(tree) != 1:
-        raise ValueError("a packed value has one tag")
-    ((tag, inner),) = tree.items()
+    tag, inner = _tagged(tree)
     if tag not in _READERS:
         raise ValueError(f"there is no tag {tag!r}")
     return _READERS[tag](inner)
 
 
+def unpack_of_judge(tree: Any) -> Any:
+    """The value that a judge sent: also a field of gaps, which a student never sends."""
+    if isinstance(tree, dict) and "gaps" in tree:
+        return _gaps(_tagged(tree)[1])
+    return unpack(tree)
+
+
+def _tagged(tree: dict[str, Any]) -> tuple[str, Any]:
+    if len(tree) != 1:
+        raise ValueError("a packed value has one tag")
+    return next(iter(tree.items()))
+
+
+def _integer(inner: Any) -> int:
+    if type(inner) is not str or len(inner) > DIGITS:
+        raise ValueError("an integer has too many digits")
+    return int(inner)
+
+
+def _keys(inner: Any) -> list[Any]:
+    if type(inner) is not list or len(inner) > KEYS:
+        raise ValueError(f"more than {KEYS} elements")
+    return inner
+
+
 def _array(inner: Any) -> Any:
     import numpy as np
 
-    kind, shape, values = inner
-    made = np.array(unpack(values), dtype=np.dtype(str(kind))).reshape([int(one) for one in shape])
+    name, shape, values = inner
+    texts = type(name) is str and _TEXTS.fullmatch(name) and int(name.rpartition("U")[2]) <= LETTERS
+    if name not in _NUMBERS and not texts:
+        raise ValueError(f"there is no array of {name!r}")
+    if type(values) is not list or len(values) > LENGTH or any(type(one) is not int or one < 0 for one in shape):
+        raise ValueError("an array of another form")
+    made = np.array(unpack(values), dtype=np.dtype(name)).reshape(shape)
     return made if shape else made[()]
 
 
@@ -96,7 +143,9 @@ def _message(inner: Any) -> Any:
     from coursekit.interfaces import cdr, load
 
     name, data = inner
-    return cdr.deserialize(base64.b64decode(data), load(str(name)))
+    if type(name) is not str or not _TYPE_NAME.fullmatch(name):
+        raise ValueError("there is no such interface")
+    return cdr.deserialize(base64.b64decode(str(data)), load(name))
 
 
 def _gaps(inner: Any) -> Any:
@@ -131,15 +180,14 @@ def refresh(old: Any, new: Any) -> bool:
 
 
 _READERS: dict[str, Any] = {
-    "int": lambda inner: int(str(inner)),
+    "int": _integer,
     "float": lambda inner: float(str(inner)),
     "tuple": lambda inner: tuple(unpack(one) for one in inner),
-    "set": lambda inner: {unpack(one) for one in inner},
-    "frozenset": lambda inner: frozenset(unpack(one) for one in inner),
-    "dict": lambda inner: {unpack(key): unpack(one) for key, one in inner},
+    "set": lambda inner: {unpack(one) for one in _keys(inner)},
+    "frozenset": lambda inner: frozenset(unpack(one) for one in _keys(inner)),
+    "dict": lambda inner: {unpack(key): unpack(one) for key, one in _keys(inner)},
     "bytes": lambda inner: base64.b64decode(str(inner)),
     "array": _array,
     "message": _message,
-    "gaps": _gaps,
     "other": lambda inner: Described(str(inner[0]), str(inner[1])),
 }

@@ -3,19 +3,31 @@
 from __future__ import annotations
 
 import os
+import random
 import shlex
+import tempfile
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from . import reading
 from .trial import Plan, Seen, TrialFailed, try_out
 from .verdict import Wrong
+
+if TYPE_CHECKING:
+    from coursekit.interfaces.model import Message
+    from coursekit.urdf import Robot
 
 T = TypeVar("T")
 
 
 class Work:
-    """A student's work for one exercise."""
+    """A student's work for one exercise.
+
+    Judges ask for variables and functions first, and look at files and programs afterwards: in grading, the notebook has
+    ended by then.
+    """
 
     def __init__(self, variables: Mapping[str, Any], workspace: Path) -> None:
         self.variables = variables
@@ -34,13 +46,23 @@ class Work:
             found = float(found)  # JSON of a browser knows no 3.0
         return found if type(found) is type(usual) else usual
 
+    def dice(self, name: str) -> random.Random:
+        """Chance for the judge's questions: always the same in a notebook, secret in grading.
+
+        >>> Work({}, Path()).dice("poses").random() == Work({}, Path()).dice("poses").random()
+        True
+        """
+        return random.Random(name)
+
+    # -- the notebook
+
     def value(self, name: str, kind: type[T]) -> T:
         """A variable of the notebook, of exactly that type."""
         if name not in self.variables:
             raise Wrong(f"a variable named `{name}`", "there is none", "Was the cell above run, and is the name right?")
         found = self.variables[name]
         if type(found) is not kind:
-            raise Wrong(f"`{name}` as a {kind.__name__}", f"a {type(found).__name__}: {found!r:.80}")
+            raise Wrong(f"`{name}` as {_a(kind.__name__)}", f"{_a(type(found).__name__)}: {found!r:.80}")
         return found
 
     def function(self, name: str) -> Any:
@@ -50,46 +72,74 @@ class Work:
             raise Wrong(f"a function named `{name}`", f"{found!r:.80}", "Was the cell above run?")
         return found
 
-    def file(self, path: str) -> Path:
-        """A file of the workspace that must exist."""
-        found = self.workspace / path
-        if not found.is_file():
-            raise Wrong(f"the file {path} in {self.workspace.name}/", "it is not there", _near(found))
-        return found
+    # -- the workspace
 
     def text(self, path: str) -> str:
-        """The text of a file of the workspace."""
-        return self.file(path).read_text(encoding="utf-8", errors="replace")
+        """The text of a file of the workspace; Wrong when there is none."""
+        found: str = self._read("text", path=path)
+        return found
 
-    def built(self, package: str) -> Path:
-        """The install folder of a package of the workspace that must have been built."""
-        prefix = self.workspace / "install" / package
-        if not prefix.is_dir():
-            prefix = self.workspace / "install"
-        if not (prefix / "share" / "ament_index" / "resource_index" / "packages" / package).exists():
-            raise Wrong(
-                f"the package {package}, built", "it is not in install/", f"Run: %colcon build --packages-select {package}"
-            )
-        return prefix
+    def exists(self, path: str) -> bool:
+        """Whether the workspace has a file or folder of that name."""
+        found: bool = self._read("exists", path=path)
+        return found
 
-    def environment(self) -> dict[str, str]:
-        """The environment after sourcing the workspace."""
-        from coursekit.packages.overlay import overlay_environment
+    def built(self, package: str) -> None:
+        """Wrong when a package of the workspace was not built, or not as it is now."""
+        found = self._read("build", package=package)
+        command = f"Run: %colcon build --packages-select {package}"
+        if not found.there:
+            raise Wrong(f"the package {package}, built", "it is not in install/", command)
+        if found.fault:
+            raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or command)
 
-        install = self.workspace / "install"
-        env = dict(os.environ)
-        return overlay_environment(install, env) if install.is_dir() else env
+    def robot(self, path: str) -> Robot:
+        """The robot in a URDF or xacro file; Wrong says what is wrong with it, and where."""
+        from .facts import robot_of
+
+        return robot_of(self._read("robot", path=path), Path(self._scratch.name))
+
+    def message(self, path: str) -> Message:
+        """A message definition, src/PACKAGE/msg/NAME.msg; Wrong says what is wrong with it, and where."""
+        found: Message = self._read("message", path=path)
+        return found
+
+    def parameters(self, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
+        """What a file of parameters gives to each of these nodes, as ROS reads it."""
+        found: dict[str, dict[str, Any]] = self._read("parameters", path=path, nodes=list(nodes))
+        return found
+
+    def _read(self, what: str, **arguments: Any) -> Any:
+        return reading.READINGS[what](self.workspace, **arguments)
+
+    @cached_property
+    def _scratch(self) -> tempfile.TemporaryDirectory[str]:
+        """Where the judge keeps files of its own."""
+        return tempfile.TemporaryDirectory(prefix="judge-")
+
+    # -- programs
 
     def try_out(
-        self, *commands: str, seconds: float = 3.0, later: Sequence[tuple[float, str]] = (), **plan: Any
+        self, *commands: str, beside: Sequence[str] = (), later: Sequence[tuple[float, str]] = (), **plan: Any
     ) -> Seen:
-        """Run `ros2` command lines (without that word) alone on the virtual clock; see `Plan` for the rest."""
-        run, asked = [_words(one) for one in commands], [(when, _words(one)) for when, one in later]
-        planned = Plan(run=run, seconds=seconds, later=asked, **plan)
+        """Run command lines (without the word `ros2`) alone on the virtual clock; see `Plan` for the rest.
+
+        `commands` and `later` are the student's; `beside` are the course's own programs, which run where no code of a
+        student's is.
+        """
+        planned = Plan(
+            run=[_words(one) for one in commands],
+            later=[(when, _words(one)) for when, one in later],
+            beside=[_words(one) for one in beside],
+            **plan,
+        )
         try:
-            return try_out(planned, self.environment(), str(self.workspace))
+            return self._carry_out(planned)
         except TrialFailed as failure:
             raise Wrong("programs that run", str(failure)) from None
+
+    def _carry_out(self, plan: Plan) -> Seen:
+        return try_out(plan, {**os.environ, "COURSEKIT_WORKSPACE": str(self.workspace)}, str(self.workspace))
 
 
 def _words(command: str) -> list[str]:
@@ -99,8 +149,10 @@ def _words(command: str) -> list[str]:
         raise Wrong("a command line whose quotes come in pairs", command[:120]) from None
 
 
-def _near(path: Path) -> str:
-    folder = path.parent
-    if not folder.is_dir():
-        return f"The folder {folder.name}/ does not exist either."
-    return f"{folder.name}/ has: {', '.join(sorted(one.name for one in folder.iterdir())[:8]) or 'nothing'}"
+def _a(noun: str) -> str:
+    """The noun with its article.
+
+    >>> _a("int"), _a("list")
+    ('an int', 'a list')
+    """
+    return f"{'an' if noun[:1] in 'aeio' else 'a'} {noun}"

@@ -36,7 +36,7 @@ def message_source(message: Message, given: Collection[str] = ()) -> str:
 
 def _imports(message: Message, given: Collection[str]) -> str:
     lines = [
-        f'"""{message.full_name}, made from {message.file or "text"}."""',
+        repr(f"{message.full_name}, made from {message.file or 'text'}."),  # a path may hold quotes and backslashes
         "",
         "import array",
         "import math",

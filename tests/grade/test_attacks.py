@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.grade import mark as marking
 from coursekit.grade import sandbox
 from coursekit.grade.exercise import find
 from coursekit.grade.mark import mark
@@ -78,7 +77,7 @@ DESERVE = {
     "__eq__ that is always true": (ALWAYS_EQUAL, 0),
     "asserts taken out and verdicts patched": (PATCH, 0),
     "reading the hidden tests": (READ_TESTS, 0),
-    "writing to the host": (ESCAPE, 1),  # into its own empty root, which nobody sees
+    "writing to the host": (ESCAPE, 0),
     "the network": (NETWORK, 0),
     "forged answers on every pipe": (PIPES, 0),
     "an answer nested without end": ("a = []\nfor _ in range(9999): a = [a]\ndef full_name(*_): return a", 0),
@@ -106,14 +105,8 @@ def grade(folder, answer, **changed):
     folder.mkdir(exist_ok=True)
     (folder / "names.ipynb").write_text(json.dumps({**cells(answer), **changed}))
     exercise = {"ch02.q1": find("ch02.q1")}
-    limits = Limits(seconds=12, memory=1 << 30, processes=60, folder=100 << 20)
+    limits = Limits(seconds=12, memory=1 << 30, processes=60, folder=100 << 20, cell=2.0, call=2.0)
     return mark(Submission(folder.name, folder), {"names.ipynb": cells("")}, exercise, limits)
-
-
-@pytest.fixture(autouse=True)
-def short(monkeypatch):
-    monkeypatch.setattr(marking, "CELL_SECONDS", 2.0)
-    monkeypatch.setattr("coursekit.grade.remote.CALL_SECONDS", 2.0)
 
 
 @pytest.mark.slow

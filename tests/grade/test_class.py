@@ -7,7 +7,6 @@ import re
 import pytest
 
 from coursekit.cli.coursekit import main
-from coursekit.grade import mark as marking
 from coursekit.grade import sandbox
 from coursekit.grade.sandbox import Limits
 
@@ -23,8 +22,7 @@ SAMPLE = ("right", "half", "zipped", "renamed", "nothing", "no-notebook", "broke
 def test_a_class_gets_the_marks_that_it_deserves(tmp_path, monkeypatch):
     if sandbox.tier() != "bubblewrap":
         pytest.skip("NOT TESTED: hostile submissions need bubblewrap, which does not work here")
-    monkeypatch.setattr(marking, "CELL_SECONDS", 3.0)
-    monkeypatch.setattr("coursekit.grade.batch.Limits", lambda: Limits(seconds=60))
+    monkeypatch.setattr("coursekit.grade.batch.Limits", lambda: Limits(seconds=60, cell=3.0))
     made = make_class(tmp_path / "class", lambda kind: kind.name in SAMPLE)
     out = tmp_path / "grades.csv"
     assert main(["grade", str(tmp_path / "class"), "--jobs", "2", "--out", str(out)]) == 0

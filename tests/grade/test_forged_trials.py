@@ -1,4 +1,4 @@
-"""Programs that are tried out cannot answer in the trial's place, nor change what watches them unnoticed."""
+"""Programs that are tried out can change what is seen of them only by what they do."""
 
 import os
 import sys
@@ -6,53 +6,46 @@ import sys
 import pytest
 
 from coursekit.grade import sandbox
-from coursekit.grade.mark import _environment
-from coursekit.grade.remote import Line, RemoteWork
-from coursekit.grade.seal import Seal
+from coursekit.grade.examiner import environment
+from coursekit.grade.remote import RemoteWork
 from coursekit.grade.trial import Plan, TrialFailed, answered, try_out
 from coursekit.grade.verdict import Wrong
 
-ANSWER = r"""
-import json, os
-forged = json.dumps({"outputs": ["I heard"], "exit_codes": [0], "nodes": ["/forged"]}).encode()
-for number in range(64):
-    try: os.write(number, forged)
-    except OSError: pass
-os._exit(0)
-"""
 AT_ONCE = "import time\ntime.sleep(0.5)\n"
-WATCHER = AT_ONCE + """
-import __main__
-__main__.Watcher._look = lambda self: self.seen.nodes.append('/forged')
-time.sleep(9)
+ANSWER = r"""
+import json, os, struct
+forged = json.dumps({"seen": {"outputs": ["I heard"], "exit_codes": [0], "nodes": ["/forged"]}}).encode()
+frame = json.dumps({"now": 10**12, "next": None, "events": [["ended", ["I heard"], [0]]]}).encode()
+for number in range(64):
+    try: os.write(number, forged + struct.pack("<II", len(frame), 0) + frame)
+    except OSError: pass
 """
-MESSAGES = AT_ONCE + """
+PATCHES = {
+    "dataclasses": """
+import dataclasses
+dataclasses._asdict_inner = lambda *_: {"nodes": ["/forged"]}
+""",
+    "json": """
+import json
+json.dumps = lambda *_, **__: '{"seen": {"nodes": ["/forged"]}}'
+""",
+    "how messages are read": """
 import rosidl_runtime_py
-rosidl_runtime_py.message_to_ordereddict = lambda msg: {}
-time.sleep(9)
-"""
-CODE = AT_ONCE + """
-import __main__
-__main__.Watcher._look.__code__ = (lambda self: None).__code__
-time.sleep(9)
-"""
-MEMORY = AT_ONCE + """
+rosidl_runtime_py.message_to_ordereddict = lambda msg: {"data": "forged"}
+import coursekit.interfaces.cdr as cdr
+cdr.serialize = lambda message: cdr.HEADER
+""",
+    "the watcher": """
+import coursekit.grade.watcher as watcher, coursekit.grade.plan as plan
+watcher.Watcher._look = lambda self: self.seen.nodes.append("/forged")
+plan.Seen.nodes = ["/forged"]
+""",
+    "all that is in memory": """
 import gc
 for one in gc.get_objects():
-    if type(one).__name__ == 'Seen': one.nodes.append('/forged')
-"""
-SEALER = """
-import coursekit.grade as package, coursekit.grade.seal as seal
-for one in (seal, getattr(package, 'seal', seal)):
-    one.Seal.broken = lambda self: ''
-    one._functions = lambda: iter(())
-""" + WATCHER
-FORGERIES = {
-    "writes an answer on every pipe": (ANSWER, "ended the trial|answered for it"),
-    "replaces the watcher": (WATCHER, "interfered with the trial: __main__.Watcher._look was replaced"),
-    "replaces how messages are read": (MESSAGES, "interfered"),
-    "replaces code inside a function": (CODE, "interfered with the trial: __main__.Watcher._look was replaced"),
-    "searches the memory": (MEMORY, r"interfered with the trial: gc.get_objects\(\) was called"),
+    if type(one).__name__ == "Seen": one.nodes.append("/forged")
+    if type(one).__name__ == "Mirror": one.graph = None
+""",
 }
 
 
@@ -68,44 +61,42 @@ def run(tmp_path, monkeypatch):
     def run(text):
         program.write_text(f"#!/usr/bin/env python3\n{text}")
         program.chmod(0o755)
-        return try_out(Plan(run=[["run", "forger", "forge"]], seconds=1.0))
+        return try_out(Plan(run=[["run", "forger", "forge"]], beside=[["run", "demo_nodes_py", "talker"]],
+                            seconds=2.5, record=["/chatter"]))  # fmt: skip
 
     return run
 
 
-@pytest.mark.parametrize("name", FORGERIES)
-def test_a_forgery_is_told(run, name):
-    text, told = FORGERIES[name]
-    with pytest.raises(TrialFailed, match=told) as failure:
+@pytest.mark.parametrize("what", PATCHES)
+def test_a_program_that_patches_its_interpreter_patches_only_that(run, what):
+    seen = run(AT_ONCE + PATCHES[what] + "time.sleep(9)")
+    assert seen.nodes == ["/talker"]
+    assert [message["data"] for _, message in seen.messages["/chatter"]] == ["Hello World: 0", "Hello World: 1"]
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (ANSWER + "os._exit(0)", "ended the trial|interfered with the trial"),
+        (AT_ONCE + ANSWER + "time.sleep(9)", "interfered with the trial"),
+        ("import os\nos._exit(0)", "the program ended the trial"),
+        ("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)", "the program ended the trial"),
+    ],
+    ids=["answers and ends", "answers", "ends", "crashes"],
+)
+def test_who_answers_in_the_trial_s_place_fails_it(run, text, told):
+    with pytest.raises(TrialFailed, match=told):
         run(text)
-    print(f"{name}: {failure.value}")
 
 
-def test_a_seal_that_is_told_to_be_whole_is_none(run):
-    with pytest.raises(TrialFailed, match="interfered"):
-        run(SEALER)
-
-
-def test_an_honest_program_breaks_no_seal(run):
+def test_an_honest_program_is_seen_as_it_is(run):
     assert run("print('hello')").outputs == ["hello\n"]
 
 
-def test_an_answer_without_the_key_counts_for_nothing():
-    with pytest.raises(TrialFailed, match="answered for it"):
-        answered("right", b'wrong\n{"nodes": []}')
-    with pytest.raises(TrialFailed, match="ended while it told"):
-        answered("right", b'right\n{"nod')
-    with pytest.raises(TrialFailed, match="ended while it told"):
-        answered("right", b'right\n{"unknown": 1}')
-
-
-def test_the_seal_sees_what_was_replaced_and_forgives_what_was_put_back(monkeypatch):
-    seal = Seal()
-    assert seal.broken() == ""
-    with monkeypatch.context() as patch:
-        patch.setattr("coursekit.grade.trial.Watcher._look", lambda self: None)
-        assert seal.broken() == "coursekit.grade.trial.Watcher._look was replaced"
-    assert seal.broken() == ""
+@pytest.mark.parametrize("out", [b"", b"{", b"[]", b'{"seen": {"unknown": 1}}', b'{"seen": 3}', b'{"nodes": []}'])
+def test_an_answer_that_is_none_fails_the_trial(out):
+    with pytest.raises(TrialFailed, match="ended before it could say"):
+        answered(out)
 
 
 def test_modules_in_the_student_s_folder_do_not_stand_in_for_ours(tmp_path):
@@ -113,15 +104,15 @@ def test_modules_in_the_student_s_folder_do_not_stand_in_for_ours(tmp_path):
     (workspace / "src").mkdir(parents=True)
     for name in ("secrets.py", "json.py", "sitecustomize.py"):
         (workspace.parent / name).write_text("import os\nos.write(1, b'mine')\nos._exit(0)\n")
-    env, limits = _environment(workspace), sandbox.Limits(seconds=30)
+    env, limits = environment(workspace), sandbox.Limits(seconds=30)
     env["PYTHONPATH"] = os.pathsep.join([str(workspace.parent), env.get("PYTHONPATH", "")])
     running = sandbox.start([sys.executable, "-I", "-c", "input()"], workspace.parent, env, limits)
     try:
-        work = RemoteWork(Line(running, limits), workspace, env, limits)
+        work = RemoteWork(running, workspace, env, limits)
         work.complete = True
         seen = work.try_out("run demo_nodes_py talker", seconds=1.5)
         assert seen.nodes == ["/talker"] and "Hello World" in seen.outputs[0]
         with pytest.raises(Wrong, match="quotes"):
             work.try_out("run 'x")
     finally:
-        running.end()
+        work.end()

@@ -5,8 +5,9 @@ import sys
 import pytest
 
 from coursekit.grade import sandbox
-from coursekit.grade.mark import _environment
-from coursekit.grade.remote import Line, RemoteWork
+from coursekit.grade.examiner import environment
+from coursekit.grade.interruptions import Gone, NeedsWorkspace
+from coursekit.grade.remote import RemoteWork
 from coursekit.grade.verdict import Wrong
 
 CELL = """
@@ -26,10 +27,12 @@ def filled(message):
 def work(tmp_path):
     workspace = tmp_path / "course" / "ros2_ws"
     (workspace / "src").mkdir(parents=True)
-    env, limits = _environment(workspace), sandbox.Limits(seconds=30)
+    env, limits = environment(workspace), sandbox.Limits(seconds=30)
     running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
-    yield RemoteWork(Line(running, limits), workspace, env, limits)
-    running.end()
+    made = RemoteWork(running, workspace, env, limits)
+    made.judge_from_here("any")
+    yield made
+    made.end()
 
 
 def test_changes_of_arguments_and_variables_cross_in_both_directions(work):
@@ -48,16 +51,77 @@ def test_changes_of_arguments_and_variables_cross_in_both_directions(work):
 
 
 def test_an_exercise_judged_later_sees_the_variables_of_its_own_check(work):
-    work.run("answer = 1\ndef f(): return 1", 10)
-    work.judge_from_here("one")
-    work.run("answer = 2\ndef f(): return 2", 10)
-    work.judge_from_here("two")
-    work.complete = True
-    assert (work.value("answer", int), work.function("f")()) == (2, 2)
-    work.judge_from_here("one")
-    assert (work.value("answer", int), work.function("f")()) == (1, 1)
-    with pytest.raises(Wrong, match="a variable named `nothing`"):
+    for exercise, answer in (("one", 1), ("two", 2)):
+        work.run(f"answer = {answer}", 10)
+        work.judge_from_here(exercise)
+        with pytest.raises(NeedsWorkspace):
+            assert work.value("answer", int) == answer
+            work.text("src/any")
+    work.finish(10)
+    for exercise, answer in (("one", 1), ("two", 2)):
+        work.judge_from_here(exercise)
+        assert work.value("answer", int) == answer
+    with pytest.raises(Gone):
         work.value("nothing", int)
+
+
+def test_files_are_read_by_a_process_that_cannot_write_them(work):
+    work.run("open('ros2_ws/src/notes.txt', 'w').write('mine')", 10)
+    work.finish(10)
+    assert work.text("src/notes.txt") == "mine" and work.exists("src") and not work.exists("install")
+    with pytest.raises(Wrong, match=r"the file src/note\.txt") as wrong:
+        work.text("src/note.txt")
+    assert "notes.txt" in wrong.value.cause
+    with pytest.raises(Wrong, match="built"):
+        work.built("nothing")
+
+
+HOSTILE = """
+import os, pathlib
+src = pathlib.Path("ros2_ws/src")
+os.mkfifo(src / "pipe")
+os.symlink("/dev/zero", src / "zero")
+os.symlink("/etc/passwd", src / "host")
+(src / "huge").write_bytes(b"x" * 2_000_000)
+os.truncate(src / "huge", 60_000_000)
+"""
+
+
+def test_pipes_devices_links_and_huge_files_are_told_at_once(work):
+    assert work.run(HOSTILE, 10) == ""
+    work.finish(10)
+    for name in ("pipe", "zero", "host", "huge"):
+        with pytest.raises(Wrong):
+            work.text(f"src/{name}")
+
+
+def test_a_workspace_that_became_a_link_shows_nothing_of_the_host(work, tmp_path):
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere" / "secret.txt").write_text("of the host")
+    target = str(tmp_path / "elsewhere")
+    work.run(f"import os, shutil\nshutil.rmtree('ros2_ws')\nos.symlink({target!r}, 'ros2_ws')", 10)
+    work.finish(10)
+    assert not work.exists("secret.txt")
+
+
+XACRO = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="evil">
+<xacro:property name="x" value="${(lambda f=().__class__.__base__.__subclasses__(): [c for c in f
+ if c.__name__ == 'catch_warnings'][0]()._module.__builtins__['open']('/proc/self/environ').read())()}"/>
+<link name="base"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+</robot>"""
+TOWER = XACRO.replace(XACRO[XACRO.index("${") : XACRO.index('"/>')], "${9**9**9}")
+
+
+@pytest.mark.parametrize("text", [XACRO, TOWER], ids=["escape", "tower of powers"])
+def test_a_xacro_that_computes_does_so_where_it_harms_nobody(work, text, monkeypatch):
+    monkeypatch.setattr("coursekit.grade.remote.READ_SECONDS", 3.0)
+    work.run(f"open('ros2_ws/src/robot.urdf.xacro', 'w').write({text!r})", 10)
+    work.finish(10)
+    try:
+        assert set(work.robot("src/robot.urdf.xacro").links) == {"base"}
+    except Wrong as wrong:
+        assert "host" not in wrong.got
+    assert not work.exists("nothing")  # another reader answers
 
 
 def test_waiting_for_what_never_comes_costs_no_real_time(work):

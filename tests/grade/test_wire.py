@@ -1,5 +1,6 @@
 """What crosses between sandbox and judge arrives as it was; what cannot cross is described, and harms nobody."""
 
+import base64
 import json
 
 import numpy as np
@@ -8,7 +9,7 @@ from geometry_msgs.msg import Point
 from hypothesis import given
 from hypothesis import strategies as st
 
-from coursekit.grade.wire import Described, pack, unpack
+from coursekit.grade.wire import Described, pack, unpack, unpack_of_judge
 from coursekit.slam.wall_field import WallField
 
 PLAIN = st.recursive(
@@ -46,14 +47,19 @@ def test_messages_arrive():
 def test_a_field_of_gaps_can_be_asked_on_the_other_side():
     field = WallField([[0.0, 0.0], [1.0, 0.5]], cell=0.05, reach=2.0)
     asked = np.random.default_rng(1).uniform(-3, 3, (50, 2))
-    assert (over(field)(asked) == field(asked)).all()
+    assert (unpack_of_judge(json.loads(json.dumps(pack(field))))(asked) == field(asked)).all()
 
 
 def test_a_field_too_large_to_make_is_refused():
     packed = pack(WallField([[0.0, 0.0], [1.0, 0.5]]))
     packed["gaps"][0] = pack(np.array([[0.0, 0.0], [1e5, 1e5]]))
     with pytest.raises(ValueError, match="too many"):
-        unpack(packed)
+        unpack_of_judge(packed)
+
+
+def test_a_student_sends_no_field_of_gaps():
+    with pytest.raises(ValueError, match="no tag 'gaps'"):
+        unpack(pack(WallField([[0.0, 0.0], [1.0, 0.5]])))
 
 
 @pytest.mark.parametrize("value", [object(), len, lambda: 1, pytest], ids=["object", "builtin", "function", "module"])
@@ -62,7 +68,22 @@ def test_other_things_are_described_and_equal_nothing(value):
     assert isinstance(got, Described) and got != got and got != value
 
 
-@pytest.mark.parametrize("tree", [{"call": ["os.system", "true"]}, {}, {"int": "1", "float": "2"}])
+LARGE = [
+    {"array": ["<U250000000", [1], ["x"]]},
+    {"array": ["O", [1], ["x"]]},
+    {"array": ["V1000000000", [1], [0]]},
+    {"array": ["int64", [1 << 40], [0]]},
+    {"array": ["int64", [-1], [0]]},
+    {"int": "9" * 5000},
+    {"int": 7},
+    {"set": [{"int": str(number * (2**61 - 1))} for number in range(6000)]},
+    {"message": ["../../etc/msg/Passwd", ""]},
+    {"message": ["std_msgs/msg/String", base64.b64encode(b"\0\1\0\0\xff\xff\xff\x7f").decode()]},
+]
+"""Little JSON that would become large, or reach for what is not a value."""
+
+
+@pytest.mark.parametrize("tree", [{"call": ["os.system", "true"]}, {}, {"int": "1", "float": "2"}, *LARGE])
 def test_what_pack_never_makes_is_refused(tree):
     with pytest.raises(ValueError):
         unpack(tree)

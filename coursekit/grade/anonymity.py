@@ -1,0 +1,84 @@
+"""Marking without names: codes stand for people on pages and in tables; who is who lies in a file of its own."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import hmac
+import io
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from .harmless import cell
+from .keys import own_key
+from .mark import Marked
+from .pieces import Entry, Piece
+from .record import Record
+from .roster import Person
+from .tables import write_whole
+
+
+class Anonymity:
+    """Gives the same code to the same person in every run of this account."""
+
+    def __init__(self, names: Path) -> None:
+        self.names = names
+        self._key = own_key("codes.key")
+
+    def code(self, person: Person) -> str:
+        """What a person is called."""
+        made = hmac.new(self._key, person.identity.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
+        return f"P-{made[:8].upper()}"
+
+    def of(self, records: Sequence[Record]) -> list[Record]:
+        """The records with codes in the place of names, in the order of the codes; who is who is written beside."""
+        hidden = [self._hidden(one) for one in records]
+        made = io.StringIO()
+        table = csv.writer(made)
+        table.writerow(["code", "name", "id", "email"])
+        for one in records:
+            person = one.handed.person
+            table.writerow([self.code(person), cell(one.label), cell(person.id), cell(person.email)])
+        write_whole(self.names, made.getvalue().encode("utf-8-sig"), 0o600)
+        return sorted(hidden, key=lambda one: one.label)
+
+    def _hidden(self, record: Record) -> Record:
+        code, handed = self.code(record.handed.person), record.handed
+        said = _Hiding(record, code)
+        entries = [
+            Entry(code, [_piece(said, code, one) for one in entry.pieces], [said(one) for one in entry.faults])
+            for entry in handed.entries
+        ]
+        chosen = {name: _piece(said, code, one) for name, one in handed.chosen.items()}
+        texts = {name: [said(one) for one in getattr(handed, name)] for name in ("notes", "concerns", "open")}
+        made = replace(handed, person=Person(code), label=code, entries=entries, chosen=chosen, **texts)
+        return replace(record, handed=made, marks={name: _marked(said, code, one) for name, one in record.marks.items()})
+
+
+class _Hiding:
+    """Takes a person's names out of texts."""
+
+    def __init__(self, record: Record, code: str) -> None:
+        person, handed = record.handed.person, record.handed
+        entries = [entry.name for entry in handed.entries]
+        stems = [re.sub(r"\.(ipynb|zip)$", "", one, flags=re.I) for one in entries if not one[:1].isdigit()]
+        words = [*person.names(), *person.keys(), person.family, person.given, handed.label, *stems]
+        known = sorted({one for one in words if len(one) > 2}, key=len, reverse=True)
+        self._names = re.compile("|".join(re.escape(one) for one in known) or "(?!)", re.I)
+        self._code = code
+
+    def __call__(self, text: str) -> str:
+        return self._names.sub(self._code, text)
+
+
+def _piece(said: _Hiding, code: str, one: Piece) -> Piece:
+    own = {name: said(text) for name, text in one.known.code.items()}
+    return replace(one, where=said(one.where), entry=code, known=replace(one.known, code=own))
+
+
+def _marked(said: _Hiding, code: str, one: Marked) -> Marked:
+    verdicts = [replace(verdict, expected=said(verdict.expected), got=said(verdict.got)) for verdict in one.verdicts]
+    notes, concerns = [said(note) for note in one.notes], [said(note) for note in one.concerns]
+    return replace(one, student=code, verdicts=verdicts, notes=notes, concerns=concerns)

@@ -1,0 +1,119 @@
+"""Which of several files of one person counts for a chapter, and why. What cannot be told apart is asked, never guessed.
+
+In this order: what can be read; what is no checkpoint; work on exercises before other work before an untouched copy; with
+`in-time` what came before the deadline; then the newest. Of the same age, or within one hand-in, more work counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from .pieces import Piece, told_time
+from .questions import Question, numbered
+
+NEWEST, IN_TIME = "newest", "in-time"
+SAME_S = 2.0
+"""Seconds within which two times are one: zips count in twos, and who unpacks a download makes its files at once."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """The file that counts, or a question."""
+
+    piece: Piece | None = None
+    why: str = ""
+    """Said when there was something to choose."""
+    question: Question | None = None
+
+
+def choose(
+    pieces: Sequence[Piece], who: str, count: str, deadline: float | None, answers: Mapping[str, str]
+) -> Choice:
+    """The file that counts of those that one person handed in for one chapter."""
+    left = _fitting(sorted(pieces, key=_order))
+    if count == IN_TIME and deadline is not None:
+        left = [one for one in left if one.when <= deadline] or left
+    left = _different(left)
+    question = _question(pieces[0].chapter, left, who)
+    said = question.chosen(answers)
+    named = [one for one in left if one.where == said]
+    if len(left) > 1 and named:
+        return Choice(named[0], _why(named[0], pieces, "as answered"), question)
+    newest = _newest(left)
+    if len(newest) == 1:
+        best = newest[0]
+        fuller = [one for one in left if one.entry == best.entry and _more(one, best)]
+        if not fuller:
+            return Choice(best, _why(best, pieces, ""))
+    return Choice(None, question=question)
+
+
+def _order(piece: Piece) -> tuple[float, float, str]:
+    return (piece.when, piece.inner, piece.where)
+
+
+def _fitting(pieces: Sequence[Piece]) -> list[Piece]:
+    left = [one for one in pieces if not one.fault] or list(pieces)
+    left = [one for one in left if not one.checkpoint] or left
+    level = max(one.known.level for one in left)
+    return [one for one in left if one.known.level == level]
+
+
+def _different(pieces: Sequence[Piece]) -> list[Piece]:
+    """Of files with the same work the oldest: it was there first. Its name is the chapter's where that is as old."""
+    found: dict[str, Piece] = {}
+    for one in pieces:
+        work = one.known.work if not one.fault else one.digest or one.where
+        kept = found.setdefault(work, one)
+        if _named(one) and not _named(kept) and one.when - kept.when <= SAME_S:
+            found[work] = one
+    return list(found.values())
+
+
+def _named(piece: Piece) -> bool:
+    return PurePosixPath(piece.where).name == piece.chapter
+
+
+def _newest(pieces: Sequence[Piece]) -> list[Piece]:
+    """One, unless several are as new and none of them holds the work of all others."""
+    newest = max(one.when for one in pieces)
+    left = [one for one in pieces if newest - one.when <= SAME_S]
+    latest = max(one.inner for one in left)
+    left = [one for one in left if latest - one.inner <= SAME_S]
+    return [one for one in left if all(_more(one, other) for other in left if other is not one)] or left
+
+
+def _more(one: Piece, other: Piece) -> bool:
+    return set(one.known.begun) > set(other.known.begun)
+
+
+def _question(chapter: str, left: Sequence[Piece], who: str) -> Question:
+    about = "; ".join(f"{one.where}: {told_time(one.inner)}, {len(one.known.begun)} exercises begun" for one in left)
+    number = numbered("which", who, chapter, *sorted(one.digest for one in left))
+    text = f"Which of these is {who}'s {PurePosixPath(chapter).stem}? Write its path or its place."
+    return Question(number, text, about, tuple(one.where for one in left))
+
+
+def _why(best: Piece, pieces: Sequence[Piece], how: str) -> str:
+    others = [one for one in pieces if one is not best]
+    if not others and best.checkpoint:
+        return f"{best.where} counts: only this checkpoint was handed in"
+    if not others:
+        return ""
+    said = ", ".join(f"{one.where} ({_against(one, best)})" for one in sorted(others, key=_order)[:6])
+    return f"{best.where} counts{', ' + how if how else ''}; not {said}"
+
+
+def _against(other: Piece, best: Piece) -> str:
+    """Why a file does not count."""
+    if other.fault:
+        return "cannot be read"
+    if other.checkpoint and not best.checkpoint:
+        return "a checkpoint"
+    if other.known.level < best.known.level:
+        return "nothing was written in it" if not other.known.level else "no exercise was begun in it"
+    if other.known.work == best.known.work:
+        return "the same work"
+    return "newer" if other.when > best.when else f"of {told_time(other.inner)}" if other.inner else "older"

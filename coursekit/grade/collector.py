@@ -1,0 +1,279 @@
+"""Finds for each person what they handed in and which file counts for each chapter; what it cannot tell it asks.
+
+Everything goes one way: entries of a folder or zip, the people whose they are, the file that counts for each chapter.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from .choosing import choose
+from .harmless import identity_of, name_of_files, shown, unique
+from .identifying import Identified, Identifier
+from .lateness import Policy, platform_time
+from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw, entries_of_folder, entries_of_zip, told_time
+from .platform_names import platform_name
+from .questions import NOBODY, Question, numbered
+from .recognising import Recogniser
+from .roster import Person, Roster, plain, student_word
+from .submissions import Submission
+
+
+@dataclass
+class Handed:
+    """What one person handed in."""
+
+    person: Person
+    label: str
+    entries: list[Entry] = field(default_factory=list)
+    chosen: dict[str, Piece] = field(default_factory=dict)
+    """The file that counts, by chapter."""
+    notes: list[str] = field(default_factory=list)
+    """The student sees these."""
+    concerns: list[str] = field(default_factory=list)
+    """For the teacher's eye only."""
+    open: list[str] = field(default_factory=list)
+    """Questions that have to be answered before there is a mark."""
+
+    @property
+    def key(self) -> str:
+        """What their files are called."""
+        return name_of_files(self.person.identity, self.label)
+
+    def pieces(self) -> list[Piece]:
+        """Every notebook that they handed in, the oldest first."""
+        found = [piece for entry in self.entries for piece in entry.pieces]
+        return sorted(found, key=lambda one: (one.when, one.inner, one.where))
+
+    def parcels(self) -> list[Path]:
+        """Everything of theirs that `hand_in()` made."""
+        return [file for entry in self.entries for file in entry.parcels]
+
+    def attempts(self) -> list[str]:
+        """Every notebook that they handed in, and when."""
+        return [f"{one.where}, {told_time(one.when)}" for one in self.pieces()]
+
+    def submission(self, chapter: str) -> Submission:
+        """What is marked for a chapter."""
+        piece = self.chosen[chapter]
+        assert piece.file is not None
+        parcels = [piece.parcel] if piece.parcel else []
+        return Submission(self.label, piece.file, {chapter: piece.file}, parcels)
+
+
+@dataclass
+class Collection:
+    """A class's work."""
+
+    handed: list[Handed]
+    questions: list[Question]
+    """All that was asked, answered or not."""
+    told: list[str]
+    """What does not belong to one person."""
+    unanswered: list[Question] = field(default_factory=list)
+    whose: list[tuple[str, Question]] = field(default_factory=list)
+    """Entries that are nobody's yet."""
+
+
+class Collector:
+    """Collects for a class."""
+
+    def __init__(
+        self,
+        sources: Mapping[str, Mapping[str, Any]],
+        scratch: Path,
+        *,
+        roster: Roster | None = None,
+        copies: Mapping[str, Person] | None = None,
+        policy: Policy | None = None,
+        answers: Mapping[str, str] | None = None,
+    ) -> None:
+        self._gatherer = Gatherer(Recogniser(sources), scratch)
+        self._recogniser = Recogniser(sources)
+        self._roster = roster
+        self._identifier = Identifier(roster, copies) if roster else None
+        self._policy = policy or Policy()
+        self._answers = answers or {}
+        self._people: dict[str, Handed] = {}
+        self._made = Collection([], [], list(roster.notes) if roster else [])
+
+    def collect(self, place: Path, leave: Iterable[Path] = ()) -> Collection:
+        """Everything that was handed in, in a folder or in the zip that a learning platform made."""
+        for person in self._roster.people if self._roster else []:
+            self._of(person)
+        for name, loose, files in self._entries(place, leave):
+            if loose and not self._is_somebody_s(name):
+                self._made.told.append(f"'{shown(name)}' is no notebook, zip or folder: left out.")
+            else:
+                self._put(self._gathered(name, files))
+        for handed in self._people.values():
+            self._choose(handed)
+        self._made.handed = sorted(self._people.values(), key=lambda one: (plain(one.label), one.key))
+        self._look_alike()
+        self._made.unanswered += [one for _, one in self._made.whose]
+        return self._made
+
+    def _gathered(self, name: str, files: Iterable[Raw]) -> Entry:
+        try:
+            return self._gatherer.entry(name, files)
+        except Exception as error:  # one hand-in that nobody thought of never stops the class
+            return Entry(name, faults=[f"it cannot be read ({type(error).__name__}: {shown(str(error), 100)})"])
+
+    def _entries(self, place: Path, leave: Iterable[Path]) -> Iterable[tuple[str, bool, Iterable[Raw]]]:
+        return entries_of_folder(place, leave) if place.is_dir() else entries_of_zip(place)
+
+    def _is_somebody_s(self, name: str) -> bool:
+        """Whether a file that is neither notebook nor zip is what somebody handed in, not a stray table or picture."""
+        known = self._identifier is not None and len(self._identifier.by_name(name).people) == 1
+        return known or platform_name(name) is not None
+
+    def _of(self, person: Person) -> Handed:
+        label = self._roster.label(person) if self._roster else shown(person.name)
+        return self._people.setdefault(person.identity, Handed(person, label))
+
+    def _put(self, entry: Entry) -> None:
+        """Give an entry to the person whose it is, or ask."""
+        copies = unique(piece.known.copy for piece in entry.pieces if piece.known.copy)
+        if self._identifier is not None:
+            found = self._named(entry, self._identifier.identify(entry.name, copies))
+        else:
+            person = self._by_itself(entry)
+            found = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
+        if len(found.people) != 1:
+            question = self._whose(entry, found)
+            self._made.questions.append(question)
+            found = self._answered(entry, found, question, question.chosen(self._answers))
+        if len(found.people) == 1:
+            handed = self._of(found.people[0])
+            handed.entries.append(entry)
+            if found.how and found.how not in ("the exact name", "the platform's name for it"):
+                handed.concerns.append(f"'{shown(entry.name)}' was taken as theirs by {found.how}")
+
+    def _named(self, entry: Entry, found: Identified) -> Identified:
+        """Where the name says nothing, a file that hand_in() made says who made it."""
+        assert self._identifier is not None
+        if found.people or not entry.students:
+            return found
+        said = [self._identifier.by_name(one) for one in unique(entry.students)]
+        people = tuple(dict.fromkeys(person for one in said for person in one.people))
+        return Identified(people, "the name in the file that hand_in made") if people else found
+
+    def _whose(self, entry: Entry, found: Identified) -> Question:
+        choices = tuple(self._roster.label(one) for one in found.people) if self._roster else ()
+        about = f"{shown(entry.name)} ({found.how}; {len(entry.pieces)} notebooks)"
+        text = "Whose is this? Write the name, id or e-mail; or: nobody."
+        return Question(numbered("whose", entry.name), text, about, choices)
+
+    def _answered(self, entry: Entry, found: Identified, question: Question, said: str) -> Identified:
+        if said.casefold() == NOBODY:
+            self._made.told.append(f"'{shown(entry.name)}' is nobody's, as answered: left out.")
+            return Identified()
+        person = self._roster.of(said) if self._roster else Person(shown(said)) if said else None
+        if person is not None:
+            return Identified((person,), "")
+        why = f"the answer '{shown(said, 60)}' is nobody in the list" if said else found.how
+        question = replace(question, about=f"{question.about}; {why}") if said else question
+        self._made.whose.append((entry.name, question))
+        for one in found.people:
+            self._of(one).open.append(f"whose '{shown(entry.name)}' is: {why}")
+        return Identified()
+
+    def _by_itself(self, entry: Entry) -> Person | None:
+        """The person that an entry's name or content says, where there is no list of the class."""
+        stem = re.sub(r"\.(ipynb|zip)$", "", entry.name, flags=re.I)
+        told = platform_name(entry.name)
+        if told is not None and (told.name or told.logins):
+            name = shown(told.name or told.logins[0])
+            return Person(name, number=told.number, id=f"{identity_of(name)} {told.number}".strip())
+        for student in unique(entry.students):
+            if plain(stem).startswith(plain(student_word(student))):
+                return Person(student, id=identity_of(student))
+        chapter = self._recogniser.by_name(stem + ".ipynb") if entry.name.casefold().endswith(".ipynb") else ""
+        if chapter:
+            before = re.split(re.escape(Path(chapter).stem), stem, maxsplit=1, flags=re.I)[0].strip(" _-.")
+            return Person(shown(before), id=identity_of(before)) if identity_of(before) else None
+        return Person(shown(stem), id=identity_of(stem) or shown(stem))
+
+    def _choose(self, handed: Handed) -> None:
+        """The file that counts for each chapter."""
+        deadline = self._policy.deadline(handed.person)
+        listed = platform_time(handed.person.when)
+        by_chapter: dict[str, list[Piece]] = {}
+        for entry in handed.entries:
+            entry.pieces = [_listed(one, listed) for one in entry.pieces]
+            for one in entry.pieces:
+                by_chapter.setdefault(one.chapter, []).append(one)
+            handed.notes += entry.faults
+            handed.concerns += entry.concerns
+            if entry.others and not entry.pieces:
+                handed.notes.append(f"no notebook was handed in, only {', '.join(entry.others[:5])}")
+        nameless = [self._chapter_of(one, handed, bool(by_chapter)) for one in by_chapter.pop("", ())]
+        for one in (one for one in nameless if one.chapter):
+            by_chapter.setdefault(one.chapter, []).append(one)
+        for chapter, pieces in sorted(by_chapter.items()):
+            choice = choose(pieces, handed.label, self._policy.count, deadline, self._answers)
+            if choice.question is not None:
+                self._made.questions.append(choice.question)
+            if choice.piece is None:
+                assert choice.question is not None
+                self._made.unanswered.append(choice.question)
+                handed.open.append(f"which file is {chapter}: {choice.question.about}")
+            elif choice.piece.fault:
+                handed.notes.append(f"{choice.piece.where}: {choice.piece.fault}")
+            else:
+                handed.chosen[chapter] = choice.piece
+                handed.notes += [choice.why] if choice.why else []
+
+    def _chapter_of(self, piece: Piece, handed: Handed, others: bool) -> Piece:
+        """A notebook whose content and name say no chapter: asked about where the person handed in nothing else."""
+        if piece.fault or others or not piece.known.work:
+            why = piece.fault or "it holds no exercise of the chapters"
+            (handed.concerns if others else handed.notes).append(f"{piece.where}: {why}")
+            return piece
+        names = tuple(self._recogniser.chapters)
+        text = f"Which chapter is this notebook of {handed.label}? Write its name; or: none."
+        question = Question(numbered("chapter", handed.key, piece.digest), text, piece.where, names)
+        said = question.chosen(self._answers)
+        self._made.questions.append(question)
+        if said in names:
+            return replace(piece, chapter=said)
+        if said.casefold() == "none":
+            handed.notes.append(f"{piece.where}: it holds no exercise of the chapters")
+        else:
+            self._made.unanswered.append(question)
+            handed.open.append(f"which chapter {piece.where} is")
+        return piece
+
+    def _look_alike(self) -> None:
+        """Without a list two spellings of a name may be one person: that is told."""
+        if self._roster is not None:
+            return
+        seen: dict[str, str] = {}
+        for one in self._made.handed:
+            other = seen.setdefault(plain(one.label), one.label)
+            if other != one.label:
+                self._made.told.append(f"'{other}' and '{one.label}' look like one name: give the class with --roster.")
+
+
+def _listed(piece: Piece, when: float) -> Piece:
+    """With the time that the platform's list tells, where neither a seal nor the download says one."""
+    if not when or piece.when_from in (SEALED, "the platform's time"):
+        return piece
+    return replace(piece, when=when, when_from=LISTED)
+
+
+def wanted_chapters(handed: Sequence[Handed]) -> tuple[list[str], dict[str, list[str]]]:
+    """The chapters that most people handed in, and who handed in which others; all where none is most people's."""
+    chapters: dict[str, list[str]] = {}
+    for one in handed:
+        for chapter in {piece.chapter for piece in one.pieces() if piece.chapter}:
+            chapters.setdefault(chapter, []).append(one.label)
+    some = sum(any(piece.chapter for piece in one.pieces()) for one in handed)
+    most = sorted(name for name, people in chapters.items() if 2 * len(people) > some)
+    if not most:
+        return sorted(chapters), {}
+    return most, {name: sorted(people) for name, people in sorted(chapters.items()) if name not in most}

@@ -1,0 +1,210 @@
+"""Examines one chapter of one submission in a process of its own: what it reads is hostile, so it can be ended at any time.
+
+`python -I -m coursekit.grade.examiner`: a task comes as JSON on stdin, what was found goes to stdout.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from . import sandbox
+from .checking import judge_work
+from .exercise import Exercise, find
+from .facts import as_json, checked
+from .inside import NOT_NEEDED
+from .interruptions import Gone, NeedsWorkspace
+from .limited import end_with_parent
+from .remote import RemoteWork
+from .repair import Repaired, Step, repair
+from .submissions import read_notebook
+from .verdict import Verdict
+
+FIRST_HINT = 2
+"""The try from which on the first hint is given: a report gives it too."""
+MOST = 16 << 20
+"""Bytes that an examination may tell."""
+MEMORY = 8 << 30
+"""Bytes of address space of an examiner."""
+LONGEST = 2000
+"""Characters of a sentence that quotes a student's work."""
+_SHOWS = (*NOT_NEEDED, "wait(", "graph(", "print(graph(", "terminal", "progress(", "print(terminal", "frames(",
+          "evidence(", "hand_in(", "%ros2 --")  # fmt: skip
+
+
+@dataclass
+class Task:
+    """What is to be examined: the course's notebook, the student's, an empty folder, and by which exercises."""
+
+    source: dict[str, Any]
+    file: str
+    folder: str
+    exercises: list[str]
+    variants: dict[str, dict[str, Any]]
+    limits: dict[str, Any]
+    secret: str = ""
+    """Hexadecimal."""
+
+
+@dataclass
+class Examined:
+    """What was found."""
+
+    verdicts: list[Verdict] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    answers: list[str] = field(default_factory=list)
+    failed: str = ""
+    """Why there is nothing, or not all."""
+    unreadable: bool = False
+    """Whether that is the notebook's fault."""
+
+
+def examine(task: Task, limits: sandbox.Limits) -> Examined:
+    """Have a chapter examined; whatever happens to the examiner, there is an answer, and soon."""
+    child = subprocess.Popen(
+        [sys.executable, "-I", "-m", "coursekit.grade.examiner"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    running = sandbox.Sandboxed(child)
+    timer = threading.Timer(limits.chapter, running.end, [f"marking it took longer than {limits.chapter:g} s"])
+    timer.daemon = True
+    timer.start()
+    try:
+        out = running.answer(as_json(task).encode(), MOST)
+        found = checked(Examined, out)
+    except ValueError:
+        return Examined(failed=running.stopped or "it could not be marked: what marks it was ended by it")
+    finally:
+        timer.cancel()
+        running.end()
+    known = {name: find(name) for name in task.exercises}
+    if any(one.name not in known or not 0 <= one.points <= known[one.name].points for one in found.verdicts):
+        return Examined(failed="it could not be marked: the marks are none that there are")
+    return found
+
+
+def unjudged(exercise: Exercise, why: str) -> Verdict:
+    """No points, for a reason outside of the exercise."""
+    hint = next(iter(exercise.hints), "")
+    return Verdict(exercise.name, exercise.title, 0, exercise.points, "your work", why, hint=hint)
+
+
+def main() -> int:
+    """Carry out one task."""
+    end_with_parent()
+    _limit_memory()
+    task = checked(Task, sys.stdin.buffer.read())
+    out = os.dup(1)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    try:
+        found = _examined(task)
+    except ValueError as error:
+        found = Examined(failed=str(error)[:LONGEST], unreadable=True)
+    with os.fdopen(out, "wb") as answer:
+        answer.write(as_json(found).encode())
+    os._exit(0)
+
+
+def _limit_memory() -> None:
+    try:
+        import resource
+    except ImportError:  # Windows: a container is all there is
+        return
+    _, hard = resource.getrlimit(resource.RLIMIT_AS)
+    most = MEMORY if hard == resource.RLIM_INFINITY else min(MEMORY, hard)
+    resource.setrlimit(resource.RLIMIT_AS, (most, hard))
+
+
+def _examined(task: Task) -> Examined:
+    repaired = repair(task.source, read_notebook(Path(task.file)))
+    found = Examined(notes=repaired.notes, answers=repaired.answers())
+    limits = sandbox.Limits(**task.limits)
+    workspace = Path(task.folder) / "course" / "ros2_ws"
+    (workspace / "src").mkdir(parents=True)
+    env = environment(workspace)
+    running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
+    work = RemoteWork(running, workspace, env, limits, task.variants, bytes.fromhex(task.secret))
+    try:
+        exercises = {name: find(name) for name in task.exercises}
+        found.verdicts = _run_and_judge(repaired, work, exercises, limits)
+    finally:
+        work.end()
+    return found
+
+
+def environment(workspace: Path) -> dict[str, str]:
+    """What programs in a sandbox know of the course and of a workspace."""
+    from coursekit.packages.environment import source_underlay
+
+    env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT_")}
+    source_underlay(env)
+    return env | {"COURSEKIT_COURSE": str(workspace.parent), "COURSEKIT_WORKSPACE": str(workspace), "COURSEKIT_GRADING": "1"}
+
+
+def _run_and_judge(
+    repaired: Repaired, work: RemoteWork, exercises: Mapping[str, Exercise], limits: sandbox.Limits
+) -> list[Verdict]:
+    """Values are judged where their check stands; files and programs at the end, after one build."""
+    verdicts: list[Verdict] = []
+    later: list[str] = []
+    wanted = [step.exercise for step in repaired.steps if step.exercise in exercises]
+    try:
+        for step in repaired.steps:
+            if not repaired.begun.get(step.exercise, True):
+                verdicts.append(unjudged(exercises[step.exercise], "the cell as it was handed out"))
+            elif step.exercise in exercises:
+                work.judge_from_here(step.exercise)
+                try:
+                    verdicts.append(_judged(exercises[step.exercise], work))
+                except NeedsWorkspace:
+                    later.append(step.exercise)
+            elif source := _needed(step):
+                work.run(source, limits.cell if step.solution else limits.course_cell)
+        work.finish(limits.build)
+        for name in later:
+            work.judge_from_here(name)
+            verdicts.append(_judged(exercises[name], work))
+    except Gone as gone:
+        judged = {verdict.name for verdict in verdicts}
+        verdicts += [unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
+    return verdicts
+
+
+def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
+    found = judge_work(exercise, work, FIRST_HINT)
+    return replace(
+        found,
+        expected=_plain(found.expected),
+        got=_plain(found.got),
+        cause=_plain(found.cause),
+        hint=_plain(found.hint),
+        gave=_plain(found.gave),
+        note=_plain(found.note),
+    )
+
+
+def _plain(text: str) -> str:
+    """A sentence that quotes a student's work, of bounded length and without what has no place in text."""
+    return text[:LONGEST].encode("utf-8", "replace").decode()
+
+
+def _needed(step: Step) -> str:
+    """What is run of a cell: of the course's own not the lines that only show something."""
+    if step.solution:
+        return step.source
+    lines: Sequence[str] = step.source.splitlines()
+    kept = [line for line in lines if not line.startswith(_SHOWS) or line.count("(") != line.count(")")]
+    return "\n".join(kept).strip()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

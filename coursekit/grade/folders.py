@@ -1,0 +1,113 @@
+"""Folders that somebody else filled: measured and removed by descriptors, whatever is in them.
+
+Paths are of no use there: they may be deeper than the system's longest path, and a folder may become a link while one looks.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import stat
+from collections.abc import Iterator
+from pathlib import Path
+
+DEEPEST = 100
+MOST = 50_000
+"""Files and folders."""
+_FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+BY_DESCRIPTOR = os.open in os.supports_dir_fd and os.scandir in os.supports_fd
+
+
+class Excess(Exception):
+    """There is more in a folder than there may be; the text says of what."""
+
+
+def excess(folder: Path, most: int) -> str:
+    """Why a folder holds too much, in words; empty when all its files have at most `most` bytes together."""
+    total = count = 0
+    try:
+        for _, found in entries(folder):
+            count += 1
+            total += found.st_size if stat.S_ISREG(found.st_mode) else 0
+            if total > most:
+                return f"it wrote more than {most >> 20} MB of files"
+            if count > MOST:
+                return f"it made more than {MOST} files"
+    except Excess as why:
+        return str(why)
+    return ""
+
+
+def entries(folder: Path) -> Iterator[tuple[str, os.stat_result]]:
+    """(path below `folder`, status) of all that is in it; links are not followed. Raises Excess when it is too deep."""
+    if not BY_DESCRIPTOR:
+        for place, folders, files in os.walk(folder):
+            for name in (*folders, *files):
+                with contextlib.suppress(OSError):
+                    path = os.path.join(place, name)
+                    yield os.path.relpath(path, folder), os.lstat(path)
+        return
+    yield from _below(os.open(folder, _FOLDER), "", 0)
+
+
+def _below(descriptor: int, above: str, depth: int) -> Iterator[tuple[str, os.stat_result]]:
+    try:
+        if depth > DEEPEST:
+            raise Excess(f"it made folders in folders, more than {DEEPEST} deep")
+        with os.scandir(descriptor) as found:
+            names = [entry.name for entry in found]
+        for name in names:
+            with contextlib.suppress(FileNotFoundError):  # it was removed while we look
+                status = os.stat(name, dir_fd=descriptor, follow_symlinks=False)
+                yield f"{above}{name}", status
+                if stat.S_ISDIR(status.st_mode):
+                    yield from _below(os.open(name, _FOLDER, dir_fd=descriptor), f"{above}{name}/", depth + 1)
+    finally:
+        os.close(descriptor)
+
+
+def remove(folder: Path) -> None:
+    """Remove a folder with all that is in it, however deep and whatever its rights; what cannot go stays."""
+    if not BY_DESCRIPTOR:
+        shutil.rmtree(folder, ignore_errors=True)
+        return
+    with contextlib.suppress(OSError):
+        top = os.open(folder, _FOLDER)
+        try:
+            _empty(top)
+        finally:
+            os.close(top)
+        os.rmdir(folder)
+
+
+def _empty(top: int) -> None:
+    """Folders come up into the top one before they go, so that no path grows long and few descriptors are open."""
+    number = 0
+    while names := [entry.name for entry in _listed(top)]:
+        for name in names:
+            if not _is_folder(name, top):
+                os.unlink(name, dir_fd=top)
+                continue
+            os.chmod(name, 0o700, dir_fd=top)
+            inner = os.open(name, _FOLDER, dir_fd=top)
+            try:
+                for entry in _listed(inner):
+                    if _is_folder(entry.name, inner):
+                        os.chmod(entry.name, 0o700, dir_fd=inner)
+                        number += 1
+                        os.rename(entry.name, f".gone-{os.getpid()}-{number}", src_dir_fd=inner, dst_dir_fd=top)
+                    else:
+                        os.unlink(entry.name, dir_fd=inner)
+            finally:
+                os.close(inner)
+            os.rmdir(name, dir_fd=top)
+
+
+def _listed(descriptor: int) -> list[os.DirEntry[str]]:
+    with os.scandir(descriptor) as found:
+        return list(found)
+
+
+def _is_folder(name: str, descriptor: int) -> bool:
+    return stat.S_ISDIR(os.stat(name, dir_fd=descriptor, follow_symlinks=False).st_mode)

@@ -1,0 +1,47 @@
+"""The gradebook over the chapters: a row for each person, a column for each chapter that was ever marked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from .harmless import cell, number
+from .record import Record
+from .results import Results
+from .tables import write_table
+
+
+def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Record], results: Results) -> None:
+    """Write it: the chapters of this run, and those of earlier ones as they are kept."""
+    by_name = {one.label: one for one in records}
+    earlier = {one.key: _earlier(one, results) for one in records}
+    columns = sorted({name for one in records for name in one.wanted} | {name for kept in earlier.values() for name in kept})
+    hidden = len(records) == len(shown) and [one.key for one in shown] != [one.key for one in records]
+    rows = []
+    for one in shown:
+        points = {} if hidden else earlier[by_name[one.label].key]
+        points |= {name: one.chapter_total(name) for name in one.chapters() if one.total() is not None}
+        person = one.handed.person
+        rows.append([
+            cell(one.label), cell(person.id) if person.row >= 0 else "", cell(person.email),
+            *(number(points[name]) if name in points else "" for name in columns),
+            number(round(sum(points.values()), 2)), one.key,
+        ])  # fmt: skip
+    write_table(file, ["student", "id", "email", *(PurePosixPath(name).stem for name in columns), "total", "key"], rows)
+
+
+def _earlier(one: Record, results: Results) -> dict[str, float]:
+    """The points of the chapters that are not of this run."""
+    found = {}
+    for name, kept in results.chapters(one.key).items():
+        if name not in one.wanted:
+            found[name] = _points(kept, one)
+    return found
+
+
+def _points(kept: dict[str, Any], one: Record) -> float:
+    verdicts = kept["marked"]["verdicts"]
+    points = sum(one.by_hand.get(verdict["name"], verdict["points"]) for verdict in verdicts)
+    off = kept.get("facts", {}).get("percent_off", 0.0)
+    return round(float(points) * (1 - float(off) / 100), 2)

@@ -1,0 +1,124 @@
+"""Marks and pages for the learning platform: a table in its own columns, and the pages as the zip that Moodle takes."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Callable, Sequence
+from pathlib import Path, PurePosixPath
+
+from .harmless import cell, number, shown
+from .platform_names import platform_name
+from .record import Record
+from .report import page
+from .roster import Person, Roster
+from .tables import write_table
+
+PLATFORMS = ("moodle", "canvas", "blackboard")
+
+
+def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, out: Path) -> list[Path]:
+    """Write the platform's table, and feedback.zip where the folders of Moodle's download are known; what was written."""
+    table = out.with_name(f"{out.stem}.{platform}.csv")
+    title = _title(records)
+    rows = roster.table if roster is not None and roster.layout is not None and roster.layout.platform == platform else None
+    if roster is not None and rows is not None:
+        headings, filled = _in_list(platform, records, roster, title)
+    else:
+        headings, filled = _of_own(platform, records, title)
+    write_table(table, headings, filled)
+    return [table, *_feedback(records, out.with_name("feedback.zip"))]
+
+
+def _title(records: Sequence[Record]) -> str:
+    chapters = list(records[0].wanted) if records else []
+    return "coursekit " + " ".join(PurePosixPath(name).stem.partition("_")[0] for name in chapters)
+
+
+def _mark(one: Record) -> str:
+    """Nothing is written for whom there is no mark yet: the platform keeps what it has."""
+    total = one.total()
+    return "" if total is None else number(total)
+
+
+def _said(one: Record) -> str:
+    """A sentence for the student."""
+    late = one.marked().minutes_late
+    words = [f"{number(v.points)} of {number(v.of)} for {v.name}" for v in one.marked().verdicts]
+    return "; ".join([*words, *([f"{number(late)} minutes late"] if late else []), *one.extra.values()])
+
+
+def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:
+    """The platform's own list with the marks put in: rows and columns stay."""
+    assert roster.table is not None
+    headings = list(roster.table.headings)
+    column, comment = _columns(platform, headings, title)
+    by_row = {one.handed.person.row: one for one in records}
+    of = records[0].of() if records else 0.0
+    rows = []
+    for at, row in enumerate(roster.table.rows):
+        made = [*row, *[""] * len(headings)][: len(headings)]
+        if at in by_row:
+            made[column] = _mark(by_row[at]) or made[column]
+            if comment is not None:
+                made[comment] = _said(by_row[at])
+        elif any("points possible" in one.casefold() for one in row[:3]):
+            made[column] = number(of)
+        rows.append([_kept(one) for one in made])
+    return headings, rows
+
+
+def _kept(text: str) -> str:
+    """A cell of the platform's own: numbers as they are, texts harmless."""
+    try:
+        float(text)
+        return text
+    except ValueError:
+        return cell(text)
+
+
+def _columns(platform: str, headings: list[str], title: str) -> tuple[int, int | None]:
+    """Where the mark and the comment stand; a column for the mark is put in at the end where there is none."""
+    known = [one.casefold() for one in headings]
+    comment = known.index("feedback comments") if "feedback comments" in known else None
+    if platform == "moodle" and "grade" in known:
+        return known.index("grade"), comment
+    headings.append(title)
+    return len(headings) - 1, comment
+
+
+def _of_own(platform: str, records: Sequence[Record], title: str) -> tuple[list[str], list[list[str]]]:
+    """The columns by which the platform knows people, where its own list was not given."""
+    known: dict[str, tuple[list[str], Callable[[Person], list[str]]]] = {
+        "moodle": (["ID number", "Email address", "First name", "Last name"], lambda p: [p.id, p.email, p.given, p.family]),
+        "canvas": (["Student", "ID", "SIS User ID", "SIS Login ID", "Section"],
+                   lambda p: [_family_first(p), p.number, p.id, p.login or p.email, ""]),
+        "blackboard": (["Last Name", "First Name", "Username", "Student ID"],
+                       lambda p: [p.family, p.given or p.name, p.login or p.email.partition("@")[0], p.id]),
+    }  # fmt: skip
+    headings, of = known[platform]
+    rows = [[*(cell(text) for text in of(one.handed.person)), _mark(one), cell(_said(one))] for one in records]
+    if platform == "canvas":
+        return [*headings, title], [["    Points Possible", "", "", "", "", number(records[0].of() if records else 0)],
+                                    *(row[:-1] for row in rows)]  # fmt: skip
+    return [*headings, "Grade" if platform == "moodle" else title, "Feedback comments"], rows
+
+
+def _family_first(person: Person) -> str:
+    return f"{person.family}, {person.given}" if person.family and person.given else person.name
+
+
+def _feedback(records: Sequence[Record], file: Path) -> list[Path]:
+    """The pages in folders with the names that Moodle's download had."""
+    folders = {
+        entry.name: one for one in records for entry in one.handed.entries
+        if (told := platform_name(entry.name)) is not None and told.platform == "moodle"
+    }  # fmt: skip
+    if not folders:
+        return []
+    fresh = file.with_suffix(".new")
+    with zipfile.ZipFile(fresh, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, one in folders.items():
+            folder = name.split("_assignsubmission_", 1)[0] + "_assignsubmission_file_"
+            packed.writestr(f"{shown(folder, 250)}/feedback.html", page(one))
+    fresh.replace(file)
+    return [file]

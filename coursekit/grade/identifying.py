@@ -1,0 +1,146 @@
+"""Whose is what was handed in? The mark of the copy says it, the exact name, the platform's pattern, a name in the name.
+
+Each way may find one person, several, or none. The first that finds one decides, unless another one that is as sure finds
+somebody else: then nobody is guessed, and the teacher is asked.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from .platform_names import PlatformName, platform_name
+from .roster import Person, Roster, plain
+
+_ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx")
+
+
+@dataclass(frozen=True)
+class Identified:
+    """Who was found, and how."""
+
+    people: tuple[Person, ...] = ()
+    """One: found. None or several: to be asked."""
+    how: str = ""
+
+
+class Identifier:
+    """Knows a class, and the marks of its copies.
+
+    >>> someone = Identifier(Roster([Person("Ana García López", family="García López", given="Ana")]))
+    >>> someone.by_name("García López Ana_101_assignsubmission_file_").how
+    "the platform's name for it"
+    """
+
+    def __init__(self, roster: Roster, copies: Mapping[str, Person] | None = None) -> None:
+        self.roster = roster
+        self._copies = copies or {}
+
+    def identify(self, name: str, copies: Iterable[str] = ()) -> Identified:
+        """Whose a folder or file of that name is, in which copies with these marks were found."""
+        marked = {self._copies[one] for one in copies if one in self._copies}
+        named = self.by_name(name)
+        if len(marked) > 1:
+            return Identified(self._sorted(marked), "it holds copies of several students")
+        if not marked:
+            return named
+        owner = next(iter(marked))
+        if not named.people or named.people == (owner,):
+            return Identified((owner,), "the mark of the copy" + (f" and {named.how}" if named.people else ""))
+        if len(named.people) > 1 and owner in named.people:
+            return Identified((owner,), "the mark of the copy")
+        others = self._sorted({owner, *named.people})
+        return Identified(others, f"the copy was made for {self.roster.label(owner)}, the name is somebody else's")
+
+    def by_name(self, name: str) -> Identified:
+        """Whose it is by its name alone."""
+        given = platform_name(name)
+        stem = _without_ending(name)
+        for how, found in (
+            ("the exact name", self._exactly([stem, *(given.logins if given else ())], name_only=given is None)),
+            ("the platform's name for it", self._of_platform(given)),
+            ("the same words in another order", self._shuffled.get(_words(given.name if given else stem), set())),
+        ):
+            if found:
+                return Identified(self._sorted(found), how if len(found) == 1 else "several have that name")
+        if given is not None and given.platform in ("moodle", "canvas", "blackboard"):
+            return Identified((), "nobody in the list has that name")
+        found = self._inside(given.name if given else stem)
+        return Identified(self._sorted(found), ("a name in the name" if len(found) == 1 else "several names fit") if found
+                          else "nobody in the list has that name")  # fmt: skip
+
+    def _exactly(self, texts: Sequence[str], *, name_only: bool) -> set[Person]:
+        if name_only:
+            return self._spelled.get(_letters(texts[0]), set()) or self._plain.get(plain(texts[0]), set())
+        return {person for text in texts for person in self._keys.get(plain(text), ())}
+
+    def _of_platform(self, given: PlatformName | None) -> set[Person]:
+        if given is None:
+            return set()
+        numbered = {one for one in self.roster.people if given.number and one.number == given.number}
+        spelled = self._spelled.get(_letters(given.name), set()) if given.name else set()
+        named = spelled or (self._plain.get(plain(given.name), set()) if given.name else set())
+        if numbered and named and not numbered & named:
+            return numbered | named
+        return numbered & named or numbered or named
+
+    def _inside(self, text: str) -> set[Person]:
+        """Those whose name or id stands in a name as words of it; a longer name counts before one within it."""
+        words = [plain(one) for one in re.split(r"[\W_]+", text) if plain(one)]
+        found: list[tuple[int, int, Person]] = []
+        for begin in range(len(words)):
+            for end in range(begin + 1, min(len(words), begin + 8) + 1):
+                key = "".join(words[begin:end])
+                if not (key.isdigit() and len(key) < 5):
+                    found += [(begin, end, one) for one in self._plain.get(key, ())]
+        longest = [
+            person for begin, end, person in found
+            if not any(b <= begin and end <= e and (e - b) > (end - begin) for b, e, _ in found)
+        ]  # fmt: skip
+        return set(longest)
+
+    @cached_property
+    def _spelled(self) -> dict[str, set[Person]]:
+        """By name with its accents, and by key."""
+        return _table((_letters(one), person) for person in self.roster.people for one in (*person.names(), *person.keys()))
+
+    @cached_property
+    def _plain(self) -> dict[str, set[Person]]:
+        return _table((plain(one), person) for person in self.roster.people for one in (*person.names(), *person.keys()))
+
+    @cached_property
+    def _shuffled(self) -> dict[str, set[Person]]:
+        return _table((_words(one), person) for person in self.roster.people for one in person.names())
+
+    @cached_property
+    def _keys(self) -> dict[str, set[Person]]:
+        return _table((plain(one), person) for person in self.roster.people for one in person.keys())  # noqa: SIM118
+
+    def _sorted(self, people: Iterable[Person]) -> tuple[Person, ...]:
+        return tuple(one for one in self.roster.people if one in set(people))
+
+
+def _table(pairs: Iterable[tuple[str, Person]]) -> dict[str, set[Person]]:
+    found: dict[str, set[Person]] = {}
+    for key, person in pairs:
+        if key:
+            found.setdefault(key, set()).add(person)
+    return found
+
+
+def _letters(text: str) -> str:
+    return re.sub(r"[\W_]", "", unicodedata.normalize("NFKC", text)).casefold()
+
+
+def _words(name: str) -> str:
+    """Two words or more of a name in the order of the alphabet; nothing of one."""
+    found = sorted(plain(one) for one in re.split(r"[\W_]+", name) if plain(one))
+    return " ".join(found) if len(found) > 1 else ""
+
+
+def _without_ending(name: str) -> str:
+    return Path(name).stem if Path(name).suffix.casefold() in _ENDINGS else name

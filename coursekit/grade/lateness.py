@@ -1,0 +1,151 @@
+"""When it was due, for whom, and what being late costs: a small file that the teacher writes.
+
+```toml
+due = 2026-11-30T23:59:00     # --due on the command line goes before it
+grace_minutes = 10
+percent_per_day = 10          # of the points; each day that has begun
+floor_percent = 50            # what is left of the points however late it is
+[extensions]                  # by id, e-mail or name: another deadline, or days more
+"a01234" = 2026-12-02T23:59:00
+"ben@uni.example" = 3
+```
+
+A `.csv` with the columns `student` and `due` (a time, or days more) has only extensions.
+"""
+
+from __future__ import annotations
+
+import datetime
+import math
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from .harmless import identity_of
+from .roster import Person, Roster
+from .tables import decoded, read_table
+
+DAY_S = 86400.0
+_KNOWN = ("due", "grace_minutes", "percent_per_day", "floor_percent", "extensions", "count")
+_FORMS = (
+    "%A, %d %B %Y, %I:%M %p", "%A, %d %B %Y, %H:%M", "%d %B %Y, %I:%M %p", "%d/%m/%Y %H:%M", "%Y-%m-%d %H:%M:%S %z",
+    "%Y-%m-%d %H:%M:%S UTC", "%b %d, %Y, %I:%M %p", "%B %d, %Y %I:%M %p",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Policy:
+    """What being late means."""
+
+    due: float | None = None
+    """In seconds since 1970; None when there is no deadline."""
+    grace_minutes: float = 0.0
+    percent_per_day: float = 0.0
+    floor_percent: float = 0.0
+    extensions: Mapping[str, float] = field(default_factory=dict)
+    """Deadlines of their own, by identity, in seconds since 1970."""
+    days_more: Mapping[str, float] = field(default_factory=dict)
+    count: str = "newest"
+
+    def own_due(self, person: Person) -> float | None:
+        """When it was due for a person, without grace."""
+        if person.identity in self.extensions:
+            return self.extensions[person.identity]
+        if self.due is None:
+            return None
+        return self.due + DAY_S * self.days_more.get(person.identity, 0.0)
+
+    def deadline(self, person: Person) -> float | None:
+        """Until when it is not late."""
+        due = self.own_due(person)
+        return None if due is None else due + 60 * self.grace_minutes
+
+    def minutes_late(self, person: Person, when: float) -> float:
+        """Minutes after the deadline; 0 within the grace."""
+        due, deadline = self.own_due(person), self.deadline(person)
+        if due is None or deadline is None or when <= deadline:
+            return 0.0
+        return round((when - due) / 60, 1)
+
+    def percent_off(self, minutes: float) -> float:
+        """What of the points is taken for being late.
+
+        >>> Policy(percent_per_day=10, floor_percent=75).percent_off(2000), Policy(percent_per_day=10).percent_off(0)
+        (20.0, 0.0)
+        """
+        days = math.ceil(minutes / 1440)
+        return float(min(100 - self.floor_percent, self.percent_per_day * days)) if minutes > 0 else 0.0
+
+
+def read_policy(file: Path, roster: Roster | None) -> Policy:
+    """The policy in a file.
+
+    Raises:
+        ValueError: when a word, a time or a student in it is not known.
+    """
+    if file.suffix.casefold() == ".csv":
+        found = {row.get("student", ""): row.get("due", "") for row in read_table(file).dicts()}
+        return _extended(Policy(), found, roster, file)
+    tomllib: Any
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    try:
+        said = tomllib.loads(decoded(file.read_bytes()))
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{file}: {error}") from None
+    unknown = set(said) - set(_KNOWN)
+    if unknown:
+        raise ValueError(f"{file}: '{min(unknown)}' is not known. There are: {', '.join(_KNOWN)}.")
+    due = said.pop("due", None)
+    extensions = said.pop("extensions", {})
+    for name, value in said.items():
+        if name != "count" and (isinstance(value, bool) or not isinstance(value, (int, float)) or value < 0):
+            raise ValueError(f"{file}: {name} has to be a number, 0 or more, not {value!r}.")
+    if said.get("count", "newest") not in ("newest", "in-time"):
+        raise ValueError(f"{file}: count is 'newest' or 'in-time', not {said['count']!r}.")
+    policy = replace(Policy(), due=None if due is None else _seconds(due, file), **said)
+    return _extended(policy, extensions, roster, file)
+
+
+def _extended(policy: Policy, said: Mapping[str, Any], roster: Roster | None, file: Path) -> Policy:
+    times, days = {}, {}
+    for name, value in said.items():
+        person = roster.of(name) if roster else Person(name, id=identity_of(name))
+        if person is None:
+            raise ValueError(f"{file}: '{name}' is nobody in the list, or more than one. Give the id.")
+        if isinstance(value, (int, float)) or str(value).replace(".", "", 1).isdigit():
+            days[person.identity] = float(value)
+        else:
+            times[person.identity] = _seconds(value, file)
+    return replace(policy, extensions=times, days_more=days)
+
+
+def _seconds(value: Any, file: Path) -> float:
+    try:
+        found = value if isinstance(value, datetime.datetime) else datetime.datetime.fromisoformat(str(value).strip())
+    except ValueError:
+        raise ValueError(f"{file}: '{value}' is no time. Write it as 2026-11-30T23:59.") from None
+    return found.timestamp()
+
+
+def platform_time(text: str) -> float:
+    """The time that a platform's list tells, in seconds since 1970; 0 when it tells none.
+
+    >>> platform_time("Monday, 23 November 2026, 11:59 PM") > 0, platform_time("-")
+    (True, 0.0)
+    """
+    try:
+        return datetime.datetime.fromisoformat(text.strip().replace("Z", "+00:00")).timestamp()
+    except (ValueError, OverflowError):
+        pass
+    for form in _FORMS:
+        try:
+            found = datetime.datetime.strptime(text.strip(), form)
+        except ValueError:
+            continue
+        return (found.replace(tzinfo=datetime.timezone.utc) if form.endswith("UTC") else found).timestamp()
+    return 0.0

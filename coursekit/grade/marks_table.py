@@ -1,0 +1,147 @@
+"""grades.csv: a row for each person, whole at every moment; what the teacher wrote into it by hand is kept."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from .harmless import cell, number, shown
+from .record import Record
+from .tables import read_table, write_table, write_whole
+
+COMMENT = "comment"
+_BEFORE = ("student", "id", "email")
+_AFTER = (
+    "points", "percent_off", "total", "of", "status", "tier", "minutes_late", "time_from", "attempts", "notes", COMMENT, "key",
+)  # fmt: skip
+
+
+@dataclass
+class ByHand:
+    """What the teacher changed in the table."""
+
+    points: dict[str, dict[str, float]] = field(default_factory=dict)
+    """By key and exercise; `total` is the sum."""
+    extra: dict[str, dict[str, str]] = field(default_factory=dict)
+    """By key and column."""
+    told: list[str] = field(default_factory=list)
+
+
+class MarksTable:
+    """The table, and beside the results what it was when it was written last."""
+
+    def __init__(self, file: Path, folder: Path) -> None:
+        self.file = file
+        self._snapshot = folder / "table.json"
+        self._kept = folder / "by_hand.json"
+        self.by_hand = ByHand()
+
+    def notice(self) -> ByHand:
+        """What was changed by hand since the table was written, together with what was changed before.
+
+        Raises:
+            ValueError: when the table cannot be read.
+        """
+        self.by_hand = self._read_kept()
+        if self.file.is_file() and (before := _json(self._snapshot)):
+            for row in read_table(self.file).dicts():
+                written = before.get(row.get("key", ""))
+                if isinstance(written, dict):
+                    self._compare(row, written)
+        return self.by_hand
+
+    def _compare(self, row: Mapping[str, str], written: Mapping[str, str]) -> None:
+        key, who = row["key"], shown(row.get("student", ""))
+        for column, text in row.items():
+            was = written.get(column)
+            if not column or text == was or column in (*_BEFORE, "key"):
+                continue
+            if was is None or column == COMMENT:
+                self._note_extra(key, column, text)
+            elif column == "total" or "." in column:
+                self._note_points(key, who, column, text, was)
+            elif text.strip("' ") != was.strip("' "):
+                self.by_hand.told.append(f"{who}: '{column}' is written anew at each run: the change is not kept")
+
+    def _note_extra(self, key: str, column: str, text: str) -> None:
+        kept = self.by_hand.extra.setdefault(key, {})
+        if text and kept.get(column) != text:
+            self.by_hand.told.append(f"the {column} in {self.file.name} is kept ({key})")
+        kept[column] = text
+
+    def _note_points(self, key: str, who: str, column: str, text: str, was: str) -> None:
+        kept = self.by_hand.points.setdefault(key, {})
+        if not text:
+            kept.pop(column, None)
+            self.by_hand.told.append(f"{who}: {column} is the grader's again")
+            return
+        points = _points(text)
+        if points is None:
+            self.by_hand.told.append(f"{who}: {column} '{shown(text, 40)}' is no number: not taken")
+        elif points != _points(was):
+            kept[column] = points
+            self.by_hand.told.append(f"{who}: {column} is {number(points)} by hand (was {was or 'empty'})")
+
+    def write(self, records: Sequence[Record]) -> None:
+        """Write the table, complete."""
+        exercises = [one.name for verdicts in (records[0].wanted.values() if records else ()) for one in verdicts]
+        extra = list(dict.fromkeys(name for one in records for name in one.extra if name not in (*_AFTER, *_BEFORE)))
+        headings = [*_BEFORE, *exercises, *_AFTER, *extra]
+        rows = [{**_row(one), **{name: cell(text) for name, text in one.extra.items()}} for one in records]
+        write_table(self.file, headings, rows)
+        before = _json(self._snapshot)
+        before.update({row["key"]: {name: row.get(name, "") for name in headings} for row in rows})
+        write_whole(self._snapshot, json.dumps(before, indent=1).encode())
+        kept = {"points": self.by_hand.points, "extra": self.by_hand.extra}
+        write_whole(self._kept, json.dumps(kept, indent=1).encode())
+
+    def _read_kept(self) -> ByHand:
+        said = _json(self._kept)
+        return ByHand(said.get("points", {}), said.get("extra", {}))
+
+
+def _row(one: Record) -> dict[str, str]:
+    marked, total = one.marked(), one.total()
+    by_hand = [f"{name}: {number(points)} by hand" for name, points in one.by_hand.items()]
+    asked = [f"question: {text}" for text in one.handed.open]
+    known = one.handed.person.row >= 0
+    off = max((late.percent_off for late in one.late.values()), default=0.0)
+    open_ = one.status() in ("question", "not marked")
+    points = {v.name: number(v.points) if not open_ or v.name in one.by_hand else "" for v in marked.verdicts}
+    return {
+        "student": cell(one.label),
+        "id": cell(one.handed.person.id) if known else "",
+        "email": cell(one.handed.person.email),
+        **points,
+        "points": "" if open_ else number(marked.total()),
+        "percent_off": number(off),
+        "total": "" if total is None else number(total),
+        "of": number(one.of()),
+        "status": one.status(),
+        "tier": marked.tier,
+        "minutes_late": number(marked.minutes_late),
+        "time_from": one.time_from(),
+        "attempts": cell(" | ".join(one.handed.attempts()[-20:])),
+        "notes": cell("; ".join([*asked, *by_hand, *marked.concerns, *marked.notes])),
+        "key": one.key,
+    }
+
+
+def _points(text: str) -> float | None:
+    """A number as people write it: `1,5` too."""
+    try:
+        found = float(text.strip("' ").replace(",", "."))
+    except ValueError:
+        return None
+    return found if abs(found) < 1e6 else None
+
+
+def _json(file: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}

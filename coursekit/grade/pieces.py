@@ -1,0 +1,282 @@
+"""What lies in a folder or zip that was handed in: each notebook read once, told what it is, and kept as a plain copy."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import itertools
+import json
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from .archives import OF_A_CLASS, Archive, BadArchive
+from .harmless import shown
+from .parcel import LARGEST as LARGEST_PARCEL
+from .parcel import MANIFEST
+from .platform_names import platform_name
+from .recognising import LARGEST, Known, Recogniser, parse_notebook
+from .walking import Walked, walk
+
+SEALED, PLATFORM, LISTED, ZIPPED, FILE = (
+    "the time that hand_in sealed",
+    "the platform's time",
+    "the time in the platform's list",
+    "the file's time in the zip",
+    "the file's time",
+)
+"""What a time was taken from; the first that there is counts."""
+_SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", "ros2_ws", ".git")
+"""What computers add, and what is no notebook's."""
+
+
+@dataclass(frozen=True)
+class Raw:
+    """A file as it lies there; or why it cannot be read."""
+
+    parts: tuple[str, ...]
+    when: float = 0.0
+    when_from: str = FILE
+    open: Callable[[], BinaryIO] | None = None
+    size: int = 0
+    fault: str = ""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A notebook that was handed in."""
+
+    where: str
+    """Where it lay, to be shown."""
+    chapter: str = ""
+    known: Known = field(default_factory=lambda: Known(""))
+    file: Path | None = None
+    """A plain copy of it."""
+    digest: str = ""
+    when: float = 0.0
+    when_from: str = FILE
+    inner: float = 0.0
+    """When the file itself was changed: the order within one hand-in."""
+    entry: str = ""
+    """The folder or file of the class in which it lay."""
+    parcel: Path | None = None
+    """A plain copy of the file that `hand_in()` made, if it lay in one."""
+    checkpoint: bool = False
+    late_said: bool = False
+    """Whether the platform says that it was late."""
+    fault: str = ""
+
+
+@dataclass
+class Entry:
+    """One folder or file of a class's folder, and what was found in it."""
+
+    name: str
+    """As it is called there."""
+    pieces: list[Piece] = field(default_factory=list)
+    faults: list[str] = field(default_factory=list)
+    others: list[str] = field(default_factory=list)
+    """Files that are no notebooks."""
+    students: list[str] = field(default_factory=list)
+    """Whom files made by `hand_in()` name."""
+    parcels: list[Path] = field(default_factory=list)
+    """Plain copies of all of these."""
+    concerns: list[str] = field(default_factory=list)
+
+
+class Gatherer:
+    """Reads entries; keeps plain copies in a folder of its own."""
+
+    def __init__(self, recogniser: Recogniser, scratch: Path) -> None:
+        self._recogniser = recogniser
+        self._scratch = scratch
+        self._number = itertools.count()
+
+    def entry(self, name: str, files: Iterable[Raw]) -> Entry:
+        """Read all that lies in an entry; what is wrong with a file is told and stops nothing."""
+        made = Entry(name)
+        for raw in files:
+            if any(one in _SYSTEM for one in raw.parts) or raw.parts[-1].startswith("._"):
+                continue
+            where = shown("/".join(raw.parts))
+            if raw.fault:
+                made.faults.append(f"{where} {raw.fault}")
+                continue
+            try:
+                self._file(made, raw, where, nested=0)
+            except (OSError, ValueError, MemoryError) as error:
+                made.faults.append(f"{where}: {shown(str(error)) or 'cannot be read'}")
+        told = platform_name(name)
+        if told is not None:
+            made.pieces = [_of_platform(one, told.when, told.late) for one in made.pieces]
+        return made
+
+    def _file(self, made: Entry, raw: Raw, where: str, nested: int, parcel: _Parcel | None = None) -> None:
+        name = raw.parts[-1].casefold()
+        if name.endswith(".zip"):
+            self._zip(made, raw, where, nested)
+        elif name.endswith(".ipynb") or ".ipynb." in name:
+            piece = self._notebook(raw, where, made.name, parcel)
+            if name.endswith(".ipynb") or piece.chapter:
+                made.pieces.append(piece)
+        elif parcel is None:
+            made.others.append(where)
+
+    def _notebook(self, raw: Raw, where: str, entry: str, parcel: _Parcel | None) -> Piece:
+        chapter = self._recogniser.by_name(raw.parts[-1])
+        kept = Piece(where, chapter, when=raw.when, when_from=raw.when_from, inner=raw.when, entry=entry,
+                     checkpoint=".ipynb_checkpoints" in raw.parts)  # fmt: skip
+        if parcel is not None:
+            kept = replace(kept, parcel=parcel.file)
+            if parcel.when:
+                kept = replace(kept, when=parcel.when, when_from=SEALED)
+        try:
+            data = _read(raw, LARGEST)
+            kept = replace(kept, file=self._keep(data, ".ipynb"), digest=hashlib.sha256(data).hexdigest())
+            known = self._recogniser.recognise(parse_notebook(data, shown(raw.parts[-1], 60)))
+        except (ValueError, OSError) as error:
+            return replace(kept, fault=shown(str(error)))
+        return replace(kept, chapter=known.chapter or chapter, known=known)
+
+    def _zip(self, made: Entry, raw: Raw, where: str, nested: int) -> None:
+        if nested > 1:
+            made.faults.append(f"{where}: a zip in a zip in a zip is not opened")
+            return
+        if raw.size > LARGEST_PARCEL or raw.open is None:
+            made.faults.append(f"{where} is larger than {LARGEST_PARCEL >> 20} MB")
+            return
+        with Archive(raw.open()) as opened:
+            members = list(opened.members())
+            manifest = next((one for one in members if one.parts == (MANIFEST,)), None)
+            parcel = self._parcel(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
+            for member in members:
+                inner = _of_member(opened, member, raw)
+                if any(one in _SYSTEM for one in member.parts) or member.parts[-1].startswith("._"):
+                    continue
+                inside = shown(f"{where}/{'/'.join(member.parts)}", 300)
+                try:
+                    self._file(made, inner, inside, nested + 1, parcel)
+                except (OSError, ValueError, MemoryError) as error:
+                    made.faults.append(f"{inside}: {shown(str(error)) or 'cannot be read'}")
+
+    def _parcel(self, made: Entry, raw: Raw, manifest: bytes) -> _Parcel | None:
+        """A file made by `hand_in()`: it says who made it and when."""
+        try:
+            said = json.loads(manifest)
+        except (ValueError, RecursionError):
+            said = None
+        if not isinstance(said, dict) or not {"files", "student"} & set(said):
+            return None
+        kept = self._keep(_read(raw, LARGEST_PARCEL), ".zip")
+        made.parcels.append(kept)
+        if isinstance(said.get("student"), str):
+            made.students.append(shown(said["student"], 80))
+        return _Parcel(kept, sealed_time(said))
+
+    def _keep(self, data: bytes, ending: str) -> Path:
+        file = self._scratch / f"{next(self._number)}{ending}"
+        file.write_bytes(data)
+        return file
+
+
+@dataclass(frozen=True)
+class _Parcel:
+    file: Path
+    when: float
+
+
+def sealed_time(manifest: dict[str, Any]) -> float:
+    """When a file was made by `hand_in()`, in seconds since 1970; 0 when it does not say."""
+    try:
+        from datetime import datetime
+
+        return max(0.0, datetime.strptime(str(manifest.get("time")), "%Y-%m-%d %H:%M:%S %z").timestamp())
+    except (ValueError, OverflowError):
+        return 0.0
+
+
+def _of_platform(piece: Piece, when: float, late: bool) -> Piece:
+    if when and piece.when_from != SEALED:
+        piece = replace(piece, when=when, when_from=PLATFORM)
+    return replace(piece, late_said=late)
+
+
+def _of_member(opened: Archive, member: Any, outer: Raw) -> Raw:
+    when = member.when or outer.when
+    how = ZIPPED if member.when else outer.when_from
+    return Raw(member.parts, when, how, lambda: io.BytesIO(opened.read(member)), member.size)
+
+
+def _read(raw: Raw, most: int) -> bytes:
+    """All of a file that may have so many bytes; one that grows meanwhile is read no further."""
+    if raw.size > most or raw.open is None:
+        raise ValueError(f"it is larger than {most >> 20} MB")
+    made = bytearray()
+    with raw.open() as data:
+        while piece := data.read(1 << 16):
+            made += piece
+            if len(made) > most:
+                raise ValueError(f"it is larger than {most >> 20} MB")
+    return bytes(made)
+
+
+def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
+    """What lies in a class's folder: name, whether it is neither folder, notebook nor zip, what lies in it.
+
+    Hidden ones and `leave` are none.
+    """
+    left = {one.resolve() for one in leave}
+    for place in sorted(folder.iterdir()):
+        if not place.name.startswith(".") and place.name not in _SYSTEM and place.absolute() not in left:
+            yield place.name, place.is_file() and is_loose(place.name), map(_of_walked, walk(place))
+
+
+def _of_walked(found: Walked) -> Raw:
+    return Raw(found.parts, found.when, FILE, found.open, found.size, found.fault)
+
+
+def is_loose(name: str) -> bool:
+    """Whether a file is no notebook or zip by its name."""
+    return not name.casefold().endswith((".ipynb", ".zip"))
+
+
+def entries_of_zip(file: Path) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
+    """The same for the zip that a learning platform makes of what a class handed in.
+
+    Raises:
+        BadArchive: when it cannot be opened.
+    """
+    with Archive(open(file, "rb"), OF_A_CLASS) as opened:
+        members = [one for one in opened.members() if "__MACOSX" not in one.parts]
+        names = {one.parts[0] for one in members}
+        wrapped = len(names) == 1 and shown(next(iter(names))) == shown(file.stem) and all(len(m.parts) > 1 for m in members)
+        groups: dict[str, list[Raw]] = {}
+        files = set()
+        changed = file.stat().st_mtime
+        for one in members:
+            parts = one.parts[1:] if wrapped else one.parts
+            how = ZIPPED if one.when else FILE
+            inner = Raw(parts[1:] or parts, one.when or changed, how, _opener(opened, one), one.size)
+            groups.setdefault(parts[0], []).append(inner)
+            files |= {parts[0]} if len(parts) == 1 else set()
+        for name in sorted(groups):
+            if not name.startswith("."):
+                yield name, name in files and is_loose(name), iter(groups[name])
+
+
+def _opener(opened: Archive, member: Any) -> Callable[[], BinaryIO]:
+    return lambda: io.BytesIO(opened.read(member))
+
+
+def told_time(when: float) -> str:
+    """A time as it is told.
+
+    >>> told_time(0)
+    'no time'
+    """
+    return time.strftime("%Y-%m-%d %H:%M", time.localtime(when)) if when else "no time"
+
+
+__all__ = ["BadArchive", "Entry", "Gatherer", "Piece", "Raw", "entries_of_folder", "entries_of_zip", "told_time"]

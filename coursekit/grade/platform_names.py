@@ -1,0 +1,63 @@
+"""What learning platforms make of the names of files when a teacher downloads what a class handed in."""
+
+from __future__ import annotations
+
+import re
+import time
+from dataclasses import dataclass
+
+_MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(?:file|onlinetext)(?:_(?P<file>.*))?", re.S)
+_CANVAS = re.compile(r"(?P<name>[^_]+)(?:_(?P<late>LATE))?_(?P<number>\d+)_(?P<attempt>\d+)_(?P<file>.+)", re.S)
+_BLACKBOARD = re.compile(
+    r"(?P<before>.+?)_attempt_(?P<when>\d{4}-\d\d-\d\d-\d\d-\d\d-\d\d)(?:_(?P<file>.+)|\.txt)?", re.S
+)
+_CLASSROOM = re.compile(r"(?P<name>.+?) - (?P<file>.+)", re.S)
+
+
+@dataclass(frozen=True)
+class PlatformName:
+    """What the name of a file or folder of a download says."""
+
+    platform: str
+    name: str = ""
+    """The person as the platform writes it."""
+    number: str = ""
+    """What the platform calls the person."""
+    logins: tuple[str, ...] = ()
+    """What the login may be: a login may hold what parts the name, too."""
+    file: str = ""
+    """What the student called it."""
+    when: float = 0.0
+    """When it was handed in, in seconds since 1970; 0 where the name does not say."""
+    late: bool = False
+    """Whether the platform says that it was late."""
+
+
+def platform_name(text: str) -> PlatformName | None:
+    """What a name of a download says; None when it is not one of a platform's.
+
+    >>> platform_name("García López Ana_101_assignsubmission_file_").number
+    '101'
+    >>> found = platform_name("itoben_LATE_12_13_02_topics.ipynb"); found.name, found.late, found.file
+    ('itoben', True, '02_topics.ipynb')
+    >>> platform_name("Ann_Lee") is None
+    True
+    """
+    if found := _MOODLE.fullmatch(text):
+        return PlatformName("moodle", found["name"].strip(), found["number"], file=found["file"] or "")
+    if found := _BLACKBOARD.fullmatch(text):
+        words = found["before"].split("_")
+        logins = tuple("_".join(words[-count:]) for count in range(1, len(words)))
+        return PlatformName("blackboard", "", "", logins or (found["before"],), found["file"] or "", _time(found["when"]))
+    if found := _CANVAS.fullmatch(text):
+        return PlatformName("canvas", found["name"], found["number"], file=found["file"], late=bool(found["late"]))
+    if found := _CLASSROOM.fullmatch(text):
+        return PlatformName("classroom", found["name"].strip(), file=found["file"])
+    return None
+
+
+def _time(text: str) -> float:
+    try:
+        return time.mktime(time.strptime(text, "%Y-%m-%d-%H-%M-%S"))
+    except (ValueError, OverflowError):
+        return 0.0

@@ -1,0 +1,71 @@
+"""What only the teacher can say: asked in a table with an empty column for the answer, which the next run reads."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from .harmless import cell
+from .tables import read_table, write_table
+
+NAME = "questions.csv"
+NOBODY = "nobody"
+HEADINGS = ("number", "question", "about", "choices", "answer")
+
+
+@dataclass(frozen=True)
+class Question:
+    """Something that is not guessed."""
+
+    number: str
+    """A digest of what it is about: an answer counts as long as that is the same."""
+    text: str
+    about: str
+    choices: tuple[str, ...] = ()
+
+    def chosen(self, answers: Mapping[str, str]) -> str:
+        """The answer; '' if there is none yet. A choice can be named by its place: `2`."""
+        said = answers.get(self.number, "").strip().strip("'")
+        if said.isdigit() and said not in self.choices and 0 < int(said) <= len(self.choices):
+            return self.choices[int(said) - 1]
+        same = [one for one in self.choices if cell(one).casefold() == said.casefold() or one.casefold() == said.casefold()]
+        return same[0] if same else said
+
+
+def numbered(*about: str) -> str:
+    """The number of a question about these.
+
+    >>> numbered("whose", "x.ipynb")
+    'Q97ae6d7c'
+    """
+    return "Q" + hashlib.sha256("\0".join(about).encode("utf-8", "surrogatepass")).hexdigest()[:8]
+
+
+def read_answers(file: Path) -> dict[str, str]:
+    """The answers that stand in the table so far.
+
+    Raises:
+        ValueError: when the table cannot be read.
+    """
+    if not file.is_file():
+        return {}
+    found = {row.get("number", ""): row.get("answer", "").strip() for row in read_table(file).dicts()}
+    return {number: answer for number, answer in found.items() if number and answer}
+
+
+def write_questions(file: Path, asked: Iterable[Question], answers: Mapping[str, str]) -> None:
+    """Write what was asked, answered or not; earlier answers stay. A table without any row is taken away."""
+    rows = {
+        one.number: [one.number, cell(one.text), cell(one.about), cell(" | ".join(one.choices)),
+                     cell(answers.get(one.number, ""))]
+        for one in asked
+    }  # fmt: skip
+    for row in read_table(file).dicts() if file.is_file() else []:
+        if row.get("number") and row.get("answer"):
+            rows.setdefault(row["number"], [cell(row.get(one, "")) for one in HEADINGS])
+    if rows:
+        write_table(file, HEADINGS, rows.values())
+    else:
+        file.unlink(missing_ok=True)

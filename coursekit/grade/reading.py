@@ -1,0 +1,135 @@
+"""What judges read in a student's workspace: each reading takes a file and gives checked facts.
+
+In a notebook they are called at once. In grading they run in a sandbox of their own, after the student's programs have
+ended, and only facts come out: what a hostile file makes its reader say, it could as well have said itself.
+"""
+
+from __future__ import annotations
+
+import difflib
+import os
+import stat
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from coursekit.interfaces.model import Message
+
+from .facts import BuildFacts, RobotFacts, facts_of
+from .verdict import Wrong
+
+LONGEST = 1 << 20
+"""Bytes of a file of text."""
+_OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
+
+
+def text(workspace: Path, path: str) -> str:
+    """The text of a file."""
+    return _bytes(_file(workspace, path)).decode(errors="replace")
+
+
+def exists(workspace: Path, path: str) -> bool:
+    """Whether there is a file or folder of that name."""
+    return (workspace / path).exists()
+
+
+def build(workspace: Path, package: str) -> BuildFacts:
+    """Whether a package was built, and what is wrong with the build."""
+    prefixes = (workspace / "install" / package, workspace / "install")
+    marker = Path("share", "ament_index", "resource_index", "packages", package)
+    return BuildFacts(any((prefix / marker).exists() for prefix in prefixes))
+
+
+def robot(workspace: Path, path: str) -> RobotFacts:
+    """A robot's description, xacro expanded."""
+    from coursekit.urdf import UrdfError, load
+
+    file = _file(workspace, path)
+    try:
+        return facts_of(load(file))
+    except UrdfError as error:
+        place = f"{file.name}:{error.line}" if error.line else file.name
+        raise Wrong("a description that ROS takes", f"{place}: {error.what}", error.cure.split("\n")[0]) from None
+    except ValueError as error:
+        raise Wrong("a description that can be judged", str(error)) from None
+
+
+def message(workspace: Path, path: str) -> Message:
+    """A message definition; its package is the folder above `msg`."""
+    from coursekit.interfaces.errors import InterfaceError
+    from coursekit.interfaces.parser import parse_file
+
+    file = _file(workspace, path)
+    _bytes(file)
+    try:
+        found = parse_file(file.parent.parent.name, file)
+    except InterfaceError as error:
+        raise Wrong(f"{file.name} that can be read", str(error).replace(str(workspace), "~/ros2_ws")) from None
+    if not isinstance(found, Message):
+        raise Wrong("a message definition", file.name)
+    return found
+
+
+def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """What a file of parameters gives to each of these nodes, as ROS reads it."""
+    from coursekit.core.arguments import parse_ros_arguments
+
+    file = _file(workspace, path)
+    _bytes(file)
+    try:
+        read = parse_ros_arguments(["--ros-args", "--params-file", str(file)])
+        return {node: read.parameters_for(node) for node in nodes}
+    except Exception as error:
+        said = str(error).replace(str(file), file.name)
+        raise Wrong("a parameter file that ROS can read", said[:500], "Two underscores in ros__parameters?") from None
+
+
+READINGS: dict[str, Callable[..., Any]] = {
+    "text": text,
+    "exists": exists,
+    "build": build,
+    "robot": robot,
+    "message": message,
+    "parameters": parameters,
+}
+KINDS: dict[str, Any] = {
+    "text": str,
+    "exists": bool,
+    "build": BuildFacts,
+    "robot": RobotFacts,
+    "message": Message,
+    "parameters": dict[str, dict[str, bool | int | float | str | list[bool] | list[int] | list[float] | list[str] | None]],
+}
+"""What each reading gives."""
+
+
+def _file(workspace: Path, path: str) -> Path:
+    found = workspace / path
+    if not found.is_file():
+        raise Wrong(f"the file {path} in {workspace.name}/", "it is not there", _near(found))
+    return found
+
+
+def _bytes(file: Path) -> bytes:
+    """The contents of a regular file of bounded size: no pipe is waited for, no device is read."""
+    try:
+        descriptor = os.open(file, _OPEN)
+    except OSError as error:
+        raise Wrong(f"{file.name} that can be read", error.strerror or "it cannot be opened") from None
+    with os.fdopen(descriptor, "rb") as opened:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            raise Wrong(f"{file.name} as a file", "it is something else")
+        data = opened.read(LONGEST + 1)
+    if len(data) > LONGEST:
+        raise Wrong(f"{file.name} of at most {LONGEST >> 20} MB", "it is larger")
+    return data
+
+
+def _near(path: Path) -> str:
+    """What the folder has instead, close names first."""
+    folder = path.parent
+    if not folder.is_dir():
+        return f"The folder {folder.name}/ does not exist either."
+    names = sorted(one.name for one in folder.iterdir())
+    close = difflib.get_close_matches(path.name, names, 3)
+    return f"{folder.name}/ has: {', '.join([*close, *(one for one in names if one not in close)][:8]) or 'nothing'}"

@@ -1,0 +1,189 @@
+"""Which chapter a notebook is, and what its student did in it: its content decides, its name where that says nothing."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from .copy import GIVEN, given_digest, without_solution
+from .variants import CHECK
+
+LARGEST = 32 << 20
+"""Bytes of a notebook."""
+_MOST_PARTS = 1_500_000
+"""Brackets, braces and commas: each may become an object many times its size."""
+_CODE = 20_000
+"""Letters of an answer that are kept for the student's page."""
+
+
+def parse_notebook(data: bytes, name: str) -> dict[str, Any]:
+    """A notebook's JSON.
+
+    Raises:
+        ValueError: when it is none, or so made that reading it would take too much memory.
+    """
+    if len(data) > LARGEST:
+        raise ValueError(f"{name} is larger than {LARGEST >> 20} MB")
+    if data.count(b"[") + data.count(b"{") + data.count(b",") > _MOST_PARTS:
+        raise ValueError(f"{name} has more parts than a notebook has")
+    try:
+        found = json.loads(data.decode("utf-8-sig"))
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{name} is no notebook: {str(error)[:100]}") from None
+    if not isinstance(found, dict) or not isinstance(found.get("cells"), list):
+        raise ValueError(f"{name} is no notebook of format 4: it has no list of cells")
+    return found
+
+
+def text_of(cell: Any) -> str:
+    """The source of a cell, whatever it is."""
+    source = cell.get("source", "") if isinstance(cell, dict) else ""
+    return source if isinstance(source, str) else "".join(str(line) for line in source) if isinstance(source, list) else ""
+
+
+def grade_id(cell: Any) -> str:
+    """The name under which a cell is graded, '' if it has none."""
+    metadata = cell.get("metadata") if isinstance(cell, dict) else None
+    grading = metadata.get("nbgrader") if isinstance(metadata, dict) else None
+    found = grading.get("grade_id") if isinstance(grading, dict) else ""
+    return found if isinstance(found, str) else ""
+
+
+def facts_of(notebook: Mapping[str, Any]) -> dict[str, Any]:
+    """What the course wrote into a notebook's metadata: the release, whose copy it is, the cells as they were given."""
+    metadata = notebook.get("metadata")
+    found = metadata.get("coursekit") if isinstance(metadata, dict) else None
+    return found if isinstance(found, dict) else {}
+
+
+@dataclass(frozen=True)
+class Known:
+    """What a notebook says about itself."""
+
+    chapter: str
+    """The file name of the course's notebook that it is; '' if its content does not say."""
+    begun: tuple[str, ...] = ()
+    """The exercises into whose cells something was written."""
+    touched: bool = False
+    """Whether anything was written at all, in a cell of the student's own for instance."""
+    copy: str = ""
+    """The secret mark of the copy that it was made from."""
+    code: dict[str, str] = field(default_factory=dict)
+    """The answers, by exercise."""
+    work: str = ""
+    """A digest of all that was written."""
+
+    @property
+    def level(self) -> int:
+        """2 for work on exercises, 1 for anything else that was written, 0 for a copy as it was handed out."""
+        return 2 if self.begun else int(self.touched)
+
+
+class Chapter:
+    """A notebook of the course, as what others are compared with."""
+
+    def __init__(self, name: str, source: Mapping[str, Any]) -> None:
+        self.name = name
+        self.source = source
+
+    @cached_property
+    def marks(self) -> frozenset[str]:
+        """The names of its graded cells and of its checks."""
+        return frozenset(_marks(self.source))
+
+    @cached_property
+    def stubs(self) -> dict[str, set[str]]:
+        """The texts of its solution cells as they are handed out, by their names."""
+        found: dict[str, set[str]] = {}
+        for cell in self.source["cells"]:
+            if cell.get("metadata", {}).get("nbgrader", {}).get("solution"):
+                found.setdefault(grade_id(cell), set()).add(given_digest(without_solution(text_of(cell))))
+        return found
+
+    @cached_property
+    def texts(self) -> frozenset[str]:
+        """The texts of all its cells, as handed out."""
+        return frozenset(without_solution(text_of(cell)).strip() for cell in self.source["cells"])
+
+    def known(self, notebook: Mapping[str, Any]) -> Known:
+        """What was done in a notebook that is this chapter."""
+        facts = facts_of(notebook)
+        said = facts.get(GIVEN)
+        given: dict[str, Any] = said if isinstance(said, dict) else {}
+        code: dict[str, str] = {}
+        begun: list[str] = []
+        work: list[str] = []
+        for cell in notebook["cells"]:
+            name, text = grade_id(cell), text_of(cell)
+            if name in self.stubs:
+                exercise = ".".join(name.split("-")[:2])
+                code[exercise] = (code.get(exercise, "") + "\n\n" + text)[-_CODE:].strip("\n")
+                if not _as_given(text, self.stubs[name], given.get(name)):
+                    begun.append(exercise)
+                    work.append(f"{name}\0{text.strip()}")
+            elif not name and text.strip() and cell.get("cell_type") == "code" and self._is_own(text):
+                work.append(text.strip())
+        mark = facts.get("copy")
+        digest = hashlib.sha256("\0".join(work).encode("utf-8", "replace")).hexdigest()
+        copy = mark if isinstance(mark, str) else ""
+        return Known(self.name, tuple(dict.fromkeys(begun)), bool(work), copy, code, digest)
+
+    def _is_own(self, text: str) -> bool:
+        """Whether a cell without a name is one that the student added."""
+        return not CHECK.search(text) and text.strip() not in self.texts
+
+
+def _as_given(text: str, stubs: set[str], given: Any) -> bool:
+    digest = given_digest(text)
+    return not text.strip() or digest in stubs or digest == given
+
+
+def _marks(notebook: Mapping[str, Any]) -> set[str]:
+    found = {grade_id(cell) for cell in notebook["cells"]} - {""}
+    for cell in notebook["cells"]:
+        if isinstance(cell, dict) and cell.get("cell_type") == "code":
+            found |= {f"check {one['name']}" for one in CHECK.finditer(text_of(cell))}
+    return found
+
+
+class Recogniser:
+    """Knows the course's notebooks."""
+
+    def __init__(self, sources: Mapping[str, Mapping[str, Any]]) -> None:
+        self.chapters = {name: Chapter(name, source) for name, source in sources.items()}
+
+    def recognise(self, notebook: Mapping[str, Any]) -> Known:
+        """What a notebook is by its content."""
+        marks = _marks(notebook)
+        counts = {name: len(marks & one.marks) for name, one in self.chapters.items()}
+        best = max(counts.values(), default=0)
+        fitting = [name for name, count in counts.items() if count == best]
+        if best and len(fitting) == 1:
+            return self.chapters[fitting[0]].known(notebook)
+        facts = facts_of(notebook)
+        named = facts.get("chapter")
+        mark = facts.get("copy")
+        if isinstance(named, str) and named in self.chapters:
+            return self.chapters[named].known(notebook)
+        return Known("", touched=True, copy=mark if isinstance(mark, str) else "", work=_digest(notebook))
+
+    def by_name(self, file: str) -> str:
+        """The chapter whose name stands in that of a file: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""
+        plain = re.sub(r"[\W_]+", "_", Path(file).stem.casefold())
+        fitting = [name for name in self.chapters if _stands_in(re.sub(r"[\W_]+", "_", Path(name).stem.casefold()), plain)]
+        return max(fitting, key=len) if fitting else ""
+
+
+def _stands_in(word: str, text: str) -> bool:
+    return re.search(rf"(?:^|_){re.escape(word)}(?:_|$)", text) is not None
+
+
+def _digest(notebook: Mapping[str, Any]) -> str:
+    texts = "\0".join(text_of(cell) for cell in notebook["cells"])
+    return hashlib.sha256(texts.encode("utf-8", "replace")).hexdigest()

@@ -1,0 +1,143 @@
+"""One person's line in the books: what was handed in, the marks of its chapters, lateness, and what was changed by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from .collector import Handed
+from .harmless import unique
+from .lateness import Policy
+from .mark import Marked
+from .pieces import SEALED, told_time
+from .statuses import status_of
+from .verdict import Verdict
+
+
+@dataclass
+class Late:
+    """How late one chapter was, and by which clock."""
+
+    minutes: float = 0.0
+    when: float = 0.0
+    when_from: str = ""
+    percent_off: float = 0.0
+
+
+@dataclass
+class Record:
+    """A person, and all that is known of their marks."""
+
+    handed: Handed
+    wanted: Mapping[str, Sequence[Verdict]]
+    """By chapter what is asked, with no points yet."""
+    marks: dict[str, Marked] = field(default_factory=dict)
+    late: dict[str, Late] = field(default_factory=dict)
+    tier: str = ""
+    by_hand: dict[str, float] = field(default_factory=dict)
+    """Points that the teacher wrote into the table, by exercise; `total` for the sum."""
+    extra: dict[str, str] = field(default_factory=dict)
+    """What the teacher wrote into columns of their own."""
+
+    @property
+    def label(self) -> str:
+        """What the person is called."""
+        return self.handed.label
+
+    @property
+    def key(self) -> str:
+        """What the person's files are called."""
+        return self.handed.key
+
+    def chapters(self) -> list[str]:
+        """Those chapters of the run that the person handed in."""
+        return [name for name in self.wanted if name in self.handed.chosen]
+
+    def marked(self) -> Marked:
+        """The marks of all chapters as one, with points by hand."""
+        marks = [self.marks[name] for name in self.wanted if name in self.marks]
+        made = Marked(self.label, "".join(one.digest for one in marks), tier=next((one.tier for one in marks), ""))
+        made.status = _together([one.status for one in marks])
+        for chapter, verdicts in self.wanted.items():
+            found = self.marks[chapter].verdicts if chapter in self.marks else verdicts
+            made.verdicts += [self._by_hand(one) for one in found]
+        for one in marks:
+            made.answers += one.answers
+            made.variants |= one.variants
+            made.traces |= one.traces
+        made.notes = unique([*self.handed.notes, *(note for one in marks for note in one.notes)])
+        made.concerns = unique([*self.handed.concerns, *(said for one in marks for said in one.concerns)])
+        made.minutes_late = max((one.minutes for one in self.late.values()), default=0.0)
+        return made
+
+    def _by_hand(self, verdict: Verdict) -> Verdict:
+        points = self.by_hand.get(verdict.name)
+        return verdict if points is None else replace(verdict, points=points)
+
+    def points(self) -> float:
+        """Before anything is taken off for being late."""
+        return self.marked().total()
+
+    def chapter_total(self, chapter: str) -> float:
+        """The points of a chapter after what is taken off."""
+        found = self.marks[chapter].verdicts if chapter in self.marks else self.wanted.get(chapter, ())
+        points = sum(self._by_hand(one).points for one in found)
+        return round(points * (1 - self.late.get(chapter, Late()).percent_off / 100), 2)
+
+    def total(self) -> float | None:
+        """The mark; None as long as a question is open or it is not marked."""
+        if "total" in self.by_hand:
+            return self.by_hand["total"]
+        if self.status() in ("question", "not marked"):
+            return None
+        return round(sum(self.chapter_total(one) for one in self.wanted), 2)
+
+    def of(self) -> float:
+        """All points that can be had."""
+        return sum(verdict.of for one in self.wanted.values() for verdict in one)
+
+    def status(self) -> str:
+        """How it stands."""
+        complete = bool(self.marks) and all(name in self.marks for name in self.chapters())
+        marked = self.marked() if complete else None
+        if self.handed.entries and not self.chapters():
+            marked = Marked(self.label, "", status="unreadable" if self._faulty() else "empty")
+        late = any(one.minutes for one in self.late.values())
+        opened, tier = bool(self.handed.open), self.tier
+        return status_of(marked, opened=opened, handed_in=bool(self.handed.entries), late=late, tier=tier)
+
+    def _faulty(self) -> bool:
+        return any(entry.faults or any(one.fault for one in entry.pieces) for entry in self.handed.entries)
+
+    def code(self) -> dict[str, str]:
+        """What the person wrote, by exercise."""
+        return {name: text for piece in self.handed.chosen.values() for name, text in piece.known.code.items()}
+
+    def time_from(self) -> str:
+        """Which clock lateness was told by."""
+        return "; ".join(unique(one.when_from for one in self.late.values() if one.when_from))
+
+
+def _together(statuses: Sequence[str]) -> str:
+    """The one that needs a look most; empty only if all are."""
+    for one in ("error", "unreadable", "timed out"):
+        if one in statuses:
+            return one
+    return "empty" if statuses and all(one == "empty" for one in statuses) else "graded"
+
+
+def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict[str, Late]:
+    """How late each chapter was; what the clocks contradict each other in goes to the teacher."""
+    found = {}
+    for chapter in chapters:
+        piece = handed.chosen.get(chapter)
+        if piece is None:
+            continue
+        minutes = policy.minutes_late(handed.person, piece.when)
+        if piece.when_from == SEALED and not minutes and policy.minutes_late(handed.person, piece.inner) > 60:
+            handed.concerns.append(f"{piece.where} was sealed in time, but the file is of {told_time(piece.inner)}")
+        if piece.late_said and not minutes:
+            handed.concerns.append(f"the platform says that {piece.where} was late; the file's time does not say how much")
+            minutes = 1.0
+        found[chapter] = Late(minutes, piece.when, piece.when_from, policy.percent_off(minutes))
+    return found

@@ -1,0 +1,67 @@
+"""Before anybody gets a mark: does the grader give the course's own solutions all points?"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import sandbox
+from .exercise import Exercise
+from .mark import Marked
+from .results import Results, key_of
+from .submissions import Submission
+
+KEY = "the-reference"
+
+
+class GraderBroken(Exception):
+    """The grader does not give the right solution all points: marks that it gave would be wrong."""
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The course's own solution of a chapter, and how it is marked."""
+
+    chapter: str
+    source: dict[str, Any]
+    exercises: Mapping[str, Exercise]
+    scratch: Path
+    limits: sandbox.Limits
+    dice: bytes
+
+    def submission(self) -> Submission:
+        """The solution as something that was handed in."""
+        file = self.scratch / "reference" / self.chapter
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(self.source), encoding="utf-8")
+        return Submission("the reference solution", file, {self.chapter: file})
+
+
+def expect_sound(reference: Reference, results: Results, mark: Callable[..., Marked]) -> None:
+    """Mark the reference solution of a chapter, once for each state of the grader.
+
+    Raises:
+        GraderBroken: when it does not get all points.
+    """
+    chapter, source, exercises = reference.chapter, reference.source, reference.exercises
+    if not exercises or not has_solutions(source):
+        return
+    submission = reference.submission()
+    depends = key_of(submission.digest(), source, exercises, sandbox.tier(), reference.dice)
+    marked = results.read(KEY, chapter, depends)
+    if marked is None:
+        marked = mark(submission, {chapter: source}, exercises, reference.limits, reference.dice)
+    lost = [one for one in marked.verdicts if not one.passed]
+    if lost or marked.status != "graded":
+        first = lost[0].text() if lost else "; ".join(marked.notes) or marked.status
+        points = f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points"
+        raise GraderBroken(f"the reference solution of {chapter} gets {points}.\n{first}")
+    results.write(KEY, chapter, depends, marked)
+
+
+def has_solutions(source: Mapping[str, Any]) -> bool:
+    """Whether a notebook of the course holds its solutions; those that are installed for students do not."""
+    return any("### BEGIN SOLUTION" in "".join(cell["source"]) for cell in source["cells"])

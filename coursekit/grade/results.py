@@ -1,0 +1,128 @@
+"""Marks that are kept: each as long as nothing that it depends on changed, and only if it was written by this account."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import hmac
+import json
+import secrets
+from collections.abc import Iterable, Mapping
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from .exercise import Exercise
+from .keys import config_folder, mac, own_key
+from .mark import Marked
+from .tables import write_whole
+from .variants import values_of
+
+FILE = "result.json"
+
+
+@functools.cache
+def judges_digest() -> str:
+    """Changes with any line of the code that marks."""
+    found, folder = hashlib.sha256(), Path(__file__).parent
+    for file in sorted(folder.rglob("*.py")):
+        found.update(str(file.relative_to(folder)).encode() + b"\0" + file.read_bytes())
+    return found.hexdigest()
+
+
+@functools.cache
+def coursekit_version() -> str:
+    """The version that is installed."""
+    try:
+        return version("coursekit")
+    except PackageNotFoundError:
+        return "unknown"
+
+
+def key_of(
+    submission: str, source: Mapping[str, Any], exercises: Mapping[str, Exercise], tier: str, dice: bytes
+) -> dict[str, Any]:
+    """All that a mark depends on."""
+    course = hashlib.sha256(json.dumps(source, sort_keys=True).encode()).hexdigest()
+    points = {name: one.points for name, one in exercises.items()}
+    return {
+        "submission": submission,
+        "judges": judges_digest(),
+        "course": course,
+        "coursekit": coursekit_version(),
+        "tier": tier,
+        "variants": json.loads(json.dumps(values_of([source]))),
+        "points": points,
+        "dice": hashlib.sha256(dice).hexdigest(),
+    }
+
+
+class Results:
+    """The kept results of a class, in a folder; each in one file with a seal of this account."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.told: list[str] = []
+        try:
+            self._key = own_key()
+        except OSError as error:
+            self._key = secrets.token_bytes(32)
+            self.told.append(f"No secret can be kept in {config_folder()} ({error}): the next run marks all anew.")
+
+    def dice(self) -> bytes:
+        """What the judges' chance is made of where a class has no secret of its own."""
+        return hmac.new(self._key, b"dice", hashlib.sha256).digest()
+
+    def chapters(self, key: str) -> dict[str, dict[str, Any]]:
+        """Everything that is kept under a key, by chapter; nothing of a file that somebody changed."""
+        file = self.folder / key / FILE
+        if not file.is_file():
+            return {}
+        try:
+            found = json.loads(file.read_text(encoding="utf-8"))
+            payload, said = dict(found["payload"]), str(found["hmac"])
+            genuine = hmac.compare_digest(mac(self._key, payload), said) and payload["key"] == key
+            chapters: dict[str, dict[str, Any]] = dict(payload["chapters"])
+        except (OSError, ValueError, TypeError, LookupError, RecursionError):
+            genuine, chapters = False, {}
+        if not genuine:
+            self.told.append(f"The kept result of {key} was changed, or is not of this account: marked again.")
+            file.unlink(missing_ok=True)
+            return {}
+        return chapters
+
+    def read(self, key: str, chapter: str, depends: Mapping[str, Any]) -> Marked | None:
+        """The kept mark for a chapter, if all that it depends on is as it was."""
+        kept = self.chapters(key).get(chapter)
+        if kept is None or kept.get("depends") != depends:
+            return None
+        try:
+            return Marked.of_json(kept["marked"])
+        except (TypeError, LookupError):
+            return None
+
+    def write(self, key: str, chapter: str, depends: Mapping[str, Any], marked: Marked) -> None:
+        """Keep a mark."""
+        chapters = self.chapters(key)
+        chapters[chapter] = {"depends": dict(depends), "marked": marked.as_json()}
+        self._write(key, chapters)
+
+    def note(self, key: str, chapter: str, facts: Mapping[str, Any]) -> None:
+        """Keep what else is known about a mark: how much is taken off it."""
+        chapters = self.chapters(key)
+        if chapter in chapters and chapters[chapter].get("facts") != facts:
+            chapters[chapter]["facts"] = dict(facts)
+            self._write(key, chapters)
+
+    def forget(self, keys: Iterable[str], chapters: Iterable[str]) -> None:
+        """Let some results be marked again."""
+        gone = set(chapters)
+        for key in keys:
+            kept = {name: one for name, one in self.chapters(key).items() if name not in gone}
+            if (self.folder / key / FILE).exists():
+                self._write(key, kept)
+
+    def _write(self, key: str, chapters: Mapping[str, Any]) -> None:
+        payload = {"key": key, "chapters": json.loads(json.dumps(chapters))}
+        text = json.dumps({"payload": payload, "hmac": mac(self._key, payload)}, indent=1)
+        write_whole(self.folder / key / FILE, text.encode("utf-8", "replace"), 0o600)

@@ -1,0 +1,84 @@
+"""The lists of a class that learning platforms export, and where in them names, e-mail and ids stand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+COLUMNS: dict[str, tuple[str, ...]] = {
+    "given": ("first name", "given name", "given names", "first names", "firstname", "nombre", "vorname"),
+    "family": ("last name", "surname", "family name", "family names", "lastname", "apellidos", "apellido(s)", "nachname"),
+    "name": ("student", "students", "name", "names", "full name", "student name", "nombre completo", "display name"),
+    "email": ("email", "e-mail", "email address", "e-mail address", "mail", "correo", "dirección de correo"),
+    "id": ("id number", "student id", "sis user id", "studentid", "student number", "matricula", "matrícula",
+           "número de id", "user id", "id"),
+    "login": ("username", "user name", "sis login id", "login id", "login", "usuario"),
+    "number": ("identifier",),
+    "when": ("last modified (submission)", "submitted", "submission time", "submitted at", "last submitted"),
+}  # fmt: skip
+"""By what is meant: headings that say so, in the order in which they count. Moodle, Canvas, Blackboard, Google Classroom."""
+HEADINGS = frozenset(word for words in COLUMNS.values() for word in words)
+_NOBODY = re.compile(r"points possible|puntos posibles|possible points", re.I)
+_TEST = re.compile(r"(?:student, test|test student|\w+_previewuser)", re.I)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where in a table what stands."""
+
+    platform: str
+    """moodle, canvas, blackboard, classroom, or '' for a plain table."""
+    places: Mapping[str, int]
+
+    def of(self, row: Sequence[str], what: str) -> str:
+        """A cell of a row; '' where there is none."""
+        place = self.places.get(what, len(row))
+        return row[place].strip() if place < len(row) else ""
+
+
+def layout_of(headings: Sequence[str]) -> Layout | None:
+    """The layout that a row of headings tells; None when it is no row of headings."""
+    known = [re.sub(r"\s+", " ", one.strip().strip('"').casefold()) for one in headings]
+    places: dict[str, int] = {}
+    for what, words in COLUMNS.items():
+        found = next((known.index(word) for word in words if word in known), None)
+        if found is not None:
+            places[what] = found
+    if not set(places) & {"name", "given", "family", "email"}:
+        return None
+    platform = _platform(known)
+    if platform == "canvas" and "id" in known:
+        places["number"] = known.index("id")
+        places["id"] = next((known.index(one) for one in ("sis user id",) if one in known), known.index("id"))
+    return Layout(platform, places)
+
+
+def _platform(known: Sequence[str]) -> str:
+    if "sis user id" in known or ("student" in known and "section" in known):
+        return "canvas"
+    if "identifier" in known or "id number" in known or "last downloaded from this course" in known:
+        return "moodle"
+    if {"last name", "first name", "username"} <= set(known):
+        return "blackboard"
+    return "classroom" if {"last name", "first name", "email address"} <= set(known) else ""
+
+
+def is_nobody(row: Sequence[str]) -> bool:
+    """Whether a row is about the points that can be had, not about a person."""
+    return any(_NOBODY.search(one) for one in row[:3])
+
+
+def is_test(name: str) -> bool:
+    """Whether it is the made-up student that a platform adds."""
+    return bool(_TEST.fullmatch(name.strip()))
+
+
+def parted(name: str) -> tuple[str, str]:
+    """Family and given names of a name in one cell, where a comma parts them.
+
+    >>> parted("García López, Ana"), parted("Ann Lee")
+    (('García López', 'Ana'), ('', ''))
+    """
+    family, comma, given = (one.strip() for one in name.partition(","))
+    return (family, given) if comma and family and given else ("", "")

@@ -1,0 +1,57 @@
+"""How it stands with each person's work: said with the same words and counted in the same way everywhere."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .mark import Marked
+
+QUESTION, NOTHING, NOT_MARKED, UNREADABLE, EMPTY, TIMED_OUT, ELSEWHERE, LATE, GRADED = STATUSES = (
+    "question",
+    "nothing handed in",
+    "not marked",
+    "unreadable",
+    "empty",
+    "timed out",
+    "ran elsewhere",
+    "late",
+    "graded",
+)
+"""The first that is so is the status. All but `graded` and `nothing handed in` are for the teacher to look at."""
+LOOK = tuple(one for one in STATUSES if one not in (GRADED, NOTHING, LATE))
+_TIME_OVER = re.compile(r"took longer than|did not answer in time|timed out")
+
+
+def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: bool, tier: str) -> str:
+    """The status of a person: `opened` says that a question is open, `tier` where this run marks."""
+    if opened:
+        return QUESTION
+    if marked is None:
+        return NOT_MARKED if handed_in else NOTHING
+    if marked.status == "error":
+        return NOT_MARKED
+    if marked.status in (UNREADABLE, EMPTY):
+        return marked.status
+    if marked.status == TIMED_OUT or any(_TIME_OVER.search(one.got) for one in marked.verdicts if not one.passed):
+        return TIMED_OUT
+    if marked.tier and marked.tier != tier:
+        return ELSEWHERE
+    return LATE if late else GRADED
+
+
+def counted(statuses: Iterable[str]) -> dict[str, int]:
+    """How many there are of each, in a fixed order.
+
+    >>> counted(["graded", "late", "graded"])
+    {'late': 1, 'graded': 2}
+    """
+    found: Sequence[str] = list(statuses)
+    return {one: found.count(one) for one in STATUSES if one in found}
+
+
+def told(counts: dict[str, int]) -> str:
+    """The counts in words: `31 graded, 2 late`."""
+    return ", ".join(f"{number} {status}" for status, number in reversed(list(counts.items())))

@@ -1,0 +1,108 @@
+"""Tables as teachers have them: saved by a learning platform or by a spreadsheet, in whatever form that writes."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+LARGEST = 32 << 20
+"""Bytes of a table."""
+
+
+@dataclass
+class Table:
+    """Rows of texts under headings."""
+
+    headings: list[str]
+    rows: list[list[str]] = field(default_factory=list)
+
+    def dicts(self) -> list[dict[str, str]]:
+        """The rows by heading; what is missing is ''."""
+        return [dict(zip(self.headings, [*row, *[""] * len(self.headings)], strict=False)) for row in self.rows]
+
+
+def decoded(data: bytes) -> str:
+    r"""The text of a file: UTF-16 and UTF-8 by their marks, else UTF-8, else as Windows in the West writes.
+
+    >>> decoded("José".encode("utf-16")), decoded("José".encode("utf-8-sig")), decoded(b"Jos\xe9")
+    ('José', 'José', 'José')
+    """
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return data.decode("utf-16", "replace").lstrip("\ufeff")
+    if data[1:2] == b"\0" and data[:1] != b"\0":
+        return data.decode("utf-16-le", "replace")
+    try:
+        return data.decode("utf-8-sig").lstrip("\ufeff")
+    except UnicodeDecodeError:
+        return data.decode("cp1252", "replace")
+
+
+def separator_of(text: str) -> str:
+    """Comma, semicolon or tab: what the first lines have, outside of quotation marks, and most evenly.
+
+    >>> separator_of("Name;E-mail\\nLee, Ann;ann@uni")
+    ';'
+    """
+    if text[:4].casefold() == "sep=":
+        return text[4:5]
+    best, most = ",", 0
+    for one in (";", "\t", ","):
+        widths = [len(row) for row in csv.reader(io.StringIO(text[:20_000]), delimiter=one)][:20]
+        width = min((width for width in widths if width), default=0)
+        if width > max(1, most):
+            best, most = one, width
+    return best
+
+
+def read_table(file: Path) -> Table:
+    """The table in a file.
+
+    Raises:
+        ValueError: when it is too large, or empty, or no text.
+        OSError: when it cannot be read.
+    """
+    if file.stat().st_size > LARGEST:
+        raise ValueError(f"{file} is larger than {LARGEST >> 20} MB: that is no table.")
+    text = decoded(file.read_bytes())
+    if "\0" in text or text[:2] == "PK":
+        raise ValueError(f"{file} is no table of text. Save it as CSV.")
+    separator = separator_of(text)
+    lines = text.split("\n", 1)[1] if text[:4].casefold() == "sep=" else text
+    try:
+        rows = [[one.strip() for one in row] for row in csv.reader(io.StringIO(lines), delimiter=separator) if any(row)]
+    except csv.Error as error:
+        raise ValueError(f"{file} is no table: {error}.") from None
+    if not rows:
+        raise ValueError(f"There is nothing in {file}.")
+    return Table(rows[0], rows[1:])
+
+
+def write_table(file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]]) -> None:
+    """Write a table, whole or not at all. The caller has made its cells harmless."""
+    made = io.StringIO()
+    table = csv.writer(made)
+    table.writerow(headings)
+    for row in rows:
+        table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)
+    write_whole(file, made.getvalue().encode("utf-8-sig"))
+
+
+def write_whole(file: Path, data: bytes, mode: int = 0o644) -> None:
+    """Write a file so that it is never found half-written."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    number, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name[:40]}.")
+    try:
+        with os.fdopen(number, "wb") as out:
+            out.write(data)
+            out.flush()
+            os.fsync(out.fileno())
+        os.chmod(name, mode)
+        os.replace(name, file)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise

@@ -1,0 +1,151 @@
+"""Goes through folders that students made: by descriptors, without following links, never deeper or longer than it may.
+
+A name that is read is opened in the folder that it was read from: what is exchanged for a link in between is not followed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import stat
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+DEEPEST = 24
+"""Folders in folders."""
+MOST = 5000
+"""Files and folders of one submission."""
+_BY_DESCRIPTOR = os.open in os.supports_dir_fd and os.scandir in os.supports_fd
+_FLAGS = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
+_FLAGS |= getattr(os, "O_BINARY", 0)
+_FOLDER = getattr(os, "O_DIRECTORY", 0)
+
+
+@dataclass(frozen=True)
+class Walked:
+    """A regular file that was come by, or a fault in place of what could not be gone through."""
+
+    parts: tuple[str, ...]
+    """Its names, from the top down."""
+    when: float = 0.0
+    """When it was last changed, in seconds since 1970."""
+    size: int = 0
+    open: Callable[[], BinaryIO] | None = None
+    """Opens it; only until the next one is asked for."""
+    fault: str = ""
+
+
+class NotPlain(OSError):
+    """It is no regular file (any more)."""
+
+
+def open_plain(place: Path | str, folder: int | None = None) -> BinaryIO:
+    """Open a regular file, never a link, pipe or device; it cannot block.
+
+    Raises:
+        OSError: when it is none.
+    """
+    found = os.open(place, _FLAGS, dir_fd=folder)
+    try:
+        if not stat.S_ISREG(os.fstat(found).st_mode):
+            raise NotPlain(f"'{place!s}' is no plain file")
+        return os.fdopen(found, "rb")
+    except BaseException:
+        os.close(found)
+        raise
+
+
+def walk(place: Path) -> Iterator[Walked]:
+    """Every regular file in a folder (or the file that it is), in the order of their names."""
+    try:
+        kind = os.lstat(place).st_mode
+        if stat.S_ISREG(kind):
+            known = os.lstat(place)
+            yield Walked((place.name,), known.st_mtime, known.st_size, lambda: open_plain(place))
+        elif stat.S_ISDIR(kind):
+            yield from _through(place)
+        else:
+            yield Walked((place.name,), fault="is a link or a device, not a file")
+    except OSError as error:
+        yield Walked((place.name,), fault=f"cannot be read: {error.strerror}")
+
+
+@dataclass
+class _Level:
+    parts: tuple[str, ...]
+    place: Path
+    number: int | None
+    """The descriptor, where folders can be opened so."""
+    names: list[str]
+
+
+def _through(place: Path) -> Iterator[Walked]:
+    levels = [_entered(place, (), None)]
+    seen = 0
+    try:
+        while levels:
+            level = levels[-1]
+            if not level.names:
+                _left(levels.pop())
+                continue
+            name = level.names.pop()
+            seen += 1
+            if seen > MOST:
+                yield Walked(level.parts or (place.name,), fault=f"holds more than {MOST} files")
+                return
+            found = _looked_at(level, name)
+            if isinstance(found, Walked):
+                yield found
+            elif found and len(levels) >= DEEPEST:
+                yield Walked((*level.parts, name), fault=f"lies deeper than {DEEPEST} folders")
+            elif found:
+                with contextlib.suppress(OSError):  # gone, or a link by now
+                    levels.append(_entered(level.place / name, (*level.parts, name), level.number))
+    finally:
+        for level in levels:
+            _left(level)
+
+
+def _looked_at(level: _Level, name: str) -> Walked | bool:
+    """A file, or whether it is a folder."""
+    parts = (*level.parts, name)
+    try:
+        inside = level.place / name if level.number is None else name
+        known = os.stat(inside, dir_fd=level.number, follow_symlinks=False)
+    except OSError as error:
+        return Walked(parts, fault=f"cannot be read: {error.strerror}")
+    if stat.S_ISREG(known.st_mode):
+        return Walked(parts, known.st_mtime, known.st_size, lambda: open_plain(inside, level.number))
+    if stat.S_ISDIR(known.st_mode):
+        return True
+    return Walked(parts, fault="is a link or a device, not a file")
+
+
+def _entered(place: Path, parts: tuple[str, ...], above: int | None) -> _Level:
+    if not _BY_DESCRIPTOR:
+        with os.scandir(place) as entries:
+            return _Level(parts, place, None, _names(entries))
+    number = os.open(place if above is None else place.name, _FLAGS | _FOLDER, dir_fd=above)
+    try:
+        with os.scandir(number) as entries:
+            return _Level(parts, place, number, _names(entries))
+    except BaseException:
+        os.close(number)
+        raise
+
+
+def _names(entries: Iterator[os.DirEntry[str]]) -> list[str]:
+    """The names, the last one first; of too many one more than may be."""
+    found = []
+    for entry in entries:
+        found.append(entry.name)
+        if len(found) > MOST:
+            break
+    return sorted(found, reverse=True)
+
+
+def _left(level: _Level) -> None:
+    if level.number is not None:
+        os.close(level.number)

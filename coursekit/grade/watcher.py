@@ -1,0 +1,191 @@
+"""The course's side of a trial: its clock rules, its node records, publishes and calls as planned.
+
+The student's programs run in another interpreter and meet this one on topics and services only. The plan comes as JSON on
+stdin, what was seen goes to stdout: `python -m coursekit.grade.watcher PATIENCE [READ WRITE]`, the last two being file
+descriptors of the pipes to the other side, which is started from here when they are missing.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import asdict
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from .plan import MESSAGES, Plan, Seen
+from .recording import Recorder
+
+OURS = ("_trial", "_ros2cli")
+"""How the names of nodes begin that nobody has to see."""
+END_SECONDS = 5.0
+"""Virtual seconds that programs may take to end after Ctrl-C."""
+
+
+class Watcher:
+    """A trial as seen from the course's side."""
+
+    def __init__(self, plan: Plan, session: Any) -> None:
+        self.plan = plan
+        self.session = session
+        self.seen = Seen(responses=[None] * len(plan.call))
+        self.graph = session.graph(0)
+        self.leader: Any = None
+        self._told = session.clock.new_event()
+
+    def run(self) -> Seen:
+        """Carry the plan out."""
+        beside = [self._start(argv) for argv in self.plan.beside]
+        for argv in self.plan.run:
+            self.leader.post("start", argv)
+        watching = self.session.start(self._watch, name="watcher")
+        now = 0.0
+        for when, argv in self.plan.later:
+            self.session.clock.sleep(max(0.0, when - now))
+            now = max(now, when)
+            self.leader.post("start", argv)
+        self.session.clock.sleep(max(0.0, self.plan.seconds - now))
+        self._look()
+        self.leader.post("finish", END_SECONDS)
+        self._told.wait(2 * END_SECONDS)
+        for process in beside:
+            process.interrupt()
+        for process in beside:
+            process.wait(END_SECONDS)
+        self.seen.beside = [process.output for process in beside]
+        watching.kill()
+        return self.seen
+
+    def on_event(self, event: list[Any]) -> None:
+        """What the student's side says: how its programs ended."""
+        kind, outputs, codes = event
+        count = len(self.plan.run) + len(self.plan.later)
+        if kind != "ended" or len(outputs) != count or len(codes) != count:
+            raise ValueError("it does not say how each program ended")
+        self.seen.outputs = [str(one) for one in outputs]
+        self.seen.exit_codes = [None if one is None else int(one) for one in codes]
+        self._told.set()
+
+    def _start(self, argv: list[str]) -> Any:
+        from coursekit.cli.parser import run
+
+        return self.session.start(lambda: run(argv), name="ros2", argv=argv)
+
+    def _watch(self) -> None:
+        import rclpy
+        from rosidl_runtime_py.utilities import get_message, get_service
+
+        rclpy.init(args=[])
+        node = rclpy.create_node("_trial", start_parameter_services=False, enable_rosout=False)
+        Recorder(self.graph.find_nodes("_trial", "/")[0], self.plan.record, self._keep)
+        for when, topic, kind, fields in self.plan.publish:
+            publisher = node.create_publisher(get_message(kind), topic, 10)
+            self._later(node, when, partial(publisher.publish, _filled(get_message(kind)(), fields)))
+        for index, (when, service, kind, fields) in enumerate(self.plan.call):
+            client = node.create_client(get_service(kind), service)
+            request = _filled(get_service(kind).Request(), fields)
+            self._later(node, when, partial(self._call, client, request, index))
+        rclpy.spin(node)
+
+    def _later(self, node: Any, seconds: float, action: Callable[[], Any]) -> None:
+        def once() -> None:
+            timer.cancel()
+            action()
+
+        timer = node.create_timer(max(seconds, 1e-6), once)
+
+    def _call(self, client: Any, request: Any, index: int) -> None:
+        from rosidl_runtime_py import message_to_ordereddict
+
+        def answered(future: Any) -> None:
+            self.seen.responses[index] = message_to_ordereddict(future.result())
+
+        client.call_async(request).add_done_callback(answered)
+
+    def _keep(self, topic: str, seconds: float, fields: dict[str, Any], by_course: bool) -> None:
+        kept = self.seen.messages.setdefault(topic, [])
+        if len(kept) < MESSAGES:
+            kept.append((seconds, fields))
+            self.seen.by_course.setdefault(topic, []).append(by_course)
+
+    def _look(self) -> None:
+        seen = self.seen
+        seen.nodes = sorted(node.full_name for node in self.graph.nodes if not node.name.startswith(OURS))
+        seen.topics = dict(self.graph.topics())
+        seen.services = dict(self.graph.services())
+        for ends, kept in ((self.graph.publishers, seen.publishers), (self.graph.subscriptions, seen.subscriptions)):
+            for name, endpoints in sorted(ends.items()):
+                kept[name] = [_described(one) for one in endpoints if not one.node.name.startswith(OURS)]
+
+
+def _described(endpoint: Any) -> dict[str, Any]:
+    return {"node": endpoint.node.full_name, "type": endpoint.type_name} | asdict(endpoint.qos)
+
+
+def _filled(msg: Any, fields: dict[str, Any]) -> Any:
+    from rosidl_runtime_py import set_message_fields
+
+    set_message_fields(msg, fields)
+    return msg
+
+
+def main() -> int:
+    """Read a plan, carry it out, say what was seen."""
+    plan = Plan(**json.loads(sys.stdin.buffer.read()))
+    out, nothing = os.dup(1), os.open(os.devnull, os.O_RDWR)
+    for number in (0, 1):  # programs that write past sys.stdout write nowhere
+        os.dup2(nothing, number)
+    patience, *pipes = sys.argv[1:]
+    child = None if pipes else _other_side()
+    read, write = (int(one) for one in pipes) if child is None else (child.stdout.fileno(), child.stdin.fileno())
+
+    def answer(facts: dict[str, Any]) -> None:
+        if child is not None:
+            child.kill()
+        with os.fdopen(out, "wb") as to:
+            to.write(json.dumps(facts, default=_plain).encode())
+        os._exit(0)  # whatever the programs left running ends with this process
+
+    answer(_carried_out(plan, read, write, float(patience), lambda why: answer({"failed": why})))
+    return 0
+
+
+def _other_side() -> Any:
+    """Start the student's side from here, as a notebook's check does."""
+    from .trial import PROGRAMS
+
+    return subprocess.Popen(PROGRAMS, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+
+
+def _carried_out(plan: Plan, read: int, write: int, patience: float, failed: Callable[[str], None]) -> dict[str, Any]:
+    from coursekit.core.session import current
+    from coursekit.joined import Leader, Pipe
+
+    _know_the_types_of(os.environ.get("COURSEKIT_WORKSPACE", ""))
+    session = current()
+    watcher = Watcher(plan, session)
+    watcher.leader = Leader(session.clock, watcher.graph, Pipe(read, write), watcher.on_event, failed, patience)
+    return {"seen": asdict(watcher.run())}
+
+
+def _know_the_types_of(workspace: str) -> None:
+    """Interfaces of the student's packages are known here; their programs are not."""
+    from coursekit.interfaces.find import remember
+
+    install = Path(workspace, "install")
+    if workspace and install.is_dir():
+        for prefix in [install, *sorted(one for one in install.iterdir() if one.is_dir())]:
+            if (prefix / "share").is_dir():
+                remember(prefix)
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if hasattr(value, "tolist") else list(value) if isinstance(value, Sequence) else str(value)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,107 @@
+"""Two virtual clocks as one: the leader says how far the follower may go, the follower says when it has something to say."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.core.graph import Graph
+from coursekit.core.virtual import VirtualClock
+
+from .mirror import Mirror
+from .pipe import Broken, Pipe
+
+Events = list[list[Any]]
+
+
+class _Side:
+    """What both sides do: `post` an event to the other, and hear its events by `on_event`."""
+
+    def __init__(self, clock: VirtualClock, graph: Graph, pipe: Pipe, on_event: Callable[[list[Any]], None]) -> None:
+        self.clock = clock
+        self.pipe = pipe
+        self.mirror = Mirror(graph)
+        self.on_event = on_event
+        clock.partner = self
+
+    def post(self, *event: Any) -> None:
+        """Send an event that is not about the graph: a word and values that JSON knows."""
+        self.mirror.post(list(event))
+
+    def _apply(self, events: Any, body: bytes) -> bool:
+        try:
+            for event in self.mirror.apply(events, body):
+                self.on_event(event)
+        except Exception as error:  # whatever the other side said, it made no sense
+            raise Broken(f"it sent something malformed: {type(error).__name__}: {error}"[:200]) from None
+        return bool(events)
+
+
+class Leader(_Side):
+    """The side whose clock rules. `on_broken(reason)` is called, and must not return, when the other side fails."""
+
+    def __init__(
+        self,
+        clock: VirtualClock,
+        graph: Graph,
+        pipe: Pipe,
+        on_event: Callable[[list[Any]], None],
+        on_broken: Callable[[str], None],
+        patience: float,
+    ) -> None:
+        super().__init__(clock, graph, pipe, on_event)
+        self._on_broken = on_broken
+        self._patience = patience
+        self._next: int | None = 0
+        """When the follower has something planned [ns]; None for never."""
+
+    def meet(self, deadline: int | None) -> bool:
+        """Called when nothing is ready, before time goes on to `deadline`; whether the follower said something."""
+        events, body = self.mirror.collect()
+        if not events and (self._next is None or (deadline is not None and self._next > deadline)):
+            return False
+        try:
+            self.pipe.send({"now": self.clock.steady(), "until": deadline, "events": events}, body)
+            return self._heard(*self.pipe.receive(self._patience), deadline)
+        except Broken as broken:
+            self._on_broken(str(broken))
+            raise
+
+    def _heard(self, answer: dict[str, Any], body: bytes, deadline: int | None) -> bool:
+        now, following = answer.get("now"), answer.get("next")
+        if type(now) is not int or type(following) not in (int, type(None)) or type(answer.get("events")) is not list:
+            raise Broken("it sent something malformed")
+        if now < self.clock.steady() or (deadline is not None and now > deadline):
+            raise Broken("it did not keep to the clock")
+        self._next = following
+        if answer["events"]:
+            self.clock.jump(now)
+        return self._apply(answer["events"], body)
+
+
+class Follower(_Side):
+    """The side that goes as far as it may. When the leader is gone, its interpreter ends."""
+
+    def __init__(self, clock: VirtualClock, graph: Graph, pipe: Pipe, on_event: Callable[[list[Any]], None]) -> None:
+        super().__init__(clock, graph, pipe, on_event)
+        self._until: int | None = 0
+        self._owes = False
+
+    def meet(self, deadline: int | None) -> bool:
+        """Called when nothing is ready, before time goes on to `deadline`; whether something came from the leader."""
+        try:
+            if self._owes:
+                events, body = self.mirror.collect()
+                if not events and deadline is not None and (self._until is None or deadline <= self._until):
+                    return False
+                now = self.clock.steady() if events or self._until is None else self._until
+                self.pipe.send({"now": now, "next": deadline, "events": events}, body)
+            order, body = self.pipe.receive()
+        except Broken:
+            os._exit(1)
+        self._owes = True
+        self.clock.jump(order["now"])
+        self._until = order["until"]
+        self._apply(order["events"], body)
+        return True

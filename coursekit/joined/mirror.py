@@ -1,0 +1,154 @@
+"""Keeps two graphs equal: tells the other side what appears and goes on this one, and makes ghosts of what it tells."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import astuple
+from typing import Any
+
+from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.qos import Qos
+from coursekit.core.service import Client, RequestId, Server
+from coursekit.core.topic import Endpoint, Publisher, Subscription
+from coursekit.interfaces import cdr
+
+from .ghosts import KINDS, GhostClient, GhostNode, GhostPublisher, Named
+
+MOST = 20_000
+"""Nodes and ends of topics that the other side may have."""
+
+
+class Mirror:
+    """One side's view: `collect` gives the events for the other side, `apply` carries out the other side's."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self._events: list[list[Any]] = []
+        self._bodies: list[bytes] = []
+        self._numbers: dict[Any, int] = {}
+        """Our nodes and ends that the other side knows, and under which number."""
+        self._ours: dict[int, Any] = {}
+        self._theirs: dict[int, Any] = {}
+        self._count = itertools.count(1)
+        self._stale = True
+        graph.watch(self._note_change)
+
+    def post(self, event: list[Any], body: bytes = b"") -> None:
+        """Send an event with the next exchange."""
+        self._events.append(event)
+        self._bodies.append(body)
+
+    def collect(self) -> tuple[list[list[Any]], bytes]:
+        """What the other side does not know yet."""
+        if self._stale:
+            self._stale = False
+            self._tell_changes()
+        events, body = self._events, b"".join(self._bodies)
+        self._events, self._bodies = [], []
+        return events, body
+
+    def apply(self, events: list[list[Any]], body: bytes) -> list[list[Any]]:
+        """Carry out the other side's events; those that are not about the graph are returned.
+
+        Raises:
+            LookupError, TypeError, ValueError: for events that make no sense.
+        """
+        rest, at = [], 0
+        for event in events:
+            kind, *facts = event
+            if kind in ("message", "request", "response"):
+                size = int(facts.pop())
+                if size < 0 or at + size > len(body):
+                    raise ValueError("a message is longer than what was sent")
+                getattr(self, f"_on_{kind}")(*facts, body[at : at + size])
+                at += size
+            elif kind in ("node", "endpoint", "gone"):
+                getattr(self, f"_on_{kind}")(*facts)
+            else:
+                rest.append(event)
+        return rest
+
+    # -- what happens here
+
+    def _note_change(self) -> None:
+        self._stale = True
+
+    def _number_of(self, one: Any) -> int:
+        """The number by which the other side knows one of ours; it is told of it first if it does not."""
+        number = self._numbers.get(one)
+        if number is None:
+            number = self._numbers[one] = next(self._count)
+            self._ours[number] = one
+            self.post(self._told(one, number))
+        return number
+
+    def _told(self, one: Any, number: int) -> list[Any]:
+        if isinstance(one, GraphNode):
+            return ["node", number, one.name, one.namespace]
+        node = self._number_of(one.node)
+        return ["endpoint", number, _kind_of(one), node, one.name, one.type_name, list(astuple(one.qos))]
+
+    def _tell_changes(self) -> None:
+        there = dict.fromkeys(self._local())
+        for one in there:
+            self._number_of(one)
+        for one in [one for one in self._numbers if one not in there]:
+            number = self._numbers.pop(one)
+            del self._ours[number]
+            self.post(["gone", number])
+
+    def _local(self) -> Iterator[Any]:
+        for node in list(self.graph.nodes):
+            if not isinstance(node, GhostNode):
+                yield node
+                yield from (*node.publishers, *node.subscriptions, *node.servers, *node.clients)
+
+    # -- what happened there
+
+    def _on_node(self, number: int, name: str, namespace: str) -> None:
+        if len(self._theirs) >= MOST or number in self._theirs:
+            raise ValueError("more nodes than there can be")
+        self._theirs[number] = self.graph.enter(GhostNode(self.graph, str(name), str(namespace)))
+
+    def _on_endpoint(self, number: int, kind: str, node: int, name: str, type_name: str, qos: list[int]) -> None:
+        owner = self._theirs[node]
+        if len(self._theirs) >= MOST or number in self._theirs or not isinstance(owner, GhostNode):
+            raise ValueError("more ends of topics than there can be")
+        profile = Qos(*(int(one) for one in qos))
+        ghost: Any = KINDS[kind](self.graph, owner, str(name), Named(str(type_name)), profile)
+        if kind != "publisher":
+            ghost.number, ghost.tell = number, self.post
+        if kind in ("subscription", "server"):
+            ghost.number_of = self._number_of
+        self._theirs[number] = ghost
+        getattr(self.graph, f"add_{kind}")(ghost)
+
+    def _on_gone(self, number: int) -> None:
+        ghost = self._theirs.pop(number)
+        ghost.close()
+
+    def _on_message(self, publisher: int, subscription: int, stamp: int, data: bytes) -> None:
+        ghost, target = self._theirs.get(publisher), self._ours.get(subscription)
+        if isinstance(ghost, GhostPublisher) and isinstance(target, Subscription) and _same_topic(ghost, target):
+            ghost.deliver(target, data, int(stamp))
+
+    def _on_request(self, client: int, server: int, number: int, data: bytes) -> None:
+        ghost, target = self._theirs.get(client), self._ours.get(server)
+        if isinstance(ghost, GhostClient) and isinstance(target, Server) and _same_topic(ghost, target):
+            request = cdr.deserialize(data, target.msg_type.Request)
+            target.push(request, RequestId(ghost, int(number)))
+
+    def _on_response(self, client: int, number: int, data: bytes) -> None:
+        target = self._ours.get(client)
+        if isinstance(target, Client):
+            target.push(int(number), cdr.deserialize(data, target.msg_type.Response))
+
+
+def _kind_of(end: Endpoint) -> str:
+    kinds = {Publisher: "publisher", Subscription: "subscription", Server: "server", Client: "client"}
+    return next(name for kind, name in kinds.items() if isinstance(end, kind))
+
+
+def _same_topic(one: Endpoint, other: Endpoint) -> bool:
+    return (one.name, one.type_name) == (other.name, other.type_name)

@@ -1,0 +1,72 @@
+"""What the two interpreters say to each other: a JSON header and the CDR bytes of messages, over two file descriptors.
+
+Nothing is unpickled, and every size is checked before a byte of it is read: the other side may be hostile.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import select
+import struct
+import time
+from typing import Any
+
+_LENGTHS = struct.Struct("<II")
+HEADER, BODY = 16 << 20, 256 << 20
+"""The largest header and body [bytes]."""
+_now = time.monotonic  # the real one: in a process, time.monotonic() is the session's
+_dumps, _loads = json.dumps, json.loads  # as they are before any program runs
+
+
+class Broken(Exception):
+    """The other side ended, did not answer in time, or said what makes no sense."""
+
+
+class Pipe:
+    """One end of the connection.
+
+    >>> there, back = os.pipe(), os.pipe()
+    >>> ours, theirs = Pipe(back[0], there[1]), Pipe(there[0], back[1])
+    >>> ours.send({"now": 5}, b"cdr"); theirs.receive()
+    ({'now': 5}, b'cdr')
+    """
+
+    def __init__(self, read: int, write: int) -> None:
+        self._read = read
+        self._write = write
+
+    def send(self, header: dict[str, Any], body: bytes = b"") -> None:
+        """Send one frame; Broken when nobody is there."""
+        text = _dumps(header, separators=(",", ":")).encode()
+        data = memoryview(_LENGTHS.pack(len(text), len(body)) + text + body)
+        try:
+            while data:
+                data = data[os.write(self._write, data[: 1 << 20]) :]
+        except OSError:
+            raise Broken("it ended") from None
+
+    def receive(self, seconds: float | None = None) -> tuple[dict[str, Any], bytes]:
+        """The next frame; Broken when there is none within so many real seconds, or it is malformed."""
+        give_up = None if seconds is None else _now() + seconds
+        header, body = _LENGTHS.unpack(self._exactly(_LENGTHS.size, give_up))
+        if header > HEADER or body > BODY:
+            raise Broken("it sent more than it may")
+        try:
+            found = _loads(self._exactly(header, give_up))
+        except (ValueError, RecursionError):
+            raise Broken("it sent something malformed") from None
+        if not isinstance(found, dict):
+            raise Broken("it sent something malformed")
+        return found, self._exactly(body, give_up)
+
+    def _exactly(self, size: int, give_up: float | None) -> bytes:
+        parts = bytearray()
+        while len(parts) < size:
+            if give_up is not None and not select.select([self._read], [], [], max(0.0, give_up - _now()))[0]:
+                raise Broken("it did not answer in time")
+            part = os.read(self._read, min(1 << 20, size - len(parts)))
+            if not part:
+                raise Broken("it ended")
+            parts += part
+        return bytes(parts)

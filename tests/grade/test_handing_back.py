@@ -1,0 +1,172 @@
+"""Marks go back in the platform's own columns; what a teacher wrote by hand stays; names can be hidden."""
+
+import csv
+import json
+import stat
+import zipfile
+
+import pytest
+
+from coursekit.cli.coursekit import main
+from coursekit.grade.statuses import STATUSES
+
+from .handed import NOON, TOPICS, cheap_mark, grade, rows, text, write, zipped
+from .test_identifying import LISTS
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """What Moodle's download of a class of two looks like; the list of it is beside."""
+    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
+    monkeypatch.setattr("coursekit.grade.sandbox.tier", lambda: "bubblewrap")
+    for name in LISTS:
+        (tmp_path / name).write_text(LISTS[name], encoding="utf-8")
+    write(tmp_path / "class" / "García López Ana_101_assignsubmission_file_" / TOPICS, text("q1", "q2"))
+    return tmp_path / "class"
+
+
+def lines(file):
+    with open(file, newline="", encoding="utf-8-sig") as table:
+        return list(csv.reader(table))
+
+
+def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(folder):
+    grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")
+    head, ana, ben = lines(folder.parent / "grades.moodle.csv")
+    assert head == lines(folder.parent / "moodle.csv")[0]
+    assert dict(zip(head, ana, strict=True)) | {"Identifier": "Participant 101", "Grade": "3"} == dict(zip(head, ana, strict=True))
+    assert ana[head.index("Full name")] == "García López, Ana" and ben[head.index("Grade")] == "0"
+    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+        assert packed.namelist() == ["García López Ana_101_assignsubmission_file_/feedback.html"]
+        assert "Ana García López" in packed.read(packed.namelist()[0]).decode()
+
+
+def test_canvas_gets_a_column_and_its_points_possible(folder):
+    write(folder.parent / "c" / f"itoben_14_15_{TOPICS}", text("q1"))
+    grade(folder.parent / "c", "--roster", folder.parent / "canvas.csv", "--for", "canvas", "--chapters", "02")
+    head, possible, ana, ben, test = lines(folder.parent / "grades.canvas.csv")
+    assert head[:5] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"] and head[-1] == "coursekit 02"
+    assert [row[-1] for row in (possible, ana, ben, test)] == ["7", "0", "1", ""] and "Points Possible" in possible[0]
+
+
+def test_blackboard_and_classes_without_its_list_get_its_columns(folder):
+    grade(folder, "--roster", folder.parent / "plain.csv", "--for", "blackboard")
+    head, ana, _ = lines(folder.parent / "grades.blackboard.csv")
+    assert head[:4] == ["Last Name", "First Name", "Username", "Student ID"] and ana[3:5] == ["a01", "3"]
+
+
+def test_nothing_is_handed_back_for_whom_a_question_is_open(folder):
+    write(folder / "Who Is It.ipynb", text("q1"))
+    for name in ("x", "y"):
+        write(folder / "Ito Ben_102_assignsubmission_file_" / name / TOPICS, text("q1" if name == "x" else "q2"))
+    assert grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")[0] == 1
+    head, _, ben = lines(folder.parent / "grades.moodle.csv")
+    assert ben[head.index("Grade")] == ""
+
+
+def edited(table, **cells):
+    """The table with other texts in a row of one student, saved as a German Excel does."""
+    found = lines(table)
+    row = next(one for one in found if one[0] == cells["student"])
+    for name, said in cells.items():
+        if name not in found[0]:
+            found = [[*one, name if number == 0 else ""] for number, one in enumerate(found)]
+            row = next(one for one in found if one[0] == cells["student"])
+        row[found[0].index(name)] = said
+    with open(table, "w", newline="", encoding="utf-8-sig") as out:
+        csv.writer(out, delimiter=";").writerows(found)
+
+
+def test_points_and_comments_by_hand_are_kept_and_told(folder, capsys):
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1"))
+    words = ("--roster", folder.parent / "moodle.csv")
+    before = grade(folder, *words)[1]["Ben Ito"]
+    edited(folder.parent / "grades.csv", student="Ben Ito", comment="Well tried; =see me", oral="2", **{"ch02.q2": "1,5"})
+    for _ in range(2):
+        capsys.readouterr()
+        row = grade(folder, *words, "--again")[1]["Ben Ito"]
+        assert (row["ch02.q2"], row["total"], row["comment"], row["oral"]) == ("1.5", "2.5", "Well tried;' =see me".replace(
+            ";' =", "; '="), "2")  # fmt: skip
+        assert "ch02.q2: 1.5 by hand" in row["notes"]
+    page = (folder.parent / "grades" / f"{row['key']}.html").read_text()
+    assert "Well tried" in page and "given by hand" in page
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", "q3"), NOON + 60)
+    assert grade(folder, *words)[1]["Ben Ito"]["total"] == "4.5"
+    edited(folder.parent / "grades.csv", student="Ben Ito", **{"ch02.q2": ""})
+    capsys.readouterr()
+    assert grade(folder, *words)[1]["Ben Ito"]["total"] == "3" and before["total"] == "1"
+    assert "ch02.q2 is the grader's again" in capsys.readouterr().out
+
+
+def test_a_total_by_hand_and_one_that_is_no_number(folder, capsys):
+    grade(folder)
+    edited(folder.parent / "grades.csv", student="García López Ana", total="6", **{"ch02.q1": "good"})
+    row = grade(folder)[1]["García López Ana"]
+    assert (row["total"], row["points"]) == ("6", "3")
+    said = capsys.readouterr().out
+    assert "total is 6 by hand (was 3)" in said and "'good' is no number: not taken" in said
+
+
+def test_names_are_hidden_and_who_is_who_lies_apart(folder):
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", own=" by Ben Ito"))
+    write(folder / "Ito Ben_102_assignsubmission_file_" / "Ito.txt", "Ben Ito")
+    words = ("--roster", folder.parent / "moodle.csv", "--anonymous")
+    found = grade(folder, *words)[1]
+    assert all(name.startswith("P-") and len(name) == 10 for name in found) and len(found) == 2
+    who = folder.parent / "grades.names.csv"
+    assert stat.S_IMODE(who.stat().st_mode) == 0o600
+    assert {row[0]: row[1] for row in lines(who)[1:]}.keys() == found.keys()
+    shown = [folder.parent / "grades.csv", *(p for p in (folder.parent / "grades").iterdir() if p.suffix in (".html", ".json", ".csv"))]
+    for file in shown:
+        said = file.read_text(encoding="utf-8-sig") + file.name
+        assert not [one for one in ("García", "Ana ", "Ben", "Ito", "a01", "uni.example") if one in said], file.name
+    assert grade(folder, *words)[1] == found
+    named = grade(folder, *words[:2])[1]
+    assert sorted(row["total"] for row in named.values()) == sorted(row["total"] for row in found.values())
+    with pytest.raises(SystemExit, match="--for needs the names"):
+        main(["grade", str(folder), "--anonymous", "--for", "moodle"])
+
+
+def test_table_page_and_closing_line_count_the_same(folder, capsys):
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, "<html>")
+    write(folder / "Nobody Known.zip", zipped({TOPICS: text("q1")}))
+    status, found = grade(folder, "--roster", folder.parent / "moodle.csv")
+    said = capsys.readouterr().out
+    counts = "1 graded, 1 unreadable, 1 question"
+    page = (folder.parent / "grades" / "class.html").read_text()
+    assert counts in said and counts in page and status == 1
+    assert {row["status"] for row in found.values()} == {"graded", "unreadable"} and {row["status"] for row in found.values()} <= set(STATUSES)
+    assert "sandbox bubblewrap" in said and "sandbox <code>bubblewrap</code>" in page
+    assert page.index("Who needs a look") < page.index("the hardest first") < page.index("Everybody")
+    assert "Nobody Known" in page and "docs/teachers.md" in said.replace("\\", "/")
+
+
+def test_the_page_of_a_student_has_their_code_beside_the_verdict(folder):
+    write(folder / "Ann" / TOPICS, text("q1").replace("# ch02-q1 was done", "# <script>alert(1)</script>\\u202e"))
+    row = grade(folder)[1]["Ann"]
+    page = (folder.parent / "grades" / f"{row['key']}.html").read_text()
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page and "<script>" not in page and "\u202e" not in page
+    assert page.index("To improve") < page.index("Right")
+    scores = json.loads((folder.parent / "grades" / f"{row['key']}.results.json").read_text())
+    assert scores["score"] == 1 and len(scores["tests"]) == 4
+
+
+def test_three_equal_works_of_five_are_listed(tmp_path):
+    from coursekit.grade.mark import Marked
+    from coursekit.grade.similar import similar
+
+    def work(seed):
+        return ["\n".join(f"def f{n}(a, b):\n    return a {'+-*/%'[(seed * n + n) % 5]} b ** {seed + n}" for n in range(12))]
+
+    marks = [Marked(name, "", answers=work(seed)) for name, seed in (("a", 1), ("b", 1), ("c", 1), ("d", 7), ("e", 13))]
+    assert [pair[:2] for pair in similar(marks)] == [("a", "b"), ("a", "c"), ("b", "c")]
+
+
+def test_rows_are_whole_while_it_runs(folder, monkeypatch):
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1"))
+    table, seen = folder.parent / "grades.csv", []
+    monkeypatch.setattr("coursekit.grade.batch.Bar.__call__", lambda *_: seen.append(rows(table)))
+    grade(folder, "--roster", folder.parent / "moodle.csv", "--jobs", "1")
+    assert [set(one) for one in seen] == [{"Ana García López", "Ben Ito"}] * 2
+    assert sorted(row["status"] for row in seen[0].values()) == ["graded", "not marked"]
+    assert not list(folder.parent.glob(".grades*"))

@@ -227,6 +227,8 @@ class Collector:
             else:
                 handed.chosen[chapter] = choice.piece
                 handed.notes += [choice.why] if choice.why else []
+                if choice.piece.known.level == 0:
+                    handed.concerns.append(f"{choice.piece.where}: nothing was written in it")
 
     def _chapter_of(self, piece: Piece, handed: Handed, others: bool) -> Piece:
         """A notebook whose content and name say no chapter: asked about where the person handed in nothing else."""

@@ -1,9 +1,9 @@
 """The one file that a student hands in: the notebook, pictures, what happened, and a manifest with the mark of a clean run.
 
-What its seal proves: that it is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove: who
-that was, when (the clock is the student's), and that nobody made another seal; all that is needed for one is on the student's
-computer. So the mark that counts comes from running the notebook again, and the parcels of a class are compared: a log or a
-picture that two people hand in is told, sealed anew or not.
+What its seal proves: that it is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove:
+who that was, when (the clock is the student's), and that nobody made another seal; all that is needed for one is on the
+student's computer. So the mark that counts comes from running the notebook again, and the parcels of a class are compared:
+a log or a picture that two people hand in is told, sealed anew or not.
 """
 
 from __future__ import annotations
@@ -116,14 +116,19 @@ def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> l
     """Where the marks that were recorded are not those of another run."""
     said = recorded(manifest)
     found = [
-        f"{name}: {said.get(name, 'no')} points are recorded, a clean run earns {points:g}"
+        f"{name}: {_points(said.get(name))} points are recorded, a clean run earns {points:g}"
         for name, points in earned.items()
         if said.get(name) != points
     ]
     total = round(sum(earned.values()), 2)
     if manifest.get("points") != total:
-        found.append(f"{manifest.get('points')} points are recorded in all, a clean run earns {total:g}")
+        found.append(f"{_points(manifest.get('points'))} points are recorded in all, a clean run earns {total:g}")
     return found
+
+
+def _points(said: Any) -> str:
+    """What stands in a manifest where points should."""
+    return f"{said:g}" if isinstance(said, (int, float)) and abs(said) < 1e6 else shown(str(said), 20) if said else "no"
 
 
 def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:

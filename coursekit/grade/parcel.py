@@ -26,6 +26,7 @@ from .roster import plain, student_word
 MANIFEST, EVENTS = "manifest.json", "events.jsonl"
 LARGEST = 100 << 20
 """Bytes of a parcel."""
+_MOST_PARTS = 600_000
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -49,12 +50,20 @@ def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
     try:
         with Archive(io.BytesIO(data), Bounds(file=LARGEST, total=LARGEST)) as opened:
             files = {one.info.filename: opened.read(one) for one in opened.members()}
+        for name, most in ((MANIFEST, 4 << 20), (EVENTS, 16 << 20)):
+            _expect_plain(name, files.get(name, b""), most)
         manifest = json.loads(files.pop(MANIFEST))
     except (KeyError, ValueError, RecursionError) as error:
         raise ValueError(f"it is no parcel made by hand_in(): {shown(str(error))}") from None
     if not isinstance(manifest, dict) or not isinstance(manifest.get("files"), dict):
         raise ValueError("its manifest is none")
     return manifest, files
+
+
+def _expect_plain(name: str, text: bytes, most: int) -> None:
+    """Before JSON is read: it is no longer than those of a student, and has no more parts, each of which costs memory."""
+    if len(text) > most or sum(text.count(one) for one in (b"[", b"{", b",")) > _MOST_PARTS:
+        raise ValueError(f"{name} is longer than hand_in() makes it")
 
 
 def parcel_faults(data: bytes) -> list[str]:

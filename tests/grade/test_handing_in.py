@@ -233,6 +233,14 @@ def test_a_log_that_is_none_is_a_fault(parcel, line):
     assert parcel_faults(pack_parcel({**files, "events.jsonl": line.encode()}, facts))
 
 
+@pytest.mark.parametrize("name", ["manifest.json", "events.jsonl"])
+def test_a_manifest_or_log_that_would_take_all_memory_is_not_read(parcel, name):
+    with zipfile.ZipFile(parcel) as opened:
+        files = {one: opened.read(one) for one in opened.namelist()}
+    for long in (b"[" + b"[]," * 700_000 + b"1]", b'"' + b"x" * (17 << 20) + b'"'):
+        assert f"{name} is longer than hand_in() makes it" in parcel_faults(zipped({**files, name: long}.items()))[0]
+
+
 def test_what_is_no_parcel_is_said(tmp_path):
     (tmp_path / "x.zip").write_bytes(b"PK")
     faults, marked = verify(tmp_path / "x.zip", tmp_path)

@@ -17,10 +17,10 @@ MOODLE = '"Identifier","Full name","ID number","Email address","Status","Grade",
 LISTS = {
     "moodle.csv": MOODLE + '"Participant 101","García López, Ana",a01,ana@uni.example,,,\n"Participant 102","Ito, Ben",a02,'
     "ben@uni.example,,,\n",
-    "canvas.csv": 'Student,ID,SIS User ID,SIS Login ID,Section,week 2\n    Points Possible,,,,,7\n"García López, Ana",12,a01,'
+    "canvas.csv": 'Student,ID,SIS User ID,SIS Login ID,Section,mark\n    Points Possible,,,,,7\n"García López, Ana",12,a01,'
     'ana,1,\n"Ito, Ben",14,a02,ben,1,\n"Student, Test",99,,preview,1,\n',
     "blackboard.csv": '\ufeff"Last Name","First Name","Username","Student ID"\nGarcía López,Ana,ana,a01\nIto,Ben,ben,a02\n',
-    "classroom.csv": "Last Name,First Name,Email Address,mark\nGarcía López,Ana,ana@uni.example,\nIto,Ben,ben@uni.example,\n",
+    "classroom.csv": "Last Name,First Name,Email Address,x\nGarcía López,Ana,ana@uni.example,\nIto,Ben,ben@uni.example,\n",
     "plain.csv": "name;id;e-mail\nAna García López;a01;ana@uni.example\nBen Ito;a02;ben@uni.example\n",
     "tabs.csv": "Given name\tFamily name\tStudent ID\nAna\tGarcía López\ta01\nBen\tIto\ta02\n",
     "names.txt": "Ana García López\nBen Ito\n",

@@ -36,7 +36,7 @@ def test_everybody_gets_what_they_deserve_twice(group, capsys):
     assert status == 1 and len(first) == len(PEOPLE) == 40
     assert marks(first) == deserved
     assert {row["status"] for row in first.values()} == {"graded", "unreadable", "question", "nothing handed in"}
-    assert "no notebook" not in "".join(row["notes"] for row in first.values())
+    assert "no notebook was handed in" not in "".join(row["notes"] for row in first.values())
     said = capsys.readouterr().out
     assert "4 question" in said and "2 unreadable" in said and "4 nothing handed in" in said
     assert grade(folder, *words, "--again")[1] == first

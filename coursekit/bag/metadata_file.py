@@ -10,6 +10,7 @@ import yaml
 from coursekit.bag.errors import BagError
 from coursekit.bag.fields import Fields
 from coursekit.bag.metadata import NEVER, BagFacts, FileFacts, TopicInformation, TopicMetadata
+from coursekit.files import read_text
 
 FILE_NAME = "metadata.yaml"
 ROOT = "rosbag2_bagfile_information"
@@ -38,7 +39,7 @@ def load_yaml(text: str, what: str) -> Any:
 def load_settings(path: Path) -> Any:
     """Return what a YAML file holds that its user wrote; BagError when it cannot be read."""
     try:
-        return _loaded(path.read_text(encoding="utf-8"), str(path), yaml.SafeLoader)
+        return _loaded(read_text(path), str(path), yaml.SafeLoader)
     except (OSError, UnicodeDecodeError) as error:
         raise BagError(f"'{path}' cannot be read: {error}") from None
 
@@ -56,7 +57,7 @@ def read(folder: Path) -> BagFacts:
     try:
         if path.stat().st_size > LARGEST:
             raise BagError(f"{path} has more than {LARGEST} bytes: that is no metadata of a bag")
-        text = path.read_text(encoding="utf-8")
+        text = read_text(path)
     except FileNotFoundError:
         raise BagError(
             f"there is no {FILE_NAME} in '{folder}'. If it is a bag that was not ended properly, "

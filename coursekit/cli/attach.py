@@ -67,6 +67,15 @@ def answer(argv: Sequence[str]) -> list[str]:
         return "".join(one.get("stdout", "") for one in said).split()
 
 
+def who_answers() -> tuple[str, int]:
+    """The notebook whose session this terminal speaks to, '' for none's, and how many sessions run; NoSession."""
+    client = endpoint.connect(domain_id())
+    with client, client.makefile("r", encoding="utf-8") as lines:
+        _send(client, {"token": endpoint.token(domain_id())})
+        name = str(json.loads(next(lines, "{}")).get("session", ""))
+    return name, endpoint.live_sessions(domain_id())
+
+
 def attach_script(path: Path, argv: Sequence[str]) -> int | None:
     """Have the session carry out `python3 PATH ARGV`; its exit code, or None when no session runs."""
     try:
@@ -139,11 +148,19 @@ def _terminal() -> Iterator[Callable[[], None]]:
         termios.tcsetattr(number, termios.TCSADRAIN, before)
 
 
+def _say_which(notebook: str) -> None:
+    """Where several notebooks run, a person is told to which one this terminal speaks."""
+    if sys.stderr.isatty() and endpoint.live_sessions(domain_id()) > 1:
+        print(f"(in the session of {notebook}, the notebook in which a cell was run last)", file=sys.stderr, flush=True)
+
+
 def _show(client: socket.socket) -> int:
     """Print what the process prints; returns when it ends."""
     with client.makefile("r", encoding="utf-8") as lines, _terminal() as pass_keys_on:
         for line in lines:
             message = json.loads(line)
+            if message.get("session"):
+                _say_which(message["session"])
             if "keys" in message:
                 pass_keys_on()
             if "exit" in message:

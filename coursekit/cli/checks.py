@@ -76,24 +76,29 @@ def colcon() -> Check:
 
 def socket_folder() -> Check:
     """Where terminals find the session."""
-    from .endpoint import folder
+    from .runtime_folder import choose
 
     try:
-        return Check("terminals", f"sessions are found in {folder()}")
+        folder, faults = choose()
     except OSError as error:
         return Check("terminals", "unsafe", str(error), "Do what the line above says, then start again.")
+    found = f"sessions are found in {folder}"
+    if not faults:
+        return Check("terminals", found)
+    cure = f"Nothing: {folder} is used instead, by notebooks and terminals alike."
+    return Check("terminals", found, "; ".join(faults), cure, only_warning=True)
 
 
 def session_of_domain() -> Check:
     """Whether a session answers."""
-    from .attach import domain_id
-    from .endpoint import NoSession, connect
+    from .attach import domain_id, who_answers
 
     try:
-        connect(domain_id()).close()
-    except (NoSession, OSError):
+        name, count = who_answers()
+    except OSError:
         return Check("session", f"none runs for ROS_DOMAIN_ID={domain_id()}; `ros2` starts one when it needs it")
-    return Check("session", f"one runs for ROS_DOMAIN_ID={domain_id()}")
+    others = f", the one of {count} in which a cell was run last" if count > 1 else ""
+    return Check("session", f"one runs for ROS_DOMAIN_ID={domain_id()}: {name or 'without a notebook'}{others}")
 
 
 def disk_space() -> Check:

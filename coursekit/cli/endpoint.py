@@ -1,17 +1,19 @@
-"""Where a session listens for `ros2` commands of the same user: a Unix socket in a folder only they can open.
+"""Where sessions listen for `ros2` commands of the same user: Unix sockets in a folder only they can open.
 
-Where there are no Unix sockets, a loopback port whose number and token stand in such a folder.
+Each session has a socket of its own, `session-DOMAIN-PID`; the link `session-DOMAIN` leads to the one that has the
+terminals. Where there are no Unix sockets, these are files with a loopback port and a token.
 """
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import secrets
 import socket
-import stat
-import tempfile
 from pathlib import Path
+
+from .runtime_folder import folder
 
 HAS_UNIX = hasattr(socket, "AF_UNIX")
 
@@ -20,37 +22,24 @@ class NoSession(ConnectionError):
     """Nobody listens."""
 
 
-def folder() -> Path:
-    """The user's own folder for sockets; made on first use, refused if somebody else could open it."""
-    base = os.environ.get("COURSEKIT_RUNTIME_DIR") or os.environ.get("XDG_RUNTIME_DIR")
-    user = str(os.getuid()) if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
-    path = Path(base) / "coursekit" if base else Path(tempfile.gettempdir()) / f"coursekit-{user}"
-    path.mkdir(mode=0o700, parents=True, exist_ok=True)
-    if hasattr(os, "getuid"):
-        status = path.lstat()
-        if status.st_uid != os.getuid() or stat.S_IMODE(status.st_mode) & 0o077 or path.is_symlink():
-            raise PermissionError(
-                f"'{path}' can be opened by others, so it is not safe for a session to listen there. "
-                f"Remove it, or run: chmod 700 '{path}'"
-            )
-    return path
-
-
 def address(domain_id: int) -> Path:
-    """The file at which the session of a domain is found."""
+    """The file at which the session that has the domain's terminals is found."""
     return folder() / f"session-{domain_id}"
 
 
-def listen(domain_id: int) -> socket.socket:
-    """Listen for the domain; raises OSError when another session does."""
-    path = address(domain_id)
-    if path.exists():
-        try:
+def own_address(domain_id: int) -> Path:
+    """The file at which this process listens."""
+    return folder() / f"session-{domain_id}-{os.getpid()}"
+
+
+def listen(domain_id: int, *, take: bool = False) -> socket.socket:
+    """Listen for the domain; OSError when another session has its terminals, unless we `take` them."""
+    if not take:
+        with contextlib.suppress(NoSession):
             connect(domain_id).close()
-        except NoSession:
-            path.unlink(missing_ok=True)
-        else:
             raise OSError(f"another session listens for ROS_DOMAIN_ID={domain_id}")
+    path = own_address(domain_id)
+    path.unlink(missing_ok=True)
     if HAS_UNIX:
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         server.bind(str(path))
@@ -60,7 +49,36 @@ def listen(domain_id: int) -> socket.socket:
         server.bind(("127.0.0.1", 0))
         path.write_text(json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}))
     server.listen(16)
+    claim(domain_id)
     return server
+
+
+def claim(domain_id: int) -> bool:
+    """Have the domain's terminals from now on; whether that is a change."""
+    if has_terminals(domain_id):
+        return False
+    own = own_address(domain_id)
+    os.utime(own)  # the newest is asked first when this pointer is gone
+    _lead_to(own, domain_id)
+    return True
+
+
+def has_terminals(domain_id: int) -> bool:
+    """Whether new commands of the domain's terminals come to this process."""
+    current, own = address(domain_id), own_address(domain_id)
+    with contextlib.suppress(OSError):
+        return os.readlink(current) == own.name if HAS_UNIX else current.read_text() == own.read_text()
+    return False
+
+
+def _lead_to(own: Path, domain_id: int) -> None:
+    fresh = own.with_name(f"{own.name}.new")
+    fresh.unlink(missing_ok=True)
+    if HAS_UNIX:
+        fresh.symlink_to(own.name)
+    else:
+        fresh.write_text(own.read_text())
+    fresh.replace(address(domain_id))
 
 
 def token(domain_id: int) -> str:
@@ -69,8 +87,36 @@ def token(domain_id: int) -> str:
 
 
 def connect(domain_id: int) -> socket.socket:
-    """Connect to the session of a domain; raises NoSession."""
-    path = address(domain_id)
+    """Connect to the session that has the domain's terminals; if it is gone, to another one. Raises NoSession."""
+    with contextlib.suppress(NoSession):
+        return _connect(address(domain_id))
+    for path in sessions(domain_id):
+        with contextlib.suppress(NoSession, OSError):
+            client = _connect(path)
+            _lead_to(path, domain_id)
+            return client
+    raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}")
+
+
+def sessions(domain_id: int) -> list[Path]:
+    """Where sessions of the domain listen, the newest first; some may be gone."""
+    found = [one for one in folder().glob(f"session-{domain_id}-*") if one.name.rpartition("-")[2].isdecimal()]
+    return sorted(found, key=lambda path: path.lstat().st_mtime_ns, reverse=True)
+
+
+def live_sessions(domain_id: int) -> int:
+    """How many sessions of the domain answer; what others left behind is removed."""
+    count = 0
+    for path in sessions(domain_id):
+        try:
+            _connect(path).close()
+            count += 1
+        except NoSession:
+            path.unlink(missing_ok=True)
+    return count
+
+
+def _connect(path: Path) -> socket.socket:
     try:
         if HAS_UNIX:
             client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -78,11 +124,13 @@ def connect(domain_id: int) -> socket.socket:
         else:
             client = socket.create_connection(("127.0.0.1", json.loads(path.read_text())["port"]), timeout=5)
     except (OSError, ValueError, KeyError) as error:
-        raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}") from error
+        raise NoSession(f"no session listens at {path}") from error
     return client
 
 
 def close(server: socket.socket, domain_id: int) -> None:
     """Stop listening."""
+    if has_terminals(domain_id):
+        address(domain_id).unlink(missing_ok=True)
     server.close()
-    address(domain_id).unlink(missing_ok=True)
+    own_address(domain_id).unlink(missing_ok=True)

@@ -25,17 +25,26 @@ IDLE_SECONDS = 3.0
 
 
 class Door:
-    """Listens for a domain and runs what comes, each command as a process of the session."""
+    """Listens for a domain and runs what comes, each command as a process of the session.
 
-    def __init__(self, session: Session, domain_id: int) -> None:
+    `name` is the notebook whose session it is, '' where there is none. With `take` it has the terminals of the domain
+    from now on, else OSError is raised where another session has them.
+    """
+
+    def __init__(self, session: Session, domain_id: int, name: str = "", *, take: bool = False) -> None:
         self.session = session
         self.domain_id = domain_id
+        self.name = name
         self.guests = 0
         self.last_left = time.monotonic()
-        self._server = endpoint.listen(domain_id)
+        self._server = endpoint.listen(domain_id, take=take)
         self._token = endpoint.token(domain_id)
         self._thread = threading.Thread(target=self._accept, name="coursekit-door", daemon=True)
         self._thread.start()
+
+    def claim(self) -> bool:
+        """Have the terminals of the domain from now on; whether another session had them."""
+        return endpoint.claim(self.domain_id)
 
     def close(self) -> None:
         """Listen no more."""
@@ -79,6 +88,9 @@ class Guest:
         first = json.loads(next(lines, "{}"))
         if not self._door.allows(str(first.get("token", ""))):
             return
+        self._say({"session": self._door.name})
+        if "argv" not in first:
+            return  # it only wanted to know that
         self._start(first)
         for line in lines:
             self._hear(json.loads(line))
@@ -123,10 +135,10 @@ class Guest:
             pass  # the terminal is gone; its process is interrupted when that is seen
 
 
-def open_door(session: Session, domain_id: int) -> Door | None:
-    """Listen for the session; None when another one does already."""
+def open_door(session: Session, domain_id: int, name: str = "", *, take: bool = False) -> Door | None:
+    """Listen for the session; None when another one has the domain's terminals, or nobody can listen."""
     try:
-        return Door(session, domain_id)
+        return Door(session, domain_id, name, take=take)
     except OSError:
         return None
 

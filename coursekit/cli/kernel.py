@@ -1,4 +1,4 @@
-"""`python -m coursekit.cli.kernel`: IPython's kernel, which hears every request.
+"""`python -m coursekit.cli.kernel`: IPython's kernel with the lab in it, which hears every request.
 
 ipykernel 7.0 to 7.3 sends replies past the stream that reads requests from the same socket. A request that comes in that
 moment is never read, nor is any after it: the kernel is deaf until it is restarted (ipykernel's issue 1554). Later
@@ -7,6 +7,8 @@ versions are mended, but 7.4.0 lets widgets' synced traits get stuck, so the cou
 
 from __future__ import annotations
 
+import functools
+import importlib
 import json
 import sys
 from pathlib import Path
@@ -29,6 +31,30 @@ def hear_all(kernel: Any) -> None:
     thread.io_loop.add_callback(take)
 
 
+def keep_output_in_cells(shell: Any) -> None:
+    """Let what threads print go to the cell that ran last, never to a message from a widget.
+
+    A thread that began outside of any request prints to the request that came last. A viewer sends thirty messages a
+    second, and what is printed in answer to a message is shown nowhere: only cells may be that last request.
+    """
+    if not hasattr(shell, "_parent_header_global") or hasattr(shell.set_parent, "for_cells"):
+        return
+    set_parent = shell.set_parent
+
+    def take(request: dict[str, Any]) -> None:
+        header = request.get("header", {})
+        if header.get("msg_type") == "execute_request" and not request.get("content", {}).get("silent"):
+            set_parent(request)
+            return
+        shell._parent_header.set(request)  # for this thread alone
+        for one in (shell.displayhook, shell.display_pub, sys.stdout, sys.stderr):
+            if hasattr(one, "_parent_header"):
+                one._parent_header.set(header)
+
+    take.for_cells = True  # type: ignore[attr-defined]
+    shell.set_parent = take
+
+
 def write_kernelspec(folder: Path) -> Path:
     """Make JupyterLab start its Python kernels by this module: a folder for JUPYTER_PATH, written below `folder`."""
     place = folder / ".coursekit" / "jupyter"
@@ -44,14 +70,37 @@ def write_kernelspec(folder: Path) -> Path:
     return place
 
 
+def load_lab(shell: Any) -> None:
+    """Have the names and magics of the lab in a kernel before its first cell, also after a restart."""
+    try:
+        lab = importlib.import_module("coursekit.lab")
+    except Exception as error:  # a kernel that starts and says what is wrong is better than none
+        shell.events.register("pre_run_cell", functools.partial(_say_once, shell, f"The lab did not start: {error!r}"))
+        return
+    names = {name: getattr(lab, name) for name in lab.__all__}
+    shell.user_ns.update(names)
+    shell.user_ns_hidden.update(names)
+
+
+def _say_once(shell: Any, text: str, *_event: Any) -> None:
+    callbacks = shell.events.callbacks["pre_run_cell"]
+    callbacks[:] = [one for one in callbacks if getattr(one, "func", None) is not _say_once]
+    print(f"{text}\nWhat is wrong, and the cure: !coursekit doctor", file=sys.stderr)
+
+
 def main() -> None:
-    """Run a kernel that hears all."""
+    """Run a kernel of the course."""
     from ipykernel.kernelapp import IPKernelApp
 
     class KernelApp(IPKernelApp):
         def init_kernel(self) -> None:
             super().init_kernel()
             hear_all(self.kernel)
+            keep_output_in_cells(self.kernel.shell)
+
+        def init_code(self) -> None:
+            super().init_code()
+            load_lab(self.shell)
 
     KernelApp.launch_instance()
 

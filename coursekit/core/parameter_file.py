@@ -13,6 +13,7 @@ from pathlib import Path
 import yaml
 
 from coursekit.core import names
+from coursekit.files import read_text
 
 Scalar = bool | int | float | str
 Value = Scalar | list[bool] | list[int] | list[float] | list[str] | None
@@ -110,7 +111,7 @@ def parse(text: str) -> Overrides:
 def read(path: str | Path) -> Overrides:
     """Return what the parameter file at `path` says. Raises ParameterFileError."""
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        text = read_text(path)
     except OSError as error:
         raise ParameterFileError(f"Error opening YAML file: {error.strerror}: {path}") from error
     except UnicodeDecodeError as error:
@@ -154,6 +155,8 @@ def _compose(text: str) -> list[yaml.Node]:
         raise ParameterFileError(f"Error parsing a event near line {line}: {error.problem}") from error
     except yaml.YAMLError as error:
         raise ParameterFileError(f"Error parsing a event near line 1: {error}") from error
+    except RecursionError:
+        raise ParameterFileError("Error parsing a event near line 1: it is nested too deep") from None
 
 
 class _Loader(yaml.SafeLoader):

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import os
-import traceback
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from coursekit.view.working import Working
 
 from . import events
+from .builds import build_note
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
+from .outputs import exception_in
+from .plain import error_of
 from .progress import Progress
 from .verdict import CheckFailed, Verdict, Wrong
 from .work import Work
@@ -30,38 +33,81 @@ def judge(
     tries: int = 1,
     variants: Mapping[str, Any] | None = None,
 ) -> Verdict:
-    """The verdict on the work as it is now. After the second failure a hint is given, with each further one the next."""
+    """The verdict on the work as it is now. From the second failure on a hint is given."""
     work = Work(variables, folder)
     work.variants = variants or {}
-    return judge_work(exercise, work, tries)
+    noted = _Noted(work)
+    verdict = judge_work(exercise, noted, tries)
+    return replace(verdict, note=build_note(folder, noted.packages))
 
 
-def judge_work(exercise: Exercise, work: Work, tries: int = 1) -> Verdict:
-    """The verdict on work wherever it is."""
+def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
+    """The verdict on work wherever it is: all points only when its judge came to an end without an objection."""
+    noted = work if isinstance(work, _Noted) else _Noted(work)
     try:
-        exercise.judge(work)
+        exercise.judge(noted)
     except Wrong as wrong:
-        hints = exercise.hints
-        hint = hints[min(tries - 2, len(hints) - 1)] if hints and tries >= 2 else ""
-        return Verdict(
-            exercise.name,
-            exercise.title,
-            round(exercise.points * wrong.share, 2),
-            exercise.points,
-            wrong.expected,
-            wrong.got,
-            wrong.cause,
-            hint,
-        )
+        return _refused(exercise, wrong, noted, tries)
     except (Gone, NeedsWorkspace):
         raise
     except NotImplementedError:
         return Verdict(exercise.name, exercise.title, 0, exercise.points, "your code", "the stub is still there")
     except Exception as error:
-        where = traceback.extract_tb(error.__traceback__)[-1]
-        seen = f"{type(error).__name__}: {error} (line {where.lineno} of {Path(where.filename).name})"
-        return Verdict(exercise.name, exercise.title, 0, exercise.points, "code that runs", seen)
+        return Verdict(exercise.name, exercise.title, 0, exercise.points, "code that runs", error_of(error))
     return Verdict(exercise.name, exercise.title, exercise.points, exercise.points)
+
+
+def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:
+    """The verdict that says what is wrong; what a program died of comes first."""
+    died, got = noted.death(), wrong.got
+    if died and died not in got:
+        got = f"your program died: {died}" + (f"; {got}" if got else "")
+    return Verdict(
+        exercise.name,
+        exercise.title,
+        round(exercise.points * wrong.share, 2),
+        exercise.points,
+        wrong.expected,
+        got,
+        wrong.cause,
+        _hint(exercise.hints, wrong, tries),
+        wrong.gave,
+    )
+
+
+def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
+    """From the second try on the hint that fits the fault; where the judge cannot tell, with each try the next one."""
+    if not hints or tries < 2:
+        return ""
+    return hints[min(tries - 2 if wrong.hint is None else wrong.hint, len(hints) - 1)]
+
+
+class _Noted:
+    """Work as a judge asks about it; which packages it needs and what the programs said last is remembered."""
+
+    def __init__(self, work: Any) -> None:
+        self._work = work
+        self.packages: list[str] = []
+        self._seen: Any = None
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._work, name)
+
+    def built(self, package: str) -> Any:
+        """Note the package, then ask."""
+        self.packages.append(package)
+        return self._work.built(package)
+
+    def try_out(self, *commands: str, **plan: Any) -> Any:
+        """Try out, and keep what was seen."""
+        self._seen = None
+        self._seen = self._work.try_out(*commands, **plan)
+        return self._seen
+
+    def death(self) -> str:
+        """The exception that ended one of the programs that were tried out last; empty when none did."""
+        outputs = getattr(self._seen, "outputs", [])
+        return next((told for one in outputs if isinstance(one, str) and (told := exception_in(one))), "")
 
 
 def check(name: str, **variants: Any) -> None:

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -181,8 +181,15 @@ def _run_and_judge(
 
 def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
     found = judge_work(exercise, work, FIRST_HINT)
-    texts = [found.expected, found.got, found.cause, found.hint]
-    return Verdict(found.name, found.title, found.points, found.of, *(_plain(one) for one in texts))
+    return replace(
+        found,
+        expected=_plain(found.expected),
+        got=_plain(found.got),
+        cause=_plain(found.cause),
+        hint=_plain(found.hint),
+        gave=_plain(found.gave),
+        note=_plain(found.note),
+    )
 
 
 def _plain(text: str) -> str:

@@ -24,6 +24,14 @@ class Exercise:
     judge: Callable[[Any], None]
 
 
+class UnknownExercise(LookupError):
+    """There is no exercise of that name; the text says which there are."""
+
+    def _render_traceback_(self) -> list[str]:
+        """IPython shows this instead of a traceback."""
+        return [str(self)]
+
+
 _known: dict[str, Exercise] = {}
 
 
@@ -53,9 +61,12 @@ def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
 
 
 def find(name: str) -> Exercise:
-    """The exercise of that name; LookupError lists close names."""
+    """The exercise of that name; UnknownExercise lists those of its chapter, or close names."""
     known = all_exercises()
-    if name in known:
+    if type(name) is str and name in known:
         return known[name]
-    close = difflib.get_close_matches(name, known, 3) or list(known)[:10]
-    raise LookupError(f"There is no exercise '{name}'. Did you mean: {', '.join(close)}?")
+    said = str(name)[:40]
+    of_chapter = [one for one in known if one.startswith(said.partition(".")[0] + ".")]
+    close = of_chapter or difflib.get_close_matches(said, known, 3)
+    there = f"There are: {', '.join(close)}." if close else "Names are like ch02.q1 and appb.q1."
+    raise UnknownExercise(f"There is no exercise '{said}'. {there}")

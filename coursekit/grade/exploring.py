@@ -18,9 +18,12 @@ Cell = tuple[int, int]
 
 
 class Unseen:
-    """A world file as cells; `cells` is what was seen so far, `here` where the robot is (row, column)."""
+    """A world file as cells; `cells` is what was seen so far, `here` where the robot is (row, column).
 
-    def __init__(self, world: Path, sight: float = 4.0) -> None:
+    It begins where the world says, or, with `part` from 0 to 1, somewhere else on the floor that leads there.
+    """
+
+    def __init__(self, world: Path, sight: float = 4.0, part: float | None = None) -> None:
         made = load_world(world)
         cut = made.cut(0.2)
         points = outline_points(cut.edges, cut.circles, 0.02)
@@ -33,6 +36,9 @@ class Unseen:
         self.here: Cell = (int(row), int(column))
         areas, _ = ndimage.label(self._open)
         self._reachable = areas == areas[self.here]
+        if part is not None:
+            floor = np.argwhere(self._reachable)
+            self.here = tuple(floor[int(part * (len(floor) - 1))].tolist())
         self.cells = np.full((rows, columns), UNKNOWN, np.int8)
         self.way = 0.0
         angles, along = np.linspace(0, 2 * math.pi, BEAMS, endpoint=False), np.arange(0, sight / CELL, 0.4)

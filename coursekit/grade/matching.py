@@ -17,7 +17,10 @@ CLEAR = 0.35
 
 
 class Puzzle:
-    """One scan: `points` (n, 2) [m] as the robot sees them, `gap` of the true walls, `guess`, and `truth` [m, m, rad]."""
+    """One scan: `points` (n, 2) [m] as the robot sees them, `gap` of the true walls, `guess`, and `truth` [m, m, rad].
+
+    The same `number` makes the same puzzle; those of the judge are drawn and nobody knows them.
+    """
 
     def __init__(self, world: Path, number: int = 0, off: float = 0.3, turned: float = 0.15) -> None:
         made, chance = load_world(world), np.random.default_rng(800 + number)

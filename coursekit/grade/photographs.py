@@ -15,17 +15,17 @@ Flat = tuple[float, float]
 def judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str) -> None:
     """Raise Wrong unless every side is seen whole, from outside and from not too near; poses are (place, yaw)."""
     sides = list(zip(corners, corners[1:] + corners[:1], strict=True))
-    near = min(_away(place, *side) for place, _ in poses for side in sides)
+    away = min(_away(place, *side) for place, _ in poses for side in sides)
     inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
-    if near < 0.8 - 1e-6 or inside:
-        got = "one stands in it" if inside else f"one is {near:.2f} m from a side"
-        raise Wrong(f"0.8 m of room around {name}", got, share=0.25)
+    if inside or not away >= 0.8 - 1e-6:
+        got = "one stands in it" if inside else f"one is {away:.2f} m from a side"
+        raise Wrong(f"0.8 m of room around {name}", gave=got, share=0.25)
     for number, side in enumerate(sides, 1):
         faults = [fault for place, yaw in poses if (fault := _fault(place, yaw, *side))]
         if len(faults) == len(poses):
             best = max(faults)[1]
             wanted = f"a photograph of side {number} of {name}, from {told(side[0])} to {told(side[1])}"
-            raise Wrong(wanted, best, share=0.25)
+            raise Wrong(wanted, gave=best, share=0.25)
 
 
 def _height(place: Flat, a: Flat, b: Flat) -> float:
@@ -45,14 +45,14 @@ def _fault(place: Flat, yaw: float, a: Flat, b: Flat) -> tuple[int, str] | None:
     """Why a pose does not show a side, the later in the list the better it is; None when it does."""
     middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
     far, height = math.dist(place, middle), _height(place, a, b)
-    if height <= 0:
+    if not height > 0:
         return 1, "all poses stand on its other side"
-    if height < far * math.cos(math.radians(45.0)) - 1e-6:
+    if not height >= far * math.cos(math.radians(45.0)) - 1e-6:
         return 2, "the nearest to it looks at it from too far aside"
     if not 1.0 - 1e-6 <= far <= 2.5 + 1e-6:
         return 3, f"the one before it is {far:.2f} m from its middle"
     turns = [abs(math.remainder(math.atan2(end[1] - place[1], end[0] - place[0]) - yaw, math.tau)) for end in (a, b)]
-    if max(turns) > HALF_VIEW + 1e-6:
+    if not max(turns) <= HALF_VIEW + 1e-6:
         return 4, f"the one before it has an end {math.degrees(max(turns)):.0f}° off the middle of its picture"
     return None
 

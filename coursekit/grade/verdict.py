@@ -17,18 +17,32 @@ class CheckFailed(Exception):
 class Wrong(Exception):
     """Raised by a check: what was expected, what was seen, and the likely cause."""
 
-    def __init__(self, expected: str, got: str = "", cause: str = "", *, share: float = 0.0) -> None:
+    def __init__(
+        self,
+        expected: str,
+        got: str = "",
+        cause: str = "",
+        *,
+        share: float = 0.0,
+        gave: str = "",
+        hint: int | None = None,
+    ) -> None:
         super().__init__(expected)
         self.expected = expected
         self.got = got
+        """What was seen when the work was tried out."""
         self.cause = cause
         self.share = share
         """The part of the points that is earned all the same, 0 to 1."""
+        self.gave = gave
+        """The student's own answer: the value of a variable, what a function returned."""
+        self.hint = hint
+        """Which of the exercise's hints fits this fault, from 0; None where that cannot be told."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """The outcome of one check."""
+    """The outcome of one check: `got` is what was seen in a trial, `gave` the student's own answer."""
 
     name: str
     title: str
@@ -38,6 +52,9 @@ class Verdict:
     got: str = ""
     cause: str = ""
     hint: str = ""
+    gave: str = ""
+    note: str = ""
+    """What is to be known whether it passed or not: that the build is older than the source, say."""
 
     @property
     def passed(self) -> bool:
@@ -50,13 +67,16 @@ class Verdict:
         >>> print(Verdict("ch02.q1", "Publish", 2, 2).text())
         ✔ ch02.q1 Publish: 2 of 2 points
         """
-        lines = [f"{'✔' if self.passed else '✘'} {self.name} {self.title}: {self.points:g} of {self.of:g} points"]
+        lines = [f"{'✔' if self.passed else '✘'} {self.name} {self.title}: {self.points:g} of {points(self.of)}"]
         lines += [f"  {label}: {value}" for label, value in self._rows()]
         return "\n".join(lines)
 
     def _rows(self) -> list[tuple[str, str]]:
-        rows = [("expected", self.expected), ("seen", self.got), ("likely cause", self.cause), ("hint", self.hint)]
-        return [(label, value) for label, value in rows if value and not self.passed]
+        rows = [("expected", self.expected), ("you gave", self.gave), ("seen", self.got)]
+        rows += [("likely cause", self.cause), ("hint", self.hint)]
+        return [(label, value) for label, value in rows if value and not self.passed] + (
+            [("note", self.note)] if self.note else []
+        )
 
     def html(self) -> str:
         """For the notebook."""
@@ -71,5 +91,14 @@ class Verdict:
         return (
             f"<div style='border-left:4px solid {colour};padding:6px 12px;margin:4px 0'>"
             f"<b style='color:{colour}'>{mark} {html.escape(self.name)}</b> {html.escape(self.title)}: "
-            f"<b>{self.points:g}</b> of {self.of:g} points{table}</div>"
+            f"<b>{self.points:g}</b> of {points(self.of)}{table}</div>"
         )
+
+
+def points(number: float) -> str:
+    """A number of points in words.
+
+    >>> points(1), points(2.5)
+    ('1 point', '2.5 points')
+    """
+    return f"{number:g} point{'' if number == 1 else 's'}"

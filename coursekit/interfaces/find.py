@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from coursekit.files import is_file
 from coursekit.interfaces.errors import UnknownInterface
 
 UNDERLAY = Path(__file__).resolve().parent.parent
@@ -46,7 +47,7 @@ def find_definition(name: str) -> Path:
     package, kind, short = split_name(name)
     for prefix in prefixes():
         path = prefix / "share" / package / kind / f"{short}.{kind}"
-        if path.is_file():
+        if is_file(path):
             return path
     raise UnknownInterface(name, known_interfaces())
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.literals import LiteralError, parse_scalar, parse_value
 from coursekit.interfaces.model import (
@@ -178,8 +179,8 @@ class _Reader:
         if base in PRIMITIVES:
             return base
         parts = base.split("/")
-        if len(parts) == 3 and parts[1] == "msg":
-            parts = [parts[0], parts[2]]
+        if len(parts) == 3 and parts[1] == "msg":  # as it is written elsewhere; rosidl's parser refuses it, too
+            raise self.error(f"in a definition '{base}' is written {parts[0]}/{parts[2]}", index)
         package, name = parts if len(parts) == 2 else (self.package, base)
         if base in ("time", "duration"):
             known = f"builtin_interfaces/{base.capitalize()}"
@@ -225,7 +226,9 @@ def _parts(lines: list[str], count: int, kind: str, file: str) -> list[tuple[int
 def parse_file(package: str, path: Path) -> Interface:
     """Read one definition file; the kind is its suffix, the name its stem."""
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_text(path)
+    except OSError as error:
+        raise InterfaceError(f"the file cannot be read: {error.strerror}", file=str(path)) from None
     except UnicodeDecodeError as error:
         raise InterfaceError(
             f"the file is not UTF-8 text ({error.reason} at byte {error.start})", file=str(path)

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
 import os
 import sys
 import time
+from collections import Counter
 from typing import Any
 
 import ipywidgets
 
-from coursekit.cli.kernel import hear_all
+from coursekit.cli.kernel import hear_all, keep_output_in_cells
 from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
@@ -37,25 +39,29 @@ def start() -> Session:
     source_underlay(os.environ)
     os.environ.setdefault("COURSEKIT_COURSE", os.path.abspath("."))  # said once: a cell may change the folder
     os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
-    os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
+    with contextlib.suppress(OSError):  # a folder that can only be read may still be looked at; writing says what is wrong
+        os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
     streams.install()
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
         session.embedded = True
         hear_all(shell.kernel)
+        keep_output_in_cells(shell)
         cells = Cells(session, shell)
         _state["cells"] = cells
         _register_magics(shell)
-        if not session.clock.virtual:
-            _have_a_subshell(shell.kernel)
+        if cells.in_cell:
+            _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
         _open_door(session)
     atexit.register(_stop)
     return session
 
 
-def _have_a_subshell(kernel: Any) -> None:
+def _have_a_subshell(session: Session, kernel: Any) -> None:
     """Show JupyterLab a widget now: with the first it makes the subshell that answers panels while a cell runs."""
+    if session.clock.virtual or "first widget" in _state:
+        return
     _state["first widget"] = ipywidgets.Layout()
     thread = getattr(kernel, "shell_channel_thread", None)
     give_up = time.monotonic() + SUBSHELL_SECONDS
@@ -71,15 +77,31 @@ def _register_magics(shell: Any) -> None:
 
 
 def _open_door(session: Session) -> None:
+    """Have the terminals of the domain: the notebook that is opened last has them, until a cell of another is run."""
     from coursekit.cli.attach import domain_id
     from coursekit.cli.hub import open_door
 
-    _state["door"] = open_door(session, domain_id())
+    _state["door"] = open_door(session, domain_id(), notebook_name(), take=True)
     if _state["door"] is None:
-        print(
-            f"Another session already answers terminals for ROS_DOMAIN_ID={domain_id()} (another notebook?). "
-            "Its graph is what `ros2` in a terminal shows; close that notebook's kernel to have this one's."
-        )
+        print("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor")
+
+
+def notebook_name() -> str:
+    """The file of this kernel's notebook, as far as Jupyter or VS Code tells it."""
+    path = os.environ.get("JPY_SESSION_NAME") or running_variables().get("__vsc_ipynb_file__") or "a notebook"
+    return os.path.basename(str(path))
+
+
+def running_variables() -> dict[str, Any]:
+    """The variables of the notebook; none outside of one."""
+    return dict(getattr(running_shell(), "user_ns", {}))
+
+
+def _claim_terminals() -> None:
+    door = _state.get("door")
+    if door is not None:
+        with contextlib.suppress(OSError):
+            door.claim()
 
 
 def _stop() -> None:
@@ -94,6 +116,7 @@ def _stop() -> None:
 def reset() -> None:
     """End every process and node of the session, as if the kernel had been restarted; variables stay."""
     session = start()
+    _claim_terminals()
     ended = len(session.processes)
     for process in list(session.processes):
         process.interrupt()
@@ -126,11 +149,18 @@ class Cells:
         self.made: dict[str, list[Any]] = {}
         self.ran: dict[str, str] = {}
         """The text of each cell as it was run last."""
-        session.in_cell = False
+        self.counts: Counter[str] = Counter()
+        """How often the running cell has done what."""
+        self.shell = shell
         session.on_start.append(self._note_process)
         shell.events.register("pre_run_cell", self._begin)
         shell.events.register("post_run_cell", self._end)
-        self.session.in_cell = True  # the cell that imports the lab is running
+        session.in_cell = bool(shell.kernel.get_parent())  # the one that imports the lab, or the kernel starts with it
+
+    @property
+    def in_cell(self) -> bool:
+        """Whether a cell runs now."""
+        return bool(self.session.in_cell)
 
     def _note_process(self, process: Any) -> None:
         if process.parent is None and self.session.in_cell and self.cell:
@@ -145,6 +175,7 @@ class Cells:
 
     def _begin(self, info: Any) -> None:
         self.cell = getattr(info, "cell_id", None) or ""
+        self.counts.clear()
         if self.cell:
             self.ran.pop(self.cell, None)  # the cell that runs comes last
             self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
@@ -152,6 +183,8 @@ class Cells:
         if replaced:
             print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
         self.session.in_cell = True
+        _claim_terminals()
+        _have_a_subshell(self.session, self.shell.kernel)
 
     def _end(self, _result: Any) -> None:
         if self.cell:
@@ -178,6 +211,15 @@ def this_cell() -> str:
     """The id of the cell that runs now or ran last; '' outside of a kernel."""
     cells = _state.get("cells")
     return cells.cell if cells is not None else ""
+
+
+def run_number(what: str) -> int:
+    """Which time it is that the running cell does this: 0, then 1, ..."""
+    cells = _state.get("cells")
+    if cells is None:
+        return 0
+    cells.counts[what] += 1
+    return int(cells.counts[what]) - 1
 
 
 def give_to(cell: str, process: Any) -> None:
@@ -209,4 +251,4 @@ def _end_one(one: Any) -> bool:
     return True
 
 
-__all__ = ["adopt", "give_to", "last_runs", "reset", "start", "this_cell"]
+__all__ = ["adopt", "give_to", "last_runs", "reset", "run_number", "start", "this_cell"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextvars
 import os
 import re
 import shlex
@@ -19,6 +20,7 @@ from coursekit.view.working import Working
 from .errors import NotThere
 from .kernel import adopt
 from .terminal import Terminal, Terminals
+from .written import Written
 
 _terminals: dict[str, Terminal] = {}
 _DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
@@ -45,14 +47,18 @@ def wait(seconds: float) -> None:
 
 
 def edit(path: str, old: str, new: str) -> None:
-    """Replace `old` by `new` in a file of the workspace and show the new lines; harmless the second time."""
+    """Replace `old` by `new` in a file of the workspace and show the new lines.
+
+    It can be run again at any time: an addition that is there is not added twice, and a cell whose edit was changed
+    replaces its own earlier one. LookupError when the file or the text is not there.
+    """
     file = workspace() / path
-    text = file.read_text(encoding="utf-8")
-    if old not in text and new not in text:
-        raise NotThere(f"{path} does not contain {old!r}. Print it with: %show {path}")
-    if new not in text:
-        file.write_text(text.replace(old, new, 1), encoding="utf-8")
-    print(f"{path}:", *(f"    {line}" for line in new.splitlines()), sep="\n")
+    if not file.is_file():
+        raise NotThere(f"There is no {path} in {workspace().name}/. Is the name right, was the cell above run?")
+    if Written(file).edit(old, new):
+        print(f"{path}:", *(f"    {line}" for line in new.splitlines()), sep="\n")
+    else:
+        print(f"{path}: this edit was made before, and the lines were changed since. They stay as they are.")
 
 
 @magics_class
@@ -101,16 +107,13 @@ class CourseMagics(Magics):
     def write(self, line: str, cell: str) -> None:
         """Write the cell to a file of the workspace: `%%write src/my_package/my_package/my_node.py`.
 
-        `%%write -a FILE` puts it below what the file holds, once however often the cell is run.
+        `%%write -a FILE` puts it below what the file holds. A cell that is run again replaces its own part.
         """
         name = line.strip()
         append = name.startswith("-a ")
         name = name.removeprefix("-a ").strip()
-        path = workspace() / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        above = path.read_text(encoding="utf-8").removesuffix(cell) if append and path.exists() else ""
-        path.write_text(above + cell, encoding="utf-8")
-        total = len((above + cell).splitlines())
+        written = Written(workspace() / name)
+        total = len((written.append(cell) if append else written.write(cell)).splitlines())
         print(f"Wrote {workspace().name}/{name} ({total} lines)")
 
     @line_magic
@@ -152,7 +155,8 @@ def _to_cell(background: bool, change: Any = str) -> Any:
     """Where output goes: into the cell that waits for it, or only into the terminal."""
     if background:
         return None
-    return lambda stream, text: print(_without_folders(change(text)), end="")
+    cell = contextvars.copy_context()  # it knows the cell, also in the thread that reads a child process
+    return lambda stream, text: cell.copy().run(print, _without_folders(change(text)), end="")
 
 
 def _without_folders(text: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 import yaml
 
+from coursekit.files import read_bytes, write_whole
 from coursekit.nav.map_cells import FREE_BELOW, MODES, OCCUPIED_ABOVE, cells_of, picture_of
 from coursekit.nav.map_error import MapError
 from coursekit.nav.map_picture import FORMATS, read_picture, write_picture
@@ -90,7 +92,7 @@ def save_map(
     shades = picture_of(cells, mode=mode, occupied_thresh=occupied_thresh, free_thresh=free_thresh)
     picture, description = Path(f"{stem}.{kind}"), Path(f"{stem}.yaml")
     write_picture(picture, shades)
-    description.write_text(_described(picture.name, grid, mode, occupied_thresh, free_thresh), encoding="utf-8")
+    write_whole(description, _described(picture.name, grid, mode, occupied_thresh, free_thresh))
     return description, picture
 
 
@@ -139,13 +141,11 @@ def read_description(path: str | Path) -> MapDescription:
 def _entries(file: Path) -> dict[str, Any]:
     name = str(file)
     try:
-        with file.open("rb") as stream:
-            data = stream.read(MAX_DESCRIPTION_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise MapError(name, f"cannot be read: {reason}", "name the .yaml file of a map") from None
-    if len(data) > MAX_DESCRIPTION_BYTES:
-        raise MapError(name, "is too large for a map's description", "name the .yaml file, not the picture")
+        data = read_bytes(file, MAX_DESCRIPTION_BYTES)
+    except OSError as error:
+        if error.errno == errno.EFBIG:
+            raise MapError(name, "is too large for a map's description", "name the .yaml file, not the picture") from None
+        raise MapError(name, f"cannot be read: {error.strerror}", "name the .yaml file of a map") from None
     try:
         entries = yaml.safe_load(data.decode("utf-8"))
     except (yaml.YAMLError, ValueError, RecursionError) as error:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import re
 from pathlib import Path
 
 import cv2
 import numpy as np
 
+from coursekit.files import read_bytes, write_whole
 from coursekit.nav.map_error import MapError
 
 FORMATS = ("pgm", "png", "bmp")
@@ -37,17 +39,16 @@ def write_picture(path: Path, shades: np.ndarray) -> None:
     done, data = cv2.imencode(path.suffix, shades)
     if not done:
         raise OSError(f"{path}: the picture cannot be written as {path.suffix}")
-    path.write_bytes(data.tobytes())
+    write_whole(path, data.tobytes())
 
 
 def _bytes(path: Path) -> bytes:
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise _bad(path, f"is larger than {MAX_BYTES // 2**20} MB", "crop the map or make its cells larger")
-        return path.read_bytes()
-    except (OSError, ValueError) as error:
-        if isinstance(error, MapError):
-            raise
+        return read_bytes(path, MAX_BYTES)
+    except OSError as error:
+        if error.errno == errno.EFBIG:
+            what = f"the picture is larger than {MAX_BYTES // 2**20} MB"
+            raise _bad(path, what, "crop the map or make its cells larger") from None
         reason = getattr(error, "strerror", None) or str(error)
         cure = "put the picture there, or correct 'image:' (a path beside the .yaml)"
         raise _bad(path, f"the picture cannot be read: {reason}", cure) from None

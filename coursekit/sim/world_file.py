@@ -29,6 +29,8 @@ from typing import Any
 
 import yaml
 
+from coursekit.files import read_text
+
 from .elements import ELEMENTS, Fields
 from .errors import WorldError, known
 from .place import Place
@@ -67,7 +69,7 @@ def load_world(path: str | Path) -> World:
     """The world of a YAML file. Raises WorldError, also when there is no such file."""
     file = Path(path)
     try:
-        text = file.read_text("utf-8")
+        text = read_text(file)
     except (OSError, UnicodeDecodeError) as error:
         beside = [one.name for one in file.parent.glob("*.yaml")] if file.parent.is_dir() else []
         cure = f"Check the path. {known(file.name, beside)}"

@@ -23,6 +23,9 @@ def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = N
     """
     import xacro
 
+    from .expressions import evaluate
+
+    xacro.safe_eval = evaluate
     file = os.fspath(path)
     said = io.StringIO()
     with _alone, contextlib.redirect_stderr(said):

@@ -8,6 +8,8 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from coursekit.files import is_file, read_text
+
 from .errors import UrdfError, close
 from .joints import read_joint
 from .links import read_link, read_material
@@ -70,14 +72,15 @@ def load_text(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
     from .expand import expand
 
     path = Path(path)
-    if not path.is_file():
+    if not is_file(path):
         beside = sorted(one.name for one in path.parent.glob("*") if one.suffix in (".urdf", ".xacro"))
         cure = close(path.name, beside) if beside else f"Does the folder {path.parent} exist, and is it the right one?"
         raise UrdfError("there is no such file", file=str(path), cure=cure)
-    if path.suffix == ".xacro":
-        return expand(path, arguments)
     try:
-        return path.read_text(encoding="utf-8")
+        text = read_text(path)
+        return expand(path, arguments) if path.suffix == ".xacro" else text
+    except OSError as error:
+        raise UrdfError(f"cannot be read: {error.strerror}", file=str(path), cure="A robot description is text.") from None
     except UnicodeDecodeError as error:
         cure = "Is it a mesh or an archive? A robot description is text."
         raise UrdfError(f"is no UTF-8 text: {error}", file=str(path), cure=cure) from None

@@ -16,6 +16,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
+from coursekit.files import is_file, is_folder
+
 from .errors import MeshError, close
 
 UNDERLAY = Path(__file__).resolve().parents[1]
@@ -63,14 +65,14 @@ def find_package(name: str, near: Path | None = None) -> Path:
     """The folder of a package; `near` is the robot's file. MeshError tells the folders that were searched."""
     searched = package_paths()
     for folder in searched:
-        if (folder / name).is_dir():
+        if is_folder(folder / name):
             return folder / name
-        if folder.name == name and folder.is_dir():
+        if folder.name == name and is_folder(folder):
             return folder
     for folder in near.resolve().parents if near is not None else ():
         if folder.name == name:
             return folder
-        if (folder / name).is_dir():
+        if is_folder(folder / name):
             return folder / name
     raise MeshError(f"package '{name}' not found", cure=_where(name, searched))
 
@@ -108,16 +110,23 @@ def find_file(uri: str, near: Path | None = None) -> Path:
         raise MeshError(f"'{uri}' cannot be read: '{parts.scheme}://' is not known here", cure=cure)
     else:
         path = Path(uri) if near is None else near.resolve().parent / uri
-    if path.exists() and not path.is_file():
+    if not is_file(path) and (is_folder(path) or _is_device(path)):
         raise MeshError(f"'{uri}' is no file: {path} is a folder or a device", cure="Name the mesh file itself.")
-    if not path.is_file():
+    if not is_file(path):
         raise MeshError(f"'{uri}' not found: there is no file {path}", cure=_beside(path))
     return path
 
 
+def _is_device(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False
+
+
 def _beside(path: Path) -> str:
     folder = path.parent
-    if not folder.is_dir():
+    if not is_folder(folder):
         return f"There is no folder {folder} either. Is it listed in setup.py's data_files, and was the package built?"
     there = sorted(one.name for one in folder.iterdir())
     return f"{close(path.name, there)} Is it listed in setup.py's data_files, and was the package built?"

@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from coursekit.files import read_bytes
+
 from .errors import MeshError
 from .kinematics import Kinematics
 from .model import Box, Collision, Colour, Cylinder, Geometry, Link, Mesh, Origin, Robot, Sphere, Visual
@@ -97,9 +99,10 @@ def _load(path: Path, _changed: int) -> tuple[Surface, ...]:
             cure=f"Save it as one of: {', '.join(FORMATS)}.",
         )
     try:
+        data = read_bytes(path)
         parts = _parts(path)
         if not parts and path.suffix.lower() == ".dae":
-            parts = _parts(path, io.BytesIO(_MATERIALS.sub(b"", path.read_bytes())))
+            parts = _parts(path, io.BytesIO(_MATERIALS.sub(b"", data)))
     except Exception as error:  # the readers of six formats fail in as many ways
         what = f"is no {path.suffix[1:].upper()} mesh that can be read: {type(error).__name__}: {error}"
         raise MeshError(what, file=str(path), cure="Export it again, or try another format.") from None

@@ -52,6 +52,9 @@ def test_a_service_has_two_parts_and_an_action_three():
     [
         ("float64 x\nflot32 y", 2, 1, "did you mean 'float32'?"),
         ("float64", 1, 1, "needs a name"),
+        ("geometry_msgs/msg/Point center", 1, 1, "'geometry_msgs/msg/Point' is written geometry_msgs/Point"),
+        ("geometry_msgs/msg/Point[] centers", 1, 1, "is written geometry_msgs/Point"),
+        ("a/b/c/Point center", 1, 1, "unknown type"),
         ("float64 Xy", 1, 9, "no field name"),
         ("float64 x_", 1, 9, "no field name"),
         ("float64 lambda", 1, 9, "Python"),

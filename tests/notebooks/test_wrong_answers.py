@@ -1,4 +1,4 @@
-"""For every exercise two wrong answers fail, with a message that helps; then the solution earns full points."""
+"""For every exercise two wrong answers fail, with words that help; other right ones and the solution earn all points."""
 
 import importlib
 import pkgutil
@@ -23,6 +23,10 @@ def wrong_answers(module):
     return importlib.import_module(f"{wrong.__name__}.{module}").WRONG
 
 
+def other_right_answers(module):
+    return getattr(importlib.import_module(f"{wrong.__name__}.{module}"), "RIGHT", {})
+
+
 def grading(cell):
     return cell.metadata.get("nbgrader", {})
 
@@ -39,7 +43,7 @@ def verdict_of(cell):
 @pytest.mark.parametrize("module", MODULES)
 def test_wrong_answers_fail_with_help_and_the_solution_earns_all_points(module, tmp_path):
     notebook = nbformat.read(CHAPTERS[module.removeprefix("ch").removeprefix("app")], as_version=4)
-    answers = wrong_answers(module)
+    answers, others = wrong_answers(module), other_right_answers(module)
     (tmp_path / "ros2_ws" / "src").mkdir(parents=True)
     with course_environment(tmp_path):
         client = NotebookClient(
@@ -48,10 +52,25 @@ def test_wrong_answers_fail_with_help_and_the_solution_earns_all_points(module, 
         with client.setup_kernel():
             for index, cell in enumerate(notebook.cells):
                 if grading(cell).get("solution"):
-                    fail_first(client, notebook.cells, index, answers.get(grading(cell)["grade_id"].replace("-", "."), []))
+                    name = grading(cell)["grade_id"].replace("-", ".")
+                    fail_first(client, notebook.cells, index, answers.get(name, []))
+                    pass_too(client, notebook.cells, index, others.get(name, []))
                 client.execute_cell(cell, index)
                 if grading(cell).get("grade"):
                     assert verdict_of(cell).startswith("✔"), verdict_of(cell)
+
+
+def pass_too(client, cells, index, texts):
+    """Run each text in the solution's place, and what follows it up to the check, which must take it."""
+    name = grading(cells[index])["grade_id"]
+    for text in texts:
+        copies = [nbformat.from_dict(dict(cell)) for cell in cells[index:]]
+        copies[0].source = text
+        for offset, cell in enumerate(copies):
+            client.execute_cell(cell, index + offset)
+            if grading(cell).get("grade_id") == f"{name}-check":
+                assert verdict_of(cell).startswith("✔"), (text, verdict_of(cell))
+                break
 
 
 def fail_first(client, cells, index, texts):
@@ -69,6 +88,7 @@ def fail_first(client, cells, index, texts):
                     assert error.ename == "CheckFailed", (text, str(error))
                     said = verdict_of(cell)
                     assert said.startswith("✘") and "expected:" in said, said
+                    print(text[-300:], said, sep="\n")
                     break
                 continue  # a wrong answer may break cells before the check
             assert not is_check, f"a wrong answer to {name} passes: {text}"

@@ -6,6 +6,8 @@ import re
 from itertools import pairwise
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import exit_code, heard, said, way_of
+from coursekit.grade.plain import fields, near, shown, texts
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -27,22 +29,25 @@ BROKEN = {
 def where(work: Work) -> None:
     """One number, the x at which the turtle stands, from a command that ends."""
     command = _command(work.value("command", str), "command")
-    drive = (0.5, CMD_VEL, TWIST, {"linear": {"x": 2.0}, "angular": {"z": 0.6}})
-    seen = work.try_out(TURTLESIM, seconds=4.0, publish=[drive], record=[POSE], later=[(3.0, command)])
-    code, said = seen.exit_codes[1], seen.outputs[1]
-    _understood(command, said)
-    lines = [line for line in said.splitlines() if line.strip() and line.strip() != "---"]
-    pose = seen.messages[POSE][-1][1]
-    if len(lines) > 20 or code:
+    chance = work.dice("appa.q1")
+    twist = {"linear": {"x": chance.uniform(1.5, 3.0)}, "angular": {"z": chance.choice((-1, 1)) * chance.uniform(0.5, 0.9)}}
+    drive = (0.5, CMD_VEL, TWIST, twist)
+    seen = work.try_out(beside=[TURTLESIM], seconds=4.0, publish=[drive], record=[POSE], later=[(3.0, command)])
+    output, x = said(seen), way_of(seen, POSE)[-1][0]
+    _understood(command, output)
+    lines = [line for line in output.splitlines() if line.strip() and line.strip() != "---"]
+    if len(lines) > 20 or exit_code(seen) != 0:
         raise Wrong(
             "a command that ends by itself, without an error",
-            f"after a second it had printed {len(lines)} lines and ended with {code}",
+            f"after a second it had printed {len(lines)} lines and ended with {exit_code(seen)}",
             "Is there an option for just one message?",
+            hint=1,
         )
     if len(lines) != 1:
-        raise Wrong("one line with one number", f"{len(lines)} lines: {said.strip()[:80]!r}", "Show one field only.")
-    if not _close(lines[0], pose["x"]):
-        raise Wrong(f"the x of the pose, {pose['x']:.3f}", lines[0], "Which field is printed, of which topic?")
+        got = f"{len(lines)} lines: {shown(output.strip())}"
+        raise Wrong("one line with one number", got, "Show one field only.", hint=1)
+    if not _close(lines[0], x):
+        raise Wrong(f"the x of the pose, {x:.3f}", lines[0][:80], "Which field is printed, of which topic?", hint=0)
 
 
 @exercise(
@@ -57,25 +62,26 @@ def where(work: Work) -> None:
 def drive_on(work: Work) -> None:
     """A stream of velocities, four times a second, to the right."""
     command = _command(work.value("command", str), "command")
-    seen = work.try_out(TURTLESIM, seconds=5.0, record=[CMD_VEL], later=[(1.0, command)])
-    _understood(command, seen.outputs[1])
-    heard = seen.messages.get(CMD_VEL, [])
-    if not heard:
-        raise Wrong(f"velocities on {CMD_VEL}", f"none; it said {seen.outputs[1].strip()[:120]!r}", "Which topic?")
-    last = heard[-1][1]
-    forward, turn = last["linear"]["x"], last["angular"]["z"]
-    if abs(forward - 1.5) > 1e-6 or abs(abs(turn) - 0.75) > 1e-6:
-        raise Wrong("1.5 m/s forward and 0.75 rad/s of turn", f"linear.x = {forward}, angular.z = {turn}")
-    gaps = [after - before for (before, _), (after, _) in pairwise(heard)]
-    if len(gaps) < 8 or any(abs(gap - 0.25) > 0.01 for gap in gaps):
+    seen = work.try_out(beside=[TURTLESIM], seconds=5.0, record=[CMD_VEL], later=[(1.0, command)])
+    _understood(command, said(seen))
+    spoken = heard(seen, CMD_VEL)
+    if not spoken:
+        raise Wrong(f"velocities on {CMD_VEL}", f"none; it said {shown(said(seen).strip())}", "Which topic?")
+    speeds = {fields(message, ("linear.x", "angular.z"), CMD_VEL) for _, message in spoken}
+    for forward, turn in sorted(speeds):
+        if not near(forward, 1.5, 1e-6) or not near(abs(turn), 0.75, 1e-6):
+            raise Wrong("1.5 m/s forward and 0.75 rad/s of turn", f"linear.x = {forward}, angular.z = {turn}")
+    gaps = [after - before for (before, _), (after, _) in pairwise(spoken)]
+    if len(gaps) < 8 or not all(near(gap, 0.25, 0.01) for gap in gaps):
         raise Wrong(
             "a message every 0.25 s until Ctrl-C",
-            f"{len(heard)} in four seconds" + (f", {gaps[-1]:.2f} s apart" if gaps else ""),
+            f"{len(spoken)} in four seconds" + (f", {gaps[-1]:.2f} s apart" if gaps else ""),
             "Without an option it is one a second.",
             share=0.5,
+            hint=0,
         )
-    if turn > 0:
-        raise Wrong("a turn to the right", f"angular.z = {turn}", "Positive turns go to the left.", share=0.5)
+    if not all(turn < 0 for _, turn in speeds):
+        raise Wrong("a turn to the right", "angular.z = 0.75", "Positive turns go to the left.", share=0.5, hint=1)
 
 
 @exercise(
@@ -90,12 +96,13 @@ def drive_on(work: Work) -> None:
 def prove(work: Work) -> None:
     """The rate is measured, and what is said differs where the node or its service is missing."""
     commands = work.value("commands", list)
-    if len(commands) != 3 or not all(isinstance(one, str) for one in commands):
-        raise Wrong("a list of three texts", repr(commands)[:120])
+    if len(commands) != 3:
+        raise Wrong("a list of three texts", gave=shown(commands))
+    commands = texts(commands, "a list of three texts")
     commands = [_command(one, "commands") for one in commands]
     well = _answers(work, commands, "")
-    for command, said in zip(commands, well, strict=True):
-        _understood(command, said)
+    for command, output in zip(commands, well, strict=True):
+        _understood(command, output)
     rates = [float(one) for one in re.findall(r"average rate: ([0-9.]+)", "\n".join(well))]
     if not any(60 < rate < 65 for rate in rates):
         raise Wrong("a measured rate of about 62 Hz", f"rates: {rates or 'none'}", "Which verb measures?", share=0.25)
@@ -112,25 +119,25 @@ def prove(work: Work) -> None:
 def _answers(work: Work, commands: list[str], option: str) -> list[str]:
     scene = f"{TURTLESIM} --ros-args {option}" if option else TURTLESIM
     later = [(1.0 + place, command) for place, command in enumerate(commands)]
-    return work.try_out(scene, seconds=6.0, later=later).outputs[1:]
+    return work.try_out(beside=[scene], seconds=6.0, later=later).outputs
 
 
 def _command(text: str, variable: str) -> str:
     words = text.replace("%", " ").split()
     if words[:1] == ["ros2"] or text.lstrip().startswith("%"):
-        raise Wrong(f"`{variable}` without the word ros2", text[:120])
+        raise Wrong(f"`{variable}` without the word ros2", gave=shown(text))
     if not words or words == ["..."]:
-        raise Wrong(f"a command line in `{variable}`", repr(text)[:120])
+        raise Wrong(f"a command line in `{variable}`", gave=shown(text))
     return text
 
 
 def _understood(command: str, said: str) -> None:
     if said.startswith("usage:"):
-        raise Wrong("a command that ros2 knows", command[:120], said.strip().splitlines()[-1][:160])
+        raise Wrong("a command that ros2 knows", said.strip().splitlines()[-1][:160], gave=shown(command))
 
 
-def _close(text: str, number: float) -> bool:
+def _close(text: str, x: float) -> bool:
     try:
-        return abs(float(text) - number) < 0.01
+        return near(float(text), x, 0.01)
     except ValueError:
         return False

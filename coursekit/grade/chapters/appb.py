@@ -7,7 +7,9 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.photographs import Flat, judge_views, told
+from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 from coursekit.tf.pose import Quaternion, multiply, rotate
@@ -33,9 +35,9 @@ def _rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
     return multiply(_about(2, yaw), multiply(_about(1, pitch), _about(0, roll)))
 
 
-def _fill(message: Any, numbers: tuple[float, ...]) -> Any:
-    for name, number in zip("xyzw", numbers, strict=False):
-        setattr(message, name, float(number))
+def _fill(message: Any, values: tuple[float, ...]) -> Any:
+    for name, value in zip("xyzw", values, strict=False):
+        setattr(message, name, float(value))
     return message
 
 
@@ -51,9 +53,11 @@ def _fill(message: Any, numbers: tuple[float, ...]) -> Any:
 def there_and_back(work: Work) -> None:
     """Headings of all sizes there; -q, tilted and upright poses back."""
     to_pose, to_flat = work.function("to_pose"), work.function("to_flat")
-    for x, y, theta in ((1.0, -2.0, 0.0), (0.5, 0.25, 1.2), (-3.0, 4.0, -2.5), (0.0, 0.0, 3.1), (2.0, 2.0, 7.0)):
+    chance = work.dice("appb.q1")
+    by_chance = tuple(round(chance.uniform(-3, 3), 2) for _ in range(3))
+    for x, y, theta in ((1.0, -2.0, 0.0), (0.5, 0.25, 1.2), (-3.0, 4.0, -2.5), (0.0, 0.0, 3.1), (2.0, 2.0, 7.0), by_chance):
         _judge_pose(to_pose, x, y, theta)
-    for name, angles in (("upright", (0.0, 0.0, 0.8)), ("tilted", (0.2, -0.3, -2.0)), ("upright", (0.0, 0.0, -3.0))):
+    for name, angles in (("upright", (0.0, 0.0, 0.8)), ("tilted", (0.2, -0.3, -2.0)), ("upright", (0.0, 0.0, by_chance[2]))):
         turn = _rpy(*angles)
         yaw = math.atan2(*rotate(turn, (1.0, 0.0, 0.0))[1::-1])
         for spelt, sign in ((name, 1.0), (f"{name}, all four numbers negated (the same turn)", -1.0)):
@@ -69,15 +73,17 @@ def _judge_pose(to_pose: Callable[..., Any], x: float, y: float, theta: float) -
 
     given = f"to_pose of x={x}, y={y}, theta={theta}"
     pose = _message(Pose, given, to_pose, Pose2D(x=x, y=y, theta=theta))
-    place, turn = _xyz(pose.position), _turn_of(pose.orientation, given)
-    if math.dist(place, (x, y, 0.0)) > 1e-6:
-        raise Wrong(f"the position ({x}, {y}, 0) from {given}", told(place))
+    place, turn = _xyz(pose.position, given), _turn_of(pose.orientation, given)
+    if not close(place, (x, y, 0.0), 1e-6):
+        raise Wrong(f"the position ({x}, {y}, 0) from {given}", gave=told(place))
     nose, up = rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 0.0, 1.0))
-    if math.dist(up, (0.0, 0.0, 1.0)) > 1e-6:
-        raise Wrong(f"an upright pose from {given}", f"its z axis is {told(up)}", "About which axis does theta turn?")
+    if not close(up, (0.0, 0.0, 1.0), 1e-6):
+        cause = "About which axis does theta turn?"
+        raise Wrong(f"an upright pose from {given}", gave=f"its z axis is {told(up)}", cause=cause, hint=0)
     wanted = (math.cos(theta), math.sin(theta), 0.0)
-    if math.dist(nose, wanted) > 1e-6:
-        raise Wrong(f"x axis along {told(wanted)} from {given}", told(nose), "Is there a half missing, or one too many?")
+    if not close(nose, wanted, 1e-6):
+        cause = "Is there a half missing, or one too many?"
+        raise Wrong(f"x axis along {told(wanted)} from {given}", gave=told(nose), cause=cause, hint=0)
 
 
 def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt: str) -> None:
@@ -87,15 +93,14 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
     _fill(pose.position, (1.5, -0.5, 0.2))
     _fill(pose.orientation, turn)
     flat = _message(Pose2D, f"to_flat of a pose that is {spelt}", to_flat, pose)
-    if math.hypot(flat.x - 1.5, flat.y + 0.5) > 1e-6:
-        raise Wrong("x and y as they were, 1.5 and -0.5, from to_flat", f"{flat.x}, {flat.y}", share=0.5)
-    if not abs(flat.theta) < math.pi + 1e-9 or abs(math.remainder(flat.theta - yaw, math.tau)) > 1e-6:
-        raise Wrong(
-            f"theta = {yaw:.3f} from to_flat of a pose that is {spelt}",
-            f"{flat.theta:.3f}",
-            "The yaw says where the x axis points on the floor, between -pi and pi.",
-            share=0.5,
-        )
+    if not close((flat.x, flat.y), (1.5, -0.5), 1e-6):
+        wanted = "x and y as they were, 1.5 and -0.5, from to_flat"
+        raise Wrong(wanted, gave=f"{shown(flat.x)}, {shown(flat.y)}", share=0.5)
+    wanted = f"theta = {yaw:.3f} from to_flat of a pose that is {spelt}"
+    theta = number(flat.theta, wanted, share=0.5)
+    if not (abs(theta) < math.pi + 1e-9 and near(math.remainder(theta - yaw, math.tau), 0.0, 1e-6)):
+        cause = "The yaw says where the x axis points on the floor, between -pi and pi."
+        raise Wrong(wanted, gave=f"{theta:.3f}", cause=cause, share=0.5, hint=1)
 
 
 @exercise(
@@ -109,23 +114,25 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
 )
 def the_ellipse(work: Work) -> None:
     """Axes of many lengths and directions, in tables that are full of other things as well."""
-    function = work.function("ellipse")
-    for a, b, yaw in ((0.6, 0.2, 0.0), (0.6, 0.2, math.pi / 2), (0.5, 0.1, 0.5), (2.0, 0.3, -1.1), (0.05, 0.02, 2.5)):
+    function, chance = work.function("ellipse"), work.dice("appb.q2")
+    by_chance = (round(chance.uniform(0.5, 0.9), 2), round(chance.uniform(0.1, 0.3), 2), chance.uniform(-3, 3))
+    for a, b, yaw in ((0.6, 0.2, 0.0), (0.6, 0.2, math.pi / 2), (2.0, 0.3, -1.1), (0.05, 0.02, 2.5), by_chance):
         given = f"half-axes {a} m and {b} m, the longer one at {math.degrees(yaw):.0f}°"
-        got = _called(function, _estimate(a, b, yaw), f"an estimate with {given}")
-        if not isinstance(got, (tuple, list)) or len(got) != 3 or not all(isinstance(one, (int, float)) for one in got):
-            raise Wrong("a tuple of three floats, (a, b, yaw)", repr(got)[:100])
+        answer = called(function, _estimate(a, b, yaw), told=f"an estimate with {given}")
+        got = numbers(answer, 3, "a tuple of three finite floats, (a, b, yaw)")
         if not math.isclose(got[0], a, rel_tol=1e-6) or not math.isclose(got[1], b, rel_tol=1e-6):
             mixed = math.isclose(got[0], b, rel_tol=1e-6) and math.isclose(got[1], a, rel_tol=1e-6)
             cause = "The longer one comes first." if mixed else "The table holds variances, and not of x and y only."
-            raise Wrong(f"a = {a:.3f}, b = {b:.3f} for {given}", f"a = {got[0]:.3f}, b = {got[1]:.3f}", cause)
-        if abs(math.remainder(got[2] - yaw, math.pi)) > 1e-6:
+            answer = f"a = {got[0]:.3f}, b = {got[1]:.3f}"
+            raise Wrong(f"a = {a:.3f}, b = {b:.3f} for {given}", gave=answer, cause=cause, hint=None if mixed else 1)
+        if not near(math.remainder(got[2] - yaw, math.pi), 0.0, 1e-6):
             found = math.degrees(math.remainder(got[2], math.pi))
             raise Wrong(
                 f"yaw at {math.degrees(yaw):.0f}° (or opposite) for {given}",
-                f"{found:.1f}°",
-                "Which vector belongs to the longer axis, and which way round are rows and columns?",
+                gave=f"{found:.1f}°",
+                cause="Which vector belongs to the longer axis, and which way round are rows and columns?",
                 share=0.5,
+                hint=1,
             )
 
 
@@ -154,6 +161,8 @@ def _estimate(a: float, b: float, yaw: float) -> Any:
 def the_lookout(work: Work) -> None:
     """Poses all over the floor and on a ramp; the node tells where the pallet is, in her axes, with their stamps."""
     work.built("b_geometry")
+    chance = work.dice("appb.q3")
+    somewhere = (chance.uniform(-2, 2), chance.uniform(-2, 2), 0.0)
     poses = {
         1: ((0.0, 0.0, 0.0), _rpy(0.0, 0.0, 0.0)),
         2: ((1.0, 1.0, 0.0), _rpy(0.0, 0.0, 0.0)),
@@ -161,20 +170,22 @@ def the_lookout(work: Work) -> None:
         4: ((-1.5, 2.0, 0.0), _rpy(0.0, 0.0, -2.2)),
         5: ((0.5, -1.0, 0.3), _rpy(0.0, -0.4, 0.9)),
         6: ((2.5, 1.5, 0.1), _rpy(0.3, 0.1, 3.0)),
+        7: (somewhere, _rpy(chance.uniform(-0.4, 0.4), chance.uniform(-0.4, 0.4), chance.uniform(-3, 3))),
     }
     spoken = [(0.5 + 0.1 * second, "/vera/pose", "geometry_msgs/msg/PoseStamped", _fields(second, *pose))
               for second, pose in poses.items()]  # fmt: skip
-    seen = work.try_out("run b_geometry lookout_exe", publish=spoken, record=["/vera/pallet"], seconds=2.0)
-    heard = [message for _, message in seen.messages.get("/vera/pallet", [])]
-    if len(heard) != len(poses):
-        said = (seen.outputs[0].strip().splitlines() or ["nothing"])[-1]
-        raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", f"{len(heard)}; it said: {said[:120]}")
-    if {message["header"]["frame_id"] for message in heard} != {"base_link"}:
-        raise Wrong("points in base_link", f"frame_id {heard[0]['header']['frame_id']!r}", "In whose axes are the numbers?")
-    if [message["header"]["stamp"]["sec"] for message in heard] != list(poses):
+    seen = work.try_out("run b_geometry lookout_exe", publish=spoken, record=["/vera/pallet"], seconds=2.5)
+    points = [message for _, message in heard(seen, "/vera/pallet")]
+    if len(points) != len(poses):
+        got = f"{len(points)}; it said: {last_words(said(seen))}"
+        raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", got)
+    frames = {field(one, "header.frame_id", str, "/vera/pallet") for one in points}
+    if frames != {"base_link"}:
+        raise Wrong("points in base_link", f"frame_id {shown(sorted(frames))}", "In whose axes are the numbers?")
+    if [field(one, "header.stamp.sec", int, "/vera/pallet") for one in points] != list(poses):
         raise Wrong("each point with the stamp of its pose", "other stamps", "When was the pallet seen there?", share=0.5)
-    for message, (place, turn) in zip(heard, poses.values(), strict=True):
-        _judge_sight(tuple(message["point"][axis] for axis in "xyz"), place, turn)
+    for message, (place, turn) in zip(points, poses.values(), strict=True):
+        _judge_sight(fields(message, ("point.x", "point.y", "point.z"), "/vera/pallet"), place, turn)
 
 
 def _fields(second: int, place: tuple[float, ...], turn: Quaternion) -> dict[str, Any]:
@@ -187,7 +198,7 @@ def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quate
     """Whoever goes from her place by that point, in her axes, must come to the pallet."""
     step = rotate(turn, (point[0], point[1], point[2]))
     end = tuple(a + b for a, b in zip(place, step, strict=True))
-    if math.dist(end, PALLET) < 1e-6:
+    if close(end, PALLET, 1e-6):
         return
     nose = rotate(turn, (1.0, 0.0, 0.0))
     flat = abs(turn[0]) + abs(turn[1]) < 1e-9
@@ -196,6 +207,7 @@ def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quate
         f"{told(point)}, and whoever goes there arrives at {told(end)}",
         "Is she turned into the hall's axes, or the hall into hers?" if flat else "On a ramp roll and pitch count, too.",
         share=0.0 if flat else 0.5,
+        hint=1,
     )
 
 
@@ -212,52 +224,54 @@ def once_around(work: Work) -> None:
     """Outlines of several kinds: every side is seen, whole, from outside, and nobody is run over."""
     from geometry_msgs.msg import Point32, PolygonStamped, PoseArray
 
-    function = work.function("views")
-    for number, (name, corners) in enumerate(SIDES.items()):
+    function, chance = work.function("views"), work.dice("appb.q4")
+    outlines = SIDES | {"a pallet anywhere": _pallet(chance.uniform(-5, 5), chance.uniform(-5, 5), chance.uniform(-3, 3))}
+    for place, (name, corners) in enumerate(outlines.items()):
         outline = PolygonStamped()
-        outline.header.frame_id, outline.header.stamp.sec = ("map", "dock")[number % 2], 7 + number
+        outline.header.frame_id, outline.header.stamp.sec = ("map", "dock")[place % 2], 7 + place
         outline.polygon.points = [Point32(x=x, y=y) for x, y in corners]
         asked = _message(PoseArray, f"views of {name}", function, outline)
         header = asked.header
-        if (header.frame_id, header.stamp.sec) != (outline.header.frame_id, outline.header.stamp.sec):
-            raise Wrong("the header of the outline", f"frame_id {header.frame_id!r}, stamp {header.stamp.sec} s", share=0.25)
+        frame, second = shown(header.frame_id), shown(header.stamp.sec)
+        if (frame, second) != (repr(outline.header.frame_id), repr(outline.header.stamp.sec)):
+            raise Wrong("the header of the outline", gave=f"frame_id {frame}, stamp {second} s", share=0.25)
         if not 1 <= len(asked.poses) <= len(corners):
-            raise Wrong(f"1 to {len(corners)} photographs of {name}", str(len(asked.poses)))
+            raise Wrong(f"1 to {len(corners)} photographs of {name}", gave=str(len(asked.poses)))
         judge_views([_standing(pose, name) for pose in asked.poses], corners, name)
+
+
+def _pallet(x: float, y: float, yaw: float) -> list[Flat]:
+    cos, sin = math.cos(yaw), math.sin(yaw)
+    return [(x + cos * u - sin * v, y + sin * u + cos * v) for u, v in SIDES["a pallet"]]
 
 
 def _standing(pose: Any, name: str) -> tuple[Flat, float]:
     """Place and yaw of a pose that stands upright on the floor."""
     turn = _turn_of(pose.orientation, f"views of {name}")
     up, nose = rotate(turn, (0.0, 0.0, 1.0)), rotate(turn, (1.0, 0.0, 0.0))
-    if abs(pose.position.z) > 1e-6 or up[2] < 1.0 - 1e-6:
-        raise Wrong("poses on the floor, upright", f"z = {pose.position.z:.2f} m, the z axis along {told(up)}", share=0.25)
-    return (pose.position.x, pose.position.y), math.atan2(nose[1], nose[0])
+    x, y, z = _xyz(pose.position, f"views of {name}")
+    if not (near(z, 0.0, 1e-6) and up[2] >= 1.0 - 1e-6):
+        raise Wrong("poses on the floor, upright", gave=f"z = {z:.2f} m, the z axis along {told(up)}", share=0.25)
+    return (x, y), math.atan2(nose[1], nose[0])
 
 
 def _turn_of(q: Any, given: str) -> Quaternion:
-    turn = (q.x, q.y, q.z, q.w)
-    length = math.sqrt(sum(part * part for part in turn))
-    if abs(length - 1.0) > 1e-4:
-        raise Wrong(f"a quaternion of length 1 from {given}", f"length {length:.3f}: {told(turn)}")
-    return turn
+    wanted = f"a quaternion of length 1 from {given}"
+    x, y, z, w = (number(part, wanted) for part in (q.x, q.y, q.z, q.w))
+    length = math.hypot(x, y, z, w)
+    if not near(length, 1.0, 1e-4):
+        raise Wrong(wanted, gave=f"length {length:.3f}: {told((x, y, z, w))}")
+    return x, y, z, w
 
 
-def _xyz(place: Any) -> tuple[float, float, float]:
-    return place.x, place.y, place.z
+def _xyz(place: Any, given: str) -> tuple[float, float, float]:
+    x, y, z = (number(part, f"a finite place from {given}") for part in (place.x, place.y, place.z))
+    return x, y, z
 
 
 def _message(kind: type[Any], given: str, function: Callable[..., Any], *arguments: Any) -> Any:
     """What a function makes of messages, which must be of that kind."""
-    got = _called(function, *arguments, given)
+    got = called(function, *arguments, told=given)
     if type(got) is not kind:
-        raise Wrong(f"a {kind.__name__} from {given}", repr(got)[:100])
+        raise Wrong(f"a {kind.__name__} from {given}", gave=shown(got), cause="Is there a return?" if got is None else "")
     return got
-
-
-def _called(function: Callable[..., Any], *given: Any) -> Any:
-    """The result for all but the last of `given`, which is what to call it in a message."""
-    try:
-        return function(*given[:-1])
-    except Exception as error:
-        raise Wrong(f"an answer for {given[-1]}", f"{type(error).__name__}: {error}"[:160]) from None

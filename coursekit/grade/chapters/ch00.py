@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
+from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import way_of
+from coursekit.grade.plain import is_number, shown
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
+TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
 KEYS = {"up": (2.0, 0.0), "down": (-2.0, 0.0), "left": (0.0, 2.0), "right": (0.0, -2.0)}
+CHAPTERS = range(1, 10)
+ROWS_OF_KEYS = {"asdf", "asdfg", "sdfg", "qwer", "qwert", "qwerty", "bla", "foo"}
 
 
 @exercise("ch00.q1", "Who are you?", points=1, hints=("Text stands between quotes, first name and last name with a space.",))
@@ -18,7 +24,7 @@ def who(work: Work) -> None:
     """A name of at least two words."""
     me = work.value("me", str)
     if len(me.split()) < 2 or not all(word[0].isalpha() for word in me.split()):
-        raise Wrong("a first and a last name", repr(me) if me.strip() else "an empty text")
+        raise Wrong("a first and a last name", gave=shown(me) if me.strip() else "an empty text")
 
 
 @exercise(
@@ -32,37 +38,67 @@ def who(work: Work) -> None:
 )
 def keys(work: Work) -> None:
     """The presses bring a fresh turtle to the left half."""
-    presses = work.value("presses", list)
     plan, now = [], 0.5
-    for press in presses:
-        if not (isinstance(press, tuple) and len(press) == 2 and isinstance(press[0], str)):
-            raise Wrong("a list of (keys, seconds)", repr(press)[:80])
-        names, seconds = press[0].split("+"), float(press[1])
-        unknown = [name for name in names if name not in KEYS]
-        if unknown or not 0 < seconds <= 20:
-            raise Wrong(f"keys out of {', '.join(KEYS)} and 0 to 20 seconds", repr(press))
-        forward, turn = (sum(KEYS[name][part] for name in names) for part in (0, 1))
+    for press in work.value("presses", list):
+        (forward, turn), seconds = _press(press)
         command = {"linear": {"x": forward}, "angular": {"z": turn}}
         steps = math.ceil(seconds / 0.5)
         plan += [(now + seconds * step / steps, CMD_VEL, TWIST, command) for step in range(steps)]
         now += seconds
+    if now > 120:
+        raise Wrong("presses of two minutes at most in all", gave=f"{now:.0f} s")
     plan.append((now, CMD_VEL, TWIST, {}))
-    seen = work.try_out("run turtlesim turtlesim_node", seconds=now + 0.5, publish=plan, record=[POSE])
-    poses = [(pose["x"], pose["y"]) for _, pose in seen.messages[POSE]]
-    driven = sum(math.dist(one, other) for one, other in pairwise(poses))
-    if "hit the wall" in seen.outputs[0]:
+    seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
+    if any("hit the wall" in one for one in seen.beside):
         raise Wrong("no wall on the way", "it hit one", "Press for a shorter time.", share=0.25)
-    if driven < 3:
+    places = way_of(seen, POSE)
+    driven = sum(math.dist(one[:2], other[:2]) for one, other in pairwise(places))
+    if not driven >= 3:
         raise Wrong("at least 3 m", f"{driven:.1f} m", share=0.25)
-    if poses[-1][0] >= 5.5:
-        seen_at = f"x = {poses[-1][0]:.2f}"
-        raise Wrong("an end in the left half, x below 5.5", seen_at, "Where does it look at the start?", share=0.5)
+    if not places[-1][0] < 5.5:
+        where = f"x = {places[-1][0]:.2f}"
+        raise Wrong("an end in the left half, x below 5.5", where, "Where does it look at the start?", share=0.5, hint=0)
 
 
-@exercise("ch00.q3", "What for?", points=1, hints=("A dictionary: {chapter number: 'a sentence', ...}.",))
+def _press(press: Any) -> tuple[tuple[float, float], float]:
+    """How fast forward and how fast to turn while these keys are pressed, and for how long."""
+    if type(press) not in (tuple, list) or len(press) != 2 or type(press[0]) is not str:
+        raise Wrong('a list of (keys, seconds), such as ("up", 1.0)', gave=shown(press))
+    names = press[0].split("+")
+    if any(name not in KEYS for name in names) or not is_number(press[1]) or not 0 < press[1] <= 20:
+        raise Wrong(f"keys out of {', '.join(KEYS)} and 0 to 20 seconds", gave=shown(press))
+    forward, turn = (sum(KEYS[name][part] for name in set(names)) for part in (0, 1))
+    return (forward, turn), float(press[1])
+
+
+@exercise(
+    "ch00.q3",
+    "What for?",
+    points=1,
+    hints=("A dictionary: {chapter number: 'a sentence', ...}.", "Whole sentences, each another one: what, and why?"),
+)
 def wishes(work: Work) -> None:
     """Three chapters, a sentence each."""
     found = work.value("wishes", dict)
-    good = {key for key, text in found.items() if key in range(1, 9) and isinstance(text, str) and len(text.split()) >= 4}
+    good = {key: one for key, one in found.items() if type(key) is int and key in CHAPTERS and _is_sentence(one)}
+    wanted = f"a sentence for at least three chapters from {CHAPTERS[0]} to {CHAPTERS[-1]}"
     if len(good) < 3:
-        raise Wrong("a sentence for at least three chapters from 1 to 8", f"sentences for: {sorted(good) or 'none'}")
+        what = ", ".join(str(key) for key in sorted(good)) or "none"
+        cause = "A sentence has four words or more, with spaces between them."
+        raise Wrong(wanted, gave=f"sentences for: {what}", cause=cause)
+    if len({" ".join(sorted(_words(one))) for one in good.values()}) < 3:
+        raise Wrong(wanted, gave=shown(list(good.values())), cause="Each wish is another one.", hint=1)
+
+
+def _words(sentence: str) -> set[str]:
+    """The different words of a sentence that are words: of letters, vowels among them, in any language of ours."""
+    words = ("".join(letter for letter in word if letter.isalpha()).lower() for word in sentence.split())
+    return {word for word in words if word}
+
+
+def _is_sentence(text: Any) -> bool:
+    """Whether it reads like one: four different words, most of them no row of keys."""
+    if type(text) is not str:
+        return False
+    words = _words(text)
+    return len(words) >= 4 and sum(map(len, words)) >= 12 and not words & ROWS_OF_KEYS

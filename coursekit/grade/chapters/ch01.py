@@ -7,11 +7,20 @@ from itertools import pairwise
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import course_said, exit_code, last_words, said, way_of
+from coursekit.grade.plain import close, numbers, shown, texts
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
 TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
+RED, PEN = (255, 0, 0), 5
+ASIDE = range(-4, 5)
+"""So many pixels beside the line turtles look at the paper."""
+START, PAPER = 5.544445, 11.088889
+"""Where turtle1 begins, and how wide turtlesim's paper is [m]."""
+PIXEL = 1 / 45
+"""On turtlesim's paper [m]."""
 
 
 @exercise(
@@ -26,11 +35,14 @@ CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/T
 def ask(work: Work) -> None:
     """The two facts, as a fresh graph with the same two programs has them."""
     kind, count = work.value("rosout_type", str), work.value("rosout_publishers", int)
-    seen = work.try_out("run demo_nodes_py talker", "run demo_nodes_py listener", seconds=1.0)
-    if kind not in seen.topics["/rosout"]:
-        raise Wrong("the type that `ros2 topic info /rosout` prints", repr(kind), "Is it written in full?")
-    if count != len(seen.publishers["/rosout"]):
-        raise Wrong("the number of publishers while talker and listener run", str(count), share=0.5)
+    seen = work.try_out(beside=["run demo_nodes_py talker", "run demo_nodes_py listener"], seconds=1.0)
+    if kind not in seen.topics.get("/rosout", []):
+        raise Wrong("the type that `ros2 topic info /rosout` prints", gave=shown(kind), cause="Is it in full?", hint=1)
+    right = len(seen.publishers.get("/rosout", []))
+    if count != right:
+        cause = "Has one of the two ended? Run its cell again, then ask again." if 0 <= count < right else ""
+        wanted = "the number of publishers while talker and listener run, and nothing else"
+        raise Wrong(wanted, gave=shown(count), cause=cause, share=0.5, hint=0)
 
 
 @exercise(
@@ -41,24 +53,21 @@ def ask(work: Work) -> None:
 )
 def corner(work: Work) -> None:
     """The moves bring a fresh turtle to the corner."""
-    moves = _triples(work, "moves")
     plan, now = [], 0.5
-    for forward, turn, seconds in moves:
-        if not 0 < seconds <= 30:
-            raise Wrong("moves of more than 0 and at most 30 seconds", f"{seconds} s")
+    for forward, turn, seconds in _triples(work, "moves"):
+        _expect_radians(turn)
+        if not 0 < seconds <= 30 or now > 120:
+            raise Wrong("moves of more than 0 and at most 30 seconds, of two minutes in all", gave=f"{seconds:g} s")
         steps = max(1, math.ceil(seconds / 0.5))
         plan += [(now + seconds * step / steps, CMD_VEL, TWIST, _twist(forward, turn)) for step in range(steps)]
         now += seconds
     plan.append((now, CMD_VEL, TWIST, _twist(0.0, 0.0)))
-    seen = work.try_out(TURTLESIM, seconds=now + 0.5, publish=plan, record=[POSE])
+    seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
     _no_wall(seen)
-    pose = seen.messages[POSE][-1][1]
-    if not (pose["x"] > 9 and pose["y"] > 9):
-        raise Wrong(
-            "an end beyond x = 9 and y = 9",
-            f"x = {pose['x']:.2f}, y = {pose['y']:.2f}",
-            "Forward is where it looks; it looks right at the start.",
-        )
+    x, y, _ = way_of(seen, POSE)[-1]
+    if not (x > 9 and y > 9):
+        cause = "Forward is where it looks; it looks right at the start."
+        raise Wrong("an end beyond x = 9 and y = 9", f"x = {x:.2f}, y = {y:.2f}", cause)
 
 
 @exercise(
@@ -71,27 +80,70 @@ def corner(work: Work) -> None:
     ),
 )
 def stage(work: Work) -> None:
-    """A second turtle stands at its place, and turtle1's pen is thick and red."""
+    """A second turtle stands at its place, and turtle1's pen is red and five pixels wide."""
     name, where = work.variant("turtle", "bob"), (work.variant("x", 2.5), work.variant("y", 3.5))
-    commands = work.value("commands", list)
-    if not all(isinstance(one, str) for one in commands):
-        raise Wrong("a list of texts", repr(commands)[:120])
+    commands = texts(work.value("commands", list), "a list of texts in `commands`")
     if any(one.split()[:1] == ["ros2"] for one in commands):
-        raise Wrong("command lines without the word ros2", repr(commands)[:120])
-    red = (5.0, CMD_VEL, TWIST, _twist(1.0, 0.0))
+        raise Wrong("command lines without the word ros2", gave=shown(commands))
+    looks = [(6.5, "/spawn", "turtlesim/srv/Spawn", {"x": 6.0, "y": _beside(off), "name": _look(off)}) for off in ASIDE]
+    colours = {off: f"/{_look(off)}/color_sensor" for off in ASIDE}
     seen = work.try_out(
-        TURTLESIM, *commands, seconds=7.0, publish=[red],
-        record=[f"/{name}/pose", "/turtle1/color_sensor", POSE],
+        *commands, beside=[TURTLESIM], seconds=7.0, publish=[(5.0, CMD_VEL, TWIST, _twist(1.0, 0.0))],
+        call=looks, record=[f"/{name}/pose", *colours.values()],
     )  # fmt: skip
-    poses = seen.messages.get(f"/{name}/pose")
-    if not poses:
-        raise Wrong(f"a turtle named {name}", f"topics: {', '.join(name for name in seen.topics if 'pose' in name)}")
-    place = poses[-1][1]
-    if math.dist((place["x"], place["y"]), where) > 0.01:
-        raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place['x']:.2f}, {place['y']:.2f})", share=0.5)
-    colours = {(one["r"], one["g"], one["b"]) for _, one in seen.messages["/turtle1/color_sensor"]}
-    if (255, 0, 0) not in colours:
-        raise Wrong("turtle1 draws in red (255, 0, 0)", f"under its pen: {sorted(colours)[:4]}", share=0.5)
+    complaint = _complaint(seen, commands)
+    if not course_said(seen, f"/{name}/pose"):
+        there = ", ".join(one for one in seen.topics if "pose" in one and "look" not in one)
+        raise Wrong(f"a turtle named {name}", f"topics: {there}{complaint}", hint=0)
+    place = way_of(seen, f"/{name}/pose")[-1][:2]
+    if not close(place, where, 0.01):
+        raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place[0]:.2f}, {place[1]:.2f})", share=0.5, hint=0)
+    line = {off: _colours(seen, topic) for off, topic in colours.items()}
+    if RED not in line[0]:
+        drawn = ", ".join(str(one) for one in sorted(line[0])) or "no colour"
+        wanted = f"turtle1 draws in red {RED}"
+        raise Wrong(wanted, f"where it went there is {drawn}{complaint}", _pen_cause(commands), share=0.5, hint=1)
+    wide, right = sum(RED in line[off] for off in ASIDE), sum(map(_is_drawn, ASIDE))
+    if wide != right:
+        what = "a thinner one" if wide < right else "a thicker one"
+        raise Wrong(f"a line of width {PEN}", what, "SetPen has a field for it.", share=0.75, hint=1)
+
+
+def _is_drawn(off: int) -> bool:
+    """Whether a line of the right width reaches so many pixels aside, as turtlesim draws it."""
+    from coursekit.sim.paper import Paper
+
+    paper = Paper(PAPER)
+    paper.line("turtle1", (START, START), (START + 1, START), RED, PEN)
+    return paper.colour_at(6.0, _beside(off)) == RED
+
+
+def _beside(off: int) -> float:
+    return START + off * PIXEL
+
+
+def _look(off: int) -> str:
+    return f"look_{off - ASIDE[0]}"
+
+
+def _colours(seen: Any, topic: str) -> set[tuple[Any, ...]]:
+    """What colours a turtle has seen below itself."""
+    found = (message for _, message in course_said(seen, topic) if isinstance(message, dict))
+    return {tuple(message.get(one) for one in "rgb") for message in found}
+
+
+def _complaint(seen: Any, commands: list[str]) -> str:
+    """What the first command that failed has said."""
+    for index, command in enumerate(commands):
+        if exit_code(seen, index):
+            return f"; `{command[:60]}` said: {last_words(said(seen, index))}"
+    return ""
+
+
+def _pen_cause(commands: list[str]) -> str:
+    """YAML takes an unquoted `off` for false: that is no name of a field."""
+    unquoted = any("{off:" in one.replace(" ", "") or ",off:" in one.replace(" ", "") for one in commands)
+    return "YAML reads off as false. Between quotes it is a name: \"off\": 0" if unquoted else ""
 
 
 @exercise(
@@ -107,25 +159,34 @@ def dance(work: Work) -> None:
     """A line of 8 m with a full turn and no wall."""
     steps = _triples(work, "dance")
     if any(not 0 <= when <= 20 for when, _, _ in steps):
-        raise Wrong("times from 0 to 20 seconds", f"{[when for when, _, _ in steps][:8]}")
+        raise Wrong("times from 0 to 20 seconds", gave=shown([when for when, _, _ in steps][:8]))
+    for _, _, turn in steps:
+        _expect_radians(turn)
     plan = [(when, CMD_VEL, TWIST, _twist(forward, turn)) for when, forward, turn in steps]
-    seen = work.try_out(TURTLESIM, seconds=22.0, publish=plan, record=[POSE])
+    seen = work.try_out(beside=[TURTLESIM], seconds=22.0, publish=plan, record=[POSE])
     _no_wall(seen)
-    poses = [pose for _, pose in seen.messages[POSE]]
-    length = sum(math.dist((a["x"], a["y"]), (b["x"], b["y"])) for a, b in pairwise(poses))
-    turned = sum(abs(math.remainder(b["theta"] - a["theta"], math.tau)) for a, b in pairwise(poses))
-    if length < 8:
-        raise Wrong("at least 8 m of line", f"{length:.1f} m", share=0.25)
-    if turned < math.tau - 0.05:
-        raise Wrong("at least one full turn in all", f"{turned:.1f} of {math.tau:.1f} rad", share=0.5)
+    poses = way_of(seen, POSE)
+    length = sum(math.dist(a[:2], b[:2]) for a, b in pairwise(poses))
+    turned = sum(abs(math.remainder(b[2] - a[2], math.tau)) for a, b in pairwise(poses))
+    if not length >= 8:
+        raise Wrong("at least 8 m of line", f"{length:.1f} m", share=0.25, hint=0)
+    if not turned >= math.tau - 0.05:
+        raise Wrong("at least one full turn in all", f"{turned:.1f} of {math.tau:.1f} rad", share=0.5, hint=1)
 
 
-def _triples(work: Work, name: str) -> list[tuple[float, float, float]]:
+def _triples(work: Work, name: str) -> list[tuple[float, ...]]:
     found = work.value(name, list)
-    try:
-        return [(float(one), float(two), float(three)) for one, two, three in found]
-    except (TypeError, ValueError):
-        raise Wrong("a list of three numbers each", repr(found)[:120]) from None
+    wanted = f"`{name}`, a list of three finite numbers each"
+    triples = [numbers(one, 3, wanted) for one in found[:1000]]
+    if any(not abs(one) <= 1000 for triple in triples for one in triple) or len(found) > 1000:
+        raise Wrong(wanted, gave=shown(found))
+    return triples
+
+
+def _expect_radians(turn: float) -> None:
+    if not abs(turn) <= math.tau:
+        cause = "Are these degrees? A turn is told in radians a second: 45° is 0.785."
+        raise Wrong("turns of no more than a whole one, 6.28 rad, in a second", gave=f"{turn:g}", cause=cause)
 
 
 def _twist(forward: float, turn: float) -> dict[str, Any]:
@@ -133,5 +194,6 @@ def _twist(forward: float, turn: float) -> dict[str, Any]:
 
 
 def _no_wall(seen: Any) -> None:
-    if "Oh no! I hit the wall!" in seen.outputs[0]:
-        raise Wrong("no wall on the way", seen.outputs[0].strip().splitlines()[-1], "Shorter, or turn earlier.", share=0.25)
+    told = "\n".join(seen.beside)
+    if "Oh no! I hit the wall!" in told:
+        raise Wrong("no wall on the way", told.strip().splitlines()[-1], "Shorter, or turn earlier.", share=0.25)

@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
+import re
+from itertools import pairwise
+from random import Random
+from typing import Any
+
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.plain import called, field, is_number, shown, text
 from coursekit.grade.trial import EVERY_NODE_S
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
-PACKAGE = "s2_py_pubsub"
+PACKAGE, STRING = "s2_py_pubsub", "std_msgs/msg/String"
+SECONDS = 6.0
+"""How long a health node is watched."""
+AT_ONCE = 0.005
+"""So late [s] an answer may be that is given at once."""
+SYLLABLES = ("ve", "ra", "lo", "mi", "ta", "gru", "ne", "sol", "pi", "do")
+
+
+def _word(chance: Random) -> str:
+    return "".join(chance.choice(SYLLABLES) for _ in range(3))
 
 
 @exercise(
@@ -20,19 +36,19 @@ PACKAGE = "s2_py_pubsub"
     ),
 )
 def full_name(work: Work) -> None:
-    """Names expand as ROS expands them."""
+    """Names expand as ROS expands them, for nodes of any name."""
     from coursekit.core.names import expand
 
-    function = work.function("full_name")
-    for name in ("scan", "/scan", "~/scan", "a/b", "~", "/a/b"):
-        for namespace in ("/", "/vera", "/fleet/vera"):
-            right, got = expand(name, "lidar", namespace), function(name, "lidar", namespace)
-            if got != right:
-                raise Wrong(
-                    f"full_name({name!r}, 'lidar', {namespace!r}) that follows the rules of the table",
-                    repr(got),
-                    "With the namespace '/', is there one slash too many?" if "//" in str(got) else "",
-                )
+    function, chance = work.function("full_name"), work.dice("ch02.q1")
+    for name in ("scan", "/scan", "~/scan", "a/b", "~", "/a/b", _word(chance)):
+        for namespace in ("/", "/vera", f"/fleet/{_word(chance)}"):
+            node = chance.choice(("lidar", _word(chance)))
+            told = f"full_name({name!r}, {node!r}, {namespace!r})"
+            wanted = f"{told} that follows the rules of the table"
+            got = text(called(function, name, node, namespace, told=told), wanted)
+            if got != expand(name, node, namespace):
+                cause = "With the namespace '/', is there one slash too many?" if "//" in got else ""
+                raise Wrong(wanted, gave=shown(got), cause=cause, hint=1 if "//" in got else 0)
 
 
 @exercise(
@@ -45,26 +61,25 @@ def full_name(work: Work) -> None:
     ),
 )
 def listener(work: Work) -> None:
-    """The node hears what is said and logs it."""
+    """The node hears what is said and logs it, each text once."""
     work.built(PACKAGE)
-    words = [f"word {number} of {id(work) % 97}" for number in range(3)]
-    seen = work.try_out(
-        f"run {PACKAGE} subscriber_exe",
-        publish=[(0.5 + index, "/py_str_topic", "std_msgs/msg/String", {"data": word}) for index, word in enumerate(words)],
-        seconds=4.0,
-    )
-    _expect_node(seen, "/py_subscriber_node")
+    chance = work.dice("ch02.q2")
+    words = [f"{_word(chance)} {number}" for number in range(3)]
+    spoken = [(0.5 + index, "/py_str_topic", STRING, {"data": word}) for index, word in enumerate(words)]
+    seen = work.try_out(f"run {PACKAGE} subscriber_exe", publish=spoken, seconds=4.0)
+    expect_node(seen, "/py_subscriber_node")
     if not seen.subscriptions.get("/py_str_topic"):
         others = ", ".join(name for name, ends in seen.subscriptions.items() if ends) or "none"
-        raise Wrong("a subscription to /py_str_topic", f"subscriptions: {others}", "Is the topic's name right?")
-    for word in words:
-        if f"I heard: {word}" not in seen.outputs[0]:
-            raise Wrong(
-                f"a log line with: I heard: {word}",
-                seen.outputs[0].strip()[-300:] or "nothing was printed",
-                "Does the callback log msg.data with self.get_logger().info(...)?",
-                share=0.5,
-            )
+        raise Wrong("a subscription to /py_str_topic", f"subscriptions: {others}", "Is the topic's name right?", hint=0)
+    output = said(seen)
+    logged = re.findall(r"^\[INFO\] \[[0-9.]+\] \[py_subscriber_node\]: I heard: (.*)$", output, re.M)
+    if logged != words:
+        printed = all(f"I heard: {word}" in output for word in words)
+        cause = "Does the callback log msg.data with self.get_logger().info(...)?"
+        if printed and logged != words and not logged:
+            cause = "These are printed, not logged: self.get_logger().info(...) adds level, time and node."
+        wanted = "the node's log with: " + ", ".join(f"I heard: {word}" for word in words)
+        raise Wrong(wanted, output.strip()[-300:] or "nothing was printed", cause, share=0.5, hint=1)
 
 
 @exercise(
@@ -77,28 +92,28 @@ def listener(work: Work) -> None:
     ),
 )
 def relay(work: Work) -> None:
-    """Each message comes out in capitals, once and at once."""
+    """Each message comes out in capitals, once and at once; also those that come in quick succession."""
     work.built(PACKAGE)
-    said = ["Vera is awake: 1", "grüß dich", "MiXed 7"]
-    seen = work.try_out(
-        f"run {PACKAGE} relay_exe",
-        record=["/py_upper_topic"],
-        publish=[
-            (0.5 + index * 0.7, "/py_str_topic", "std_msgs/msg/String", {"data": one}) for index, one in enumerate(said)
-        ],
-        seconds=4.0,
-    )
-    _expect_node(seen, "/py_relay_node")
+    chance = work.dice("ch02.q3")
+    texts = ["Vera is awake: 1", "grüß dich", *(f"{_word(chance)} MiXed {number}" for number in range(6))]
+    times = [0.5 + 0.4 * index + chance.uniform(0.0, 0.3) for index in range(len(texts) - 2)]
+    times += [times[-1] + 0.011, times[-1] + 0.022]
+    spoken = [(when, "/py_str_topic", STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
+    seen = work.try_out(f"run {PACKAGE} relay_exe", record=["/py_upper_topic"], publish=spoken, seconds=4.5)
+    expect_node(seen, "/py_relay_node")
     if "/py_upper_topic" not in seen.messages:
-        raise Wrong("a publisher on /py_upper_topic", f"topics: {', '.join(seen.topics)}", "Is the name right?")
-    got = [message["data"] for _, message in seen.messages["/py_upper_topic"]]
-    if [text.casefold() for text in got] != [text.casefold() for text in said]:
-        raise Wrong(f"{len(said)} messages, one for each that came in", f"{len(got)}: {got!r:.200}", share=0.25)
-    if any(text != text.upper() for text in got):
-        raise Wrong("texts in capitals", f"{got!r:.200}", "str has a method for it.", share=0.5)
-    late = [when - (0.5 + index * 0.7) for index, (when, _) in enumerate(seen.messages["/py_upper_topic"])]
-    if max(late) > 0.2:
-        raise Wrong("an answer at once", f"{max(late):.1f} s later", "Publish in the callback, not on a timer.", share=0.5)
+        topics = ", ".join(name for name in seen.topics if name not in EVERY_NODE_S)
+        raise Wrong("a publisher on /py_upper_topic", f"topics: {topics}", "Is the name right?", hint=0)
+    answers = [(when, field(one, "data", str, "/py_upper_topic")) for when, one in heard(seen, "/py_upper_topic")]
+    got = [one for _, one in answers]
+    if [one.casefold() for one in got] != [one.casefold() for one in texts]:
+        raise Wrong(f"{len(texts)} messages, one for each that came in", f"{len(got)}: {shown(got)}", share=0.25, hint=0)
+    if got != [one.upper() for one in texts]:
+        raise Wrong("texts in capitals", shown(got), "str has a method for it.", share=0.5, hint=1)
+    late = [when - came for (when, _), came in zip(answers, times, strict=True)]
+    if not max(late) <= AT_ONCE:
+        cause = "Publish in the callback, not on a timer."
+        raise Wrong("an answer at once", f"{max(late):.3f} s later", cause, share=0.5, hint=0)
 
 
 @exercise(
@@ -113,25 +128,22 @@ def relay(work: Work) -> None:
 def health(work: Work) -> None:
     """Two topics of different types, 1 to 20 Hz, values that change."""
     work.built(PACKAGE)
-    seen = work.try_out(f"run {PACKAGE} health_exe", record=["*"], seconds=4.0)
+    seen = work.try_out(f"run {PACKAGE} health_exe", record=["*"], seconds=SECONDS)
     own = {name: types[0] for name, types in seen.topics.items() if name not in EVERY_NODE_S and seen.publishers.get(name)}
     if len(set(own.values())) < 2:
-        raise Wrong("at least two topics of different types", f"{own or 'none'}", "Was it built after the last change?")
+        what = ", ".join(f"{name} ({kind})" for name, kind in own.items()) or f"none; it said: {last_words(said(seen))}"
+        raise Wrong("at least two topics of different types", what, "Was it built after the last change?", hint=0)
     for name in own:
-        messages = [message for _, message in seen.messages.get(name, [])]
-        rate = len(messages) / 4.0
-        if not 0.9 <= rate <= 21:
-            raise Wrong(f"{name} between 1 and 20 times a second", f"{rate:.1f} times", share=0.5)
-        if all(message == messages[0] for message in messages):
-            raise Wrong(f"values on {name} that change", f"always {messages[0]}", share=0.5)
+        _judge_health(name, heard(seen, name))
 
 
-def _expect_node(seen: object, name: str) -> None:
-    nodes = seen.nodes  # type: ignore[attr-defined]
-    if name not in nodes:
-        output = seen.outputs[0].strip().splitlines()  # type: ignore[attr-defined]
-        raise Wrong(
-            f"a node named {name}",
-            f"nodes: {', '.join(nodes) or 'none'}" + (f"; the program said: {output[-1]}" if output else ""),
-            "Does the executable start, and is the name in super().__init__ right?",
-        )
+def _judge_health(topic: str, messages: list[tuple[float, Any]]) -> None:
+    wanted = f"{topic} between 1 and 20 times a second"
+    if len(messages) < SECONDS - 2:
+        raise Wrong(wanted, f"{len(messages)} messages in {SECONDS:g} s", share=0.5)
+    gaps = sorted(after - before for (before, _), (after, _) in pairwise(messages))
+    usual = gaps[len(gaps) // 2]
+    if not (is_number(usual) and 1 / 20.5 <= usual <= 1.01 and gaps[-1] <= 2.02):
+        raise Wrong(wanted, f"one each {usual:.3f} s" + (f", once {gaps[-1]:.1f} s" if gaps[-1] > 1.01 else ""), share=0.5)
+    if len({repr(message) for _, message in messages}) < 2:
+        raise Wrong(f"values on {topic} that change", f"always {shown(messages[0][1])}", share=0.5)

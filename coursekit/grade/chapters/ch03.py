@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.trial import Seen
+from coursekit.grade.outputs import exit_code, expect_node, heard, last_words, said
+from coursekit.grade.plain import called, field, is_number, shown
+from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
 PACKAGE = "s3_py_srvcli"
 ADD = "example_interfaces/srv/AddTwoInts"
 SET = "std_srvs/srv/SetBool"
-SERVER = f"run {PACKAGE} server_exe"
+SERVER = "run coursekit_robots odd_adder --ros-args -r add_two_ints:=/py_add_two_ints_service -p more:="
+"""The course's server for what students ask: its answer is not the sum."""
 
 
 @exercise(
@@ -34,22 +38,24 @@ def lift(work: Work) -> None:
     try:
         for wanted, holding, succeeds in ((1, 0, 1), (1, 1, 0), (0, 1, 1), (0, 0, 0)):
             state["holding"] = bool(holding)
-            response = function(SetBool.Request(data=bool(wanted)), SetBool.Response())
-            _expect_lift(response, state["holding"], bool(wanted), bool(holding), bool(succeeds))
+            case = f"{'lift' if wanted else 'put down'} with {'a box' if holding else 'empty hands'}"
+            response = called(function, SetBool.Request(data=bool(wanted)), SetBool.Response(), told=f"lift: {case}")
+            if type(response) is not SetBool.Response:
+                cause = "Is there a `return response` in every case?"
+                raise Wrong(f"{case}: the response, returned", gave=shown(response), cause=cause, hint=1)
+            state = work.value("state", dict)
+            _expect_lift(response, state.get("holding"), case, bool(succeeds), bool(wanted if succeeds else holding))
     finally:
         state.update(before)
 
 
-def _expect_lift(response: Any, after: object, wanted: bool, holding: bool, succeeds: bool) -> None:
-    case = f"{'lift' if wanted else 'put down'} with {'a box' if holding else 'empty hands'}"
-    if response is None:
-        raise Wrong(f"{case}: the response, returned", "None", "Is there a `return response` in every case?")
+def _expect_lift(response: Any, after: Any, case: str, succeeds: bool, holds: bool) -> None:
     if response.success is not succeeds:
-        raise Wrong(f"{case}: success is {succeeds}", f"{response.success}")
-    if after is not (wanted if succeeds else holding):
-        raise Wrong(f"{case}: state['holding'] is {wanted if succeeds else holding} afterwards", f"{after}")
-    if not response.message.strip():
-        raise Wrong(f"{case}: a message in words", "an empty message", share=0.5)
+        raise Wrong(f"{case}: success is {succeeds}", gave=shown(response.success), hint=0)
+    if after is not holds:
+        raise Wrong(f"{case}: state['holding'] is {holds} afterwards", gave=shown(after), hint=0)
+    if type(response.message) is not str or not response.message.strip():
+        raise Wrong(f"{case}: a message in words", gave="an empty message", share=0.5, hint=1)
 
 
 @exercise(
@@ -62,33 +68,42 @@ def _expect_lift(response: Any, after: object, wanted: bool, holding: bool, succ
     ),
 )
 def client(work: Work) -> None:
-    """Two numbers are added by the service; other counts give the usage line and exit status 1."""
+    """What the service says about two numbers is logged; other counts give the usage line and exit status 1."""
     work.built(PACKAGE)
     for words in ("", "17", "1 2 3"):
         _expect_usage(work.try_out(f"run {PACKAGE} client_exe {words}", seconds=1.5), words)
-    for a, b in ((17, 25), (-4, 1004)):
-        seen = work.try_out(f"run {PACKAGE} client_exe {a} {b}", SERVER, seconds=3.0)
-        asked = f"{a} + {b} = " in seen.outputs[1]
-        said = seen.outputs[0].strip()
-        if not asked:
-            raise Wrong(f"client_exe {a} {b} asks the service for {a} and {b}", said or "the server was not asked")
-        if f"{a} + {b} = {a + b}" not in said:
-            raise Wrong(f"client_exe {a} {b} logs: {a} + {b} = (the sum)", said or "nothing", share=0.5)
-        if "[py_client_async_node]" not in said:
-            raise Wrong("the line from the node's logger", said, "node.get_logger().info(...)", share=0.75)
-        if seen.exit_codes[0] != 0:
-            cause = "After the answer main has to end: no rclpy.spin, and it returns None or 0."
-            raise Wrong("exit status 0 as soon as the answer is there", f"{seen.exit_codes[0]}", cause, share=0.5)
+    chance = work.dice("ch03.q2")
+    for _ in range(2):
+        a, b, more = chance.randint(-99, 99), chance.randint(1, 999), chance.randint(3, 60)
+        seen = work.try_out(f"run {PACKAGE} client_exe {a} {b}", beside=[f"{SERVER}{more}"], seconds=3.0)
+        _judge_client(seen, a, b, a + b + more)
+
+
+def _judge_client(seen: Seen, a: int, b: int, answer: int) -> None:
+    output = said(seen).strip()
+    if f"asked for {a} and {b}" not in "".join(seen.beside):
+        wanted = f"client_exe {a} {b} asks the service for {a} and {b}"
+        raise Wrong(wanted, output[-300:] or "the server was not asked", hint=1)
+    if f"{a} + {b} = {answer}" not in [line.rpartition("]: ")[2].strip() for line in output.splitlines()]:
+        cause = "The check's server counts differently: what it says counts, not the sum." if f"= {a + b}" in output else ""
+        wanted = f"client_exe {a} {b} logs what the server says: {a} + {b} = {answer}"
+        raise Wrong(wanted, output[-300:] or "nothing", cause, share=0.5, hint=1)
+    if not re.search(rf"^\[INFO\] .*\[py_client_async_node\]: {a} \+ {b} = {answer}$", output, re.M):
+        raise Wrong("the line from the node's logger", output[-300:], "node.get_logger().info(...)", share=0.75)
+    if exit_code(seen) != 0:
+        cause = "After the answer main has to end: no rclpy.spin, and it returns None or 0."
+        raise Wrong("exit status 0 as soon as the answer is there", f"{exit_code(seen)}", cause, share=0.5)
 
 
 def _expect_usage(seen: Seen, words: str) -> None:
     call = f"client_exe {words}".strip()
-    lines = [line for line in seen.outputs[0].splitlines() if not line.startswith("[ros2run]")]
+    lines = [line for line in said(seen).splitlines() if not line.startswith("[ros2run]")]
     if "usage: client_exe A B" not in [line.strip() for line in lines]:
-        raise Wrong(f"{call}: the line `usage: client_exe A B`", "\n".join(lines)[-300:] or "nothing was printed")
-    if seen.exit_codes[0] != 1:
+        got = "\n".join(lines)[-300:] or "nothing was printed"
+        raise Wrong(f"{call}: the line `usage: client_exe A B`", got, hint=0)
+    if exit_code(seen) != 1:
         cause = "sys.argv holds the program's name too. `return 1` gives the exit status."
-        raise Wrong(f"{call}: exit status 1", f"exit status {seen.exit_codes[0]}", cause, share=0.5)
+        raise Wrong(f"{call}: exit status 1", f"exit status {exit_code(seen)}", cause, share=0.5, hint=0)
 
 
 @exercise(
@@ -102,29 +117,29 @@ def _expect_usage(seen: Seen, words: str) -> None:
     ),
 )
 def gate(work: Work) -> None:
-    """The gate's answer is the server's plus the boxes that stand there; without the server there is none."""
+    """The gate's answer is the server's plus the boxes that stand there; the server does not say the sum."""
     work.built(PACKAGE)
-    boxes = work.variant("boxes", 10)
-    questions = [(17, 25), (-30, 3), (0, 0)]
+    boxes, chance = work.variant("boxes", 10), work.dice("ch03.q3")
+    more = chance.randint(20, 70)
+    questions = [(chance.randint(-50, 99), chance.randint(-50, 99)) for _ in range(3)]
     calls = [(1.0 + at, "/py_gate_service", ADD, {"a": a, "b": b}) for at, (a, b) in enumerate(questions)]
-    seen = work.try_out(f"run {PACKAGE} gate_exe", SERVER, call=calls, seconds=5.0)
-    if "/py_gate_node" not in seen.nodes:
-        raise Wrong("a node named /py_gate_node", ", ".join(seen.nodes) + _last_words(seen))
+    seen = work.try_out(f"run {PACKAGE} gate_exe", beside=[f"{SERVER}{more}"], call=calls, seconds=5.0)
+    expect_node(seen, "/py_gate_node")
     if "/py_gate_service" not in seen.services:
-        raise Wrong("a service /py_gate_service", "none of that name", "Is create_service in the constructor?")
-    if seen.responses[0] is None:
+        raise Wrong("a service /py_gate_service", "none of that name", "Is create_service in the constructor?", hint=0)
+    if len(seen.responses) < 1 or seen.responses[0] is None:
         cause = "A deadlock? Both are needed: `await` with `call_async`, and a group of its own for the client."
-        raise Wrong(f"an answer to {questions[0]}", "none came" + _last_words(seen), cause)
+        last = last_words(said(seen))
+        raise Wrong(f"an answer to {questions[0]}", f"none came; the program said: {last}", cause, hint=2)
     for (a, b), response in zip(questions, seen.responses, strict=True):
-        if response is None or response["sum"] != a + b + boxes:
-            raise Wrong(f"for a={a}, b={b} what the server says, and {boxes} more", f"{response}", share=0.25)
-    if seen.outputs[1].count(" = ") < len(questions):
-        raise Wrong("py_add_two_ints_service is asked each time", "its server heard less", "Ask it.", share=0.25)
-
-
-def _last_words(seen: Seen) -> str:
-    lines = seen.outputs[0].strip().splitlines()
-    return f"; the program's last line: {lines[-1]}" if lines else ""
+        told = f"for a={a}, b={b} what the server says ({a + b + more}; it counts differently), and {boxes} more"
+        got = field(response, "sum", int, told)
+        if got != a + b + more + boxes:
+            cause = "That is the sum by itself. Ask the server." if got == a + b + boxes else ""
+            raise Wrong(told, f"{got}", cause, share=0.25, hint=1)
+    asked = "".join(seen.beside).count("asked for ")
+    if asked < len(questions):
+        raise Wrong("py_add_two_ints_service is asked each time", f"asked {asked} times", "Ask it.", share=0.25, hint=1)
 
 
 @exercise(
@@ -143,26 +158,50 @@ def switch(work: Work) -> None:
     first = work.try_out(command, seconds=1.0)
     services = [name for name, types in first.services.items() if SET in types]
     if not services:
-        raise Wrong(f"a service of type {SET}", "none" + _last_words(first), "Was it built after the last change?")
-    usual = ("/rosout", "/parameter_events")
-    topics = [name for name in first.topics if name not in usual and first.publishers.get(name)]
+        last = last_words(said(first))
+        raise Wrong(f"a service of type {SET}", f"none; the program said: {last}", "Was it built after the last change?")
+    topics = [name for name in first.topics if name not in EVERY_NODE_S and first.publishers.get(name)]
     if not topics:
-        raise Wrong("a topic that shows whether it is on", "the node publishes nothing", share=0.25)
+        raise Wrong("a topic that shows whether it is on", "the node publishes nothing", share=0.25, hint=0)
     calls = [(when, services[0], SET, {"data": on}) for when, on in ((3.05, True), (6.05, False))]
     seen = work.try_out(command, call=calls, record=topics, seconds=9.0)
     for (_, name, _, request), response in zip(calls, seen.responses, strict=True):
-        if response is None or not response["success"] or not response["message"].strip():
-            raise Wrong(f"{name} answers {request}: success, and a message", f"{response}", share=0.25)
-    if not any(_shows(seen.messages.get(name, [])) for name in topics):
+        told = f"{name} answers {request}: success, and a message"
+        if field(response, "success", bool, told) is not True or not field(response, "message", str, told).strip():
+            raise Wrong(told, shown(response), share=0.25, hint=1)
+    if not any(_shows(heard(seen, name)) for name in topics):
         raise Wrong(
             "a topic, at least once a second, that differs between on and off",
             f"the same on {', '.join(topics)} before, while and after it was on, or too seldom",
+            "What is published has to be the same before it was on and after.",
             share=0.5,
+            hint=0,
         )
 
 
-def _shows(messages: Sequence[tuple[float, Mapping[str, Any]]]) -> bool:
-    """Whether what is said while it is on (3 to 6 s) is never said before and after, at least twice in each part."""
-    parts = [[repr(msg) for when, msg in messages if start <= when < start + 2.9] for start in (0.0, 3.1, 6.1)]
-    before, on, after = (set(part) for part in parts)
-    return min(len(part) for part in parts) >= 2 and not on & (before | after)
+def _shows(messages: Sequence[tuple[float, Any]]) -> bool:
+    """Whether some field tells on (3 to 6 s) from off (before and after), by what it says or by how much."""
+    parts = [[_leaves(msg) for when, msg in messages if start <= when < start + 2.9] for start in (0.0, 3.1, 6.1)]
+    if min(len(part) for part in parts) < 2:
+        return False
+    names = set.intersection(*(set(one) for part in parts for one in part))
+    return any(_tells(*([one[name] for one in part] for part in parts)) for name in names)
+
+
+def _leaves(message: Any, name: str = "") -> dict[str, Any]:
+    """The plain values in a message by their place; the numbers in texts, such as times, are left out of them."""
+    inner: Iterator[tuple[Any, Any]] = iter(())
+    if isinstance(message, dict):
+        inner = iter(message.items())
+    elif isinstance(message, list):
+        inner = iter(enumerate(message[:100]))
+    else:
+        return {name: re.sub(r"\d+", "#", message) if isinstance(message, str) else message}
+    return {place: leaf for key, one in inner for place, leaf in _leaves(one, f"{name}.{key}").items()}
+
+
+def _tells(before: list[Any], on: list[Any], after: list[Any]) -> bool:
+    if all(is_number(one) for one in before + on + after):
+        return min(on) > max(before + after) or max(on) < min(before + after)
+    said_on, said_off = {repr(one) for one in on}, ({repr(one) for one in before}, {repr(one) for one in after})
+    return not said_on & (said_off[0] | said_off[1]) and bool(said_off[0] & said_off[1])

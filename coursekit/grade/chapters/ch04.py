@@ -3,39 +3,39 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
+from random import Random
+from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.plain import shown
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
-from coursekit.interfaces.errors import InterfaceError
-from coursekit.interfaces.model import Message
-from coursekit.interfaces.parser import parse_file
+
+if TYPE_CHECKING:
+    from coursekit.interfaces.model import Field, Message
 
 TYPES = "s4_custom_interface"
 APPS = "s4_py_apps"
+METRES = re.compile(r"\b(m|met(re|er)s?|metros?|mètres?|metri)\b", re.I)
+"""How the unit of a length is written, in the languages of the course."""
 
 
 def _message(work: Work, name: str) -> Message:
     """A message type as it stands in src/, which also has to be in install/ like that."""
-    source = work.file(f"src/{TYPES}/msg/{name}.msg")
-    try:
-        message = parse_file(TYPES, source)
-    except InterfaceError as error:
-        raise Wrong(f"{name}.msg that can be read", str(error).replace(str(work.workspace), "~/ros2_ws")) from None
-    assert isinstance(message, Message)
-    _expect_installed(work.built(TYPES), source, name)
-    return message
-
-
-def _expect_installed(prefix: Path, source: Path, name: str) -> None:
-    installed = prefix / "share" / TYPES / "msg" / f"{name}.msg"
-    if not installed.is_file() or installed.read_text(encoding="utf-8") != source.read_text(encoding="utf-8"):
+    source = f"src/{TYPES}/msg/{name}.msg"
+    found = work.message(source)
+    work.built(TYPES)
+    places = [f"install/{folder}share/{TYPES}/msg/{name}.msg" for folder in (f"{TYPES}/", "")]
+    installed = [work.text(one) for one in places if work.exists(one)]
+    if work.text(source) not in installed:
         build = f"%colcon build --packages-select {TYPES}"
-        raise Wrong(f"{name}.msg, built as it is in src/", "not in install/", f"Look at what this prints: {build}")
+        what = "an older one is in install/" if installed else "not in install/"
+        raise Wrong(f"{name}.msg, built as it is in src/", what, f"Look at what this prints: {build}")
+    return found
 
 
 @exercise(
@@ -48,18 +48,19 @@ def _expect_installed(prefix: Path, source: Path, name: str) -> None:
     ),
 )
 def sphere(work: Work) -> None:
-    """The fields have these types, names and this order; the unit is told."""
-    message = _message(work, "Sphere")
-    names = [field.name for field in message.fields]
+    """The fields have these types, names and this order; the radius's unit is told beside it."""
+    fields = _message(work, "Sphere").fields
+    names = [field.name for field in fields]
     if names != ["center", "radius"]:
-        raise Wrong("the fields center and radius, in this order", ", ".join(names) or "no fields")
-    kinds = [(field.type.base, field.type.is_primitive) for field in message.fields]
-    if kinds[0][0].split("/")[-1] != "Point" or not kinds[0][0].startswith("geometry_msgs/"):
-        raise Wrong("center of the type Point of geometry_msgs", kinds[0][0])
-    if kinds[1][0] not in ("float64", "double"):
-        raise Wrong("radius of the type float64", kinds[1][0], "float32 has only seven digits.")
-    if "#" not in work.text(f"src/{TYPES}/msg/Sphere.msg"):
-        raise Wrong("a comment with the unit of the radius", "no comment", "A comment begins with #.", share=0.5)
+        raise Wrong("the fields center and radius, in this order", gave=", ".join(names) or "no fields", hint=0)
+    center, radius = fields
+    if str(center.type) != "geometry_msgs/Point":
+        raise Wrong("center of the type Point of geometry_msgs", gave=str(center.type), hint=1)
+    if str(radius.type) not in ("float64", "double"):
+        raise Wrong("radius of the type float64", gave=str(radius.type), cause="float32 has only seven digits.")
+    if not METRES.search(radius.comment):
+        got = f"the comment: {radius.comment[:80]}" if radius.comment else "no comment beside or above it"
+        raise Wrong("a comment that tells the radius's unit, metres or m", gave=got, cause="It begins with #.", share=0.5)
 
 
 @exercise(
@@ -74,38 +75,44 @@ def sphere(work: Work) -> None:
 def mechanic(work: Work) -> None:
     """Statuses and spheres are logged in the words that were asked for."""
     work.built(APPS)
-    states = [(17 + 9 * at, at % 2 == 0) for at in range(3)]
-    radii = [0.5, 1.0, 2.25]
+    chance = work.dice("ch04.q2")
+    states = [(chance.randint(-20, 90), up) for up in (True, False, chance.random() < 0.5)]
+    radii = [_radius(chance) for _ in range(3)]
     publish: list[tuple[float, str, str, dict[str, Any]]] = [
         (1.0 + at, "/py_hs_topic", f"{TYPES}/msg/HardwareStatus", {"temperature": degrees, "are_motors_up": up})
         for at, (degrees, up) in enumerate(states)
     ]
     publish += [(1.5 + at, "/py_sphere_topic", f"{TYPES}/msg/Sphere", {"radius": r}) for at, r in enumerate(radii)]
     seen = work.try_out(f"run {APPS} subscriber_exe", publish=publish, seconds=5.0)
-    if "/py_subscriber_node" not in seen.nodes:
-        raise Wrong("a node named /py_subscriber_node", ", ".join(seen.nodes) + _last_words(seen))
-    _expect_subscribed(seen, "/py_hs_topic", "/py_sphere_topic")
+    expect_node(seen, "/py_subscriber_node")
+    for topic in ("/py_hs_topic", "/py_sphere_topic"):
+        if not seen.subscriptions.get(topic):
+            wanted = f"a subscription to {topic}"
+            raise Wrong(wanted, f"none; the program said: {last_words(said(seen))}", "Is the topic's name right?", hint=0)
     for degrees, up in states:
         _expect_line(seen, f"{degrees} degrees, motors {'up' if up else 'down'}", "a status")
     for radius in radii:
-        _expect_line(seen, f"volume {4 / 3 * math.pi * radius**3:.2f}", f"a sphere of radius {radius}")
+        _expect_line(seen, f"volume {_volume(radius):.2f}", f"a sphere of radius {radius}")
 
 
-def _expect_subscribed(seen: Seen, *topics: str) -> None:
-    for topic in topics:
-        if not seen.subscriptions.get(topic):
-            raise Wrong(f"a subscription to {topic}", "none" + _last_words(seen), "Is the topic's name right?")
+def _volume(radius: float) -> float:
+    return 4 / 3 * math.pi * radius**3
+
+
+def _radius(chance: Random) -> float:
+    """A radius whose volume is not just between two roundings."""
+    while True:
+        radius = round(chance.uniform(0.3, 2.5), 2)
+        if abs(_volume(radius) * 100 % 1 - 0.5) > 0.01:
+            return radius
 
 
 def _expect_line(seen: Seen, line: str, what: str) -> None:
-    said = [one.partition("]: ")[2] for one in seen.outputs[0].splitlines()]
-    if line not in said:
-        raise Wrong(f"{what} is logged as: {line}", "; ".join(said[:6]) or "nothing" + _last_words(seen), share=0.25)
-
-
-def _last_words(seen: Seen) -> str:
-    lines = seen.outputs[0].strip().splitlines()
-    return f"; the program's last line: {lines[-1]}" if lines else ""
+    logged = re.findall(r"^\[[A-Z]+\] \[[0-9.]+\] \[py_subscriber_node\]: (.*)$", said(seen), re.M)
+    if line not in logged:
+        got = "; ".join(logged[:6]) or f"nothing is logged; the program said: {last_words(said(seen))}"
+        wanted = f"{what} is logged as: {line}"
+        raise Wrong(wanted, got, share=0.25, hint=1 if line.startswith("volume") and logged else 0)
 
 
 @exercise(
@@ -121,40 +128,42 @@ def fetch(work: Work) -> None:
     """Feedback box by box, a result at the end, and a cancelled goal that ends early."""
     work.built(APPS)
     goal = f'action send_goal --feedback /fetch {TYPES}/action/Fetch "{{boxes: %d}}"'
-    for boxes in (1, 4):
-        seen = work.try_out(f"run {APPS} fetch_exe", goal % boxes, seconds=4.0)
-        said = seen.outputs[1]
-        feedback = _numbers(said, "brought_yet:")
-        if feedback != list(range(1, boxes + 1)):
-            raise Wrong(f"with {boxes} boxes the feedback 1 to {boxes}", f"{feedback}{_last_words(seen)}")
-        if f"brought: {boxes}" not in said:
-            raise Wrong(f"the result brought: {boxes}", f"{_numbers(said, 'brought:')}{_last_words(seen)}", share=0.4)
-        if "status: SUCCEEDED" not in said:
-            raise Wrong("a goal that succeeded", _ending(said), "goal_handle.succeed()", share=0.4)
+    for boxes in (1, work.dice("ch04.q3").randint(3, 6)):
+        _expect_fetched(work.try_out(f"run {APPS} fetch_exe", goal % boxes, seconds=4.5), boxes)
     _expect_cancelled(work, goal % 40)
     seen = work.try_out(f"run {APPS} fetch_exe", goal % 4, seconds=1.7)
-    if len(_numbers(seen.outputs[1], "brought_yet:")) != 3:
-        raise Wrong("one box each half second", "another pace", "time.sleep(0.5) for each box", share=0.75)
+    if len(_numbers(said(seen, 1), "brought_yet:")) != 3:
+        raise Wrong("one box each half second", "another pace", "time.sleep(0.5) for each box", share=0.75, hint=0)
+
+
+def _expect_fetched(seen: Seen, boxes: int) -> None:
+    output, last = said(seen, 1), f"; the server's last words: {last_words(said(seen))}"
+    feedback = _numbers(output, "brought_yet:")
+    if feedback != list(range(1, boxes + 1)):
+        raise Wrong(f"with {boxes} boxes the feedback 1 to {boxes}", f"{feedback}{last}", hint=0)
+    if _numbers(output, "brought:") != [boxes]:
+        raise Wrong(f"the result brought: {boxes}", f"{_numbers(output, 'brought:')}{last}", share=0.4, hint=1)
+    if "status: SUCCEEDED" not in output:
+        raise Wrong("a goal that succeeded", _ending(output), "goal_handle.succeed()", share=0.4, hint=1)
 
 
 def _expect_cancelled(work: Work, goal: str) -> None:
     empty: dict[str, Any] = {}
     cancel = [(1.7, "/fetch/_action/cancel_goal", "action_msgs/srv/CancelGoal", empty)]
-    seen = work.try_out(f"run {APPS} fetch_exe", goal, call=cancel, seconds=4.0)
-    said = seen.outputs[1]
-    if "Goal finished with status" not in said:
-        raise Wrong("a goal that ends soon after it is cancelled", "it went on", "is_cancel_requested", share=0.5)
-    if "status: CANCELED" not in said:
-        raise Wrong("a cancelled goal that ends as canceled", _ending(said), "goal_handle.canceled()", share=0.5)
-    done = _numbers(said, "brought_yet:")
-    if _numbers(said, "brought:") != done[-1:]:
-        got = f"brought {_numbers(said, 'brought:')} after the feedback {done}"
-        raise Wrong("a result that says how many boxes were brought until then", got, share=0.75)
+    output = said(work.try_out(f"run {APPS} fetch_exe", goal, call=cancel, seconds=4.0), 1)
+    if "Goal finished with status" not in output:
+        raise Wrong("a goal that ends soon after it is cancelled", "it went on", "is_cancel_requested", share=0.5, hint=0)
+    if "status: CANCELED" not in output:
+        wanted = "a cancelled goal that ends as canceled"
+        raise Wrong(wanted, _ending(output), "goal_handle.canceled()", share=0.5, hint=1)
+    done, brought = _numbers(output, "brought_yet:"), _numbers(output, "brought:")
+    if not done or brought != done[-1:]:
+        got = f"brought {brought} after the feedback {done}"
+        raise Wrong("a result that says how many boxes were brought until then", got, share=0.75, hint=1)
 
 
 def _numbers(text: str, label: str) -> list[int]:
-    words = (line.split() for line in text.splitlines() if line.split()[:1] == [label])
-    return [int(found[1]) for found in words]
+    return [int(one) for one in re.findall(rf"^ *{label} (-?\d{{1,9}})$", text, re.M)]
 
 
 def _ending(said: str) -> str:
@@ -172,18 +181,25 @@ def _ending(said: str) -> str:
 )
 def report(work: Work) -> None:
     """A rich message type, published with values that change."""
-    for missing in _missing(_message(work, "Report")):
-        raise Wrong(missing, "Report.msg has none or too few")
+    definition = _message(work, "Report")
+    for missing in _missing(definition):
+        raise Wrong(missing, gave=_told(definition.fields, len(definition.constants)), hint=0)
     work.built(APPS)
     seen = work.try_out(f"run {APPS} report_exe", record=["/vera_report"], seconds=4.0)
     types = seen.topics.get("/vera_report", [])
     if types != [f"{TYPES}/msg/Report"]:
-        raise Wrong("/vera_report with your type", (", ".join(types) or "no such topic") + _last_words(seen), share=0.5)
-    messages = [message for _, message in seen.messages.get("/vera_report", [])]
+        got = f"{', '.join(types) or 'no such topic'}; the program said: {last_words(said(seen))}"
+        raise Wrong("/vera_report with your type", got, share=0.5)
+    messages = [one for _, one in heard(seen, "/vera_report")]
     if len(messages) < 3:
-        raise Wrong("a report at least once a second", f"{len(messages)} in 4 seconds", share=0.5)
-    if all(message == messages[0] for message in messages):
-        raise Wrong("values that change", f"always {messages[0]}", share=0.75)
+        raise Wrong("a report at least once a second", f"{len(messages)} in 4 seconds", share=0.5, hint=1)
+    if len({repr(one) for one in messages}) < 2:
+        raise Wrong("values that change", f"always {shown(messages[0])}", share=0.75, hint=1)
+
+
+def _told(fields: tuple[Field, ...], constants: int) -> str:
+    kinds = ", ".join(f"{one.type} {one.name}" for one in fields)
+    return f"{kinds or 'no fields'}; {constants} constant{'' if constants == 1 else 's'}"[:200]
 
 
 def _missing(message: Message) -> Iterator[str]:

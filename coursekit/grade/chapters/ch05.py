@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import statistics
+from random import Random
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.plain import field, fields, near, shown
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
@@ -13,6 +17,8 @@ from coursekit.grade.work import Work
 PACKAGE, USERS = "s5_py_camera", "s5_py_camera_usr"
 LAMP = "/py_lamp_node"
 NOT_SET, BOOL, INTEGER, DOUBLE, STRING = range(5)
+PICTURES = 12
+"""So many of each size are shown to the tracker."""
 
 
 @exercise(
@@ -26,78 +32,74 @@ NOT_SET, BOOL, INTEGER, DOUBLE, STRING = range(5)
     ),
 )
 def lamp(work: Work) -> None:
-    """Range and callback refuse what they should, and what is taken takes effect."""
+    """Range and callback refuse what they should, also as one of several, and what is taken takes effect."""
     work.built(PACKAGE)
-    asks = [
-        _set("lamp.period", 5.0),
-        _set("lamp.period", 0.05),
-        _set("lamp.colour", "violet"),
-        _set("lamp.colour", "red"),
+    no_lamp = work.dice("ch05.q1").choice(("violet", "blue", "white", "Red", "pink"))
+    asks: list[tuple[str, dict[str, Any], bool]] = [
+        ("lamp.period 5.0", {"lamp.period": 5.0}, False),
+        ("lamp.period 0.05", {"lamp.period": 0.05}, False),
+        (f"lamp.colour {no_lamp}", {"lamp.colour": no_lamp}, False),
+        ("lamp.colour red", {"lamp.colour": "red"}, True),
+        (f"lamp.period 0.4 and lamp.colour {no_lamp} at once", {"lamp.period": 0.4, "lamp.colour": no_lamp}, False),
+        (f"lamp.colour {no_lamp} and lamp.period 0.4 at once", {"lamp.colour": no_lamp, "lamp.period": 0.4}, False),
+        ("lamp.period 0.2 and lamp.colour amber at once", {"lamp.period": 0.2, "lamp.colour": "amber"}, True),
     ]
-    asks += [_set("lamp.period", 0.2), _set("lamp.colour", "amber")]
-    seen = work.try_out(
-        f"run {PACKAGE} lamp_exe",
-        record=["/lamp"],
-        call=[
-            (0.5, f"{LAMP}/describe_parameters", "rcl_interfaces/srv/DescribeParameters", {"names": ["lamp.period"]}),
-            *[(1.1 + 0.05 * index, f"{LAMP}/set_parameters", _SET, ask) for index, ask in enumerate(asks)],
-        ],
-        seconds=5.0,
-    )
-    _expect_node(seen, LAMP)
-    _judge_first_second(seen)
-    described = (seen.responses[0] or {}).get("descriptors") or [{}]
-    _judge_range(described[0])
-    _judge_answers([((one or {}).get("results") or [{}])[0] for one in seen.responses[1:]])
-    late = [message["data"] for when, message in seen.messages["/lamp"] if when > 3.0]
+    describe = (0.5, f"{LAMP}/describe_parameters", "rcl_interfaces/srv/DescribeParameters", {"names": ["lamp.period"]})
+    service = f"{LAMP}/set_parameters_atomically"
+    calls = [(1.1 + 0.05 * index, service, _SET, _set(ask)) for index, (_, ask, _) in enumerate(asks)]
+    seen = work.try_out(f"run {PACKAGE} lamp_exe", record=["/lamp"], call=[describe, *calls], seconds=5.0)
+    expect_node(seen, LAMP)
+    colours = [(when, field(one, "data", str, "/lamp")) for when, one in heard(seen, "/lamp")]
+    early = [colour for when, colour in colours if when < 1.1]
+    if early != ["green", "green"]:
+        raise Wrong("green twice in the first second, as the defaults say", f"{shown(early)}", "Are name and default right?")
+    _judge_range(seen.responses[0])
+    for (told, _, taken), answer in zip(asks, seen.responses[1:], strict=True):
+        _judge_answer(told, answer, taken)
+    late = [colour for when, colour in colours if when > 3.0]
+    if set(late) != {"amber"}:
+        raise Wrong("the colour that was set last: amber", ", ".join(sorted(set(late))) or "none", share=0.5)
     if not 9 <= len(late) <= 11:
         raise Wrong("10 colours in 2 s after lamp.period was set to 0.2", f"{len(late)}", share=0.5)
-    if set(late) != {"amber"}:
-        raise Wrong("the colour that was set last: amber", ", ".join(sorted(set(late))), share=0.5)
 
 
-_SET = "rcl_interfaces/srv/SetParameters"
+_SET = "rcl_interfaces/srv/SetParametersAtomically"
 
 
-def _set(name: str, value: float | str) -> dict[str, Any]:
-    typed = (
-        {"type": DOUBLE, "double_value": value} if isinstance(value, float) else {"type": STRING, "string_value": value}
-    )
-    return {"parameters": [{"name": name, "value": typed}]}
+def _set(values: dict[str, Any]) -> dict[str, Any]:
+    typed = {
+        name: {"type": DOUBLE, "double_value": value}
+        if isinstance(value, float)
+        else {"type": STRING, "string_value": value}
+        for name, value in values.items()
+    }
+    return {"parameters": [{"name": name, "value": value} for name, value in typed.items()]}
 
 
-def _judge_first_second(seen: Seen) -> None:
-    early = [message["data"] for when, message in seen.messages.get("/lamp", []) if when < 1.1]
-    if len(early) != 2 or set(early) != {"green"}:
-        raise Wrong("green twice in the first second, as the defaults say", f"{early}", "Are name and default right?")
+def _judge_range(answer: Any) -> None:
+    wanted = "lamp.period described with a floating_point_range from 0.1 to 2.0"
+    descriptor = (field(answer, "descriptors", list, wanted) or [None])[0]
+    ranges = field(descriptor, "floating_point_range", list, wanted)
+    if not ranges:
+        cause = "The range goes into the ParameterDescriptor, the third argument of declare_parameter."
+        raise Wrong(wanted, "it has none", cause, share=0.25, hint=0)
+    ends = fields(ranges[0], ("from_value", "to_value"), wanted)
+    if not near(ends[0], 0.1, 1e-9) or not near(ends[1], 2.0, 1e-9):
+        raise Wrong(wanted, f"from {ends[0]:g} to {ends[1]:g}", share=0.25, hint=0)
 
 
-def _judge_range(descriptor: dict[str, Any]) -> None:
-    ranges = descriptor.get("floating_point_range") or []
-    ends = (ranges[0]["from_value"], ranges[0]["to_value"]) if ranges else None
-    if ends is None or max(abs(ends[0] - 0.1), abs(ends[1] - 2.0)) > 1e-9:
-        raise Wrong(
-            "lamp.period described with a floating_point_range from 0.1 to 2.0",
-            f"from {ends[0]} to {ends[1]}" if ends else "it has none",
-            "" if ends else "The range goes into the ParameterDescriptor, the third argument of declare_parameter.",
-            share=0.25,
-        )
-
-
-def _judge_answers(results: list[dict[str, Any]]) -> None:
-    told = ["lamp.period 5.0", "lamp.period 0.05", "lamp.colour violet", "lamp.colour red", "lamp.period 0.2"]
-    for name, result, refused in zip(told, results, (True, True, True, False, False), strict=False):
-        if not result:
-            raise Wrong(
-                f"an answer to: {name}", "none", "Does judge return a SetParametersResult in every case?", share=0.25
-            )
-        if result["successful"] is refused:
-            seen = "taken" if refused else f"refused: {result['reason']}"
-            raise Wrong(f"{name}: {'refused' if refused else 'taken'}", seen, share=0.5)
-    if not results[2]["reason"]:
-        raise Wrong(
-            "a reason with the refused colour", "an empty one", "SetParametersResult has a field for it.", share=0.75
-        )
+def _judge_answer(told: str, answer: Any, taken: bool) -> None:
+    if answer is None:
+        cause = "Does judge return a SetParametersResult in every case?"
+        raise Wrong(f"an answer to: {told}", "none", cause, share=0.25, hint=1)
+    successful, reason = field(answer, "result.successful", bool), field(answer, "result.reason", str)
+    if successful is not taken:
+        seen = "taken" if successful else f"refused: {reason[:160]}"
+        cause = "judge gets a list: every one of them counts." if "at once" in told else ""
+        raise Wrong(f"{told}: {'taken' if taken else 'refused'}", seen, cause, share=0.5, hint=1)
+    if not taken and "colour" in told and not reason.strip():
+        cause = "SetParametersResult has a field for it."
+        raise Wrong("a reason with the refused colour", "an empty one", cause, share=0.75, hint=1)
 
 
 @exercise(
@@ -110,37 +112,34 @@ def _judge_answers(results: list[dict[str, Any]]) -> None:
     ),
 )
 def fleet(work: Work) -> None:
-    """ROS's own reading of the file gives each node what it should have."""
-    from coursekit.core.arguments import parse_ros_arguments
-
-    path = work.file(f"src/{PACKAGE}/config/fleet.yaml")
-    try:
-        read = parse_ros_arguments(["--ros-args", "--params-file", str(path)])
-    except Exception as error:
-        said = str(error).replace(str(path), path.name)
-        raise Wrong("a parameter file that ROS can read", said, "Two underscores in ros__parameters?") from None
+    """ROS's own reading of the file gives each node what it should have, whatever namespace it is in."""
     small = work.variant("width", 320), work.variant("height", 240)
     large, gate = (work.variant("gate_width", 1280), work.variant("gate_height", 720)), work.variant("gate", "gate")
-    cameras = {"/py_camera_node": small, "/hall/north/py_camera_node": small, "/a/b/c/py_camera_node": small}
-    for node, size in (cameras | {f"/{gate}/py_camera_node": large, f"/{gate}/east/py_camera_node": small}).items():
-        got = read.parameters_for(node)
+    chance = work.dice("ch05.q2")
+    hall, room = (f"{word}{chance.randint(2, 99)}" for word in ("hall", "room"))
+    cameras = dict.fromkeys(("", f"/{hall}", "/hall/north", f"/a/{hall}/{room}", f"/{gate}/east", f"/{hall}/{gate}"), small)
+    nodes = {f"{where}/py_camera_node": size for where, size in (cameras | {f"/{gate}": large}).items()}
+    others = ("/turtlesim", f"/{gate}/py_lamp_node", f"/{hall}/node_{room}")
+    read = work.parameters(f"src/{PACKAGE}/config/fleet.yaml", [*nodes, *others])
+    for node, size in nodes.items():
         for name, wanted in zip(("camera.width", "camera.height"), size, strict=True):
-            _expect_value(node, name, wanted, got)
-        _expect_value(node, "use_sim_time", False, got)
-    for node in ("/turtlesim", f"/{gate}/py_lamp_node"):
-        got = read.parameters_for(node)
-        _expect_value(node, "use_sim_time", False, got)
-        if any(name.startswith("camera.") for name in got):
-            raise Wrong(f"nothing about cameras for {node}", f"{got}", "A wildcard for the name too?", share=0.5)
+            _expect_value(node, name, wanted, read[node])
+        _expect_value(node, "use_sim_time", False, read[node])
+    for node in others:
+        _expect_value(node, "use_sim_time", False, read[node])
+        if any(name.startswith("camera.") for name in read[node]):
+            got = shown(read[node])
+            raise Wrong(f"nothing about cameras for {node}", got, "A wildcard for the name too?", share=0.5, hint=0)
 
 
 def _expect_value(node: str, name: str, wanted: Any, got: dict[str, Any]) -> None:
     value = got.get(name)
-    if value != wanted or type(value) is not type(wanted):
+    if type(value) is not type(wanted) or value != wanted:
         raise Wrong(
             f"{name} {wanted!r} for {node}",
-            repr(value) if name in got else f"{node} has {', '.join(got) or 'no parameters'}",
+            shown(value) if name in got else f"{node} has {', '.join(got) or 'no parameters'}",
             "When two entries fit, the later one in the file wins." if name in got else "Does one of the names fit it?",
+            hint=1 if name in got else 0,
         )
 
 
@@ -156,20 +155,23 @@ def _expect_value(node: str, name: str, wanted: Any, got: dict[str, Any]) -> Non
 def two_eyes(work: Work) -> None:
     """Two cameras in two namespaces, their width from the command line."""
     work.built(PACKAGE)
-    for argument, width in (("", 320), (" width:=160", 160)):
+    other = 16 * work.dice("ch05.q3").randint(5, 18)
+    for argument, width in (("", 320), (f" width:={other}", other)):
         command = f"launch {PACKAGE} two_cameras.launch.py{argument}"
         nodes = [f"/{side}/py_camera_node" for side in ("left", "right")]
         names = {"names": ["camera.width", "camera.height"]}
         calls = [(1.0, f"{node}/get_parameters", "rcl_interfaces/srv/GetParameters", names) for node in nodes]
         seen = work.try_out(command, call=calls, seconds=2.0)
         for node, answer in zip(nodes, seen.responses, strict=True):
-            _expect_node(seen, node)
-            size = [(one["type"], one["integer_value"]) for one in (answer or {"values": []})["values"]]
+            expect_node(seen, node)
+            values = field(answer, "values", list, f"an answer of {node}")
+            size = [(field(one, "type", int), field(one, "integer_value", int)) for one in values]
             if size != [(INTEGER, width), (INTEGER, 240)]:
-                shown = " x ".join(str(value) for _, value in size) or "nothing"
-                raise Wrong(f"{width} x 240 for {node} with: ros2 {command}", shown, share=0.5)
-        if len(seen.nodes) != len(set(seen.nodes)) or len(seen.nodes) > 3:
-            raise Wrong("two nodes", ", ".join(seen.nodes), share=0.5)
+                sizes = " x ".join(str(value) for _, value in size) or "nothing"
+                raise Wrong(f"{width} x 240 for {node} with: ros2 {command}", sizes, share=0.5, hint=0)
+        cameras = [node for node in seen.nodes if not node.startswith("/launch_ros_")]
+        if sorted(cameras) != nodes:
+            raise Wrong("two nodes", ", ".join(cameras), share=0.5, hint=1)
 
 
 @exercise(
@@ -182,57 +184,75 @@ def two_eyes(work: Work) -> None:
     ),
 )
 def ball(work: Work) -> None:
-    """The ball is where the scene has it, in small and in large pictures."""
+    """The ball is where the scene has it, in small and in large pictures, at moments that only the judge knows."""
     work.built(USERS)
-    for width, height, seconds in ((480, 360, 2.0), (320, 240, 5.0)):
-        size = f"-p camera.width:={width} -p camera.height:={height}"
-        seen = work.try_out(
-            f"run {PACKAGE} camera_exe --ros-args {size}",
-            f"run {USERS} tracker_exe",
-            record=["/ball/pixel"],
-            seconds=seconds,
-        )
-        _expect_node(seen, "/py_tracker_node", output=1)
-        _judge_places(seen, width, height, round(30 * seconds))
+    chance = work.dice("ch05.q4")
+    for width, height in ((320, 240), (200, 150)):
+        moments = _moments(chance)
+        pictures = [_picture(number, moment, width, height) for number, moment in enumerate(moments, 1)]
+        spoken = [(0.5 + 0.1 * k, "/camera/image_raw", "sensor_msgs/msg/Image", one) for k, one in enumerate(pictures)]
+        seconds = 1.0 + 0.1 * len(pictures)
+        seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=seconds)
+        expect_node(seen, "/py_tracker_node")
+        _judge_places(seen, _places(moments, width, height), width, height)
 
 
-def _judge_places(seen: Seen, width: int, height: int, pictures: int) -> None:
-    found = [message for _, message in seen.messages.get("/ball/pixel", [])]
-    if len(found) < 0.6 * pictures:
-        last = (seen.outputs[1].strip().splitlines() or ["nothing was printed"])[-1]
-        raise Wrong(f"a place for nearly each of {pictures} pictures", f"{len(found)}; the program said: {last}")
-    off = sorted(_distance(message, width, height) for message in found)
+def _moments(chance: Random) -> list[float]:
+    """Times of the scene at which the robot does not hide the ball."""
+    from coursekit.sim.camera import Scene
+
+    found: list[float] = []
+    while len(found) < PICTURES:
+        moment = chance.uniform(0.0, 10_000.0)
+        if math.dist(Scene.robot(moment)[:2], Scene.balls(moment)[0].centre[:2]) > 0.7:
+            found.append(moment)
+    return found
+
+
+def _picture(number: int, moment: float, width: int, height: int) -> dict[str, Any]:
+    from coursekit.sim.camera import Scene
+
+    data = Scene().render(moment, width, height).ravel().tolist()
+    header = {"frame_id": "camera", "stamp": {"sec": number}}
+    return {"header": header, "width": width, "height": height, "encoding": "bgr8", "step": 3 * width, "data": data}
+
+
+def _places(moments: list[float], width: int, height: int) -> dict[int, tuple[float, float]]:
+    """Where the ball is in each picture, by the picture's stamp."""
+    from coursekit.sim.camera import Scene
+
+    scene = Scene()
+    return {
+        number: scene.pixel(scene.balls(moment)[0].centre, width, height) for number, moment in enumerate(moments, 1)
+    }
+
+
+def _judge_places(seen: Seen, places: dict[int, tuple[float, float]], width: int, height: int) -> None:
+    said_of: dict[int, float] = {}
+    for _, one in heard(seen, "/ball/pixel"):
+        number = field(one, "header.stamp.sec", int, "/ball/pixel")
+        if number in places:
+            far = math.dist(fields(one, ("point.x", "point.y"), "/ball/pixel"), places[number])
+            said_of[number] = max(far, said_of.get(number, 0.0))
+    if len(said_of) < 0.6 * len(places):
+        got = f"places with {len(said_of)} of their stamps; the program said: {last_words(said(seen))}"
+        cause = "Does it see the ball in small pictures, too?"
+        raise Wrong(f"a place for nearly each of {len(places)} pictures", got, cause)
+    off = sorted(said_of.values())
     middle, most = statistics.median(off), off[int(0.9 * len(off))]
-    if middle > 0.006 * width:
+    if not middle <= 0.006 * width:
         raise Wrong(
-            f"at {width}x{height}, half of the places within {0.006 * width:.0f} pixels of the ball's centre",
-            f"half are more than {middle:.0f} pixels off",
+            f"at {width}x{height}, half of the places within {0.006 * width:.1f} pixels of the ball's centre",
+            f"half are more than {middle:.1f} pixels off",
             "x is the column and y the row. Is it red that you look for, at both ends of the hue?",
             share=0.25 if middle < 0.05 * width else 0.0,
+            hint=0,
         )
-    if most > 0.04 * width:
+    if not most <= 0.04 * width:
         raise Wrong(
             f"nine of ten places within {0.04 * width:.0f} pixels",
             f"the tenth part is {most:.0f} pixels off or more",
             "Other things in the hall are a little red too; take the largest patch only.",
             share=0.5,
-        )
-
-
-def _distance(message: dict[str, Any], width: int, height: int) -> float:
-    from coursekit.sim.camera import Scene
-
-    stamp = message["header"]["stamp"]
-    t = stamp["sec"] - 1_700_000_000 + stamp["nanosec"] * 1e-9  # where the virtual clock begins
-    u, v = Scene().pixel(Scene.balls(t)[0].centre, width, height)
-    return float(((message["point"]["x"] - u) ** 2 + (message["point"]["y"] - v) ** 2) ** 0.5)
-
-
-def _expect_node(seen: Seen, name: str, output: int = 0) -> None:
-    if name not in seen.nodes:
-        said = seen.outputs[output].strip().splitlines()
-        raise Wrong(
-            f"a node named {name}",
-            f"nodes: {', '.join(seen.nodes) or 'none'}" + (f"; it was said: {said[-1]}" if said else ""),
-            "Does it start, and are name and namespace right? Was it built after the last change?",
+            hint=1,
         )

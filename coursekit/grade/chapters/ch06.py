@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-import random
+from random import Random
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.body import FLOOR, extent, inverse, outside, poses, solids, turned
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import expect_node, heard
+from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
@@ -17,8 +19,11 @@ if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
 PACKAGE = "s6_py_urdf"
-WHEEL, ASIDE, HIGH = 0.0375, 0.094, 0.0659
-"""Of the course's robot: the wheels' radius, how far from the middle they run, how high base_link is [m]."""
+WHEEL, ASIDE = 0.0375, 0.094
+"""Of the course's robot: the wheels' radius, and how far from the middle they run [m]."""
+WHEELS = {f"{side}_{end}_joint" for side in ("left", "right") for end in ("front", "back")}
+POSTURES = 300
+"""So many ways of standing are tried when there are more."""
 
 
 @exercise(
@@ -32,15 +37,18 @@ WHEEL, ASIDE, HIGH = 0.0375, 0.094, 0.0659
 )
 def cart(work: Work) -> None:
     """The links are where they should be, at rest and when the joints move."""
-    robot = _load(work, f"src/{PACKAGE}/urdf/cart.urdf")
+    robot = work.robot(f"src/{PACKAGE}/urdf/cart.urdf")
+    if robot.name != "cart":
+        raise Wrong("a robot named cart", gave=shown(robot.name), cause="The name stands in <robot name=...>.")
     if robot.root != "base_footprint":
-        raise Wrong("the root base_footprint", robot.root, "Every other link is the child of some joint.")
+        raise Wrong("the root base_footprint", gave=robot.root, cause="Every other link is the child of some joint.")
     kinds = {"base_joint": "fixed", "left_wheel_joint": "continuous"}
     kinds |= {"right_wheel_joint": "continuous", "lift_joint": "prismatic"}
     for name, kind in kinds.items():
         found = robot.joints.get(name)
         if found is None or found.type != kind:
-            raise Wrong(f"a {kind} joint {name}", f"it is {found.type}" if found else f"joints: {', '.join(robot.joints)}")
+            got = f"it is {found.type}" if found else f"joints: {', '.join(robot.joints) or 'none'}"
+            raise Wrong(f"a {kind} joint {name}", got, hint=1 if kind == "prismatic" else None)
     _judge_cart_places(robot)
     for side in ("left", "right"):
         _judge_wheel(robot, side)
@@ -54,21 +62,32 @@ def _judge_cart_places(robot: Robot) -> None:
     for name, place in wanted.items():
         if name not in found:
             raise Wrong(f"a link {name}", f"links: {', '.join(found)}")
-        if math.dist(found[name][:3], place) > 1e-4:
+        if not close(_floats(found[name][:3]), place, 1e-4):
             cause = "The origin of a joint is given in its parent link's frame."
             raise Wrong(f"{name} at {_place(place)}", _place(found[name][:3]), cause, share=0.25)
+    size = extent(robot, "base_link", {})
+    if not _same_size(size, (0.5, 0.3, 0.1), 0.001):
+        raise Wrong("base_link 0.5 x 0.3 x 0.1 m", _place(size), share=0.25)
+
+
+def _floats(values: Any) -> list[float]:
+    return [float(one) for one in values]
+
+
+def _same_size(got: Any, need: tuple[float, ...], tolerance: float) -> bool:
+    return all(near(float(one), other, tolerance) for one, other in zip(got, need, strict=True))
 
 
 def _judge_wheel(robot: Robot, side: str) -> None:
     link = f"{side}_wheel_link"
     across = extent(robot, link, {})
-    if any(abs(got - need) > 0.003 for got, need in zip(across, (0.3, 0.05, 0.3), strict=True)):
+    if not _same_size(across, (0.3, 0.05, 0.3), 0.003):
         cause = "Does its axle lie along y, in the visual's origin?"
-        raise Wrong(f"{link} 0.3 m long, 0.05 m wide, 0.3 m high", _place(across), cause, share=0.5)
+        raise Wrong(f"{link} 0.3 m long, 0.05 m wide, 0.3 m high", _place(across), cause, share=0.5, hint=0)
     after = poses(robot, {f"{side}_wheel_joint": math.pi / 2})[link]
     before = poses(robot, {})[link]
     forward = turned(after, turned(inverse(before), (0.0, 0.0, 1.0)))
-    if forward[0] < 0.99:
+    if not forward[0] > 0.99:
         what = "backwards" if forward[0] < -0.99 else "not about y"
         cause = "Which way does the top of the wheel go? See the axis of the joint."
         raise Wrong(f"{side}_wheel_joint rolls forward", f"a quarter turn goes {what}", cause, share=0.5)
@@ -76,14 +95,14 @@ def _judge_wheel(robot: Robot, side: str) -> None:
 
 def _judge_lift(robot: Robot) -> None:
     size = extent(robot, "lift_link", {})
-    if any(abs(got - need) > 0.001 for got, need in zip(size, (0.4, 0.3, 0.02), strict=True)):
+    if not _same_size(size, (0.4, 0.3, 0.02), 0.001):
         raise Wrong("lift_link 0.4 x 0.3 x 0.02 m", _place(size), share=0.75)
     limit = robot.joints["lift_joint"].limit
-    assert limit is not None
-    if abs(limit.lower) > 1e-6 or abs(limit.upper - 0.4) > 1e-6:
-        raise Wrong("lift_joint from 0 to 0.4 m", f"from {limit.lower:g} to {limit.upper:g}", share=0.5)
+    if limit is None or not near(limit.lower, 0.0, 1e-6) or not near(limit.upper, 0.4, 1e-6):
+        got = f"from {limit.lower:g} to {limit.upper:g}" if limit else "no limit"
+        raise Wrong("lift_joint from 0 to 0.4 m", got, share=0.5, hint=1)
     high = poses(robot, {"lift_joint": 0.4})["lift_link"][:3]
-    if math.dist(high, (0.0, 0.0, 0.61)) > 1e-4:
+    if not close(_floats(high), (0.0, 0.0, 0.61), 1e-4):
         raise Wrong("the lift 0.4 m higher when lift_joint is at 0.4", f"it is at {_place(high)}", "See <axis>.", share=0.5)
 
 
@@ -98,21 +117,19 @@ def _judge_lift(robot: Robot) -> None:
 )
 def by_hand(work: Work) -> None:
     """The same places as the library's, for other angles and other arms."""
-    tip = work.function("tip")
-    dice = random.Random(6)
+    tip, chance = work.function("tip"), work.dice("ch06.q2")
     for index in range(12):
-        upper, fore = (0.4, 0.3) if index < 6 else (dice.uniform(0.2, 0.9), dice.uniform(0.2, 0.9))
-        shoulder, elbow = dice.uniform(-3, 3), dice.uniform(-3, 3)
+        upper, fore = (0.4, 0.3) if index < 6 else (chance.uniform(0.2, 0.9), chance.uniform(0.2, 0.9))
+        shoulder, elbow = chance.uniform(-3, 3), chance.uniform(-3, 3)
         told = f"tip({shoulder:.2f}, {elbow:.2f}" + (f", {upper:.2f}, {fore:.2f})" if index >= 6 else ")")
         given = (shoulder, elbow) if index < 6 else (shoulder, elbow, upper, fore)
-        got = tip(*given)
-        if not isinstance(got, tuple | list) or len(got) != 2:
-            raise Wrong(f"a pair (x, y) from {told}", repr(got)[:80])
+        got = numbers(called(tip, *given, told=told), 2, f"a pair (x, y) of finite numbers from {told}")
         place = _arm_tip(shoulder, elbow, upper, fore)
-        if math.dist(place, [float(one) for one in got]) > 1e-6:
+        if not close(got, place, 1e-6):
             cause = "Only with other lengths: are they used?" if index >= 6 else "Degrees? Or the elbow's angle alone?"
-            shown = f"({float(got[0]):.3f}, {float(got[1]):.3f})"
-            raise Wrong(f"({place[0]:.3f}, {place[1]:.3f}) from {told}", shown, cause, share=0.5 if index >= 6 else 0.0)
+            answer = f"({got[0]:.3f}, {got[1]:.3f})"
+            share = 0.5 if index >= 6 else 0.0
+            raise Wrong(f"({place[0]:.3f}, {place[1]:.3f}) from {told}", gave=answer, cause=cause, share=share, hint=1)
 
 
 def _arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[float, float]:
@@ -140,35 +157,47 @@ def _arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[
 def rolling(work: Work) -> None:
     """The way of each wheel's place over the floor is the way that its rim unrolls."""
     work.built(PACKAGE)
-    for radius in (1.0, 0.4, 0.05):
-        seen = work.try_out(
-            f"run {PACKAGE} rolling_exe --ros-args -p radius:={radius}", record=["/joint_states", "/tf"], seconds=1.5
-        )
-        if "/py_rolling_node" not in seen.nodes:
-            said = (seen.outputs[0].strip().splitlines() or ["nothing"])[-1]
-            cause = "Was it built after the last change?"
-            raise Wrong("a node /py_rolling_node", f"it is not there; it said: {said}", cause)
-        _judge_rolling(seen, radius)
+    for radius in (1.0, work.dice("ch06.q3").uniform(0.3, 0.8), 0.05):
+        command = f"run {PACKAGE} rolling_exe --ros-args -p radius:={radius:.3f}"
+        seen = work.try_out(command, record=["/joint_states", "/tf"], seconds=1.5)
+        expect_node(seen, "/py_rolling_node")
+        _judge_rolling(seen, round(radius, 3))
 
 
 def _judge_rolling(seen: Seen, radius: float) -> None:
-    frames = [(one["transform"], one["header"]) for _, all_ in seen.messages["/tf"] for one in all_["transforms"]]
-    states = [message for _, message in seen.messages["/joint_states"]]
+    frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
+    states = [message for _, message in heard(seen, "/joint_states")]
     if len(states) < 40 or len(frames) < 40:
         raise Wrong("joint states and frames at 30 Hz", f"{len(states)} and {len(frames)} in 1.5 s")
-    first, last = _moved(frames[0][0]), _moved(frames[len(states) - 1][0])
-    turn = last[2] - first[2]
-    for index, name in enumerate(states[0]["name"]):
-        side = ASIDE if name.startswith("left") else -ASIDE
-        way = turn * (math.hypot(first[0], first[1]) - side)
-        unrolled = WHEEL * (states[-1]["position"][index] - states[0]["position"][index])
-        if abs(way - unrolled) > 1e-3 + 0.005 * abs(way):
-            raise Wrong(
-                f"on a circle of {radius:g} m, {name} unrolls {way:.3f} m, as its place on the robot goes",
-                f"{unrolled:.3f} m",
-                _slip(way, unrolled, turn * radius),
-                share=0.4 if abs(unrolled - turn * radius) < 0.01 and radius == 1.0 else 0.0,
-            )
+    steps = min(len(states), len(frames)) - 1
+    first, last = _moved(frames[0]), _moved(frames[steps])
+    turn = math.remainder(last[2] - first[2], math.tau)
+    if not near(turn, math.radians(steps), 1e-3) or not near(math.hypot(first[0], first[1]), radius, 1e-3):
+        raise Wrong(f"a circle of {radius:g} m, 1° a step", "another way", "Is py_state_publisher_node.py as it was given?")
+    before, after = _angles(states[0]), _angles(states[steps])
+    for name in sorted(WHEELS):
+        way = turn * (radius - (ASIDE if name.startswith("left") else -ASIDE))
+        _judge_wheel_s_way(name, radius, way, WHEEL * (after[name] - before[name]), turn * radius)
+
+
+def _judge_wheel_s_way(name: str, radius: float, way: float, unrolled: float, middle: float) -> None:
+    if not near(unrolled, way, 1e-3 + 0.005 * abs(way)):
+        raise Wrong(
+            f"on a circle of {radius:g} m, {name} unrolls {way:.3f} m, as its place on the robot goes",
+            f"{unrolled:.3f} m",
+            _slip(way, unrolled, middle),
+            share=0.4 if near(unrolled, middle, 0.01) and radius == 1.0 else 0.0,
+            hint=0 if near(unrolled, middle, 0.01) else 1,
+        )
+
+
+def _angles(state: Any) -> dict[str, float]:
+    """The wheels' angles by their joints."""
+    names, values = field(state, "name", list), field(state, "position", list)
+    found = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
+    if not set(found) >= WHEELS:
+        raise Wrong("angles of the four wheels' joints", shown(names))
+    return {name: number(found[name], f"a finite angle of {name}") for name in WHEELS}
 
 
 def _slip(way: float, unrolled: float, middle: float) -> str:
@@ -179,9 +208,10 @@ def _slip(way: float, unrolled: float, middle: float) -> str:
     return "Which wheels are the inner ones? And the floor's length is the angle times the wheel's radius, 0.0375 m."
 
 
-def _moved(transform: dict[str, Any]) -> tuple[float, float, float]:
-    shift, turn = transform["translation"], transform["rotation"]
-    return shift["x"], shift["y"], 2 * math.atan2(turn["z"], turn["w"])
+def _moved(frame: Any) -> tuple[float, float, float]:
+    x, y = fields(frame, ("transform.translation.x", "transform.translation.y"), "/tf")
+    z, w = fields(frame, ("transform.rotation.z", "transform.rotation.w"), "/tf")
+    return x, y, 2 * math.atan2(z, w)
 
 
 @exercise(
@@ -195,7 +225,7 @@ def _moved(transform: dict[str, Any]) -> tuple[float, float, float]:
 )
 def own(work: Work) -> None:
     """All kinds of joints, possible masses, and it stands, wherever its joints are."""
-    robot = _load(work, f"src/{PACKAGE}/urdf/own.urdf.xacro")
+    robot = work.robot(f"src/{PACKAGE}/urdf/own.urdf.xacro")
     kinds = {joint.type for joint in robot.joints.values()}
     missing = sorted({"fixed", "continuous", "revolute", "prismatic"} - kinds)
     if robot.root != "base_footprint" or len(robot.links) < 6:
@@ -203,10 +233,11 @@ def own(work: Work) -> None:
     if missing:
         raise Wrong("joints of all four kinds", f"none is {' or '.join(missing)}", share=0.25)
     for joint in robot.moving_joints():
-        if joint.limit is not None and joint.type != "continuous" and joint.limit.upper - joint.limit.lower < 0.05:
-            raise Wrong(f"room to move for {joint.name}", f"{joint.limit.lower:g} to {joint.limit.upper:g}", share=0.25)
+        limit = joint.limit
+        if limit is not None and joint.type != "continuous" and not limit.upper - limit.lower >= 0.05:
+            raise Wrong(f"room to move for {joint.name}", f"{limit.lower:g} to {limit.upper:g}", share=0.25)
     _judge_masses(robot)
-    _judge_standing(robot)
+    _judge_standing(robot, work.dice("ch06.q4"))
 
 
 def _judge_masses(robot: Robot) -> None:
@@ -215,47 +246,41 @@ def _judge_masses(robot: Robot) -> None:
     for link in robot.links.values():
         if link.visuals and (not link.collisions or link.inertial is None):
             lacks = "<collision>" if not link.collisions else "<inertial>"
-            raise Wrong(f"{link.name} with <collision> and <inertial>", f"it has no {lacks}", share=0.5)
+            raise Wrong(f"{link.name} with <collision> and <inertial>", f"it has no {lacks}", share=0.5, hint=1)
     findings = inertia.check(robot)
     if findings:
-        raise Wrong("masses and inertias that can be", str(findings[0]), "shapes.xacro has macros for them.", share=0.5)
+        cause = "shapes.xacro has macros for them."
+        raise Wrong("masses and inertias that can be", str(findings[0]), cause, share=0.5, hint=1)
 
 
-def _judge_standing(robot: Robot) -> None:
+def _judge_standing(robot: Robot, chance: Random) -> None:
     low = min(float(part[:, 2].min()) for part in solids(robot, {}))
-    if abs(low) > FLOOR:
-        raise Wrong("the lowest shape at z = 0", f"at z = {low:.3f} m", "Raise or lower the root's joint.", share=0.5)
-    for positions in _postures(robot):
+    if not near(low, 0.0, FLOOR):
+        cause = "Raise or lower the root's joint."
+        raise Wrong("the lowest shape at z = 0", f"at z = {low:.3f} m", cause, share=0.5, hint=0)
+    for positions in _postures(robot, chance):
         past = outside(robot, positions)
-        if past > 0:
+        if not past <= 0:
             where = ", ".join(f"{name} = {value:.2f}" for name, value in positions.items() if value) or "all joints at 0"
             raise Wrong(
                 "a robot that does not fall over",
                 f"with {where} its centre of mass is {past * 100:.1f} cm outside of what it stands on",
                 "A heavier or wider base, or a lighter top.",
                 share=0.75,
+                hint=0,
             )
 
 
-def _postures(robot: Robot) -> list[dict[str, float]]:
-    ends = {}
+def _postures(robot: Robot, chance: Random) -> list[dict[str, float]]:
+    """All joints at 0, and each at its ends, or all around, with each end of the others; of many so many by chance."""
+    ends: dict[str, list[float]] = {}
     for joint in robot.moving_joints():
-        turning = joint.type == "continuous" or joint.limit is None
-        ends[joint.name] = (0.0, math.pi / 2, math.pi) if turning else (joint.limit.lower, joint.limit.upper)  # type: ignore[union-attr]
-    every = itertools.islice(itertools.product(*ends.values()), 4096)
-    found = [dict(zip(ends, one, strict=True)) for one in every]
-    return [{}, *random.Random(6).sample(found, min(40, len(found)))]
-
-
-def _load(work: Work, path: str) -> Robot:
-    from coursekit.urdf import UrdfError, load
-
-    file = work.file(path)
-    try:
-        return load(file)
-    except UrdfError as error:
-        place = f"{file.name}:{error.line}" if error.line else file.name
-        raise Wrong("a description that ROS takes", f"{place}: {error.what}", error.cure.split("\n")[0]) from None
+        limit = None if joint.type == "continuous" else joint.limit
+        around = [k * math.pi / 4 for k in range(8)]
+        ends[joint.name] = around if limit is None else [float(limit.lower), float(limit.upper)]
+    if math.prod(map(len, ends.values())) <= POSTURES:
+        return [{}, *(dict(zip(ends, one, strict=True)) for one in itertools.product(*ends.values()))]
+    return [{}, *({name: chance.choice(values) for name, values in ends.items()} for _ in range(POSTURES))]
 
 
 def _place(values: Any) -> str:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-import random
 import re
 from collections.abc import Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import heard, last_words, said
+from coursekit.grade.plain import called, close, field, fields, near, numbers
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
@@ -19,6 +20,8 @@ STEP, TURN = 0.01, math.radians(1)
 """The most that a robot moves [m] and turns [rad] in a step."""
 APART = 0.4
 """Robots' middles closer than this may touch [m]."""
+SEEDS = range(1, 40)
+"""Of the manager's dice: with these there is enough work that can be done without collisions."""
 Spot = tuple[float, float, float]
 
 
@@ -34,28 +37,28 @@ Spot = tuple[float, float, float]
 )
 def seen_from_me(work: Work) -> None:
     """The same as tf2 says, for many poses."""
-    function = work.function("seen")
-    dice = random.Random(7)
+    function, chance = work.function("seen"), work.dice("ch07.q1")
     for index in range(20):
-        me, other = (tuple(round(dice.uniform(-3, 3), 2) for _ in range(3)) for _ in range(2))
+        me, other = (tuple(round(chance.uniform(-3, 3), 2) for _ in range(3)) for _ in range(2))
         if index == 0:
             me, other = (1.0, 1.0, 0.0), (2.0, 3.0, 0.5)
-        _judge_seen(function(me, other), me, other)
+        told = f"seen({me}, {other})"
+        got = called(function, me, other, told=told)
+        _judge_seen(numbers(got, 3, f"three finite numbers (x, y, yaw) from {told}"), me, other, told)
 
 
-def _judge_seen(got: Any, me: Sequence[float], other: Sequence[float]) -> None:
-    told = f"seen({tuple(me)}, {tuple(other)})"
-    if not isinstance(got, tuple | list) or len(got) != 3:
-        raise Wrong(f"three numbers (x, y, yaw) from {told}", repr(got)[:80])
+def _judge_seen(got: tuple[float, ...], me: Sequence[float], other: Sequence[float], told: str) -> None:
+    x, y, yaw = got
     wanted = _relative(me, other)
-    x, y, yaw = (float(one) for one in got)
-    shown, right = (f"({a:.3f}, {b:.3f}, {c:.3f})" for a, b, c in ((x, y, yaw), wanted))
-    if math.dist((x, y), wanted[:2]) > 1e-6:
-        raise Wrong(f"{right} from {told}", shown, _slip((x, y), me, other))
-    if abs(math.remainder(yaw - wanted[2], math.tau)) > 1e-6:
-        raise Wrong(f"{right} from {told}", shown, "How much does the other look further to the left than I?", share=0.5)
-    if abs(yaw) > math.pi + 1e-9:
-        raise Wrong(f"a yaw between -pi and pi from {told}", f"{yaw:.3f}", "A full turn changes nothing.", share=0.75)
+    answer, right = (f"({a:.3f}, {b:.3f}, {c:.3f})" for a, b, c in (got, wanted))
+    if not close((x, y), wanted[:2], 1e-6):
+        raise Wrong(f"{right} from {told}", gave=answer, cause=_slip((x, y), me, other), hint=1)
+    if not near(math.remainder(yaw - wanted[2], math.tau), 0.0, 1e-6):
+        cause = "How much does the other look further to the left than I?"
+        raise Wrong(f"{right} from {told}", gave=answer, cause=cause, share=0.5, hint=2)
+    if not abs(yaw) <= math.pi + 1e-9:
+        cause = "A full turn changes nothing."
+        raise Wrong(f"a yaw between -pi and pi from {told}", gave=f"{yaw:.3f}", cause=cause, share=0.75, hint=2)
 
 
 def _relative(me: Sequence[float], other: Sequence[float]) -> Spot:
@@ -92,41 +95,44 @@ def _slip(got: tuple[float, float], me: Sequence[float], other: Sequence[float])
 def stages(work: Work) -> None:
     """All steps of a robot that works alone: how far, how fast, to where."""
     work.built(CLIENT)
-    for seed in (7, 30):
+    for seed in work.dice("ch07.q2").sample(range(1, 10_000), 2):
         robot = f"run {CLIENT} client_exe --ros-args -r __ns:=/robot1 -r get_two_poses:=/get_two_poses"
         topics = [f"/robot1/{name}" for name in ("robot_status", "pickup_pose", "delivery_pose")]
         manager = f"run {MANAGER} manager_exe --ros-args -p seed:={seed}"
         _judge_stages(work.try_out(manager, robot, record=topics, seconds=60.0))
 
 
+def _reports(seen: Seen, number: int) -> list[tuple[int, Spot]]:
+    """What a robot has told of itself: stage and place, in order."""
+    topic = f"/robot{number}/robot_status"
+    return [(field(one, "task_stage", int, topic), _spot(field(one, "pose", dict, topic))) for _, one in heard(seen, topic)]
+
+
 def _judge_stages(seen: Seen) -> None:
-    told = [message for _, message in seen.messages.get("/robot1/robot_status", [])]
-    goals = [
-        [_spot(message) for _, message in seen.messages.get(f"/robot1/{one}_pose", [])] for one in ("pickup", "delivery")
-    ]
-    if len(told) < 100 or not goals[0]:
-        said = (seen.outputs[1].strip().splitlines() or ["nothing"])[-1]
-        raise Wrong("a robot that asks for work and reports 30 times a second", f"it said: {said[:120]}", "Was it built?")
-    begun, pairs = 0, list(itertools.pairwise(told))
-    task = -1
-    for index, (before, after) in enumerate(pairs):
-        old, new = before["task_stage"], after["task_stage"]
+    told = _reports(seen, 1)
+    goals = [[_spot(one) for _, one in heard(seen, f"/robot1/{kind}_pose")] for kind in ("pickup", "delivery")]
+    if len(told) < 100 or not all(goals):
+        what = f"{len(told)} reports; it said: {last_words(said(seen, 1))}"
+        raise Wrong("a robot that asks for work and reports 30 times a second", what, "Was it built?")
+    task, begun = -1, 0
+    for index, ((old, before), (new, after)) in enumerate(itertools.pairwise(told)):
         if old == 6:
             task, begun = task + (new == 0), index + 1
             continue
-        _judge_step(old, new, _spot(before["pose"]), _spot(after["pose"]))
+        _judge_step(old, new, before, after)
         if new != old:
-            _judge_stage(old, _spot(told[begun]["pose"]), _spot(after["pose"]), goals[old // 3][task], index + 1 - begun)
+            if not 0 <= task < min(map(len, goals)):
+                raise Wrong("poses of the manager before work begins", f"stage {old} without them")
+            _judge_stage(old, told[begun][1], after, goals[old // 3][task], index + 1 - begun)
             begun = index + 1
     if task < 1:
-        stage = told[-1]["task_stage"]
-        share = 0.1 * stage if task == 0 else 0.0
-        raise Wrong("a load delivered and new poses within a minute", f"it is still in stage {stage}", share=share)
+        share = 0.1 * max(0, min(told[-1][0], 6)) if task == 0 else 0.0
+        raise Wrong("a load delivered and new poses within a minute", f"it is still in stage {told[-1][0]}", share=share)
 
 
 def _judge_step(old: int, new: int, before: Spot, after: Spot) -> None:
     moved, turned = math.dist(before[:2], after[:2]), abs(math.remainder(after[2] - before[2], math.tau))
-    if new not in (old, old + 1):
+    if not 0 <= old <= 5 or new not in (old, old + 1):
         raise Wrong(f"stage {old} or {old + 1} after a step in stage {old}", f"stage {new}")
     if moved > STEP + 1e-6 or turned > TURN + 1e-6:
         raise Wrong(f"in stage {old} at most 0.01 m and 1° a step", f"{moved:.4f} m and {math.degrees(turned):.2f}°")
@@ -152,8 +158,9 @@ def _judge_stage(stage: int, begin: Spot, end: Spot, goal: Spot, steps: int) -> 
         raise Wrong(f"stage {stage} takes {math.ceil(whole)} steps", f"{steps} steps", cause, share=0.5)
 
 
-def _spot(pose: dict[str, float]) -> Spot:
-    return pose["x"], pose["y"], pose["theta"]
+def _spot(pose: Any) -> Spot:
+    x, y, theta = fields(pose, ("x", "y", "theta"), "a pose")
+    return x, y, theta
 
 
 @exercise(
@@ -168,10 +175,11 @@ def _spot(pose: dict[str, float]) -> Spot:
 def silent(work: Work) -> None:
     """The table, cycle by cycle, of robots that speak, fall silent, come back, or never were."""
     work.built(MONITOR)
+    begin = 0.5 + 1 / 60  # between two cycles
     times = {
-        1: (4, [0.5 + 0.1 * step for step in range(16)]),
-        3: (0, [0.5 + 0.9 * step for step in range(6)]),
-        4: (2, [0.5, 2.5, 2.6]),
+        1: (4, [begin + 0.1 * step for step in range(16)]),
+        3: (0, [begin + 0.9 * step for step in range(6)]),
+        4: (work.dice("ch07.q3").choice((1, 2, 3, 5)), [begin, begin + 2.0, begin + 2.1]),
     }
     spoken = [
         (
@@ -185,15 +193,15 @@ def silent(work: Work) -> None:
     ]
     seen = work.try_out(f"run {MONITOR} logger_exe", publish=spoken, seconds=5.2)
     shown: dict[int, list[int]] = {robot: [] for robot in range(1, 5)}
-    for robot, stage in re.findall(r"^ +(\d) \| (\d+) ", seen.outputs[0], re.M):
+    for robot, stage in re.findall(r"^ +([1-4]) \| (\d{1,3}) ", said(seen), re.M):
         shown[int(robot)].append(int(stage))
     if min(len(stages) for stages in shown.values()) < 120:
-        said = (seen.outputs[0].strip().splitlines() or ["nothing"])[-1]
-        raise Wrong("a table of four robots, 30 times a second", f"the logger's last line: {said[:120]}", "Was it built?")
-    _judge_silence(shown)
+        what = f"the logger said: {last_words(said(seen))}"
+        raise Wrong("a table of four robots, 30 times a second", what, "Was it built?")
+    _judge_silence(shown, times[4][0])
 
 
-def _judge_silence(shown: dict[int, list[int]]) -> None:
+def _judge_silence(shown: dict[int, list[int]], back: int) -> None:
     found = {robot: [stage for stage, _ in itertools.groupby(stages)] for robot, stages in shown.items()}
     cases = (
         (2, [8], "a robot that was never heard", "Nobody misses it yet: that is no fault.", 0.5),
@@ -205,14 +213,15 @@ def _judge_silence(shown: dict[int, list[int]]) -> None:
             "Each status starts the count anew. Is 0 taken for nothing?",
             0.5,
         ),
-        (4, [8, 2, 7, 2, 7], "a robot that falls silent, comes back, and falls silent again", "", 0.5),
+        (4, [8, back, 7, back, 7], "a robot that falls silent, comes back, and falls silent again", "", 0.5),
     )
     for robot, wanted, what, cause, share in cases:
         if found[robot] != wanted:
-            raise Wrong(f"the stages {_row(wanted)} of {what}", _row(found[robot]), cause, share=share)
-    cycles = shown[1].count(4)
-    if abs(cycles - 75) > 2:
-        raise Wrong("stage 7 after 30 silent cycles", f"after {cycles - 45}", "Is each cycle counted?", share=0.5)
+            raise Wrong(f"the stages {_row(wanted)} of {what}", _row(found[robot]), cause, share=share, hint=1)
+    silent = shown[1].count(4) - 45 + 1  # it reports for 45 cycles
+    if silent != 30:
+        cause = "The first cycle after a status is number 1." if abs(silent - 30) < 3 else "Is each cycle counted?"
+        raise Wrong("stage 7 in the 30th silent cycle in a row", f"in cycle {silent}", cause, share=0.5, hint=0)
 
 
 def _row(stages: Sequence[int]) -> str:
@@ -232,9 +241,9 @@ def _row(stages: Sequence[int]) -> str:
 def no_collisions(work: Work) -> None:
     """Four robots work for a minute and a half, with several seeds."""
     work.built(MANAGER)
-    for seed in (7, 23):
+    for seed in work.dice("ch07.q4").sample(SEEDS, 2):
         told = work.try_out(*_crew(seed), record=[f"/robot{n}/robot_status" for n in range(1, 5)], seconds=90.0)
-        _judge_crew(told, seed)
+        _judge_crew(told)
 
 
 def _crew(seed: int) -> list[str]:
@@ -245,36 +254,40 @@ def _crew(seed: int) -> list[str]:
     return [f"run {MANAGER} safe_exe --ros-args -p seed:={seed}", *robots]
 
 
-def _judge_crew(seen: Seen, seed: int) -> None:
-    told = [[message for _, message in seen.messages.get(f"/robot{n}/robot_status", [])] for n in range(1, 5)]
-    if min(len(one) for one in told) < 2500 or any(one[-1]["task_stage"] == 6 == one[-60]["task_stage"] for one in told):
-        said = (seen.outputs[0].strip().splitlines() or ["nothing"])[-1]
-        raise Wrong("four robots at work for 90 seconds", f"the manager said: {said[:120]}", "Does `choose` return?")
+def _judge_crew(seen: Seen) -> None:
+    told = [_reports(seen, number) for number in range(1, 5)]
+    if min(len(one) for one in told) < 2500 or any(one[-1][0] == 6 == one[-60][0] for one in told):
+        what = f"the manager said: {last_words(said(seen))}"
+        raise Wrong("four robots at work for 90 seconds", what, "Does `choose` return?")
+    for robot, reports in enumerate(told, 1):
+        for (_, before), (_, after) in itertools.pairwise(reports):
+            if not math.dist(before[:2], after[:2]) <= STEP + 1e-6:
+                raise Wrong("steps of at most 0.01 m", f"robot{robot} jumps", "Is exercise 2 solved?", share=0.2)
     for (one, first), (two, second) in itertools.combinations(enumerate(told, 1), 2):
-        for cycle, (a, b) in enumerate(zip(first, second, strict=False)):
-            gap = math.dist(_spot(a["pose"])[:2], _spot(b["pose"])[:2])
-            if gap < APART:
-                where = f"after {cycle / 30:.0f} s robot{one} and robot{two} are {gap:.2f} m apart (seed {seed})"
+        for cycle, ((_, a), (_, b)) in enumerate(zip(first, second, strict=False)):
+            gap = math.dist(a[:2], b[:2])
+            if not gap >= APART:
+                where = f"after {cycle / 30:.0f} s robot{one} and robot{two} are {gap:.2f} m apart"
                 cause = "Whole ways count: from where it stands, over the pickup, to the delivery."
-                raise Wrong(f"always {APART} m between two robots", where, cause, share=0.2)
+                raise Wrong(f"always {APART} m between two robots", where, cause, share=0.2, hint=1)
     _judge_deliveries(told)
 
 
-def _judge_deliveries(told: list[list[dict[str, Any]]]) -> None:
-    ways = [_carried(one) for one in told]
-    done = [sum(way > 0.5 for way in one) for one in ways]
+def _judge_deliveries(told: list[list[tuple[int, Spot]]]) -> None:
+    done = [sum(way > 0.5 for way in _carried(one)) for one in told]
     if sum(done) < 8 or min(done) < 1:
         each = ", ".join(f"robot{n} {count}" for n, count in enumerate(done, 1))
         cause = "Are there enough tries before it gives up, and does every robot get work?"
-        raise Wrong("8 loads in 90 seconds carried 0.5 m or further, one by each robot", each, cause, share=0.6)
+        raise Wrong("8 loads in 90 seconds carried 0.5 m or further, one by each robot", each, cause, share=0.6, hint=2)
 
 
-def _carried(told: list[dict[str, Any]]) -> list[float]:
+def _carried(told: list[tuple[int, Spot]]) -> list[float]:
     """How far each load was carried [m]."""
-    found, picked = [], None
-    for before, after in itertools.pairwise(told):
-        if (before["task_stage"], after["task_stage"]) == (2, 3):
-            picked = _spot(after["pose"])[:2]
-        elif (before["task_stage"], after["task_stage"]) == (4, 5) and picked is not None:
-            found.append(math.dist(picked, _spot(after["pose"])[:2]))
+    found: list[float] = []
+    picked: Spot | None = None
+    for (old, _), (new, place) in itertools.pairwise(told):
+        if (old, new) == (2, 3):
+            picked = place
+        elif (old, new) == (4, 5) and picked is not None:
+            found.append(math.dist(picked[:2], place[:2]))
     return found

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
-import random
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.plain import called, items, near, number, numbers, shown, whole
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
 if TYPE_CHECKING:
+    from random import Random
+
     import numpy as np
+
+    from coursekit.grade.matching import Puzzle
 
 CELL, MOST_GOALS = 0.05, 120
 PLACES = [(0.0, 0.0), (2.4, -0.4), (4.2, 0.6), (3.6, 2.4), (2.2, 3.4), (0.6, 2.4)]
@@ -36,70 +40,70 @@ def _world(name: str) -> Path:
 )
 def sensor_model(work: Work) -> None:
     """Signs and silence in the right places; then a room is mapped with it."""
-    model = work.function("inverse_sensor_model")
-    _judge_signs(model)
+    model, chance = work.function("inverse_sensor_model"), work.dice("ch08.q1")
+    _judge_signs(model, chance)
     _judge_passer_by(model)
-    _judge_room(model)
+    _judge_room(model, chance.getrandbits(60))
 
 
 def _added(model: Any, r: float, z: float) -> float:
-    got = model(r, z)
-    if isinstance(got, bool) or not isinstance(got, int | float) or not math.isfinite(got):
-        raise Wrong(f"a finite number from inverse_sensor_model({r:g}, {z:g})", f"{got!r:.60}", "A return in each case?")
-    return float(got)
+    told = f"inverse_sensor_model({r:g}, {z:g})"
+    return number(called(model, r, z, told=told), f"a finite number from {told}")
 
 
-def _judge_signs(model: Any) -> None:
-    for z in (1.0, 2.5, 7.0):
+def _judge_signs(model: Any, chance: Random) -> None:
+    for z in (1.0, 7.0, round(chance.uniform(1.5, 5.0), 2)):
         before, at, behind = (_added(model, r, z) for r in (z / 2, z, z + 1.0))
-        if before >= 0:
-            raise Wrong(
-                f"less than 0 at {z / 2:g} m, when the beam ended at {z:g} m", f"{before:g}", "It went through there."
-            )
-        if at <= 0:
-            raise Wrong(f"more than 0 where the beam ended, at {z:g} m", f"{at:g}", "There it met something.")
+        if not before < 0:
+            wanted = f"less than 0 at {z / 2:g} m, when the beam ended at {z:g} m"
+            raise Wrong(wanted, gave=f"{before:g}", cause="It went through there.", hint=0)
+        if not at > 0:
+            wanted = f"more than 0 where the beam ended, at {z:g} m"
+            raise Wrong(wanted, gave=f"{at:g}", cause="There it met something.", hint=0)
         if behind != 0:
-            raise Wrong(f"0 for a cell 1 m behind the end at {z:g} m", f"{behind:g}", "No beam has been there.", share=0.25)
-    if _added(model, 3.0, math.inf) >= 0:
-        raise Wrong("less than 0 for a cell that a beam went through that met nothing", f"{_added(model, 3.0, math.inf):g}")
+            wanted = f"0 for a cell 1 m behind the end at {z:g} m"
+            raise Wrong(wanted, gave=f"{behind:g}", cause="No beam has been there.", share=0.25, hint=0)
+    through = _added(model, 3.0, math.inf)
+    if not through < 0:
+        raise Wrong("less than 0 for a cell that a beam went through that met nothing", gave=f"{through:g}", hint=0)
 
 
 def _judge_passer_by(model: Any) -> None:
     left = 5 * _added(model, 2.0, 2.0) + 15 * _added(model, 2.0, 4.0)
-    if left >= -0.4:
+    if not left < -0.4:
         cause = "A wall must not count so much more than a free cell."
         raise Wrong("a free floor after 5 beams met a person and 15 passed", f"log-odds {left:.2f}", cause, share=0.5)
     stays = 5 * _added(model, 2.0, 2.0) + 5 * _added(model, 2.0, 4.0)
-    if stays <= 0:
+    if not stays > 0:
         cause = "One beam that slips past a thin wall must not count as much as one that meets it."
         raise Wrong("still a wall after 5 beams met it and 5 slipped past", f"log-odds {stays:.2f}", cause, share=0.5)
 
 
-def _judge_room(model: Any) -> None:
+def _judge_room(model: Any, seed: int) -> None:
     from coursekit.nav.map_compare import compare, outline_points
     from coursekit.nav.map_file import GridMap
     from coursekit.sim import load_world
 
     cut = load_world(_world("robot_world")).cut(0.2)
-    cells, corner = _mapped(model, cut)
+    cells, corner = _mapped(model, cut, seed)
     try:
         told = compare(GridMap(cells, CELL, corner), outline_points(cut.edges, cut.circles))
     except ValueError as why:
         raise Wrong("a map of robot_world that has walls and free cells", str(why), share=0.25) from None
-    if told.thickness > 0.14 or told.false > 0.05:
+    if not (told.thickness <= 0.14 and told.false <= 0.05):
         cause = "Walls grow thick when cells well before or behind the end count as wall."
-        raise Wrong("walls about a cell or two thick in the map of robot_world", str(told), cause, share=0.5)
-    if told.iou < 0.8:
+        raise Wrong("walls about a cell or two thick in the map of robot_world", str(told), cause, share=0.5, hint=1)
+    if not told.iou >= 0.8:
         cause = "Walls get lost when the end of the beam misses its cell: the noise is 1 cm, a cell 5 cm."
-        raise Wrong("nearly all walls in the map of robot_world", str(told), cause, share=0.5)
+        raise Wrong("nearly all walls in the map of robot_world", str(told), cause, share=0.5, hint=1)
 
 
-def _mapped(model: Any, cut: Any) -> tuple[np.ndarray, tuple[float, float, float]]:
+def _mapped(model: Any, cut: Any, seed: int) -> tuple[np.ndarray, tuple[float, float, float]]:
     import numpy as np
 
     from coursekit.sim import Lidar, Place
 
-    odds, corner, chance = np.zeros((160, 180)), (-2.0, -2.0, 0.0), np.random.default_rng(8)
+    odds, corner, chance = np.zeros((160, 180)), (-2.0, -2.0, 0.0), np.random.default_rng(seed)
     lidar = Lidar(noise=0.01)
     for x, y in PLACES:
         place = Place(x, y, 0.0)
@@ -133,13 +137,13 @@ def ray_caster(work: Work) -> None:
     """The same distances as the simulator's LiDAR, in rooms and among random walls."""
     from coursekit.sim import load_world
 
-    cast = work.function("cast_ray")
+    cast, chance = work.function("cast_ray"), work.dice("ch08.q2")
     _judge_single(cast)
-    dice = random.Random(82)
     room = [tuple(one) for one in load_world(_world("robot_world")).cut(0.2).edges.tolist()]
-    for walls in (room, [tuple(dice.uniform(-6, 6) for _ in range(4)) for _ in range(12)]):
+    for walls in (room, [tuple(chance.uniform(-6, 6) for _ in range(4)) for _ in range(12)]):
         for _ in range(60):
-            _judge_ray(cast, walls, dice.uniform(-1, 5), dice.uniform(-1, 4), dice.uniform(-7, 7), dice.uniform(1, 9))
+            place = chance.uniform(-1, 5), chance.uniform(-1, 4), chance.uniform(-7, 7)
+            _judge_ray(cast, walls, place, chance.uniform(1, 9))
 
 
 def _judge_single(cast: Any) -> None:
@@ -151,28 +155,34 @@ def _judge_single(cast: Any) -> None:
         (1.0, math.inf, "The ray passes beside it: s is beyond 0 to 1 there."),
         (math.pi / 2, math.inf, "The ray is parallel to it."),
     ):
-        _same(cast(wall, 0.0, 0.0, angle), need, f"{told} at angle {angle:.2f}", cause)
-    _same(cast(wall, 0.0, 0.0, 0.0, 1.5), math.inf, f"{told} with range_max 1.5", "It is further than range_max.")
-    _same(cast([*wall, (1.0, -1.0, 1.0, 1.0)], 0.0, 0.0, 0.0), 1.0, f"{told}, and another at x = 1", "Which is the nearest?")
+        _judge_cast(cast, (wall, 0.0, 0.0, angle), need, f"{told} at angle {angle:.2f}", cause, hint=1)
+    far = "It is further than range_max."
+    _judge_cast(cast, (wall, 0.0, 0.0, 0.0, 1.5), math.inf, f"{told} with range_max 1.5", far)
+    two = [(1.0, -1.0, 1.0, 1.0), *wall, (3.0, -1.0, 3.0, 1.0)]
+    _judge_cast(cast, (two, 0.0, 0.0, 0.0), 1.0, f"{told}, and others at x = 1 and 3", "Which is the nearest?")
 
 
-def _judge_ray(cast: Any, walls: Any, x: float, y: float, angle: float, reach: float) -> None:
+def _judge_ray(cast: Any, walls: Any, place: tuple[float, float, float], reach: float) -> None:
     import numpy as np
 
     from coursekit.sim import Cut, Lidar, Place
 
+    x, y, angle = place
     lidar = Lidar(beams=1, angle_min=0.0, angle_max=0.0, range_min=0.0, range_max=50.0)
     truth = float(lidar.look(Cut(np.array(walls), np.zeros((0, 3))), Place(x, y, angle))[0])
     truth = truth if truth <= reach else math.inf
     if abs(truth - reach) > 1e-6:
         told = f"{len(walls)} walls from ({x:.2f}, {y:.2f}) at {angle:.2f} rad"
-        _same(cast(walls, x, y, angle, reach), truth, told, share=0.5)
+        _judge_cast(cast, (list(walls), x, y, angle, reach), truth, told, share=0.5)
 
 
-def _same(got: Any, need: float, told: str, cause: str = "", share: float = 0.0) -> None:
-    fine = isinstance(got, int | float) and (got == need or abs(got - need) < 1e-6)
+def _judge_cast(
+    cast: Any, given: tuple[Any, ...], need: float, told: str, cause: str = "", share: float = 0.0, hint: int | None = None
+) -> None:
+    got = called(cast, *given, told=f"cast_ray: {told}")
+    fine = type(got) is float and got == need if math.isinf(need) else near(got, need, 1e-6)
     if not fine:
-        raise Wrong(f"{need:.4g} m for {told}", f"{got!r:.40}", cause, share=share)
+        raise Wrong(f"{need:.4g} m for {told}", gave=shown(got, 40), cause=cause, share=share, hint=hint)
 
 
 @exercise(
@@ -186,29 +196,38 @@ def _same(got: Any, need: float, told: str, cause: str = "", share: float = 0.0)
 )
 def scan_matcher(work: Work) -> None:
     """Poses beside the truth, in three worlds."""
-    from coursekit.grade.matching import Puzzle
-
-    match = work.function("match")
+    match, chance = work.function("match"), work.dice("ch08.q3")
     worlds = 2 * ("office", "robot_world", "tec_warehouse")
-    found = [_try_match(match, Puzzle(_world(name), number), f"{name} {number}") for number, name in enumerate(worlds, 1)]
-    bad = [one for one in found if one[0] > 0.03 or one[1] > 0.02]
+    found = [
+        _try_match(match, _puzzle(_world(name), chance), f"{name} {number}")
+        for number, name in enumerate(worlds, 1)
+    ]
+    bad = [one for one in found if not (one[0] <= 0.03 and one[1] <= 0.02)]
     if bad:
         off, turned, told = max(bad)
         cause = "Does it still stand where the guess was?" if off > 0.15 else "Near, but not there: finer steps at the end?"
         share = 0.0 if len(bad) == len(found) else 0.5
         seen = f"{len(bad)} are not; {told} is {off:.3f} m and {turned:.3f} rad off"
-        raise Wrong("all six scans to 3 cm and 0.02 rad", seen, cause, share=share)
+        raise Wrong("all six scans to 3 cm and 0.02 rad", seen, cause, share=share, hint=0 if off > 0.15 else 1)
+
+
+def _puzzle(world: Path, chance: Random) -> Puzzle:
+    """A scan that nobody has seen, and that fits in one place only: in a corridor it may fit further on as well."""
+    from coursekit.grade.matching import Puzzle
+
+    while True:
+        puzzle = Puzzle(world, chance.getrandbits(60))
+        x, y, heading = puzzle.truth
+        ways = [(far, k * math.pi / 8) for far in (0.06, 0.1, 0.15, 0.2, 0.3, 0.4) for k in range(16)]
+        beside = [(x + far * math.cos(way), y + far * math.sin(way), heading) for far, way in ways]
+        if min(puzzle.misfit(one) for one in beside) > 1.5 * puzzle.misfit(puzzle.truth):
+            return puzzle
 
 
 def _try_match(match: Any, puzzle: Any, told: str) -> tuple[float, float, str]:
-    import numpy as np
-
-    got = match(puzzle.points.copy(), puzzle.gap, puzzle.guess)
-    try:
-        x, y, heading = (float(one) for one in np.asarray(got, float).reshape(3))
-    except (TypeError, ValueError):
-        raise Wrong("three numbers (x, y, heading) from match", f"{got!r:.60}") from None
-    turned = abs((heading - puzzle.truth[2] + math.pi) % (2 * math.pi) - math.pi)
+    got = called(match, puzzle.points.copy(), puzzle.gap, puzzle.guess, told=f"match, the scan {told}")
+    x, y, heading = numbers(got, 3, "three finite numbers (x, y, heading) from match")
+    turned = abs(math.remainder(heading - puzzle.truth[2], math.tau))
     return math.hypot(x - puzzle.truth[0], y - puzzle.truth[1]), turned, told
 
 
@@ -223,36 +242,38 @@ def _try_match(match: Any, puzzle: Any, told: str) -> tuple[float, float, str]:
 )
 def explorer(work: Work) -> None:
     """It goes where it can, and sees nearly all."""
-    next_goal = work.function("next_goal")
+    next_goal, chance = work.function("next_goal"), work.dice("ch08.q4")
     for name in ("robot_world", "office", "tec_warehouse"):
-        _explore(next_goal, name)
+        _explore(next_goal, name, chance.random())
 
 
-def _explore(next_goal: Any, name: str) -> None:
+def _explore(next_goal: Any, name: str, part: float) -> None:
     from coursekit.grade.exploring import Unseen
 
-    world, goals = Unseen(_world(name)), 0
+    world, goals = Unseen(_world(name), part=part), 0
     while goals < MOST_GOALS and world.known() < 0.95:
-        got = next_goal(world.cells.copy(), world.here)
+        got = called(next_goal, world.cells.copy(), world.here, told=f"next_goal in {name}")
         if got is None:
             break
         goals += 1
         world.go(_allowed(world, got, name))
-    if (known := world.known()) < 0.95:
+    if not (known := world.known()) >= 0.95:
         what = f"{known:.0%} of it after {goals} goals"
         cause = "It gave up early." if goals < MOST_GOALS else "Does she go where something unknown can be seen?"
-        raise Wrong(f"95 % of the floor of {name} seen", what, cause, share=0.5 if known > 0.7 else 0.0)
+        raise Wrong(f"95 % of the floor of {name} seen", what, cause, share=0.5 if known > 0.7 else 0.0, hint=1)
 
 
 def _allowed(world: Any, got: Any, name: str) -> tuple[int, int]:
-    try:
-        row, column = (int(one) for one in got)
-    except (TypeError, ValueError):
-        raise Wrong("a cell (row, column) or None from next_goal", f"{got!r:.60}") from None
+    wanted = "a cell (row, column) of two integers, or None, from next_goal"
+    cell = [whole(one, wanted) for one in items(got, wanted)]
+    if len(cell) != 2:
+        raise Wrong(wanted, gave=shown(got))
+    row, column = cell
     rows, columns = world.cells.shape
     if not (0 <= row < rows and 0 <= column < columns):
-        raise Wrong(f"a cell of the map, {rows} rows and {columns} columns", f"({row}, {column})", "Row first, then column.")
+        told = f"a cell of the map, {rows} rows and {columns} columns"
+        raise Wrong(told, gave=f"({row}, {column})", cause="Row first, then column.")
     if not world.can_go((row, column)):
         kind = {0: "free, but no free cells lead there", 100: "a wall", -1: "unknown"}[int(world.cells[row, column])]
-        raise Wrong(f"a free cell in {name} that can be reached", f"({row}, {column}) is {kind}", share=0.25)
+        raise Wrong(f"a free cell in {name} that can be reached", gave=f"({row}, {column}), {kind}", share=0.25, hint=0)
     return row, column

@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 import math
-import random
-from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.outputs import course_said, exit_code, last_words, said
+from coursekit.grade.plain import called, fields, items, shown, whole
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from random import Random
+
     import numpy as np
 
 Cell = tuple[int, int]
 PACKAGE, STOPS = "s9_py_delivery", ((1.2, 0.0), (2.4, -0.4), (0.6, 0.3))
 NEAR, ROUND_SECONDS, MOST_TICKS = 0.5, 32.0, 5000
 """So near [m] the robot comes to a stop; so long [s] the round may take; so many ticks a plan may have."""
+SIMULATION = "launch coursekit_robots simulation.launch.py world:=robot_world"
+JUMP = 0.3
+"""Further than this [m] she does not come between two odometry messages, unless she was put there."""
 
 
 @exercise(
@@ -33,23 +38,28 @@ NEAR, ROUND_SECONDS, MOST_TICKS = 0.5, 32.0, 5000
 )
 def inflation(work: Work) -> None:
     """nav2's formula, also with other radii and scalings."""
-    cost = work.function("inflation_cost")
+    cost, chance = work.function("inflation_cost"), work.dice("ch09.q1")
     for inscribed, scaling, radius in ((0.2, 3.0, 0.55), (0.3, 10.0, 1.0), (0.1, 1.5, 2.0)):
-        for gap in (0.0, inscribed / 2, inscribed, inscribed + 0.05, inscribed + 0.2, radius, radius + 0.01, 9.0):
-            _expect_cost(cost(gap, inscribed, scaling, radius), gap, inscribed, scaling, radius)
-    _expect_cost(cost(0.3), 0.3, 0.2, 3.0, 0.55)
+        gaps = [0.0, inscribed / 2, inscribed, inscribed + 0.05, inscribed + 0.2, radius, radius + 0.01, 9.0]
+        for gap in [*gaps, *(round(chance.uniform(inscribed, radius), 3) for _ in range(12))]:
+            _judge_cost(cost, (gap, inscribed, scaling, radius))
+    _judge_cost(cost, (0.3,))
 
 
-def _expect_cost(got: Any, gap: float, inscribed: float, scaling: float, radius: float) -> None:
-    from coursekit.nav.inflation import cost_at
-
-    need = cost_at(gap, inscribed, scaling) if gap <= radius else 0
+def _judge_cost(cost: Any, given: tuple[float, ...]) -> None:
+    gap, inscribed, scaling, radius = given if len(given) > 1 else (*given, 0.2, 3.0, 0.55)
+    exact = 252 * math.exp(-scaling * (gap - inscribed))
+    if inscribed < gap <= radius and abs(exact - round(exact)) < 1e-6:
+        return  # two ways to write the same sum may differ here
+    need = 254 if gap <= 0 else 253 if gap <= inscribed else int(exact) if gap <= radius else 0
     told = f"{need} at {gap:g} m, with inscribed {inscribed:g}, scaling {scaling:g} and radius {radius:g}"
-    if isinstance(got, bool) or not isinstance(got, int):
-        raise Wrong(f"an integer: {told}", f"{got!r:.40}", "Is there a return in each case, and is it cut off?")
-    if abs(got - need) > 1:
-        cause = "It is at the edge of a case." if gap in (0.0, inscribed, radius) else ""
-        raise Wrong(told, f"{got}", cause)
+    answer = called(cost, *given, told=f"inflation_cost at {gap:g} m")
+    got = whole(answer, f"an integer: {told}", "Is there a return in each case, and is it cut off?")
+    if got != need:
+        edge = gap in (0.0, inscribed, radius)
+        cut = inscribed < gap <= radius and got == round(exact)
+        cause = "It is at the edge of a case." if edge else "Cut off, not rounded." if cut else ""
+        raise Wrong(told, gave=f"{got}", cause=cause, hint=0 if edge else 1 if cut else None)
 
 
 @exercise(
@@ -65,7 +75,7 @@ def planner(work: Work) -> None:
     """Ways that may be driven, and none is cheaper."""
     import numpy as np
 
-    find, chance = work.function("find_way"), np.random.default_rng(92)
+    find, chance = work.function("find_way"), np.random.default_rng(work.dice("ch09.q2").getrandbits(60))
     open_floor = np.zeros((6, 9), int)
     _judge_way(find, open_floor, (0, 0), (5, 8), "an empty floor of 6 x 9")
     _judge_way(find, open_floor, (2, 2), (2, 2), "start and goal in one cell")
@@ -83,35 +93,42 @@ def planner(work: Work) -> None:
 
 
 def _judge_way(find: Any, costs: np.ndarray, start: Cell, goal: Cell, told: str) -> None:
-    got, least = find(costs.copy(), start, goal), _least(costs, start, goal)
+    got, least = called(find, costs.copy(), start, goal, told=f"find_way on {told}"), _least(costs, start, goal)
     if math.isinf(least):
         if got is not None:
-            raise Wrong(f"None on {told}: no way leads there", f"{got!r:.60}", "Nothing of 253 and more may be entered.")
+            cause = "Nothing of 253 and more may be entered."
+            raise Wrong(f"None on {told}: no way leads there", gave=shown(got, 60), cause=cause)
         return
     way = _cells(got, told)
     if not way or way[0] != start or way[-1] != goal:
-        raise Wrong(f"a way from {start} to {goal} on {told}", f"{way!r:.60}", "Both ends belong to it.", share=0.1)
+        cause = "Both ends belong to it."
+        raise Wrong(f"a way from {start} to {goal} on {told}", gave=shown(way, 60), cause=cause, share=0.1)
     for before, after in pairwise(way):
         _expect_step(costs, before, after, told)
-    price = sum(1 + costs[cell] / 50 for cell in way[1:])
-    if price > least + 1e-6:
+    price = sum(1 + float(costs[cell]) / 50 for cell in way[1:])
+    if not price <= least + 1e-6:
         cause = "Is the goal taken when it comes out of the heap, not when it goes in? Are the costs of the cells counted?"
-        raise Wrong(f"a way of price {least:.2f} on {told}", f"one of {price:.2f}", cause, share=0.5)
+        wanted = f"a way of price {least:.2f} on {told}"
+        raise Wrong(wanted, gave=f"one of {price:.2f}", cause=cause, share=0.5, hint=1)
 
 
 def _expect_step(costs: np.ndarray, before: Cell, after: Cell, told: str) -> None:
     inside = 0 <= after[0] < costs.shape[0] and 0 <= after[1] < costs.shape[1]
     if abs(before[0] - after[0]) + abs(before[1] - after[1]) != 1 or not inside:
-        raise Wrong(f"steps to one of the four neighbours on {told}", f"{before} to {after}", share=0.1)
-    if costs[after] >= 253:
-        raise Wrong(f"no cell of 253 and more on {told}", f"{after} costs {costs[after]}", share=0.1)
+        raise Wrong(f"steps to one of the four neighbours on {told}", gave=f"{before} to {after}", share=0.1)
+    if not costs[after] < 253:
+        raise Wrong(f"no cell of 253 and more on {told}", gave=f"{after}, which costs {costs[after]}", share=0.1)
 
 
 def _cells(got: Any, told: str) -> list[Cell]:
-    try:
-        return [(int(row), int(column)) for row, column in got]
-    except (TypeError, ValueError):
-        raise Wrong(f"a list of cells (row, column) for {told}", f"{got!r:.60}", "Is there a return?") from None
+    wanted = f"a list of cells (row, column) for {told}"
+    found = items(got, wanted)
+    if len(found) > 2 * MOST_TICKS:
+        raise Wrong(wanted, gave=f"{len(found)} cells")
+    pairs = [[whole(part, wanted) for part in items(one, wanted)] for one in found]
+    if any(len(pair) != 2 for pair in pairs):
+        raise Wrong(wanted, gave=shown(got, 60))
+    return [(row, column) for row, column in pairs]
 
 
 def _least(costs: np.ndarray, start: Cell, goal: Cell) -> float:
@@ -141,42 +158,43 @@ def _least(costs: np.ndarray, start: Cell, goal: Cell) -> float:
 def patrol(work: Work) -> None:
     """The robot comes to every stop, in order, and the program says so and ends."""
     work.built(PACKAGE)
-    file = _map_of_the_room(work)
     seen = work.try_out(
-        "launch coursekit_robots simulation.launch.py world:=robot_world",
-        f"launch nav2_bringup bringup_launch.py map:={file} use_sim_time:=True",
+        beside=[SIMULATION, f"launch nav2_bringup bringup_launch.py map:={_course_map()} use_sim_time:=True"],
         later=[(3.0, f"run {PACKAGE} patrol_exe --ros-args -p use_sim_time:=true")],
         record=["/odom"],
         seconds=ROUND_SECONDS,
     )
-    said = [line for line in seen.outputs[2].splitlines() if line.startswith("stop ")]
-    _expect_stops([msg["pose"]["pose"]["position"] for _, msg in seen.messages.get("/odom", [])], seen.outputs[2])
-    if said != [f"stop {number}: SUCCEEDED" for number in range(1, len(STOPS) + 1)]:
-        got = "; ".join(said) or "no line that begins with `stop`"
+    place = "pose.pose.position"
+    track = [fields(one, (f"{place}.x", f"{place}.y"), "/odom") for _, one in course_said(seen, "/odom")]
+    _expect_stops(track, last_words(said(seen)))
+    lines = [line for line in said(seen).splitlines() if line.startswith("stop ")]
+    if lines != [f"stop {number}: SUCCEEDED" for number in range(1, len(STOPS) + 1)]:
+        got = "; ".join(lines)[:300] or "no line that begins with `stop`"
         raise Wrong("a line for each stop, like `stop 1: SUCCEEDED`", got, share=0.5)
-    if seen.exit_codes[2] != 0:
-        raise Wrong("exit status 0 after the last stop", f"{seen.exit_codes[2]}", "Does main end?", share=0.75)
+    if exit_code(seen) != 0:
+        raise Wrong("exit status 0 after the last stop", f"{exit_code(seen)}", "Does main end?", share=0.75)
 
 
-def _map_of_the_room(work: Work) -> Path:
-    """The student's own; the course's where there is none: grading does not drive once more to make it."""
+def _course_map() -> str:
+    """The course's map of the room: whether the student's own is good is asked elsewhere."""
     from ament_index_python.packages import get_package_share_directory
 
-    own = work.workspace / "room.yaml"
-    return own if own.is_file() else Path(get_package_share_directory("coursekit_maps")) / "robot_world.yaml"
+    return get_package_share_directory("coursekit_maps") + "/robot_world.yaml"
 
 
-def _expect_stops(track: Sequence[Mapping[str, float]], output: str) -> None:
-    """Each stop is come to after the one before it."""
+def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
+    """Each stop is come to after the one before it, and driven to."""
+    if any(not math.dist(one, other) < JUMP for one, other in pairwise(track)):
+        raise Wrong("Vera drives the round", "she was moved without driving")
     at = 0
     for number, (x, y) in enumerate(STOPS, 1):
-        gaps = [math.hypot(place["x"] - x, place["y"] - y) for place in track[at:]]
+        gaps = [math.hypot(one[0] - x, one[1] - y) for one in track[at:]]
         first = next((k for k, gap in enumerate(gaps) if gap < NEAR), None)
         if first is None:
-            last = (output.strip().splitlines() or ["nothing was printed"])[-1]
-            cause = f"Does each goal wait for the end of the one before? The program's last line: {last:.160}"
+            cause = f"Does each goal wait for the end of the one before? The program's last words: {last[:160]}"
             nearest = f"never nearer than {min(gaps):.1f} m" if gaps else "the robot did not move"
-            raise Wrong(f"Vera at stop {number}, ({x:g}, {y:g})", nearest, cause, share=0.25 * (number > 1))
+            share = 0.25 * (number > 1)
+            raise Wrong(f"Vera at stop {number}, ({x:g}, {y:g})", nearest, cause, share=share, hint=1 if number > 1 else 0)
         at += first
 
 
@@ -191,21 +209,22 @@ def _expect_stops(track: Sequence[Mapping[str, float]], output: str) -> None:
 )
 def task_manager(work: Work) -> None:
     """No collision, everything delivered, and in half the time of one robot."""
-    manage = work.function("manage")
-    told = [_judge_plan(manage, number) for number in range(1, 6)]
+    manage, chance = work.function("manage"), work.dice("ch09.q4")
+    told = [_judge_plan(manage, number, chance) for number in range(1, 6)]
     slow = [(ticks, alone, number) for number, (ticks, alone) in enumerate(told, 1) if ticks > alone / 2]
     if slow:
         ticks, alone, number = slow[0]
         cause = "Do the robots drive at the same time, and does each get its share?"
-        raise Wrong(f"at most {alone // 2} ticks in warehouse {number}", f"{ticks}", cause, share=0.5)
+        raise Wrong(f"at most {alone // 2} ticks in warehouse {number}", gave=f"{ticks}", cause=cause, share=0.5, hint=1)
 
 
-def _judge_plan(manage: Any, number: int) -> tuple[int, int]:
+def _judge_plan(manage: Any, number: int, chance: Random) -> tuple[int, int]:
     """Ticks until the last load is at home, and what one robot alone would need."""
-    free, homes, loads = _warehouse(number)
-    got, told = manage(free.copy(), dict(homes), list(loads)), f"warehouse {number}"
-    if not isinstance(got, dict) or set(got) != set(homes):
-        raise Wrong(f"a dictionary with a way for each of {', '.join(homes)}", f"{got!r:.60}")
+    free, homes, loads = _warehouse(number, chance)
+    told = f"warehouse {number}"
+    got = called(manage, free.copy(), dict(homes), list(loads), told=f"manage, {told}")
+    if type(got) is not dict or any(type(name) is not str for name in got) or set(got) != set(homes):
+        raise Wrong(f"a dictionary with a way for each of {', '.join(homes)}", gave=shown(got, 60))
     ways = {name: _cells(got[name], f"{name} in {told}") for name in homes}
     for name, way in ways.items():
         _expect_drivable(free, way, homes[name], f"{name} in {told}")
@@ -222,18 +241,18 @@ def _costs(free: np.ndarray) -> np.ndarray:
     return np.where(free, 0, 254)
 
 
-def _warehouse(number: int) -> tuple[np.ndarray, dict[str, Cell], list[Cell]]:
+def _warehouse(number: int, chance: Random) -> tuple[np.ndarray, dict[str, Cell], list[Cell]]:
     """Aisles between shelves; homes at the left, each a bay, and loads in bays of the shelves."""
     import numpy as np
 
-    dice, aisles, width = random.Random(90 + number), 2 + number % 2, 16 + number
+    aisles, width = 2 + number % 2, 16 + number
     free = np.zeros((4 * aisles + 2, width), bool)
     rows = [4 * k + 2 for k in range(aisles)]
     free[rows, 2:-1] = free[[row + 1 for row in rows], 2:-1] = True
     free[1 : rows[-1] + 2, 2] = free[rows[0] : rows[-1] + 2, width - 2] = True
     homes = {f"robot{k + 1}": (2 * k + 1, 1) for k in range(4)}
     bays = [(row - 1, column) for row in rows for column in range(5, width - 3, 3)]
-    loads = dice.sample(bays, 8)
+    loads = chance.sample(bays, 8)
     for cell in [*homes.values(), *loads]:
         free[cell] = True
     return free, homes, loads
@@ -241,15 +260,15 @@ def _warehouse(number: int) -> tuple[np.ndarray, dict[str, Cell], list[Cell]]:
 
 def _expect_drivable(free: np.ndarray, way: list[Cell], home: Cell, told: str) -> None:
     if not way or way[0] != home:
-        raise Wrong(f"a way of {told} that begins at its home {home}", f"{way[:3]}")
+        raise Wrong(f"a way of {told} that begins at its home {home}", gave=f"{way[:3]}")
     if len(way) > MOST_TICKS:
-        raise Wrong(f"at most {MOST_TICKS} ticks for {told}", f"{len(way)}")
+        raise Wrong(f"at most {MOST_TICKS} ticks for {told}", gave=f"{len(way)}")
     for before, after in pairwise(way):
         if abs(before[0] - after[0]) + abs(before[1] - after[1]) > 1:
-            raise Wrong(f"{told} stays or goes to a neighbour in each tick", f"{before} to {after}")
+            raise Wrong(f"{told} stays or goes to a neighbour in each tick", gave=f"{before} to {after}")
         inside = 0 <= after[0] < free.shape[0] and 0 <= after[1] < free.shape[1]
         if not inside or not free[after]:
-            raise Wrong(f"{told} on free cells", f"{after} is none")
+            raise Wrong(f"{told} on free cells", gave=f"{after}, which is none")
 
 
 def _at(way: list[Cell], tick: int) -> Cell:

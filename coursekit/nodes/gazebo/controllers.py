@@ -7,6 +7,7 @@ from typing import Any
 
 import yaml
 
+from coursekit.files import read_text
 from coursekit.sim.robot import Drive
 from coursekit.urdf import MeshError
 from coursekit.urdf.resources import find_file
@@ -54,9 +55,9 @@ def _parameters(plugin: Element, model: Blueprint) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for element in plugin.all("parameters"):
         try:
-            data = yaml.safe_load(find_file(element.text.strip(), model.file).read_text("utf-8"))
+            data = yaml.safe_load(read_text(find_file(element.text.strip(), model.file)))
             nodes = {name: dict(node["ros__parameters"]) for name, node in data.items()}
-        except (MeshError, OSError, ValueError, yaml.YAMLError) as error:
+        except (MeshError, OSError, ValueError, RecursionError, yaml.YAMLError) as error:
             raise element.error(f"cannot be read: {error}", "Name the controllers' parameter file.") from None
         except (TypeError, KeyError, AttributeError):
             raise element.error("is no parameter file", "Write NODE: ros__parameters: ... into it.") from None

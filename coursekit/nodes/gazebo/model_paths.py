@@ -7,6 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 from urllib.parse import unquote
 
+from coursekit.files import is_file, is_folder, read_text
 from coursekit.urdf import MeshError, UrdfError
 from coursekit.urdf.errors import close
 from coursekit.urdf.resources import find_file, package_paths
@@ -49,7 +50,10 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
     """As long as no package comes to a folder or leaves it, the answer is kept: a world asks for each of its meshes."""
     found: list[Path] = []
     for file in (one for share, _ in shares for one in sorted(share.glob("*/package.xml"))):
-        text = file.read_text("utf-8", errors="replace")
+        try:
+            text = read_text(file, errors="replace")
+        except OSError:
+            continue
         try:
             export = read(text, str(file)).first("export") if "<gazebo_ros" in text else None
         except UrdfError:  # colcon tells what is wrong with it
@@ -65,9 +69,9 @@ def find_model(uri: str, near: Path | None = None) -> Path:
     name = unquote(uri.removeprefix("model://").removeprefix("file://"))
     folders = model_paths(near)
     for place in [folder / name for folder in folders] if not Path(name).is_absolute() else [Path(name)]:
-        if place.is_file():
+        if is_file(place):
             return place
-        if place.is_dir():
+        if is_folder(place):
             return _sdf_in(place)
     there = sorted({one.parent.name for folder in folders if folder.is_dir() for one in folder.glob("*/model.config")})
     searched = "\n".join(f"  {folder}" for folder in folders) or "  (none)"
@@ -80,13 +84,20 @@ def find_model(uri: str, near: Path | None = None) -> Path:
 def _sdf_in(folder: Path) -> Path:
     config = folder / "model.config"
     if config.is_file():
-        rows = [one.text.strip() for one in read(config.read_text("utf-8"), str(config)).all("sdf")]
+        rows = [one.text.strip() for one in read(_text_of(config), str(config)).all("sdf")]
         for name in reversed(rows):
-            if (folder / name).is_file():
+            if is_file(folder / name):
                 return folder / name
     if (folder / "model.sdf").is_file():
         return folder / "model.sdf"
     raise MeshError("has no model.sdf", file=str(folder), cure="Name its file in model.config: <sdf>model.sdf</sdf>.")
+
+
+def _text_of(config: Path) -> str:
+    try:
+        return read_text(config)
+    except (OSError, UnicodeDecodeError) as error:
+        raise MeshError(f"cannot be read: {error}", file=str(config), cure="It is text in XML.") from None
 
 
 def find_mesh(uri: str, near: Path | None = None) -> Path:
@@ -95,7 +106,7 @@ def find_mesh(uri: str, near: Path | None = None) -> Path:
     if rest == uri or rest.startswith("/"):
         return find_file(uri, near)
     for folder in model_paths(near):
-        if (folder / rest).is_file():
+        if is_file(folder / rest):
             return folder / rest
     try:
         return find_file("package://" + rest, near)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.files import read_text
 from coursekit.sim.place import Array
 from coursekit.urdf import MeshError
 from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
@@ -56,7 +57,7 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
 def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
     """The blueprint of an `<include>`, renamed and moved as it says. Raises MeshError if the model is not found."""
     path = find_model(element.tell("uri"), file)
-    root = read(path.read_text("utf-8"), str(path))
+    root = read(_text(path), str(path))
     model = root.first("model") if root.tag == "sdf" else None
     if model is None:
         raise root.error("holds no <model>", "Begin with <sdf version='1.7'><model name='...'>.")
@@ -68,6 +69,13 @@ def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
         made.static = flag(element, "static", made.static)
     made.plugins += element.all("plugin")
     return made
+
+
+def _text(path: Path) -> str:
+    try:
+        return read_text(path)
+    except (OSError, UnicodeDecodeError) as error:
+        raise MeshError(f"cannot be read: {error}", file=str(path), cure="A model is text in XML.") from None
 
 
 def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> Blueprint:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.files import read_text
 from coursekit.sim.errors import WorldError
 from coursekit.sim.parts import Part
 from coursekit.sim.place import Place
@@ -45,7 +46,7 @@ def load_sdf(path: str | Path) -> SdfWorld:
     """The world of an SDF file. Raises UrdfError (with line) and WorldError; OSError becomes a WorldError."""
     file = Path(path)
     try:
-        text = file.read_text("utf-8")
+        text = read_text(file)
     except (OSError, UnicodeDecodeError) as error:
         raise WorldError(f"cannot be read: {error}", file=str(file), cure="Check the path of the world.") from None
     root = _root(text, str(file))

@@ -18,6 +18,7 @@ from rclpy.utilities import remove_ros_args
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
+from coursekit.files import read_text
 from coursekit.urdf import UrdfError
 from coursekit.urdf.xml_tree import read
 
@@ -128,8 +129,7 @@ class SpawnEntityNode(Node):
             self.log.error(f"Error: specified file {name} is not a file")
             return None
         try:
-            with open(name, encoding="utf-8") as file:
-                text = file.read()
+            text = read_text(name)
         except (OSError, UnicodeDecodeError) as error:
             self.log.error(f"Error reading file {name}: {error}")
             return None

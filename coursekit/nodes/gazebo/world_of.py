@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 
+from coursekit.files import is_file, read_text
 from coursekit.nav.map_error import MapError
 from coursekit.nav.map_file import load_map
 from coursekit.sim import World, WorldError, load_world
@@ -21,13 +22,13 @@ COURSE = Path(__file__).parents[2] / "share" / "coursekit_maps" / "worlds"
 def find_world(name: str) -> Path:
     """The file of a world: a path, or the name of one of the course's. WorldError names those."""
     path = Path(name).expanduser()
-    if path.is_file():
+    if is_file(path):
         return path
     for folder in resource_paths():
-        if not path.is_absolute() and (folder / path).is_file():
+        if not path.is_absolute() and is_file(folder / path):
             return folder / path
     ours = COURSE / f"{path.stem}.yaml"
-    if str(path.parent) in (".", "worlds") and ours.is_file():
+    if str(path.parent) in (".", "worlds") and is_file(ours):
         return ours
     worlds = [one.stem for one in COURSE.glob("*.yaml")]
     cure = f"Give a file, or a name. {known(path.stem, worlds)}"
@@ -46,8 +47,8 @@ def open_world(name: str) -> SdfWorld:
 
 def _is_map(path: Path) -> bool:
     try:
-        data = yaml.safe_load(path.read_text("utf-8"))
-    except (OSError, ValueError, yaml.YAMLError):
+        data = yaml.safe_load(read_text(path))
+    except (OSError, ValueError, RecursionError, yaml.YAMLError):
         return False
     return isinstance(data, dict) and "image" in data
 

@@ -11,6 +11,8 @@ from typing import Any
 
 import yaml
 
+from coursekit.files import read_text
+
 from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
 _WORDS = {"reliability": RELIABILITIES, "durability": DURABILITIES}
@@ -116,7 +118,7 @@ def read(path: str | Path, rooted: bool = True) -> Config:
     """
     file = Path(path)
     try:
-        data = yaml.safe_load(file.read_text(encoding="utf-8"))
+        data = yaml.safe_load(read_text(file))
         if not isinstance(data, dict):
             raise ValueError("it holds no mapping with 'displays:'")
         if "Visualization Manager" in data:
@@ -130,7 +132,7 @@ def read(path: str | Path, rooted: bool = True) -> Config:
         if unknown:
             raise ValueError(f"'{unknown[0]}' is not known; there are fixed_frame, displays and view")
         return make_config(data.get("fixed_frame", ""), data.get("displays") or [], data.get("view"))
-    except (ValueError, TypeError, AttributeError, RecursionError, yaml.YAMLError) as error:
+    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, yaml.YAMLError) as error:
         raise ValueError(f"{file} cannot be read as a viewer's configuration: {error}") from None
 
 

@@ -12,6 +12,8 @@ from rclpy.node import Node
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
+from coursekit.files import read_text
+
 default_camera_info_url = "file://${ROS_HOME}/camera_info/${NAME}.yaml"
 """Where a calibration is kept that has no other place."""
 _MATRICES = {"camera_matrix": ("k", 3, 3), "rectification_matrix": ("r", 3, 3), "projection_matrix": ("p", 3, 4)}
@@ -54,9 +56,9 @@ def loadCalibrationFile(filename: str, cname: str) -> CameraInfo:
     if not path.is_file():
         return CameraInfo()
     try:
-        told = yaml.safe_load(path.read_text(encoding="utf-8"))
+        told = yaml.safe_load(read_text(path))
         return _info_of(told) if told else CameraInfo()
-    except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError, ValueError, AssertionError) as fault:
+    except (OSError, ValueError, RecursionError, yaml.YAMLError, LookupError, TypeError, AssertionError) as fault:
         raise CameraInfoError(f"{filename} holds no calibration of '{cname}': {type(fault).__name__}: {fault}") from fault
 
 

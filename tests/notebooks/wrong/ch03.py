@@ -80,6 +80,12 @@ WRONG = {
         _client(*_USAGE, *_ASK, "rclpy.spin(node)"),
         _client(*_USAGE, *_ASK, "node.get_logger().info(f'{a} + {b} = {future.result().sum}')"),
         _client(*_USAGE, "a, b = sys.argv[1:]", "rclpy.init()", "print(f'{a} + {b} = {int(a) + int(b)}')"),
+        _client(
+            *_USAGE,
+            *_ASK,
+            "rclpy.spin_until_future_complete(node, future)",
+            "node.get_logger().info(f'{a} + {b} = {a + b}')",
+        ),
     ],
     "ch03.q3": [
         _gate(
@@ -105,6 +111,13 @@ WRONG = {
             "async def count(self, request, response):",
             "    return await self.client.call_async(request)",
         ),
+        _gate(
+            ", callback_group=ReentrantCallbackGroup()",
+            "async def count(self, request, response):",
+            "    await self.client.call_async(request)",
+            "    response.sum = request.a + request.b + 10",
+            "    return response",
+        ),
     ],
     "ch03.q4": [
         _switch(
@@ -122,5 +135,28 @@ WRONG = {
             "    self.on, response.success, response.message = True, True, 'toot'",
             "    return response",
         ),
+        _switch(
+            "def switch(self, request, response):",
+            "    response.success, response.message = True, 'on' if request.data else 'off'",
+            "    return response",
+        ).replace("Bool(data=self.on)", "UInt64(data=self.get_clock().now().nanoseconds)")
+        .replace("(Bool, ", "(UInt64, ").replace("import Bool\n", "import UInt64\n"),
+    ],
+}
+_SAYS = "def switch(self, request, response):", "    self.on = request.data", (
+    "    return SetBool.Response(success=True, message=f'it is {self.on}')"
+)
+RIGHT = {
+    "ch03.q1": ["""state = {"holding": False}
+
+def lift(request, response):
+    global state
+    response.success, response.message = state["holding"] != request.data, "done, or not"
+    state = {"holding": request.data}
+    return response"""],
+    "ch03.q4": [
+        _switch(*_SAYS)
+        .replace("Bool(data=self.on)", "String(data=f'{self.on} at {self.get_clock().now().nanoseconds}')")
+        .replace("(Bool, ", "(String, ").replace("import Bool\n", "import String\n"),
     ],
 }

@@ -1,0 +1,60 @@
+"""The user's own folder for sockets and the like, which nobody else can open."""
+
+from __future__ import annotations
+
+import os
+import stat
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+
+def folder() -> Path:
+    """The folder; made on first use. PermissionError when every place for it can be opened by others."""
+    return choose()[0]
+
+
+def choose() -> tuple[Path, list[str]]:
+    """The folder, and what is wrong with the places that come before it; PermissionError as `folder`."""
+    faults: list[str] = []
+    for path in _places():
+        fault = _fault(path)
+        if not fault:
+            return path, faults
+        faults.append(fault)
+    raise PermissionError(
+        f"{'; '.join(faults)}. So there is no safe place for sessions to listen. Name a folder of yours, and start again: "
+        "export COURSEKIT_RUNTIME_DIR=~/coursekit-run"
+    )
+
+
+def _places() -> Iterator[Path]:
+    """The user's runtime folder, else one in /tmp, which somebody else may have taken, else one at home."""
+    named = os.environ.get("COURSEKIT_RUNTIME_DIR")
+    if named:
+        yield Path(named).expanduser() / "coursekit"
+        return
+    if os.environ.get("XDG_RUNTIME_DIR"):
+        yield Path(os.environ["XDG_RUNTIME_DIR"]) / "coursekit"
+    user = str(os.getuid()) if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
+    yield Path(tempfile.gettempdir()) / f"coursekit-{user}"
+    yield Path.home() / ".cache" / "coursekit" / "run"
+
+
+def _fault(path: Path) -> str:
+    """Make the folder; why it cannot be used, '' when it can."""
+    try:
+        path.mkdir(mode=0o700, parents=True, exist_ok=True)
+        status = path.lstat()
+    except OSError as error:
+        return f"'{path}' cannot be made ({error.strerror})"
+    if not hasattr(os, "getuid"):
+        return ""
+    if path.is_symlink() or status.st_uid != os.getuid():
+        return f"'{path}' is a link or belongs to somebody else"
+    if stat.S_IMODE(status.st_mode) & 0o077:
+        return f"'{path}' can be opened by others (mend that with: chmod 700 '{path}')"
+    return ""
+
+
+__all__ = ["choose", "folder"]

@@ -1,0 +1,98 @@
+"""Files of strangers and of the user: read only where they are files and of bounded size, written whole or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import stat
+import tempfile
+from pathlib import Path
+
+TEXT, DATA = 16 << 20, 256 << 20
+"""The largest text, and the largest other file, that is read [bytes]."""
+_OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+
+
+def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
+    """The contents of a file; OSError says why not: no pipe is waited for, no device read, nothing huge loaded.
+
+    >>> read_bytes("/dev/zero")
+    Traceback (most recent call last):
+    OSError: [Errno 22] It is a device or a pipe, not a file: '/dev/zero'
+    """
+    try:
+        descriptor = os.open(path, _OPEN)
+    except ValueError as error:  # a name with a zero in it
+        raise OSError(errno.EINVAL, str(error), os.fspath(path)) from None
+    with os.fdopen(descriptor, "rb") as file:
+        kind = os.fstat(descriptor)
+        if stat.S_ISDIR(kind.st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
+        if not stat.S_ISREG(kind.st_mode):
+            raise OSError(errno.EINVAL, "It is a device or a pipe, not a file", os.fspath(path))
+        data = file.read(most + 1) if kind.st_size <= most else b""
+    if kind.st_size > most or len(data) > most:
+        raise OSError(errno.EFBIG, f"It is larger than {most >> 20} MB", os.fspath(path))
+    return data
+
+
+def read_text(path: str | os.PathLike[str], *, errors: str = "strict", most: int = TEXT) -> str:
+    """The text of a UTF-8 file; OSError as `read_bytes`, UnicodeDecodeError when it is no text."""
+    return read_bytes(path, most).decode("utf-8", errors).replace("\r\n", "\n")
+
+
+def is_file(path: str | os.PathLike[str]) -> bool:
+    """Whether there is such a file: also for names that no file can have.
+
+    >>> is_file("x" * 5000), is_file("a\\0b")
+    (False, False)
+    """
+    try:
+        return stat.S_ISREG(os.stat(path).st_mode)
+    except (OSError, ValueError):
+        return False
+
+
+def is_folder(path: str | os.PathLike[str]) -> bool:
+    """Whether there is such a folder: also for names that no folder can have."""
+    try:
+        return stat.S_ISDIR(os.stat(path).st_mode)
+    except (OSError, ValueError):
+        return False
+
+
+def write_whole(path: str | os.PathLike[str], data: bytes | str) -> None:
+    """Write a file so that there is the old one or the new one, never half of it, also when the disk is full.
+
+    Raises:
+        OSError: when it cannot be written; the old file is still there then.
+    """
+    target = Path(path)
+    with contextlib.suppress(OSError):
+        target = target.resolve()  # a link stays a link
+    number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:80]}.")
+    try:
+        with os.fdopen(number, "wb") as file:
+            file.write(data.encode() if isinstance(data, str) else data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(fresh, _rights(target))
+        os.replace(fresh, target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(fresh)
+        raise
+
+
+def _rights(target: Path) -> int:
+    """Those of the old file, or what a new one has."""
+    try:
+        return stat.S_IMODE(target.stat().st_mode)
+    except OSError:
+        mask = os.umask(0)
+        os.umask(mask)
+        return 0o666 & ~mask
+
+
+__all__ = ["DATA", "TEXT", "is_file", "is_folder", "read_bytes", "read_text", "write_whole"]

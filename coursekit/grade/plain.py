@@ -1,0 +1,186 @@
+"""What comes from a student, as exactly plain values: numbers that are finite, texts, lists and tuples; all else is Wrong.
+
+Judges compare only what these functions gave them. NaN, infinities, bool for int and objects that lie about what they
+equal never get as far as a comparison, so a check passes only when something was positively found right.
+"""
+
+from __future__ import annotations
+
+import linecache
+import math
+import sys
+import traceback
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+from .verdict import Wrong
+
+T = TypeVar("T")
+_OURS = str(Path(__file__).resolve().parents[1])
+MOST = 100
+"""Letters of a value that a verdict shows."""
+
+
+def shown(value: Any, most: int = MOST) -> str:
+    """A value for a verdict: its repr, cut; also of objects whose repr fails.
+
+    >>> shown([1, 2]), shown("long" * 9, 8), shown(10**9999)
+    ('[1, 2]', "'longlon", 'an int that cannot be shown')
+    """
+    try:
+        return str.__getitem__(repr(value), slice(0, most))
+    except Exception:
+        return f"an {type(value).__name__[:40]} that cannot be shown"
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is exactly an int, a float or numpy's scalar of these, and finite; a bool is none.
+
+    >>> [is_number(one) for one in (1, 2.5, True, math.nan, math.inf, "1", 10**400)]
+    [True, True, False, False, False, False, False]
+    """
+    numpy = sys.modules.get("numpy")
+    kinds = (int, float)
+    if type(value) not in kinds and (numpy is None or type(value) not in _scalars(numpy)):
+        return False
+    try:
+        return math.isfinite(float(value))
+    except OverflowError:
+        return False
+
+
+def _scalars(numpy: Any) -> tuple[Any, ...]:
+    found: tuple[Any, ...] = numpy.float64, numpy.float32, numpy.float16
+    return found + tuple(getattr(numpy, f"{sign}int{bits}") for sign in ("", "u") for bits in (8, 16, 32, 64))
+
+
+def near(got: Any, need: float, tolerance: float) -> bool:
+    """Whether `got` is a plain finite number no more than `tolerance` from `need`.
+
+    >>> near(1.0, 1, 1e-6), near(math.nan, 1, 1e-6), near(True, 1, 1)
+    (True, False, False)
+    """
+    return is_number(got) and abs(float(got) - need) <= tolerance
+
+
+def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
+    """Whether as many plain finite numbers make a place no further than `tolerance` from `need`.
+
+    >>> close((0.0, 1.0), (0, 1), 0.1), close((0.0, math.nan), (0, 1), 0.1), close((0.0,), (0, 1), 2)
+    (True, False, False)
+    """
+    if len(got) != len(need) or not all(is_number(one) for one in got):
+        return False
+    return math.dist([float(one) for one in got], need) <= tolerance
+
+
+def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> float:
+    """The value as a float; Wrong, which says what was `expected`, when it is no plain finite number."""
+    if not is_number(value):
+        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share)
+    return float(value)
+
+
+def _why_no_number(value: Any) -> str:
+    if value is None:
+        return "Is there a `return` in every case?"
+    if type(value) is float:
+        return "Is something divided by zero, or is it beyond what a float holds?"
+    return ""
+
+
+def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> int:
+    """The value as an int; Wrong when it is none: a bool and 2.0 are none."""
+    if not is_number(value) or type(value) is float or float(value) != int(value):
+        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share)
+    return int(value)
+
+
+def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[float, ...]:
+    """So many finite numbers of a tuple, a list or an array; Wrong when it is something else."""
+    array = _array(value)
+    parts = items(value, expected, cause) if array is None else array.ravel().tolist()
+    if len(parts) != count:
+        raise Wrong(expected, gave=shown(value), cause=cause)
+    return tuple(number(one, expected, cause) for one in parts)
+
+
+def items(value: Any, expected: str, cause: str = "") -> list[Any]:
+    """What is in a tuple, a list or an array of numbers (its rows); Wrong for all else."""
+    if type(value) in (tuple, list):
+        return list(value)
+    if (array := _array(value)) is not None and array.ndim:
+        return list(array.tolist())
+    raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value))
+
+
+def _array(value: Any) -> Any:
+    """The value when it is an array of plain numbers, of a size to be looked at, else None."""
+    numpy = sys.modules.get("numpy")
+    if numpy is None or type(value) is not numpy.ndarray or value.dtype.kind not in "iuf" or value.size > 10**6:
+        return None
+    return value
+
+
+def text(value: Any, expected: str, cause: str = "") -> str:
+    """The value as a str; Wrong when it is none."""
+    if type(value) is not str:
+        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value))
+    return value
+
+
+def texts(value: Any, expected: str, cause: str = "") -> list[str]:
+    """The texts in a list or a tuple; Wrong when there is something else."""
+    if type(value) not in (list, tuple):
+        raise Wrong(expected, gave=shown(value), cause=cause)
+    return [text(one, expected, cause) for one in value]
+
+
+def field(message: Any, path: str, kind: type[T], where: str = "a message") -> T:
+    """A field of a recorded message, of exactly that type; floats are finite, and an int serves for one.
+
+    >>> field({"pose": {"x": 1.5}}, "pose.x", float)
+    1.5
+    """
+    found = message
+    for name in path.split("."):
+        if not isinstance(found, Mapping) or name not in found:
+            raise Wrong(f"{where} with the field {path}", "it has none", "Is the message's type the right one?")
+        found = found[name]
+    if kind is float:
+        return number(found, f"{where} whose {path} is a finite number")  # type: ignore[return-value]
+    if type(found) is not kind:
+        name = {str: "a text", bool: "true or false", int: "an integer", list: "a list"}.get(kind, kind.__name__)
+        raise Wrong(f"{where} whose {path} is {name}", shown(found), "Is the message's type the right one?")
+    return found
+
+
+def fields(message: Any, paths: Sequence[str], where: str = "a message") -> tuple[float, ...]:
+    """Several finite numbers of a recorded message."""
+    return tuple(field(message, one, float, where) for one in paths)
+
+
+def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
+    """What a student's function makes of its arguments; Wrong with its own exception and line when it raises one."""
+    try:
+        return function(*given)
+    except NotImplementedError:
+        raise
+    except Exception as error:
+        raise Wrong(f"an answer from {told}", error_of(error), "Your function stopped there.") from None
+
+
+def error_of(error: BaseException) -> str:
+    """An exception as a verdict shows it: its kind, its text, and the student's own line, if it has passed one."""
+    try:
+        said = f"{type(error).__name__}: {error}"[:300]
+    except Exception:
+        said = type(error).__name__[:80]
+    own = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith(_OURS)]
+    own = [one for one in own if "site-packages" not in one.filename and not one.filename.startswith(sys.base_prefix)]
+    if not own or own[-1].lineno is None:
+        return said
+    where = own[-1]
+    line = (where.line or linecache.getline(where.filename, where.lineno or 0)).strip()
+    return f"{said} (line {where.lineno}{': ' + line[:100] if line else ''})"

@@ -1,0 +1,67 @@
+"""Changes to a text that may be made again: what is there already is not added a second time. No files, no Jupyter."""
+
+from __future__ import annotations
+
+
+def edited(text: str, old: str, new: str) -> str | None:
+    """`text` with `new` in place of `old`, or as it is if that was done before; None where it cannot be done.
+
+    >>> once = edited("scripts: [", "[", "[ a,")
+    >>> once == edited(once, "[", "[ a,")
+    True
+    """
+    if is_done(text, old, new):
+        return text
+    return text.replace(old, new, 1) if old in text else None
+
+
+def is_done(text: str, old: str, new: str) -> bool:
+    """Whether `new` stands there; an addition also where others were put between its lines, or into one, since."""
+    if new in text:
+        return True
+    above, anchor, below = text.partition(old)
+    if not old or not anchor:
+        return _has_lines(new, _lines(old)) and _has_lines(text, _lines(new))
+    before, adds, after = new.partition(old)
+    return bool(adds) and _has_lines(above, _lines(before)) and _has_lines(below, _lines(after))
+
+
+def undone(text: str, old: str, new: str) -> str:
+    """`text` before `old` became `new`; as it is where that cannot be told."""
+    if new in text:
+        return text.replace(new, old, 1)
+    before, found, after = new.partition(old)
+    for part in (before, after):
+        if found and part.strip() and text.count(part) == 1:
+            text = text.replace(part, "")
+    return text
+
+
+def appended(text: str, piece: str, former: str | None) -> str:
+    """`text` with `piece` at its end, or where the former one of the same cell stands.
+
+    >>> appended("a\\nb\\nc\\n", "B\\n", former="b\\n")
+    'a\\nB\\nc\\n'
+    """
+    if former and former in text:
+        above, _, below = text.rpartition(former)
+        return above + piece + below
+    return text if piece and piece in text else text + piece
+
+
+def _lines(text: str) -> list[str]:
+    return [line.strip() for line in text.splitlines() if line.strip()]
+
+
+def _has_lines(text: str, wanted: list[str]) -> bool:
+    """Whether these lines stand in `text` in this order; each may have got more words."""
+    rest = iter(_lines(text))
+    return all(any(_within(line, there) for there in rest) for line in wanted)
+
+
+def _within(line: str, there: str) -> bool:
+    words = iter(there.split())
+    return all(word in words for word in line.split())
+
+
+__all__ = ["appended", "edited", "is_done", "undone"]

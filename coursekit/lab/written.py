@@ -1,0 +1,100 @@
+"""What cells wrote into which files, remembered over restarts, so that running a cell again replaces its own part."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from .changes import appended, edited, undone
+from .errors import NotThere
+from .kernel import run_number, this_cell
+
+
+class Written:
+    """The parts of one file of the workspace that cells wrote.
+
+    `pieces` are [cell, text] of `%%write`; `edits` are [cell, old, new], the newest of a place last.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._file = Path(os.environ.get("COURSEKIT_COURSE", ".")) / ".coursekit" / "written.json"
+        self._all = self._read()
+        mine = self._all.setdefault(str(path), {})
+        self.pieces: list[list[str]] = mine.setdefault("pieces", [])
+        self.edits: list[list[Any]] = mine.setdefault("edits", [])
+
+    def _read(self) -> dict[str, dict[str, Any]]:
+        with contextlib.suppress(OSError, ValueError, TypeError):
+            found = json.loads(self._file.read_text(encoding="utf-8"))
+            return {str(path): dict(parts) for path, parts in found.items()}
+        return {}
+
+    def write(self, text: str) -> str:
+        """The file with this text of the running cell, and below it what other cells added when this one wrote it before."""
+        cell = this_cell()
+        mine = bool(cell and self.pieces and self.pieces[0][0] == cell and self.path.exists())
+        self.pieces[:] = [[cell, text], *(self.pieces[1:] if mine else [])]
+        self.edits.clear()
+        return self._finish("".join(one for _, one in self.pieces))
+
+    def append(self, text: str) -> str:
+        """The file with this text below it; the running cell's former text goes."""
+        cell = this_cell()
+        former = next((one for one in self.pieces if cell and one[0] == cell), None)
+        there = self.path.read_text(encoding="utf-8") if self.path.exists() else ""
+        whole = appended(there, text, former[1] if former else None)
+        if former:
+            former[1] = text
+        elif all(one != text for _, one in self.pieces):
+            self.pieces.append([cell, text])
+        return self._finish(whole)
+
+    def edit(self, old: str, new: str) -> bool:
+        """Make an edit; False where it was made before and the file has gone on since. NotThere: it cannot be made."""
+        text = self.path.read_text(encoding="utf-8")
+        place = [this_cell(), run_number(f"{self.path} {old}"), old]
+        former = next((one for one in self.edits if place[0] and one[:3] == place), None)
+        if former and former[3] != new:
+            text = undone(text, old, former[3])
+        changed = edited(text, old, new)
+        if changed is None and not any(one[2:] == [old, new] for one in self.edits):
+            raise NotThere(f"{self.path.name} does not contain {old!r}. Print it with: %show {self._shown()}")
+        if former:
+            self.edits.remove(former)
+        self.edits.append([*place, new])
+        self._finish(text if changed is None else changed)
+        return changed is not None
+
+    def _shown(self) -> str:
+        workspace = Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
+        return self.path.relative_to(workspace).as_posix() if self.path.is_relative_to(workspace) else str(self.path)
+
+    def _finish(self, text: str) -> str:
+        """Write the file, unless it is that text already: what has not changed needs no new build."""
+        if not self.path.exists() or self.path.read_text(encoding="utf-8") != text:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            _write(self.path, text)
+        self._file.parent.mkdir(parents=True, exist_ok=True)
+        _write(self._file, json.dumps(self._all, indent=1))
+        return text
+
+
+def _write(path: Path, text: str) -> None:
+    """All of it, or nothing: a full disk leaves the file as it was."""
+    path = path.resolve()  # a link stays one
+    fresh = path.with_name(f".{path.name}.new")
+    try:
+        fresh.write_text(text, encoding="utf-8")
+        if path.exists():
+            fresh.chmod(path.stat().st_mode)
+        fresh.replace(path)
+    except OSError:
+        fresh.unlink(missing_ok=True)
+        raise
+
+
+__all__ = ["Written"]

@@ -1,0 +1,86 @@
+"""Whether what is installed of a package is what its sources say: the last build went well, and nothing changed since."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+_RULES = ("setup.py", "setup.cfg", "CMakeLists.txt")
+"""What a build reads; links to these change nothing before the next build."""
+_NOT_BUILT = re.compile(r"^\.|^__pycache__$|\.pyc$|\.egg-info$|\.md$|^LICENSE|^CHANGELOG|^tests?$|^build$|^install$|^log$")
+
+
+def build_fault(workspace: Path, package: str) -> str:
+    """Why `install/` is not what the sources of a package say; '' when it is, or when nothing tells.
+
+    What `--symlink-install` linked may change without a build, as may files that were changed and changed back.
+
+    >>> build_fault(Path("/nowhere"), "py_pubsub")
+    ''
+    """
+    base = workspace / "build" / package
+    try:
+        result = (base / "colcon_build.rc").read_text(encoding="utf-8").strip()
+        built_ns = (base / "colcon_build.rc").stat().st_mtime_ns
+    except OSError:
+        return ""
+    if result != "0":
+        return f"the last build of {package} failed, so install/ holds an older one"
+    source = package_folder(workspace, package)
+    newer = [] if source is None else [one for one in _sources(source) if one.lstat().st_mtime_ns > built_ns]
+    if source is None or not newer:
+        return ""
+    installed = workspace / "install" / package
+    fresh = _linked([base, installed if installed.is_dir() else workspace / "install"])
+    for path in newer:
+        if path.name in _RULES or not (_is_below(path, fresh) or _same_bytes(path, installed)):
+            return f"{path.relative_to(source).as_posix()} of {package} was changed after the last build"
+    return ""
+
+
+def package_folder(workspace: Path, package: str) -> Path | None:
+    """Where a package's sources are below `src/`; None when they are not there."""
+    for folder, inner, files in os.walk(workspace / "src"):
+        if "package.xml" in files:
+            inner.clear()  # no package lies in another
+            if _name(Path(folder) / "package.xml") == package:
+                return Path(folder)
+        inner[:] = [one for one in inner if not one.startswith(".")]
+    return None
+
+
+def _name(manifest: Path) -> str:
+    text = manifest.read_text(encoding="utf-8", errors="replace")
+    found = re.search(r"<name>\s*([^<\s]+)\s*</name>", text)
+    return found[1] if found else manifest.parent.name
+
+
+def _sources(folder: Path) -> Iterator[Path]:
+    for place, inner, files in os.walk(folder):
+        inner[:] = [one for one in inner if not _NOT_BUILT.search(one)]
+        yield from (Path(place) / one for one in sorted(files) if not _NOT_BUILT.search(one))
+
+
+def _linked(folders: list[Path]) -> set[Path]:
+    """The sources that links in these folders lead to."""
+    found = set()
+    for folder in folders:
+        for place, inner, files in os.walk(folder):
+            links = (Path(place) / one for one in (*inner, *files))
+            found |= {one.resolve() for one in links if one.is_symlink()}
+    return found
+
+
+def _is_below(path: Path, linked: set[Path]) -> bool:
+    path = path.resolve()
+    return path in linked or any(one in linked for one in path.parents)
+
+
+def _same_bytes(path: Path, installed: Path) -> bool:
+    data = path.read_bytes()
+    return any(one.is_file() and one.read_bytes() == data for one in installed.rglob(path.name))
+
+
+__all__ = ["build_fault", "package_folder"]

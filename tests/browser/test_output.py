@@ -1,0 +1,33 @@
+"""What a cell starts prints into that cell, whatever else the page does meanwhile."""
+
+import pytest
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(240)]
+
+LIVE = """from coursekit.lab import *
+%ros2 run turtlesim turtlesim_node &
+view = viewer(displays=["Grid", "TF"])
+turtlesim_window()"""
+PACKAGE = '''%cd -q {workspace()}
+%ros2 pkg create --build-type ament_python --destination-directory src broken
+edit("src/broken/setup.py", "setup(", "setup(oops")'''
+LATE = """import threading, time
+threading.Thread(target=lambda: (time.sleep(1), print("said late"))).start()
+time.sleep(2)"""
+
+
+def outputs(page, source):
+    """What stands below the cell with this text."""
+    cell = page.locator(".jp-CodeCell", has_text=source).first
+    return "\n".join(cell.locator(".jp-OutputArea-output").all_inner_texts())
+
+
+def test_a_build_says_that_it_failed_while_a_live_viewer_is_in_the_page(notebook, picture):
+    opened = notebook(LIVE, "view", PACKAGE, "%colcon build --packages-select broken", LATE, width=1300)
+    opened.run()
+    page = opened.page
+    page.wait_for_timeout(1000)
+    picture(page, "build-beside-viewer")
+    said = outputs(page, "%colcon build")
+    assert "Failed   <<< broken" in said and "Summary: 0 packages finished" in said, opened.text()
+    assert "said late" in outputs(page, "said late")

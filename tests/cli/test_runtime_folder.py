@@ -1,0 +1,50 @@
+"""Sockets lie where nobody else can open them, also when somebody has taken the usual place."""
+
+import tempfile
+
+import pytest
+
+from coursekit.cli import checks
+from coursekit.cli.runtime_folder import choose, folder
+
+
+@pytest.fixture
+def homes(tmp_path, monkeypatch):
+    for name in ("COURSEKIT_RUNTIME_DIR", "XDG_RUNTIME_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    (tmp_path / "tmp").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    return tmp_path
+
+
+def test_the_runtime_folder_of_the_user_comes_first(homes, monkeypatch):
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(homes / "own"))
+    assert folder() == homes / "own" / "coursekit"
+    assert folder().stat().st_mode & 0o777 == 0o700
+
+
+@pytest.mark.parametrize("squat", ["open", "link", "file"])
+def test_a_folder_that_somebody_else_has_taken_is_not_used_and_that_is_told(homes, squat):
+    usual = folder()
+    usual.rmdir()
+    if squat == "open":
+        usual.mkdir()
+        usual.chmod(0o777)
+    elif squat == "link":
+        usual.symlink_to(homes)
+    else:
+        usual.write_text("")
+    assert folder() == homes / "home" / ".cache" / "coursekit" / "run"
+    assert str(usual) in choose()[1][0]
+    told = checks.socket_folder()
+    assert told.only_warning and str(usual) in told.fault and str(folder()) in told.cure
+
+
+def test_where_no_place_is_safe_it_says_what_to_type(homes, monkeypatch):
+    (homes / "mine" / "coursekit").mkdir(parents=True)
+    (homes / "mine" / "coursekit").chmod(0o755)
+    monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", str(homes / "mine"))
+    with pytest.raises(PermissionError, match=r"can be opened by others.*export COURSEKIT_RUNTIME_DIR="):
+        folder()
+    assert checks.socket_folder().fault

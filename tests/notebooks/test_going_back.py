@@ -1,0 +1,69 @@
+"""A student goes back: after a whole chapter the cells of every exercise run again, from the last to the first."""
+
+import re
+from collections import Counter
+from contextlib import contextmanager
+
+import pytest
+from nbclient import NotebookClient
+
+from .running import chapters, course_environment, read
+
+pytestmark = [pytest.mark.timeout(900), pytest.mark.slow]
+
+
+@pytest.fixture(params=chapters(), ids=lambda path: path.stem)
+def chapter(request):
+    return request.param
+
+
+@contextmanager
+def kernel_of(notebook, folder):
+    """A function that runs one cell as JupyterLab does, which says which cell it is; it gives what was printed."""
+    (folder / "ros2_ws" / "src").mkdir(parents=True)
+    with course_environment(folder):
+        resources = {"metadata": {"path": str(folder)}}
+        client = NotebookClient(notebook, timeout=300, kernel_name="python3", resources=resources)
+        with client.setup_kernel():
+
+            def run(index):
+                cell = notebook.cells[index]
+                client.kc.session.metadata = {"cellId": cell.id}
+                client.execute_cell(cell, index)
+                outputs = cell.get("outputs", [])
+                return "".join(one.get("text", "") or one.get("data", {}).get("text/plain", "") for one in outputs)
+
+            yield run
+
+
+def exercises(notebook):
+    """The cells of each exercise, from its heading to its check, in order."""
+    found, start = [], 0
+    for index, cell in enumerate(notebook.cells):
+        if cell.cell_type == "markdown" and re.search(r"^## ", cell.source, re.MULTILINE):
+            start = index
+        elif cell.metadata.get("nbgrader", {}).get("grade_id", "").endswith("-check"):
+            found.append([one for one in range(start, index + 1) if notebook.cells[one].cell_type == "code"])
+    return found
+
+
+def doubled(folder):
+    """Entries that stand twice in what a build reads: executables, files to install, dependencies."""
+    for path in sorted((folder / "ros2_ws" / "src").rglob("*")):
+        if path.name in ("setup.py", "package.xml", "CMakeLists.txt"):
+            lines = Counter(line.strip() for line in path.read_text().splitlines() if re.search(r"\w{3}", line))
+            entries = {line: count for line, count in lines.items() if re.search(r"_exe|depend>|glob\(|find_package|\.msg", line)}
+            yield from (f"{path.name}: {line}" for line, count in entries.items() if count > 1)
+
+
+def test_the_cells_of_every_exercise_can_be_run_again_after_those_below(chapter, tmp_path):
+    notebook = read(chapter)
+    with kernel_of(notebook, tmp_path) as run:
+        for index in range(len(notebook.cells)):
+            run(index)
+        before = list(doubled(tmp_path))
+        for cells in reversed(exercises(notebook)):
+            said = [run(index) for index in cells]
+            assert "Failed   <<<" not in "".join(said)
+            assert said[-1].startswith("✔"), said[-1]
+            assert list(doubled(tmp_path)) == before

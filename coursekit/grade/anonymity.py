@@ -11,13 +11,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from coursekit.files import write_whole
+
 from .harmless import cell
 from .keys import own_key
 from .mark import Marked
 from .pieces import Entry, Piece
 from .record import Record
 from .roster import Person
-from .tables import write_whole
 
 
 class Anonymity:

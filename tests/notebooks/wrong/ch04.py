@@ -86,6 +86,6 @@ WRONG = {
 RIGHT = {
     "ch04.q1": [
         _type("Sphere", "geometry_msgs/Point center", "float64 radius  # [m]"),
-        _type("Sphere", "geometry_msgs/Point center", "# half of its width, in meters", "double radius"),
+        _type("Sphere", "geometry_msgs/Point center", "# half of its width, in meters", "float64 radius"),
     ],
 }

@@ -58,7 +58,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
     """The verdict that says what is wrong; what a program died of comes first."""
     died, got = noted.death(), wrong.got
     if died and died not in got:
-        got = f"your program died: {died}" + (f"; {got}" if got else "")
+        got = f"your program raised {died}" + (f"; {got}" if got else "")
     return Verdict(
         exercise.name,
         exercise.title,

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursekit.cli import grading, slam
+from coursekit.cli import compile_ahead, grading, slam
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -94,7 +94,10 @@ def open_lab(args: argparse.Namespace) -> int:
         command.append("--no-browser")
         print("Open the address that begins with http://127.0.0.1 below in a browser.")
     command += [word for word in args.jupyter if word != "--"]
-    return _become(command, lab_environment(folder))
+    env = lab_environment(folder)
+    print("SLAM is compiled in the background: the first time this takes a minute or two, and you can begin at once.")
+    compile_ahead.start_in_background(env)
+    return _become(command, env)
 
 
 def _become(command: list[str], env: dict[str, str]) -> int:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 _NAMES = "a copy for each of these students with numbers and names of its own; a roster, or a name on each line"
 _ROSTER = "the class: an export of Moodle, Canvas, Blackboard or Google Classroom, a .csv, or a name on each line"
+MORE = "How to collect, mark and give back: `coursekit teachers` (docs/teachers.md)"
 SEAL = "A seal shows what was changed after it was made. It does not prove who made it, or when."
 
 
@@ -33,6 +34,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
     release.set_defaults(main=run_release)
     _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
+    teachers = commands.add_parser("teachers", help="the page for teachers: hand out, collect, mark, give back")
+    teachers.set_defaults(main=show_teachers)
     verify = commands.add_parser("verify", help="find out whether files made by hand_in() were changed, and run them again")
     verify.add_argument("file", type=Path, nargs="+")
     verify.add_argument("--no-run", action="store_true", help="only look for changes")
@@ -59,13 +62,20 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     grade.set_defaults(main=run_grade)
 
 
-def teachers_page() -> str:
+def teachers_page() -> Path | None:
     """Where the page for teachers is."""
     package = Path(__file__).resolve().parents[1]
-    for file in (package.parent / "docs" / "teachers.md", package / "teachers.md"):
-        if file.is_file():
-            return str(file)
-    return "docs/teachers.md"
+    found = [file for file in (package.parent / "docs" / "teachers.md", package / "teachers.md") if file.is_file()]
+    return found[0] if found else None
+
+
+def show_teachers(args: argparse.Namespace) -> int:
+    """Print the page for teachers."""
+    page = teachers_page()
+    if page is None:
+        raise SystemExit("The page for teachers is not here. Reinstall with: pip install --force-reinstall coursekit")
+    print(page.read_text(encoding="utf-8"))
+    return 0
 
 
 def _chosen(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
@@ -96,7 +106,7 @@ def run_release(args: argparse.Namespace) -> int:
         print(written.relative_to(out))
     if names is not None:
         print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
-    print(f"Handing out, collecting, marking, handing back: {teachers_page()}")
+    print(MORE)
     return 0
 
 
@@ -114,7 +124,7 @@ def run_grade(args: argparse.Namespace) -> int:
     from coursekit.grade.reference import GraderBroken
 
     if not args.folder.is_dir() and not (args.folder.suffix.casefold() == ".zip" and args.folder.is_file()):
-        raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what each student handed in.")
+        raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what students handed in.")
     if args.platform and args.anonymous:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:
@@ -175,7 +185,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     if outcome.collection.unanswered:
         where = group.out.with_name("questions.csv")
         print(f"Fill in the column 'answer' of {where}, and run this again: those who are asked about have no mark yet.")
-    marks = [total for one in outcome.records if (total := one.total()) is not None]
+    marks = [one.total() or 0.0 for one in outcome.records if one.counts()]
     average = sum(marks) / len(marks) if marks else 0
     tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
     counts = statuses.told(outcome.statuses()) or "nothing was handed in"
@@ -186,7 +196,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     if group.anonymity is not None:
         print(f"Who is who: {group.anonymity.names}")
     print(f"Open {group.kept / 'class.html'}; beside it are the pages, gradebook.csv, statistics and similar.csv.")
-    print(f"How marks come about: {teachers_page()}")
+    print(MORE)
     if outcome.interrupted:
         print("It was stopped: what was marked is kept, and the next run goes on from there.")
 

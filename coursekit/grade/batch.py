@@ -206,10 +206,10 @@ class Class:
         shown = self._shown(records)
         self.table.write(shown)
         self.kept.mkdir(parents=True, exist_ok=True)
-        marks = [one.marked() for one in shown if one.chapters()]
+        marks = [one.marked() for one in shown if one.counts()]
         write_reports(self.kept, shown)
         write_similar(self.kept / "similar.csv", marks)
-        write_statistics(self.kept, marks)
+        write_statistics(self.kept, marks, outcome.statuses())
         write_overview(self.kept, shown, outcome)
         write_gradebook(self.kept / "gradebook.csv", shown, records, self.results)
 

@@ -90,7 +90,7 @@ def _more(one: Piece, other: Piece) -> bool:
 
 
 def _question(chapter: str, left: Sequence[Piece], who: str) -> Question:
-    about = "; ".join(f"{one.where}: {told_time(one.inner)}, {len(one.known.begun)} exercises begun" for one in left)
+    about = "; ".join(f"{one.where}: {told_time(one.when)}, exercises begun: {len(one.known.begun)}" for one in left)
     number = numbered("which", who, chapter, *sorted(one.digest for one in left))
     text = f"Which of these is {who}'s {PurePosixPath(chapter).stem}? Write its path or its place."
     return Question(number, text, about, tuple(one.where for one in left))
@@ -116,4 +116,4 @@ def _against(other: Piece, best: Piece) -> str:
         return "nothing was written in it" if not other.known.level else "no exercise was begun in it"
     if other.known.work == best.known.work:
         return "the same work"
-    return "newer" if other.when > best.when else f"of {told_time(other.inner)}" if other.inner else "older"
+    return "newer" if other.when > best.when else f"of {told_time(other.when)}" if other.when else "older"

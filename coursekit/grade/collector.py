@@ -13,7 +13,7 @@ from typing import Any
 
 from .choosing import choose
 from .harmless import identity_of, name_of_files, shown, unique
-from .identifying import Identified, Identifier
+from .identifying import SURE, Identified, Identifier
 from .lateness import Policy, platform_time
 from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw, entries_of_folder, entries_of_zip, told_time
 from .platform_names import platform_name
@@ -150,7 +150,7 @@ class Collector:
         if len(found.people) == 1:
             handed = self._of(found.people[0])
             handed.entries.append(entry)
-            if found.how and found.how not in ("the exact name", "the platform's name for it"):
+            if found.how and found.how not in SURE:
                 handed.concerns.append(f"'{shown(entry.name)}' was taken as theirs by {found.how}")
 
     def _named(self, entry: Entry, found: Identified) -> Identified:
@@ -209,8 +209,9 @@ class Collector:
                 by_chapter.setdefault(one.chapter, []).append(one)
             handed.notes += entry.faults
             handed.concerns += entry.concerns
-            if entry.others and not entry.pieces:
-                handed.notes.append(f"no notebook was handed in, only {', '.join(entry.others[:5])}")
+        others = [name for entry in handed.entries for name in entry.others]
+        if others and not by_chapter:
+            handed.notes.append(f"no notebook was handed in, only {', '.join(others[:5])}")
         nameless = [self._chapter_of(one, handed, bool(by_chapter)) for one in by_chapter.pop("", ())]
         for one in (one for one in nameless if one.chapter):
             by_chapter.setdefault(one.chapter, []).append(one)
@@ -227,6 +228,8 @@ class Collector:
             else:
                 handed.chosen[chapter] = choice.piece
                 handed.notes += [choice.why] if choice.why else []
+                if choice.piece.known.level == 0:
+                    handed.concerns.append(f"{choice.piece.where}: nothing was written in it")
 
     def _chapter_of(self, piece: Piece, handed: Handed, others: bool) -> Piece:
         """A notebook whose content and name say no chapter: asked about where the person handed in nothing else."""

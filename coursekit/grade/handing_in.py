@@ -66,12 +66,14 @@ def make_parcel(
     notes = missing_checks(notebook.name, read_notebook(notebook), known)
     if not checks_in(read_notebook(notebook)):
         names = ", ".join(known.chapters)
-        raise ValueError(f"{notebook.name} holds no check of the course: nothing in it can be marked. Hand in one of: {names}")
+        what = "holds no check of the course: nothing in it can be marked"
+        raise ValueError(f"{notebook.name} {what}. Hand in one of: {names}")
     marked = clean_run(notebook)
     file = out / f"{student_word(student)}_{notebook.stem}.zip"
     file.write_bytes(parcel_of(notebook, course, student, marked))
     if not any(EVIDENCE.fullmatch(one.name) for one in (course / "evidence").glob("*")):
-        notes.append('There is no evidence in it. If the assignment asks for some: evidence("s2_1", graph()), then hand_in() again.')
+        how = 'evidence("s2_1", graph()), then hand_in() again'
+        notes.append(f"There is no evidence in it. If the assignment asks for some: {how}.")
     marked.notes += notes
     return file, marked
 
@@ -122,7 +124,7 @@ def verify(
 ) -> tuple[list[str], Marked | None]:
     """What is wrong with a parcel, and the mark that it really earns (None when it was not run).
 
-    What is run is the course's own notebook with the student's answers in it; a name that is none of the course's is refused.
+    What is run is the course's own notebook with the student's answers in it; a name that is none of its names is refused.
     """
     data = file.read_bytes()
     found = parcel_faults(data)

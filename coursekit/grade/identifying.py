@@ -16,6 +16,8 @@ from pathlib import Path
 from .platform_names import PlatformName, platform_name
 from .roster import Person, Roster, plain
 
+SURE = ("the exact name", "the platform's name for it", "the name that hand_in gives its files")
+"""Ways that are not told each time."""
 _ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx")
 
 
@@ -70,6 +72,8 @@ class Identifier:
         if given is not None and given.platform in ("moodle", "canvas", "blackboard"):
             return Identified((), "nobody in the list has that name")
         found = self._inside(given.name if given else stem)
+        if len(found) == 1 and found == self._plain.get(plain(stem.partition("_")[0])):
+            return Identified(tuple(found), "the name that hand_in gives its files")
         return Identified(self._sorted(found), ("a name in the name" if len(found) == 1 else "several names fit") if found
                           else "nobody in the list has that name")  # fmt: skip
 

@@ -13,9 +13,10 @@ from .record import Record
 from .tables import read_table, write_table, write_whole
 
 COMMENT = "comment"
-_BEFORE = ("student", "id", "email")
+_BEFORE = ("key", "student", "id", "email")
+"""The key comes first: a mark of the encoding, which spreadsheets need before a table, sticks to the first heading only."""
 _AFTER = (
-    "points", "percent_off", "total", "of", "status", "tier", "minutes_late", "time_from", "attempts", "notes", COMMENT, "key",
+    "points", "percent_off", "total", "of", "status", "tier", "minutes_late", "time_from", "attempts", "notes", COMMENT,
 )  # fmt: skip
 
 
@@ -57,7 +58,7 @@ class MarksTable:
         key, who = row["key"], shown(row.get("student", ""))
         for column, text in row.items():
             was = written.get(column)
-            if not column or text == was or column in (*_BEFORE, "key"):
+            if not column or text == was or column in _BEFORE:
                 continue
             if was is None or column == COMMENT:
                 self._note_extra(key, column, text)
@@ -112,6 +113,7 @@ def _row(one: Record) -> dict[str, str]:
     open_ = one.status() in ("question", "not marked")
     points = {v.name: number(v.points) if not open_ or v.name in one.by_hand else "" for v in marked.verdicts}
     return {
+        "key": one.key,
         "student": cell(one.label),
         "id": cell(one.handed.person.id) if known else "",
         "email": cell(one.handed.person.email),
@@ -126,7 +128,6 @@ def _row(one: Record) -> dict[str, str]:
         "time_from": one.time_from(),
         "attempts": cell(" | ".join(one.handed.attempts()[-20:])),
         "notes": cell("; ".join([*asked, *by_hand, *marked.concerns, *marked.notes])),
-        "key": one.key,
     }
 
 

@@ -72,7 +72,7 @@ def _hardest(records: Sequence[Record]) -> str:
     for one in records:
         for verdict in one.marked().verdicts if one.marks and one.total() is not None else ():
             verdicts.setdefault(verdict.name, []).append(verdict)
-    share = {name: sum(one.points for one in found) / (sum(one.of for one in found) or 1) for name, found in verdicts.items()}
+    share = {name: sum(v.points for v in found) / (sum(v.of for v in found) or 1) for name, found in verdicts.items()}
     rows = []
     for name in sorted(share, key=lambda each: (share[each], each)):
         wrong = Counter(shown(one.got, 160) for one in verdicts[name] if not one.passed and one.got)

@@ -1,9 +1,9 @@
 """The one file that a student hands in: the notebook, pictures, what happened, and a manifest with the mark of a clean run.
 
-What its seal proves: that it is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove: who
-that was, when (the clock is the student's), and that nobody made another seal; all that is needed for one is on the student's
-computer. So the mark that counts comes from running the notebook again, and the parcels of a class are compared: a log or a
-picture that two people hand in is told, sealed anew or not.
+What its seal proves: that it is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove:
+who that was, when (the clock is the student's), and that nobody made another seal; all that is needed for one is on the
+student's computer. So the mark that counts comes from running the notebook again, and the parcels of a class are compared:
+a log or a picture that two people hand in is told, sealed anew or not.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from .roster import plain, student_word
 MANIFEST, EVENTS = "manifest.json", "events.jsonl"
 LARGEST = 100 << 20
 """Bytes of a parcel."""
+_MOST_PARTS = 600_000
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -49,12 +50,20 @@ def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
     try:
         with Archive(io.BytesIO(data), Bounds(file=LARGEST, total=LARGEST)) as opened:
             files = {one.info.filename: opened.read(one) for one in opened.members()}
+        for name, most in ((MANIFEST, 4 << 20), (EVENTS, 16 << 20)):
+            _expect_plain(name, files.get(name, b""), most)
         manifest = json.loads(files.pop(MANIFEST))
     except (KeyError, ValueError, RecursionError) as error:
         raise ValueError(f"it is no parcel made by hand_in(): {shown(str(error))}") from None
     if not isinstance(manifest, dict) or not isinstance(manifest.get("files"), dict):
         raise ValueError("its manifest is none")
     return manifest, files
+
+
+def _expect_plain(name: str, text: bytes, most: int) -> None:
+    """Before JSON is read: it is no longer than those of a student, and has no more parts, each of which costs memory."""
+    if len(text) > most or sum(text.count(one) for one in (b"[", b"{", b",")) > _MOST_PARTS:
+        raise ValueError(f"{name} is longer than hand_in() makes it")
 
 
 def parcel_faults(data: bytes) -> list[str]:
@@ -116,14 +125,19 @@ def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> l
     """Where the marks that were recorded are not those of another run."""
     said = recorded(manifest)
     found = [
-        f"{name}: {said.get(name, 'no')} points are recorded, a clean run earns {points:g}"
+        f"{name}: {_points(said.get(name))} points are recorded, a clean run earns {points:g}"
         for name, points in earned.items()
         if said.get(name) != points
     ]
     total = round(sum(earned.values()), 2)
     if manifest.get("points") != total:
-        found.append(f"{manifest.get('points')} points are recorded in all, a clean run earns {total:g}")
+        found.append(f"{_points(manifest.get('points'))} points are recorded in all, a clean run earns {total:g}")
     return found
+
+
+def _points(said: Any) -> str:
+    """What stands in a manifest where points should."""
+    return f"{said:g}" if isinstance(said, (int, float)) and abs(said) < 1e6 else shown(str(said), 20) if said else "no"
 
 
 def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:

@@ -135,7 +135,7 @@ class Gatherer:
         try:
             data = _read(raw, LARGEST)
             kept = replace(kept, file=self._keep(data, ".ipynb"), digest=hashlib.sha256(data).hexdigest())
-            known = self._recogniser.recognise(parse_notebook(data, shown(raw.parts[-1], 60)))
+            known = self._recogniser.recognise(parse_notebook(data, "it"))
         except (ValueError, OSError) as error:
             return replace(kept, fault=shown(str(error)))
         return replace(kept, chapter=known.chapter or chapter, known=known)

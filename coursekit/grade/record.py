@@ -92,6 +92,10 @@ class Record:
             return None
         return round(sum(self.chapter_total(one) for one in self.wanted), 2)
 
+    def counts(self) -> bool:
+        """Whether the mark is one of the class's average: of somebody who handed in, and no question is open."""
+        return bool(self.handed.entries) and self.total() is not None
+
     def of(self) -> float:
         """All points that can be had."""
         return sum(verdict.of for one in self.wanted.values() for verdict in one)

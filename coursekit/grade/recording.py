@@ -8,6 +8,7 @@ from typing import Any
 from coursekit.core.graph import Graph, GraphNode
 from coursekit.core.qos import BEST_EFFORT, KEEP_ALL, Qos
 from coursekit.core.topic import Publisher, Subscription
+from coursekit.interfaces import load
 from coursekit.joined.ghosts import GhostPublisher
 
 from .plan import EVERY_NODE_S
@@ -41,10 +42,8 @@ class Recorder:
         return "*" in self._wanted and topic not in EVERY_NODE_S and own
 
     def _record(self, topic: str, publisher: Publisher) -> None:
-        from rosidl_runtime_py.utilities import get_message
-
         qos = Qos(history=KEEP_ALL, reliability=BEST_EFFORT, durability=publisher.qos.durability)
-        kind = get_message(publisher.type_name)
+        kind = load(publisher.type_name)
         self._graph.add_subscription(_Recording(self._graph, self._node, topic, kind, qos, self._keep))
 
 

@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from . import sandbox
+from .copy import without_solution
 from .exercise import Exercise
 from .mark import Marked
+from .recognising import text_of
 from .results import Results, key_of
 from .submissions import Submission
 
@@ -64,4 +66,4 @@ def expect_sound(reference: Reference, results: Results, mark: Callable[..., Mar
 
 def has_solutions(source: Mapping[str, Any]) -> bool:
     """Whether a notebook of the course holds its solutions; those that are installed for students do not."""
-    return any("### BEGIN SOLUTION" in "".join(cell["source"]) for cell in source["cells"])
+    return any(without_solution(text) != text for text in map(text_of, source["cells"]))

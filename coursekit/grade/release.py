@@ -26,16 +26,21 @@ Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</co
 
 
 def released(notebook: dict[str, Any]) -> dict[str, Any]:
-    """A notebook as it is handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata with the judges' points."""
+    """A notebook as it is handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata."""
     made = student_notebook(notebook)
     facts = made["metadata"]["coursekit"]
     made["metadata"] = {"kernelspec": KERNEL, "language_info": {"name": "python"}, "coursekit": facts}
-    points = {name: one.points for name, one in exercises_in(made).items()}
-    for name, place in checks_in(made).items():
-        grading = made["cells"][place].get("metadata", {}).get("nbgrader", {})
+    return made
+
+
+def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
+    """The notebook with the judges' points in its metadata: what is told is what is given."""
+    points = {name: one.points for name, one in exercises_in(notebook).items()}
+    for name, place in checks_in(notebook).items():
+        grading = notebook["cells"][place].get("metadata", {}).get("nbgrader", {})
         if grading.get("grade") and name in points:
             grading["points"] = points[name]
-    return made
+    return notebook
 
 
 def release(
@@ -69,7 +74,7 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = 
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for file, notebook in notebooks.items():
-        made = released(notebook)
+        made = with_points(released(notebook))
         edition = edition_of(json.dumps(made))[:24]
         made["metadata"]["coursekit"] |= {HANDED_OUT: name, "chapter": file, "release": edition}
         made["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
@@ -87,6 +92,5 @@ def _zipped(files: Sequence[Path], out: Path) -> Path:
 
 
 def _row(name: str, notebook: dict[str, Any]) -> str:
-    """The points are the judges': what is told is what is given."""
     points = [one.points for one in exercises_in(notebook).values()]
     return f"<tr><td>{html.escape(name)}</td><td>{len(points)}</td><td>{sum(points):g}</td></tr>"

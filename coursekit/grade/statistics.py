@@ -8,12 +8,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .tables import write_whole
+
 if TYPE_CHECKING:
     from .mark import Marked
 
 
-def summary(marks: Sequence[Marked]) -> dict[str, Any]:
-    """Numbers over the class; shares of the points for each question."""
+def summary(marks: Sequence[Marked], statuses: Mapping[str, int]) -> dict[str, Any]:
+    """Numbers over those who handed in; shares of the points for each question; how many there are of each status."""
     totals = [one.total() for one in marks]
     shares: dict[str, list[float]] = {}
     for one in marks:
@@ -24,15 +26,15 @@ def summary(marks: Sequence[Marked]) -> dict[str, Any]:
         "mean": round(statistics.fmean(totals), 3) if totals else 0.0,
         "median": statistics.median(totals) if totals else 0.0,
         "standard_deviation": round(statistics.pstdev(totals), 3) if totals else 0.0,
-        "status": {status: sum(one.status == status for one in marks) for status in sorted({m.status for m in marks})},
+        "status": dict(sorted(statuses.items())),
         "questions": {name: round(statistics.fmean(values), 3) for name, values in sorted(shares.items())},
     }
 
 
-def write_statistics(folder: Path, marks: Sequence[Marked]) -> None:
+def write_statistics(folder: Path, marks: Sequence[Marked], statuses: Mapping[str, int]) -> None:
     """statistics.json and histogram.png."""
-    found = summary(marks)
-    (folder / "statistics.json").write_text(json.dumps(found, indent=1), encoding="utf-8")
+    found = summary(marks, statuses)
+    write_whole(folder / "statistics.json", json.dumps(found, indent=1).encode())
     from matplotlib.figure import Figure
 
     questions = found["questions"]

@@ -89,7 +89,8 @@ def write_table(file: Path, headings: Sequence[str], rows: Iterable[Sequence[str
     table.writerow(headings)
     for row in rows:
         table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)
-    write_whole(file, made.getvalue().encode("utf-8-sig"))
+    text = made.getvalue()
+    write_whole(file, text.encode("utf-8" if text.isascii() else "utf-8-sig", "replace"))
 
 
 def write_whole(file: Path, data: bytes, mode: int = 0o644) -> None:

@@ -77,17 +77,18 @@ class Watcher:
 
     def _watch(self) -> None:
         import rclpy
-        from rosidl_runtime_py.utilities import get_message, get_service
+
+        from coursekit.interfaces import load
 
         rclpy.init(args=[])
         node = rclpy.create_node("_trial", start_parameter_services=False, enable_rosout=False)
         Recorder(self.graph.find_nodes("_trial", "/")[0], self.plan.record, self._keep)
         for when, topic, kind, fields in self.plan.publish:
-            publisher = node.create_publisher(get_message(kind), topic, 10)
-            self._later(node, when, partial(publisher.publish, _filled(get_message(kind)(), fields)))
+            publisher = node.create_publisher(load(kind), topic, 10)
+            self._later(node, when, partial(publisher.publish, _filled(load(kind)(), fields)))
         for index, (when, service, kind, fields) in enumerate(self.plan.call):
-            client = node.create_client(get_service(kind), service)
-            request = _filled(get_service(kind).Request(), fields)
+            client = node.create_client(load(kind), service)
+            request = _filled(load(kind).Request(), fields)
             self._later(node, when, partial(self._call, client, request, index))
         rclpy.spin(node)
 

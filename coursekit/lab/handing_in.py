@@ -92,10 +92,11 @@ class HandedIn:
         return f"Hand in: {self.file.name} ({self.marked.total():g} of {of:g} points in a clean run)"
 
     def __repr__(self) -> str:
-        return "\n".join([self._head(), *(one.text() for one in self.marked.verdicts)])
+        return "\n".join([self._head(), *self.marked.notes, *(one.text() for one in self.marked.verdicts)])
 
     def _repr_html_(self) -> str:
-        return f"<p><b>{html.escape(self._head())}</b></p>" + "".join(one.html() for one in self.marked.verdicts)
+        notes = "".join(f"<p>{html.escape(note)}</p>" for note in self.marked.notes)
+        return f"<p><b>{html.escape(self._head())}</b></p>{notes}" + "".join(one.html() for one in self.marked.verdicts)
 
 
 def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
@@ -107,7 +108,10 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
         return None  # this is the clean run
     who, file = student(by), _notebook(notebook)
     _expect_saved(file)
-    made, marked = make_parcel(file, course_folder(), who, course_folder())
+    try:
+        made, marked = make_parcel(file, course_folder(), who, course_folder())
+    except ValueError as error:
+        raise BadArgument(str(error)) from None
     return HandedIn(made, marked)
 
 

@@ -160,7 +160,7 @@ KINDS = (
     Kind("syntax-tree", 2, (6,), answers(q1=PATCH)),
     Kind("reads-tests", 2, (6,), answers(q1=READ_TESTS)),
     Kind("forged-answers", 3, (0, 6), answers(q1=PIPES)),
-    Kind("forged-trial", 3, (5,), answers(q3=FORGED_NODE), told="ended the trial|answered for it"),
+    Kind("forged-trial", 3, (5,), answers(q3=FORGED_NODE), told="ended the trial|answered for it|interfered"),
     Kind("patched-trial", 2, (5,), answers(q3=PATCHED_NODE), told="interfered|a node named"),
     Kind("parcel", 3, (3,), parcel(honest), told="^ "),
     Kind("notebook-exchanged", 2, (7,), parcel(notebook_exchanged), told=CHANGED),

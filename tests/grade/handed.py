@@ -1,4 +1,4 @@
-"""What made-up students hand in: notebooks with some exercises done, zips with names and times, and a cheap way to mark them."""
+"""What made-up students hand in: notebooks with some exercises done, zips with names and times; and a cheap way to mark."""
 
 from __future__ import annotations
 

@@ -33,16 +33,17 @@ def test_a_class_gets_the_marks_that_it_deserves(tmp_path, monkeypatch):
 def faults(kept, table, made):
     """What is wrong with the marks; prints every outcome."""
     found = []
-    with open(table, newline="", encoding="utf-8") as file:
+    with open(table, newline="", encoding="utf-8-sig") as file:
         rows = {row["student"]: row for row in csv.DictReader(file)}
     if set(rows) != set(made):
         found.append(f"students: {set(rows) ^ set(made)}")
     for student, kind in made.items():
-        row, report = rows[student], json.loads((kept / f"{student}.json").read_text())
-        said = " ".join([row["notes"], *(f"{one['expected']} {one['got']}" for one in report["verdicts"])])
+        row = rows[student]
+        report = json.loads((kept / f"{row['key']}.results.json").read_text())
+        said = " ".join([row["notes"], *(one["output"] for one in report["tests"])])
         print(f"{student}: {row['total']} of 7, {row['status']}, {row['tier']}; {row['notes'][:160]}")
-        good = float(row["total"]) in kind.deserves and row["status"] == kind.status
-        if not good or not re.search(kind.told, said):
+        good = float(row["total"] or -1) in kind.deserves and row["status"] == kind.status
+        if not good or not re.search(kind.told, said, re.S):
             found.append(f"{student}: {row['total']} ({row['status']}) instead of {kind.deserves} ({kind.status}): {said}")
     return found
 

@@ -208,4 +208,6 @@ def test_collecting_is_the_same_each_time(folder, tmp_path):
              for _ in range(2)]  # fmt: skip
     moved = tmp_path / "moved"
     shutil.copytree(folder, moved)
-    assert found[0] == found[1] == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
+    assert (
+        found[0] == found[1] == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
+    )

@@ -34,7 +34,9 @@ def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(
     grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")
     head, ana, ben = lines(folder.parent / "grades.moodle.csv")
     assert head == lines(folder.parent / "moodle.csv")[0]
-    assert dict(zip(head, ana, strict=True)) | {"Identifier": "Participant 101", "Grade": "3"} == dict(zip(head, ana, strict=True))
+    assert dict(zip(head, ana, strict=True)) | {"Identifier": "Participant 101", "Grade": "3"} == dict(
+        zip(head, ana, strict=True)
+    )
     assert ana[head.index("Full name")] == "García López, Ana" and ben[head.index("Grade")] == "0"
     with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
         assert packed.namelist() == ["García López Ana_101_assignsubmission_file_/feedback.html"]
@@ -67,11 +69,11 @@ def test_nothing_is_handed_back_for_whom_a_question_is_open(folder):
 def edited(table, **cells):
     """The table with other texts in a row of one student, saved as a German Excel does."""
     found = lines(table)
-    row = next(one for one in found if one[0] == cells["student"])
+    row = next(one for one in found if one[1] == cells["student"])
     for name, said in cells.items():
         if name not in found[0]:
             found = [[*one, name if number == 0 else ""] for number, one in enumerate(found)]
-            row = next(one for one in found if one[0] == cells["student"])
+            row = next(one for one in found if one[1] == cells["student"])
         row[found[0].index(name)] = said
     with open(table, "w", newline="", encoding="utf-8-sig") as out:
         csv.writer(out, delimiter=";").writerows(found)
@@ -116,7 +118,10 @@ def test_names_are_hidden_and_who_is_who_lies_apart(folder):
     who = folder.parent / "grades.names.csv"
     assert stat.S_IMODE(who.stat().st_mode) == 0o600
     assert {row[0]: row[1] for row in lines(who)[1:]}.keys() == found.keys()
-    shown = [folder.parent / "grades.csv", *(p for p in (folder.parent / "grades").iterdir() if p.suffix in (".html", ".json", ".csv"))]
+    shown = [
+        folder.parent / "grades.csv",
+        *(p for p in (folder.parent / "grades").iterdir() if p.suffix in (".html", ".json", ".csv")),
+    ]
     for file in shown:
         said = file.read_text(encoding="utf-8-sig") + file.name
         assert not [one for one in ("García", "Ana ", "Ben", "Ito", "a01", "uni.example") if one in said], file.name
@@ -135,7 +140,9 @@ def test_table_page_and_closing_line_count_the_same(folder, capsys):
     counts = "1 graded, 1 unreadable, 1 question"
     page = (folder.parent / "grades" / "class.html").read_text()
     assert counts in said and counts in page and status == 1
-    assert {row["status"] for row in found.values()} == {"graded", "unreadable"} and {row["status"] for row in found.values()} <= set(STATUSES)
+    assert {row["status"] for row in found.values()} == {"graded", "unreadable"} and {
+        row["status"] for row in found.values()
+    } <= set(STATUSES)
     assert "sandbox bubblewrap" in said and "sandbox <code>bubblewrap</code>" in page
     assert page.index("Who needs a look") < page.index("the hardest first") < page.index("Everybody")
     assert "Nobody Known" in page and "docs/teachers.md" in said.replace("\\", "/")

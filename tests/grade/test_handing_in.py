@@ -9,11 +9,10 @@ import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade import events, report
-from coursekit.grade.batch import _note_copies
 from coursekit.grade.exercise import find
 from coursekit.grade.handing_in import make_parcel, verify
-from coursekit.grade.mark import Marked, mark
-from coursekit.grade.parcel import digest_of, other_hands, pack_parcel, parcel_faults, read_parcel, traces
+from coursekit.grade.mark import mark
+from coursekit.grade.parcel import digest_of, note_copies, other_hands, pack_parcel, parcel_faults, read_parcel
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 
@@ -21,9 +20,22 @@ from .test_attacks import RIGHT, cells
 
 
 @pytest.fixture(scope="module")
-def parcel(tmp_path_factory):
+def course(tmp_path_factory):
+    """A course with one chapter, which has one exercise."""
+    folder = tmp_path_factory.mktemp("notebooks")
+    (folder / "names.ipynb").write_text(json.dumps(cells("")))
+    return folder
+
+
+def verified(file, course, *words):
+    """`coursekit verify` with the chapters of that course."""
+    return main(["verify", str(file), "--notebooks", str(course), *words])
+
+
+@pytest.fixture(scope="module")
+def parcel(course, tmp_path_factory):
     """A parcel with a notebook, a picture and a log."""
-    course = tmp_path_factory.mktemp("course")
+    notebooks, course = course, tmp_path_factory.mktemp("course")
     (course / "evidence").mkdir()
     picture = course / "evidence" / "VeraCourse_evidence_s2.png"
     picture.write_bytes(bytes(range(256)))
@@ -33,18 +45,20 @@ def parcel(tmp_path_factory):
     for points in (0, 1):
         events.note(course / ".coursekit" / "events.jsonl", "check", name="ch02.q1", points=points)
     (course / "names.ipynb").write_text(json.dumps(cells(RIGHT)))
-    file, marked = make_parcel(course / "names.ipynb", course, "Vera Course", course)
+    file, marked = make_parcel(course / "names.ipynb", course, "Vera Course", course, notebooks)
+    assert not marked.notes
     assert (file.name, marked.total()) == ("VeraCourse_names.zip", 1)
     return file
 
 
-def test_a_parcel_as_it_was_made_has_no_faults(parcel, capsys):
+def test_a_parcel_as_it_was_made_has_no_faults(parcel, course, capsys):
     manifest, files = read_parcel(parcel.read_bytes())
     assert set(files) == {"names.ipynb", "events.jsonl", "evidence/VeraCourse_evidence_s2.png"}
     assert (manifest["points"], manifest["of"], manifest["student"]) == (1, 1, "Vera Course")
-    assert verify(parcel)[0] == []
-    assert main(["verify", str(parcel), "--no-run"]) == 0
-    assert "Nothing was changed" in capsys.readouterr().out
+    assert verify(parcel, course)[0] == []
+    assert verified(parcel, course, "--no-run") == 0
+    said = capsys.readouterr().out
+    assert "Nothing was changed" in said and "It does not prove who made it, or when." in said
 
 
 def test_every_flipped_byte_is_found(parcel):
@@ -95,12 +109,12 @@ def test_a_picture_and_a_notebook_that_the_log_does_not_tell_of_are_found(parcel
     assert parcel_faults(more) == ["evidence/VeraCourse_evidence_s3.png: events.jsonl does not tell of it"]
 
 
-def test_another_s_parcel_is_told(parcel, tmp_path, capsys):
+def test_another_s_parcel_is_told(parcel, course, tmp_path, capsys):
     data = parcel.read_bytes()
     assert other_hands(data, "course_vera_1234") == []
     assert other_hands(data, "bob") == ["it was made by 'Vera Course' and handed in as 'bob'"]
     (tmp_path / "BobBuilder_names.zip").write_bytes(data)
-    assert main(["verify", str(tmp_path / "BobBuilder_names.zip"), "--no-run"]) == 1
+    assert verified(tmp_path / "BobBuilder_names.zip", course, "--no-run") == 1
     assert "made by 'Vera Course'" in capsys.readouterr().out
     manifest, files = read_parcel(data)
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
@@ -108,7 +122,7 @@ def test_another_s_parcel_is_told(parcel, tmp_path, capsys):
     assert other_hands(renamed, "bob") == ["evidence/VeraCourse_evidence_s2.png: the name is not that of 'Bob Builder'"]
 
 
-def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, tmp_path, capsys):
+def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, course, tmp_path, capsys):
     manifest, files = read_parcel(parcel.read_bytes())
     files["names.ipynb"] = json.dumps(cells("raise NotImplementedError()")).encode()
     lines = [json.loads(line) for line in files["events.jsonl"].decode().splitlines()]
@@ -119,7 +133,7 @@ def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, tm
     forged = tmp_path / "vera, forged.zip"
     forged.write_bytes(pack_parcel(files, facts))
     assert parcel_faults(forged.read_bytes()) == []
-    assert main(["verify", str(forged)]) == 1
+    assert verified(forged, course) == 1
     said = capsys.readouterr().out
     assert "ch02.q1: 1 points are recorded, a clean run earns 0" in said and "its cells are not those" in said
 
@@ -131,7 +145,7 @@ def test_a_parcel_is_a_submission_and_its_faults_are_told_to_the_teacher(parcel,
     changed.write_bytes(zipped(files))
     marked = mark(Submission("vera", changed), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
     assert marked.total() == 1 and "evidence/VeraCourse_evidence_s2.png: was changed" in marked.concerns
-    assert not marked.notes and "was changed" not in report.page(marked) + json.dumps(report.gradescope(marked))
+    assert not marked.notes and "was changed" not in json.dumps(report.gradescope(marked))
 
 
 def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(parcel, tmp_path):
@@ -145,17 +159,91 @@ def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(pa
     assert marked.concerns == ["9 points are recorded in all, a clean run earns 1"]
 
 
-def test_the_class_s_copies_of_one_picture_or_log_are_told_to_all_who_have_them(parcel):
-    marks = [Marked(name, "", traces=traces(parcel.read_bytes())) for name in ("vera", "bob")]
-    marks.append(Marked("cem", "", traces={"0": "line 1 of events.jsonl"}))
-    _note_copies(marks)
-    what = "evidence/VeraCourse_evidence_s2.png, line 1 of events.jsonl, line 2 of events.jsonl"
-    assert [one.concerns for one in marks] == [[f"the same as in bob's: {what}"], [f"the same as in vera's: {what}"], []]
+def resealed(parcel, student):
+    """The same under another name, everything sealed anew: names, log and manifest."""
+    manifest, files = read_parcel(parcel.read_bytes())
+    word = "".join(student.split())
+    files = {name.replace("VeraCourse", word): data for name, data in files.items()}
+    before, made = events.BEGINNING, []
+    for text in files["events.jsonl"].decode().splitlines():
+        line = {**json.loads(text.replace("VeraCourse", word)), "before": before}
+        line.pop("digest")
+        before = events.digest(line)
+        made.append(json.dumps({**line, "digest": before}, sort_keys=True) + "\n")
+    files["events.jsonl"] = "".join(made).encode()
+    return pack_parcel(files, {**{k: v for k, v in manifest.items() if k not in ("files", "seal")}, "student": student})
+
+
+def test_a_log_that_two_hand_in_is_told_even_when_all_is_sealed_anew(parcel, course, tmp_path, capsys):
+    data = resealed(parcel, "Bob Builder")
+    (tmp_path / "BobBuilder_names.zip").write_bytes(data)
+    assert parcel_faults(data) == [] and other_hands(data, "bob builder") == []
+    assert main(["verify", str(parcel), str(tmp_path / "BobBuilder_names.zip"), "--no-run", "--notebooks", str(course)]) == 1
+    said = capsys.readouterr().out
+    assert "BobBuilder_names.zip: the same as in VeraCourse_names.zip's: evidence/BobBuilder_evidence_s2.png, line 2" in said
+    concerns = {name: [] for name in ("vera", "bob", "cem")}
+    (tmp_path / "cem.zip").write_bytes(b"no zip")
+    files = {"vera": parcel, "bob": tmp_path / "BobBuilder_names.zip", "cem": tmp_path / "cem.zip"}
+    note_copies({name: (concerns[name], [files[name]]) for name in concerns})
+    assert [len(one) for one in concerns.values()] == [1, 1, 0] and concerns["vera"][0].startswith("the same as in bob's")
+
+
+def handed_in(folder, name, notebook, notebooks, student="Vera Course"):
+    folder.mkdir(exist_ok=True)
+    (folder / name).write_text(json.dumps(notebook))
+    return make_parcel(folder / name, folder, student, folder, notebooks)
+
+
+def test_without_evidence_that_is_said(course, tmp_path):
+    _, marked = handed_in(tmp_path / "a", "names.ipynb", cells(RIGHT), course)
+    assert marked.total() == 1 and "no evidence" in marked.notes[0]
+
+
+def test_a_notebook_without_its_checks_is_not_taken(course, tmp_path):
+    bare = cells(RIGHT)
+    bare["cells"].pop()
+    with pytest.raises(ValueError, match=r"names.ipynb holds no check of the course.*Hand in one of: names.ipynb"):
+        handed_in(tmp_path / "a", "names.ipynb", bare, course)
+
+
+def test_a_notebook_of_another_name_is_refused_with_words(course, tmp_path, capsys):
+    file, _ = handed_in(tmp_path / "a", "mine.ipynb", cells(RIGHT), course)
+    for words in ((), ("--no-run",)):
+        assert verified(file, course, *words) == 1
+        said = capsys.readouterr().out
+        assert "'mine.ipynb' is no chapter of the course. It looks like names.ipynb" in said
+        assert "There are: names.ipynb." in said and "Nothing was changed" not in said
+
+
+def test_checks_that_were_taken_out_are_told(course, tmp_path, capsys):
+    two = cells(RIGHT)
+    two["cells"].append({**two["cells"][1], "source": 'check("ch02.q2")', "metadata": {}})
+    (tmp_path / "two").mkdir()
+    (tmp_path / "two" / "names.ipynb").write_text(json.dumps(two))
+    file, marked = handed_in(tmp_path / "a", "names.ipynb", cells(RIGHT), tmp_path / "two")
+    assert "its checks of ch02.q2 were taken out" in marked.notes[0]
+    assert verified(file, tmp_path / "two", "--no-run") == 1
+    assert "its checks of ch02.q2 were taken out" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("line", ["[1]", "1", "null", "{", "[" * 3000, '{"digest": 3, "before": []}'])
+def test_a_log_that_is_none_is_a_fault(parcel, line):
+    manifest, files = read_parcel(parcel.read_bytes())
+    facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
+    assert parcel_faults(pack_parcel({**files, "events.jsonl": line.encode()}, facts))
+
+
+@pytest.mark.parametrize("name", ["manifest.json", "events.jsonl"])
+def test_a_manifest_or_log_that_would_take_all_memory_is_not_read(parcel, name):
+    with zipfile.ZipFile(parcel) as opened:
+        files = {one: opened.read(one) for one in opened.namelist()}
+    for long in (b"[" + b"[]," * 700_000 + b"1]", b'"' + b"x" * (17 << 20) + b'"'):
+        assert f"{name} is longer than hand_in() makes it" in parcel_faults(zipped({**files, name: long}.items()))[0]
 
 
 def test_what_is_no_parcel_is_said(tmp_path):
     (tmp_path / "x.zip").write_bytes(b"PK")
-    faults, marked = verify(tmp_path / "x.zip")
+    faults, marked = verify(tmp_path / "x.zip", tmp_path)
     assert "no parcel made by hand_in()" in faults[0] and marked is None
     with pytest.raises(SystemExit, match="There is no file"):
         main(["verify", str(tmp_path / "y.zip")])

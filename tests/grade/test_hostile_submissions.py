@@ -162,7 +162,7 @@ def test_folders_in_folders_links_pipes_and_names_that_are_no_text(folder, tmp_p
     said = {row["student"]: (row["status"], row["total"]) for row in found.values()}
     assert said.pop("Ann Lee") == ("graded", "7") and said.pop("Hal") == ("graded", "1")
     assert said.pop("G" * 199 + "…") == ("graded", "1")
-    assert said == {name: ("unreadable", "0") for name in ("Ben", "Cem", "Dai", "Fay")} | {"E\ufffdva": ("empty", "0")}
+    assert said == dict.fromkeys(("Ben", "Cem", "Dai", "Fay"), ("unreadable", "0")) | {"E\ufffdva": ("empty", "0")}
     table = (folder.parent / "grades.csv").read_text(encoding="utf-8-sig")
     assert not set("\x1b\u202e\0") & set(table)
 
@@ -206,7 +206,19 @@ def test_a_submission_crosses_to_another_process_as_plain_values(folder):
     assert copy.name == TOPICS and copy.read_bytes() == made.chosen[TOPICS].read_bytes()
 
 
-PATHS = ["/etc/passwd", "../../x", "C:\\Windows\\x.ipynb", "a/../../b", "\\\\host\\share\\x", "./././x", "a//b", "..", "", "C:", "C:/"]
+PATHS = [
+    "/etc/passwd",
+    "../../x",
+    "C:\\Windows\\x.ipynb",
+    "a/../../b",
+    "\\\\host\\share\\x",
+    "./././x",
+    "a//b",
+    "..",
+    "",
+    "C:",
+    "C:/",
+]
 
 
 @pytest.mark.parametrize("path", PATHS)
@@ -231,18 +243,22 @@ def test_only_what_may_be_is_read_of_a_zip():
 @given(some.text(max_size=60))
 def test_no_text_of_a_student_s_is_a_formula_or_moves_a_terminal(said):
     for made in (shown(said), cell(said), lines(said)):
-        assert not [one for one in made if (ord(one) < 32 and one != "\n") or one in "\x7f\u202a\u202b\u202e\u2066\u2069\u200f"]
+        assert not [
+            one for one in made if (ord(one) < 32 and one != "\n") or one in "\x7f\u202a\u202b\u202e\u2066\u2069\u200f"
+        ]
         made.encode("utf-8")
     for separator in ';,"|\t':
         for part in cell(said).split(separator):
-            assert not part.lstrip(" '\u00a0").startswith(("=", "+", "-", "@")) or part.lstrip(" \u00a0").startswith("'"), part
+            assert not part.lstrip(" '\u00a0").startswith(("=", "+", "-", "@")) or part.lstrip(" \u00a0").startswith("'"), (
+                part
+            )
 
 
 @settings(max_examples=150)
 @given(some.text(max_size=40), some.text(max_size=40))
 def test_names_of_files_are_plain_and_differ(one, other):
     made = name_of_files(one)
-    assert made.isascii() and len(made) < 60 and made == made.casefold() and not set("/\\:*?\"<>|. ") & set(made)
+    assert made.isascii() and len(made) < 60 and made == made.casefold() and not set('/\\:*?"<>|. ') & set(made)
     assert (made == name_of_files(other)) == (one == other)
 
 
@@ -260,12 +276,12 @@ def test_bytes_that_are_no_zip_are_a_bad_archive(noise, place, value):
             assert str(error)
 
 
+words = some.sampled_from(["cell_type", "source", "metadata", "nbgrader", "grade_id", "coursekit", "given", "copy"])
 values = some.recursive(
     some.none() | some.booleans() | some.integers() | some.floats() | some.text(max_size=8),
-    lambda inner: some.lists(inner, max_size=3) | some.dictionaries(
-        some.sampled_from(["cell_type", "source", "metadata", "nbgrader", "grade_id", "coursekit", "given", "copy"]), inner, max_size=4),
+    lambda inner: some.lists(inner, max_size=3) | some.dictionaries(words, inner, max_size=4),
     max_leaves=12,
-)  # fmt: skip
+)
 
 
 @settings(max_examples=150)

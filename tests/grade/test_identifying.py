@@ -17,10 +17,10 @@ MOODLE = '"Identifier","Full name","ID number","Email address","Status","Grade",
 LISTS = {
     "moodle.csv": MOODLE + '"Participant 101","García López, Ana",a01,ana@uni.example,,,\n"Participant 102","Ito, Ben",a02,'
     "ben@uni.example,,,\n",
-    "canvas.csv": 'Student,ID,SIS User ID,SIS Login ID,Section,week 2\n    Points Possible,,,,,7\n"García López, Ana",12,a01,ana,1,'
-    '\n"Ito, Ben",14,a02,ben,1,\n"Student, Test",99,,preview,1,\n',
-    "blackboard.csv": "\ufeff\"Last Name\",\"First Name\",\"Username\",\"Student ID\"\nGarcía López,Ana,ana,a01\nIto,Ben,ben,a02\n",
-    "classroom.csv": "Last Name,First Name,Email Address,week 2\nGarcía López,Ana,ana@uni.example,\nIto,Ben,ben@uni.example,\n",
+    "canvas.csv": 'Student,ID,SIS User ID,SIS Login ID,Section,mark\n    Points Possible,,,,,7\n"García López, Ana",12,a01,'
+    'ana,1,\n"Ito, Ben",14,a02,ben,1,\n"Student, Test",99,,preview,1,\n',
+    "blackboard.csv": '\ufeff"Last Name","First Name","Username","Student ID"\nGarcía López,Ana,ana,a01\nIto,Ben,ben,a02\n',
+    "classroom.csv": "Last Name,First Name,Email Address,x\nGarcía López,Ana,ana@uni.example,\nIto,Ben,ben@uni.example,\n",
     "plain.csv": "name;id;e-mail\nAna García López;a01;ana@uni.example\nBen Ito;a02;ben@uni.example\n",
     "tabs.csv": "Given name\tFamily name\tStudent ID\nAna\tGarcía López\ta01\nBen\tIto\ta02\n",
     "names.txt": "Ana García López\nBen Ito\n",
@@ -51,8 +51,8 @@ NAMES = {
     "canvas.csv": [f"garcalpezana_12_13_{TOPICS}", f"garcíalópezana_LATE_12_13_{TOPICS}", f"garcialopezana_12_13_{TOPICS}"],
     "blackboard.csv": [f"Week_2_ana_attempt_2026-11-22-23-59-00_{TOPICS}"],
     "classroom.csv": [f"Ana García López - {TOPICS}"],
-    "plain.csv": ["a01", "ana@uni.example", "Ana_Garcia_Lopez", "García López, Ana", "AnaGarcíaLópez_02_topics.ipynb", "A01.zip",
-                  "02_topics a01.ipynb", "garcía lópez ana.ipynb"],
+    "plain.csv": ["a01", "ana@uni.example", "Ana_Garcia_Lopez", "García López, Ana", "AnaGarcíaLópez_02_topics.ipynb",
+                  "A01.zip", "02_topics a01.ipynb", "garcía lópez ana.ipynb"],
 }  # fmt: skip
 
 
@@ -61,7 +61,9 @@ def test_the_platform_s_names_for_files_are_known(tmp_path, name, handed_in):
     assert roster_of(tmp_path, name).find(handed_in) == "Ana García López"
 
 
-@pytest.mark.parametrize("handed_in", ["Joana García López_5_assignsubmission_file_", "ito", "ana", "An Ito", "02_topics.ipynb", ""])
+@pytest.mark.parametrize(
+    "handed_in", ["Joana García López_5_assignsubmission_file_", "ito", "ana", "An Ito", "02_topics.ipynb", ""]
+)
 def test_what_only_resembles_a_name_is_nobody_s(tmp_path, handed_in):
     assert roster_of(tmp_path, "names.txt").find(handed_in) == ""
 
@@ -86,8 +88,8 @@ def test_people_of_one_name_are_told_apart_by_ids_and_asked_about_by_name(tmp_pa
 
 @pytest.mark.parametrize(
     ("table", "told"),
-    [("name,id\nAnn,1\nBen,1\n", "same id '1': Ann, Ben"), ("name,id\nAnn,1\n,\n  ,\n", None), ("name,id\nAnn,1\n,2\n", None),
-     ("name\n\n", "no names"), ("name,email\nA,x@y\nB,X@y\n", "same email")],
+    [("name,id\nAnn,1\nBen,1\n", "same id '1': Ann, Ben"), ("name,id\nAnn,1\n,\n  ,\n", None),
+     ("name,id\nAnn,1\n,2\n", None), ("name\n\n", "no names"), ("name,email\nA,x@y\nB,X@y\n", "same email")],
 )  # fmt: skip
 def test_a_list_that_cannot_be_right_is_refused(tmp_path, table, told):
     (tmp_path / "a.csv").write_text(table)
@@ -156,7 +158,9 @@ def test_a_name_that_nobody_has_is_asked_about_and_everybody_has_a_row(group, ca
     write(group / "class" / "Who Is That.ipynb", text("q1"))
     write(group / "class" / "Ben Ito.zip", zipped({TOPICS: text("q1")}))
     status, found = grade(group / "class", "--roster", group / "roster.csv")
-    assert status == 1 and found["Ben Ito"]["status"] == "graded" and found["Ana García López"]["status"] == "nothing handed in"
+    assert (
+        status == 1 and found["Ben Ito"]["status"] == "graded" and found["Ana García López"]["status"] == "nothing handed in"
+    )
     said = capsys.readouterr().out
     assert "Whose is this?" in said and "1 question" in said and "questions.csv" in said
     answer(group / "questions.csv", Who="nobody at all")
@@ -204,19 +208,19 @@ def test_a_manifest_of_the_course_s_own_folder_is_no_parcel(tmp_path):
 
 def test_the_release_tells_the_points_that_the_judges_give(tmp_path):
     from coursekit.grade.exercise import all_exercises
-    from coursekit.grade.release import release, released
+    from coursekit.grade.release import release, released, with_points
     from coursekit.grade.variants import checks_in
 
     known, told = all_exercises(), {}
     for file in sorted(NOTEBOOKS.glob("*.ipynb")):
         source = json.loads(file.read_text(encoding="utf-8"))
-        for made in (source, released(source)):
+        for made in (source, released(source), with_points(released(source))):
             for name, place in checks_in(made).items():
                 told[name] = made["cells"][place]["metadata"]["nbgrader"]["points"]
                 assert told[name] == known[name].points, name
     assert set(told) == set(known)
     source["cells"][max(checks_in(source).values())]["metadata"]["nbgrader"]["points"] = 99
-    assert 99 not in [cell["metadata"].get("nbgrader", {}).get("points") for cell in released(source)["cells"]]
+    assert 99 not in [cell["metadata"].get("nbgrader", {}).get("points") for cell in with_points(released(source))["cells"]]
     release(sorted(NOTEBOOKS.glob("02*.ipynb")), tmp_path / "out")
     assert "<td>4</td><td>7</td>" in (tmp_path / "out" / "page.html").read_text()
 

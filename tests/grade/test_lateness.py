@@ -121,6 +121,8 @@ def test_days_begin_with_the_first_minute():
 
 
 def test_times_in_zips_are_kept(folder, tmp_path):
-    write(folder / "Ann.zip", zipped({f"a/{TOPICS}": (text("q1"), NOON - DAY), f"b/{TOPICS}": (text("q2"), NOON)}), NOON + DAY)
+    write(
+        folder / "Ann.zip", zipped({f"a/{TOPICS}": (text("q1"), NOON - DAY), f"b/{TOPICS}": (text("q2"), NOON)}), NOON + DAY
+    )
     (piece, other) = by_name(collected(folder, tmp_path / "s"))["Ann"].pieces()
     assert (round(piece.when), round(other.when)) == (round(NOON - DAY), round(NOON))

@@ -1,25 +1,50 @@
 """The class on one page."""
 
+from coursekit.grade.collector import Handed
 from coursekit.grade.mark import Marked
 from coursekit.grade.overview import overview
+from coursekit.grade.pieces import Entry, Piece
+from coursekit.grade.record import Late, Record
+from coursekit.grade.roster import Person
 from coursekit.grade.verdict import Verdict
 
+CHAPTER = "02_topics.ipynb"
 
-def verdict(points):
-    return Verdict("ch02.q1", "Names", points, 2, got="<b>7</b>")
+
+def verdict(points, got="<b>7</b>"):
+    return Verdict("ch02.q1", "Names", points, 2, got=got)
+
+
+def record(name, *verdicts, **more):
+    """Somebody's line; of somebody who handed in an empty folder if there are no verdicts."""
+    handed = Handed(Person(name), name, [Entry(name)])
+    made = Record(handed, {CHAPTER: [verdict(0, "nothing was handed in")]}, tier="bubblewrap")
+    if verdicts:
+        handed.chosen[CHAPTER] = Piece(CHAPTER, CHAPTER)
+        made.marks[CHAPTER] = Marked(name, "", list(verdicts), tier="bubblewrap", **more)
+    return made
 
 
 def test_every_student_stands_there_with_marks_concerns_and_a_link():
     answer = "\n".join(f"def f{n}(a, b):\n    return a + b * {n} - {n + 1}" for n in range(9))
-    marks = [
-        Marked("ann lee", "", [verdict(2)], answers=[answer]),
-        Marked("<ben>", "", [verdict(1)], notes=["ch02-q1: the cell is missing"], answers=[answer]),
-        Marked("cem", "", [verdict(0)], concerns=["manifest.json: was changed"], minutes_late=5.5),
-        Marked("dai", "", status="empty"),
+    records = [
+        record("ann lee", verdict(2), answers=[answer]),
+        record("<ben>", verdict(1), notes=["ch02-q1: the cell is missing"], answers=[answer]),
+        record("cem", verdict(0), concerns=["manifest.json: was changed"]),
+        record("dai"),
     ]
-    page = overview(marks)
-    assert "<a href='ann%20lee.html'>ann lee</a>" in page and "&lt;ben&gt;" in page and "<ben>" not in page
+    records[2].late[CHAPTER] = Late(5.5)
+    page = overview(records)
+    assert f"<a href='{records[0].key}.html'>ann lee</a>" in page and "&lt;ben&gt;" in page and "<ben>" not in page
     assert [kind in page for kind in ("class='all'", "class='some'", "class='none'")] == [True] * 3
     assert "class='eye'>manifest.json: was changed" in page and "<td>5.5</td>" in page and "<td>empty</td>" in page
     assert "<b>7</b>" not in page and "100 %" in page
-    assert "alike" not in overview(marks[2:])
+    assert "alike" not in overview(records[2:])
+
+
+def test_the_hardest_exercise_and_the_most_frequent_wrong_answer_come_first():
+    easy = Verdict("ch02.q2", "A listener", 2, 2)
+    seen = ["no node", "no node", "a\x1b[2Jb", "no node"]
+    page = overview([record(f"s{number}", verdict(0, got), easy) for number, got in enumerate(seen)])
+    hardest = page[page.index("the hardest first") : page.index("Everybody")]
+    assert hardest.index("ch02.q1") < hardest.index("ch02.q2") and hardest.index("3 × no node") < hardest.index("1 × a [2Jb")

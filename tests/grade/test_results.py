@@ -184,6 +184,7 @@ def test_the_class_s_secret_makes_the_chance_of_the_judges(folder, monkeypatch):
 
 def test_ctrl_c_keeps_what_was_marked_and_writes_the_table(folder, monkeypatch):
     place, _ = folder
+
     def stop(number, of, student):
         raise KeyboardInterrupt
 

@@ -20,6 +20,7 @@ from coursekit.grade.verdict import CheckFailed
 from coursekit.grade.work import Work
 
 from .class_of_200 import solution_cells
+from .handed import rows
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 SOURCES = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted(NOTEBOOKS.glob("*.ipynb"))}
@@ -163,22 +164,19 @@ def test_grading_draws_the_values_again_and_believes_no_copy(handed_out, capsys)
         (handed_out / "class" / folder / "05_part.ipynb").write_text(json.dumps(made))
     command = ["grade", str(handed_out / "class"), "--notebooks", str(handed_out / "notebooks"), "--jobs", "1"]
     out = ["--out", str(handed_out / "grades.csv")]
-    assert main([*command, *out, "--variants", str(students)]) == 0
-    totals, notes = {}, {}
-    for name in ("AnnLee_05", "BenIto", "nobody"):
-        found = json.loads((handed_out / "grades" / f"{name}.json").read_text())
-        totals[name], notes[name] = found["verdicts"][0]["points"], found["notes"]
-    assert totals == {"AnnLee_05": 2, "BenIto": 0, "nobody": 0}
-    assert "nobody in the list of names" in notes["nobody"][0] and not notes["BenIto"]
+    assert main([*command, *out, "--variants", str(students)]) == 1, "whose `nobody` is was asked"
+    totals = {name: row["total"] for name, row in rows(handed_out / "grades.csv").items()}
+    assert totals == {"Ann Lee": "2", "Ben Ito": "0"}
+    assert "nobody in the list" in (handed_out / "questions.csv").read_text(encoding="utf-8-sig")
     assert main([*command, *out]) == 0
-    assert json.loads((handed_out / "grades" / "AnnLee_05.json").read_text())["verdicts"][0]["points"] == 0
+    assert rows(handed_out / "grades.csv")["AnnLee_05"]["total"] == "0"
 
 
 def test_what_was_handed_in_is_run_with_the_values_of_its_copy_and_verified_with_the_teacher_s(handed_out, capsys):
     students, ann = handed_out / "students.txt", handed_out / "ann" / "05_part.ipynb"
     ann.parent.mkdir()
     ann.write_text(json.dumps(Variants.read(students).copies("Ann Lee", {"part": part("ch05.q2")})["part"]))
-    file, marked = make_parcel(ann, ann.parent, "Ann Lee", ann.parent)
+    file, marked = make_parcel(ann, ann.parent, "Ann Lee", ann.parent, handed_out / "notebooks")
     assert marked.total() == 2
     command = ["verify", str(file), "--notebooks", str(handed_out / "notebooks")]
     assert main([*command, "--variants", str(students)]) == 0

@@ -1,0 +1,76 @@
+"""A class of 40 that hands in as classes do: by platforms, folders and zips, twice, late, renamed, and some not at all."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from coursekit.grade.parcel import pack_parcel
+
+from .handed import NOON, SERVICES, SOURCES, TOPICS, text, write, zipped
+
+HOUR = 3600
+GIVEN = ("Ana", "Ben", "Cem", "Dai", "Eva", "Fay", "Gil", "Hal")
+FAMILY = ("García López", "Ito", "O'Neill", "Núñez", "van den Berg")
+PEOPLE = [(f"a{at:03}", given, family) for at, (given, family) in enumerate((g, f) for f in FAMILY for g in GIVEN)]
+"""Id, given and family name."""
+
+
+def roster() -> str:
+    """The list of the class."""
+    head = "Student ID;Given name;Family name;E-mail\n"
+    return head + "".join(f"{id_};{given};{family};{id_}@uni.example\n" for id_, given, family in PEOPLE)
+
+
+def sealed(name: str, *done: str) -> bytes:
+    """What `hand_in()` made an hour before noon; without a log."""
+    facts = {"student": name, "notebook": TOPICS, "time": "2026-11-23 08:00:00 +0000"}
+    return pack_parcel({TOPICS: text(*done).encode()}, facts)
+
+
+def hand_in(folder: Path, at: int) -> tuple[str, float | None]:
+    """One person hands in their way; their name, and the points that they deserve (None: the teacher is asked)."""
+    id_, given, family = PEOPLE[at]
+    name, way = f"{given} {family}", at % 10
+    word = "".join(given.split() + family.replace("'", " ").split())
+    if way == 0:
+        write(folder / f"{family} {given}_{900 + at}_assignsubmission_file_" / TOPICS, text("q1", "q2"))
+        return name, 3
+    if way == 1:
+        write(folder / f"{id_}_7{at}_8{at}_{TOPICS}", text("q1"))
+        return name, 1
+    if way == 2:
+        write(folder / f"Week_2_{id_}_attempt_2026-11-22-10-00-00_{TOPICS}", text("q1"))
+        write(folder / f"Week_2_{id_}_attempt_2026-11-23-11-00-00_{TOPICS}", text("q1", "q2", "q3"))
+        write(folder / f"Week_2_{id_}_attempt_2026-11-23-11-00-00.txt", "Name: somebody")
+        return name, 5
+    if way == 3:
+        write(folder / f"{name} - {TOPICS}", text("q4"))
+        return name, 2
+    if way == 4:
+        write(folder / name / TOPICS, text("q1", "q2", "q3", "q4"))
+        write(folder / name / "02_topics.new.ipynb", text(), NOON + HOUR)
+        write(folder / name / ".ipynb_checkpoints" / "02_topics-checkpoint.ipynb", text(), NOON + HOUR)
+        return name, 7
+    if way == 5:
+        files = {f"final/{TOPICS}": (text("q1", "q3"), NOON), f"old/{TOPICS}": (text("q1"), NOON - HOUR),
+                 f"__MACOSX/final/._{TOPICS}": b"\0\5\26\7"}  # fmt: skip
+        write(folder / f"{family}, {given}.zip", zipped(files))
+        return name, 3
+    if way == 6:
+        write(folder / f"{word}_02_topics.zip", sealed(name, "q1", "q2"))
+        write(folder / name / SERVICES, text("q1", chapter=SERVICES))
+        return name, 3
+    if way == 7:
+        for place, done in (("a", "q1"), ("b", "q2")):
+            write(folder / name / place / TOPICS, text(done))
+        return name, None
+    if way == 8:
+        write(folder / id_ / TOPICS, "<html>Please log in</html>" if at % 20 == 8 else json.dumps(SOURCES[TOPICS]))
+        return name, 0 if at % 20 == 8 else 7
+    return name, 0
+
+
+def make_class(folder: Path) -> dict[str, float | None]:
+    """Everybody hands in; what each deserves."""
+    return dict(hand_in(folder, at) for at in range(len(PEOPLE)))

@@ -1,4 +1,4 @@
-"""Two chapters are open, as is usual: cells run without an import cell, and terminals follow the chapter that was run last."""
+"""Two chapters are open, as is usual: no import cell is needed, and terminals follow the chapter that was run last."""
 
 import time
 
@@ -14,6 +14,7 @@ RUN = """async (text) => {
 }"""
 RESTART = "async () => { await jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart(); }"
 TERMINAL = "async () => { await jupyterapp.commands.execute('terminal:create-new'); }"
+TO_NOTEBOOK = "jupyterapp.shell.activateById([...jupyterapp.shell.widgets('main')].find((one) => one.sessionContext).id)"
 TURTLE = "%ros2 run turtlesim turtlesim_node &"
 
 
@@ -52,7 +53,7 @@ def test_terminals_follow_the_chapter_in_which_a_cell_was_run_last(chapter, pict
     picture(page, "terminal-says-which")
     one.ask("reset()")
     typed(page, folder, "ros2 node list", [])
-    page.evaluate("jupyterapp.shell.activateById([...jupyterapp.shell.widgets('main')].find((one) => one.sessionContext).id)")
+    page.evaluate(TO_NOTEBOOK)
     page.wait_for_timeout(500)
     page.evaluate(RUN, "wait(0.5)")
     page.locator(".jp-OutputArea-output .ck-turtle").first.wait_for(timeout=60_000)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -62,7 +63,9 @@ def _beside(verdict: Verdict, record: Record, code: dict[str, str]) -> str:
 
 def _plain(one: Verdict) -> Verdict:
     """What was seen is the student's own text: nothing in it may turn or hide the page."""
-    return Verdict(one.name, one.title, one.points, one.of, lines(one.expected), lines(one.got), one.cause, one.hint)
+    values: dict[str, Any] = asdict(one)
+    texts = {name: lines(value) for name, value in values.items() if isinstance(value, str)}
+    return Verdict(**{**values, **texts})
 
 
 def _text(text: str) -> str:

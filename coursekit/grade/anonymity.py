@@ -82,7 +82,8 @@ def _piece(said: _Hiding, code: str, one: Piece) -> Piece:
 
 def _verdict(said: _Hiding, one: Verdict) -> Verdict:
     values: dict[str, Any] = asdict(one)
-    return Verdict(**{name: said(value) if isinstance(value, str) else value for name, value in values.items()})
+    hidden: dict[str, Any] = {name: said(value) if isinstance(value, str) else value for name, value in values.items()}
+    return Verdict(**hidden)
 
 
 def _marked(said: _Hiding, code: str, one: Marked) -> Marked:

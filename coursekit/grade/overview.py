@@ -17,7 +17,7 @@ from .tables import write_whole
 from .verdict import Verdict
 
 if TYPE_CHECKING:
-    from .batch import Outcome
+    from .outcome import Outcome
 
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>The class</title>

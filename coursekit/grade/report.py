@@ -90,8 +90,11 @@ def gradescope(marked: Marked) -> dict[str, Any]:
 
 
 def write_reports(folder: Path, records: Sequence[Record]) -> None:
-    """KEY.html and KEY.results.json for everybody; no page for whom nothing is known of."""
+    """KEY.html for everybody; KEY.results.json for whom there is a mark."""
     for one in records:
         write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"))
-        said = {**gradescope(one.marked()), "score": one.total() or 0.0}
-        write_whole(folder / f"{one.key}.results.json", json.dumps(said, indent=1).encode())
+        total, scores = one.total(), folder / f"{one.key}.results.json"
+        if total is None:
+            scores.unlink(missing_ok=True)
+            continue
+        write_whole(scores, json.dumps({**gradescope(one.marked()), "score": total}, indent=1).encode())

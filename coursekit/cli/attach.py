@@ -13,10 +13,11 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from . import endpoint
+from .keyboard import Keyboard
 
 START_SECONDS = 20.0
 
@@ -86,11 +87,11 @@ def attach_script(path: Path, argv: Sequence[str]) -> int | None:
 
 
 def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
-    with client, _signals_to(client):
+    with client, _signals_to(client), Keyboard() as keyboard:
         _send(client, _wish(**wish))
-        threading.Thread(target=_forward_stdin, args=(client,), daemon=True).start()
+        threading.Thread(target=_forward_stdin, args=(client, keyboard), daemon=True).start()
         try:
-            return _show(client)
+            return _show(client, keyboard)
         except BrokenPipeError:  # who read our output has gone, as `head` does when it has its lines
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             return 128 + 13
@@ -120,32 +121,12 @@ def _signals_to(client: socket.socket) -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def _forward_stdin(client: socket.socket) -> None:
+def _forward_stdin(client: socket.socket, keyboard: Keyboard) -> None:
     decoder = codecs.getincrementaldecoder("utf-8")("replace")
     with contextlib.suppress(OSError, ValueError):
-        while data := os.read(sys.stdin.fileno(), 4096):
+        while data := keyboard.read():
             _send(client, {"stdin": decoder.decode(data)})
         _send(client, {"eof": True})
-
-
-@contextlib.contextmanager
-def _terminal() -> Iterator[Callable[[], None]]:
-    """A function that has the terminal pass on each key at once, without echo; at the end it is as it was."""
-    try:
-        import termios
-        import tty
-    except ImportError:  # Windows
-        yield lambda: None
-        return
-    if not sys.stdin.isatty():
-        yield lambda: None
-        return
-    number = sys.stdin.fileno()
-    before = termios.tcgetattr(number)
-    try:
-        yield lambda: tty.setcbreak(number)
-    finally:
-        termios.tcsetattr(number, termios.TCSADRAIN, before)
 
 
 def _say_which(notebook: str) -> None:
@@ -154,15 +135,15 @@ def _say_which(notebook: str) -> None:
         print(f"(in the session of {notebook}, the notebook in which a cell was run last)", file=sys.stderr, flush=True)
 
 
-def _show(client: socket.socket) -> int:
+def _show(client: socket.socket, keyboard: Keyboard) -> int:
     """Print what the process prints; returns when it ends."""
-    with client.makefile("r", encoding="utf-8") as lines, _terminal() as pass_keys_on:
+    with client.makefile("r", encoding="utf-8") as lines:
         for line in lines:
             message = json.loads(line)
             if message.get("session"):
                 _say_which(message["session"])
             if "keys" in message:
-                pass_keys_on()
+                keyboard.want_keys()
             if "exit" in message:
                 return int(message["exit"])
             for name, stream in (("stdout", sys.stdout), ("stderr", sys.stderr)):

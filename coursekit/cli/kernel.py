@@ -10,9 +10,12 @@ from __future__ import annotations
 import functools
 import importlib
 import json
+import shutil
 import sys
 from pathlib import Path
 from typing import Any
+
+_STILLS = Path(__file__).parent / "labextension"
 
 
 def hear_all(kernel: Any) -> None:
@@ -56,7 +59,10 @@ def keep_output_in_cells(shell: Any) -> None:
 
 
 def write_kernelspec(folder: Path) -> Path:
-    """Make JupyterLab start its Python kernels by this module: a folder for JUPYTER_PATH, written below `folder`."""
+    """Make JupyterLab start its Python kernels by this module: a folder for JUPYTER_PATH, written below `folder`.
+
+    In it there also is an extension that shows stills in place of views whose kernel has gone.
+    """
     place = folder / ".coursekit" / "jupyter"
     spec = {
         "argv": [sys.executable, "-m", __name__, "-f", "{connection_file}"],
@@ -67,6 +73,7 @@ def write_kernelspec(folder: Path) -> Path:
     file = place / "kernels" / "python3" / "kernel.json"
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(spec, indent=1), encoding="utf-8")
+    shutil.copytree(_STILLS, place / "labextensions" / "coursekit-stills", dirs_exist_ok=True)
     return place
 
 

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 DISTRIBUTION = {"ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 """What sourcing ROS says of itself; launch files and nodes ask for it."""
 _numbers = itertools.count(1)
+_PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
 
 
 class Process(Interruptible):
@@ -188,6 +189,8 @@ class Process(Interruptible):
         here = __file__
         while trace is not None and trace.tb_frame.f_code.co_filename == here:
             trace = trace.tb_next
+        if kind is KeyboardInterrupt and trace is not None and trace.tb_frame.f_code.co_filename.startswith(_PACKAGE):
+            return  # a program of ours that was still starting: its inside helps nobody
         self.out.write("stderr", "".join(traceback.format_exception(kind, value, trace)))
 
     def _end(self, code: int) -> None:

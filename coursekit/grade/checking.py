@@ -8,10 +8,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from coursekit.packages.build_state import build_fault
 from coursekit.view.working import Working
 
 from . import events
-from .builds import build_note
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
 from .outputs import exception_in
@@ -38,7 +38,9 @@ def judge(
     work.variants = variants or {}
     noted = _Noted(work)
     verdict = judge_work(exercise, noted, tries)
-    return replace(verdict, note=build_note(folder, noted.packages))
+    faults = ((one, build_fault(folder, one)) for one in dict.fromkeys(noted.packages))
+    notes = [f"{fault}. Run: %colcon build --packages-select {one}" for one, fault in faults if fault]
+    return replace(verdict, note="; ".join(notes))
 
 
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:

@@ -178,7 +178,8 @@ def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str], limits: Limi
     words += ["--uid", _NOBODY, "--gid", _NOBODY, "--die-with-parent", "--hostname", "sandbox", "--clearenv"]
     for name, value in env.items():
         words += ["--setenv", name, value]
-    words += ["--proc", "/proc", "--dev", "/dev"]
+    # the system's settings belong to root, who may write them whatever his capabilities
+    words += ["--proc", "/proc", "--ro-bind", "/proc/sys", "/proc/sys", "--dev", "/dev"]
     for folder in ("/tmp", "/dev/shm"):
         words += ["--size", str(limits.scratch), "--tmpfs", folder]
     for folder in (*_SYSTEM, *_python_folders()):

@@ -10,6 +10,7 @@ from .handing_in import evidence, hand_in
 from .image_view import image_view
 from .joint_panel import joint_sliders
 from .joint_windows import show_joint_windows
+from .keeping import set_aside
 from .kernel import reset, start
 from .log_console import log_console
 from .magics import edit, terminal, terminals, wait, workspace, workspace_environment
@@ -44,6 +45,7 @@ __all__ = [
     "progress",
     "reset",
     "service_caller",
+    "set_aside",
     "terminal",
     "terminals",
     "topic_panel",

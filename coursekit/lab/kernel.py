@@ -17,7 +17,7 @@ from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
 
-from .panel import Panel, close_panels, open_panels
+from .panel import Panel, end_panels, open_panels
 
 SUBSHELL_SECONDS = 0.5
 """A page that makes no subshell in this time is none, or is busy [s]."""
@@ -124,7 +124,7 @@ def reset() -> None:
         if process.wait(1.0) is None:
             process.kill()
             process.wait(2.0)
-    close_panels()
+    end_panels("It ended with reset().")
     nodes = sum(len(graph.nodes) for graph in session.graphs.values())
     for graph in session.graphs.values():
         graph.clear()

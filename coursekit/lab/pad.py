@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -10,15 +9,14 @@ import traitlets
 
 from .bundle import with_text
 from .drive import Driver
-
-_STATIC = Path(__file__).parent / "static"
+from .script import script, style
 
 
 class Pad(anywidget.AnyWidget):
     """A pad for keyboard, finger, mouse and gamepad; made by `pad`. Letting go stops at once."""
 
-    _esm = (_STATIC / "steer.js").read_text() + (_STATIC / "pad.js").read_text()
-    _css = (_STATIC / "steer.css").read_text() + (_STATIC / "pad.css").read_text()
+    _esm = script("steer.js", "pad.js")
+    _css = style("steer.css", "pad.css")
     topic = traitlets.Unicode("/cmd_vel").tag(sync=True)
     linear = traitlets.Float(0.5).tag(sync=True)
     angular = traitlets.Float(1.0).tag(sync=True)

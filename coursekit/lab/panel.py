@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import threading
-from pathlib import Path
+from base64 import b64decode
 from typing import Any
 
 import anywidget
 
 from coursekit.core.session import current
 
-from .bundle import with_text
+from .bundle import forms_of, with_text
 from .hidden import HiddenNode
+from .script import script, style
 
 UPDATE_SECONDS = 0.2
 """A panel tells the browser at most five times a second what has changed."""
 
-_STATIC = Path(__file__).parent / "static"
+STILLS = 30
+"""So many stills are kept for pages that are loaded anew; older views are taken out."""
+
 _open: list[Panel] = []
+_ended: list[Panel] = []
 
 
 def static(name: str) -> str:
@@ -26,17 +30,18 @@ def static(name: str) -> str:
     Every panel brings the shared style along: the own one has to win also over that of a panel which opens later.
     """
     kind, _, suffix = name.rpartition(".")
-    shared, own = ((_STATIC / one).read_text(encoding="utf-8") for one in (f"panel.{suffix}", name))
-    if suffix == "css":
-        own = own.replace(f".ck-{kind} ", f".ck-panel.ck-{kind} ")
-    return f"{shared}\n{own}"
+    if suffix == "js":
+        return script("panel.js", name)
+    return style("panel.css") + "\n" + style(name).replace(f".ck-{kind} ", f".ck-panel.ck-{kind} ")
 
 
-def close_panels() -> int:
-    """Close every open panel; how many there were."""
+def end_panels(why: str = "It has ended.") -> int:
+    """End every open panel, with a still of it where a page shows it; how many there were."""
     count = len(_open)
     for panel in list(_open):
-        panel.close()
+        panel.end(why)
+    while len(_ended) > STILLS:
+        _ended.pop(0).close()
     return count
 
 
@@ -63,6 +68,7 @@ class Panel(anywidget.AnyWidget):
         self.closed = False
         self._hidden: HiddenNode | None = HiddenNode(node_name) if node_name else None
         self._seen = False
+        self._farewell: tuple[dict[str, Any], list[bytes]] | None = None
         self._lock = threading.Lock()
         self._alarm: Any = None
         self.on_msg(self._hear)
@@ -108,6 +114,9 @@ class Panel(anywidget.AnyWidget):
     def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
         kind = str(message.get("type", ""))
         if self.closed:
+            if kind == "ready" and self._farewell is not None:  # the page was loaded anew
+                message, pictures = self._farewell
+                self.send({**message, "still": True}, pictures)
             return
         if kind == "ready":
             self._seen = True
@@ -119,8 +128,28 @@ class Panel(anywidget.AnyWidget):
 
     # -- the end
 
+    def end(self, why: str) -> None:
+        """Leave the graph; a page goes on showing what there was, under a veil that says why."""
+        if self.closed:
+            return
+        still = forms_of(self._repr_mimebundle_()) if self._seen else None
+        self._finish()
+        if still is None:
+            super().close()
+            return
+        text, picture = str(still.get("text/plain", "")), still.get("image/png", "")
+        self._farewell = {"type": "ended", "why": why, "text": text}, [b64decode(picture)] if picture else []
+        _ended.append(self)
+        self.send(self._farewell[0])
+
     def close(self) -> None:
         """Leave the graph and the page."""
+        if self in _ended:
+            _ended.remove(self)
+        self._finish()
+        super().close()
+
+    def _finish(self) -> None:
         if self.closed:
             return
         self.closed = True
@@ -131,7 +160,6 @@ class Panel(anywidget.AnyWidget):
         self.leave()
         if self._hidden is not None:
             self._hidden.close()
-        super().close()
 
     def leave(self) -> None:
         """What a subclass has to end."""
@@ -145,4 +173,4 @@ class Panel(anywidget.AnyWidget):
         return with_text(super()._repr_mimebundle_(**options), self.text())
 
 
-__all__ = ["Panel", "close_panels", "open_panels", "static"]
+__all__ = ["Panel", "end_panels", "open_panels", "static"]

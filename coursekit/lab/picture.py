@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import threading
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -14,6 +13,7 @@ import cv2
 from coursekit.core.session import current
 
 from .bundle import forms_of
+from .script import script, style
 
 PERIOD_SECONDS = 1 / 30
 """The browser gets a new picture at most this often."""
@@ -23,8 +23,6 @@ UNDER_WAY = 3
 """So many pictures may be on their way to the browser; more only when it has drawn one."""
 QUALITY = 85
 
-_STATIC = Path(__file__).parent / "static"
-
 
 class Picture(anywidget.AnyWidget):
     """Shows the newest of the images it is given: the browser says when it has drawn one, so that
@@ -33,8 +31,8 @@ class Picture(anywidget.AnyWidget):
     `read()` is asked for the newest image (blue first, or None) only when there is time to send it.
     """
 
-    _esm = _STATIC / "picture.js"
-    _css = _STATIC / "picture.css"
+    _esm = script("picture.js")
+    _css = style("picture.css")
 
     def __init__(self, read: Callable[[], Any], live: bool = True) -> None:
         super().__init__()

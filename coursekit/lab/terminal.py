@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -12,13 +11,12 @@ import traitlets
 
 from .bundle import with_text
 from .errors import NotNow
+from .script import script, style
 
 LINES = 500
 """Lines that the browser keeps; the process remembers more."""
 UPDATE_SECONDS = 0.1
 """Output is sent at most this often, so that a node that logs at 100 Hz does not flood the notebook."""
-
-_STATIC = Path(__file__).parent / "static"
 
 
 class Terminal(anywidget.AnyWidget):
@@ -28,8 +26,8 @@ class Terminal(anywidget.AnyWidget):
     its last lines, so that a notebook reads without a browser.
     """
 
-    _esm = _STATIC / "terminal.js"
-    _css = _STATIC / "terminal.css"
+    _esm = script("terminal.js")
+    _css = style("terminal.css")
     title = traitlets.Unicode("").tag(sync=True)
 
     def __init__(self, process: Any, title: str = "", again: Callable[[], Any] | None = None) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import threading
-from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -18,6 +17,7 @@ from coursekit.view.turtle import KINDS, describe, png, shape
 from .bundle import forms_of
 from .drive import Driver
 from .errors import NotThere
+from .script import script, style
 
 FRAME_SECONDS = 0.05
 """The browser gets a new frame at most this often."""
@@ -25,7 +25,6 @@ SPEED = 2.0
 """Full speed in m/s and rad/s, as turtle_teleop_key has it."""
 NONE_RUNS = "No turtlesim runs. Start one: %ros2 run turtlesim turtlesim_node &"
 
-_STATIC = Path(__file__).parent / "static"
 _shown: dict[str, TurtleWindow] = {}
 
 
@@ -46,8 +45,8 @@ class Snapshot:
 class TurtleWindow(anywidget.AnyWidget):
     """The window of a running turtlesim; made by `turtlesim_window`."""
 
-    _esm = (_STATIC / "steer.js").read_text() + (_STATIC / "turtle.js").read_text()
-    _css = (_STATIC / "steer.css").read_text() + (_STATIC / "turtle.css").read_text()
+    _esm = script("steer.js", "turtle.js")
+    _css = style("steer.css", "turtle.css")
     side = traitlets.Float(SIDE).tag(sync=True)
     shape = traitlets.Any(shape()).tag(sync=True)
     kinds = traitlets.Any(KINDS).tag(sync=True)

@@ -59,6 +59,40 @@ for number in range(3, 64):
 """ + "def full_name(*_): return '/scan'\n"
 MANY_FILES = "n = 0\nwhile True:\n    open(f'f{n}', 'wb').write(b'x' * 60_000_000); n += 1\n" + RIGHT
 
+SLEEP = """
+import ctypes, signal
+for timer in (signal.ITIMER_REAL, signal.ITIMER_PROF): signal.setitimer(timer, 0)
+ctypes.CDLL(None).sleep(100_000)
+"""
+WIDE = "import numpy as np\ndef full_name(*_): return np.array(['x'], dtype='<U250000000')[:0]\n"
+COLLIDING = """
+import os
+forged = b'{"value": {"set": [' + b",".join(b'{"int": "%d"}' % (n * (2**61 - 1)) for n in range(150_000)) + b"]}}\\n"
+def full_name(*_):
+    for number in range(3, 20):
+        try: os.write(number, forged)
+        except OSError: pass
+"""
+NESTED = """
+import os
+def full_name(*_):
+    for number in range(3, 20):
+        try: os.write(number, b"[" * 900_000 + b"\\n")
+        except OSError: pass
+"""
+SURROGATE = "def full_name(*_): return '\\ud800\\x1b]0;owned\\x07'\n"
+FOLDERS = "import os\nfor _ in range(1500):\n    os.mkdir('d')\n    os.chdir('d')\n" + RIGHT
+LIES = """
+class Lying(dict):
+    def __eq__(self, other): return True
+    def __len__(self): return 0
+class Nameless(type):
+    __module__ = property(lambda cls: 1 / 0)
+class Odd(metaclass=Nameless):
+    def __repr__(self): raise SystemExit
+def full_name(*_): return [Lying(), Odd()]
+"""
+
 DESERVE = {
     "right": (RIGHT, 1),
     "a stub": ("raise NotImplementedError()", 0),
@@ -81,6 +115,13 @@ DESERVE = {
     "the network": (NETWORK, 0),
     "forged answers on every pipe": (PIPES, 0),
     "an answer nested without end": ("a = []\nfor _ in range(9999): a = [a]\ndef full_name(*_): return a", 0),
+    "a C call that sleeps, with the alarms taken back": (SLEEP, 0),
+    "an array that is wide and empty": (WIDE, 0),
+    "a set whose elements collide": (COLLIDING, 0),
+    "JSON nested without end": (NESTED, 0),
+    "text that is none": (SURROGATE, 0),
+    "folders in folders": (FOLDERS, 0),
+    "objects that lie about themselves": (LIES, 0),
     "input()": ("input('name?')\n", 0),
     "waiting for a file that never comes": ("open('/dev/stdin').read()\n", 0),
 }
@@ -120,7 +161,7 @@ def test_each_attack_gets_what_it_deserves(tmp_path, attack):
     print(f"{attack}: {verdict.points:g} of {verdict.of:g}; {verdict.got or 'solved'} ({marked.tier})")
     assert marked.status == "graded"
     assert verdict.points == deserved, verdict.text()
-    assert verdict.passed or verdict.got
+    assert verdict.passed or verdict.got or verdict.gave
     assert not (NOTEBOOKS.parent / "escaped").exists()
 
 

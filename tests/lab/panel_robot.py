@@ -11,7 +11,7 @@ from rclpy.node import Node
 from std_msgs.msg import String
 
 from coursekit.core.session import Session
-from coursekit.lab.panel import close_panels
+from coursekit.lab.panel import end_panels
 
 
 class Robot(Node):
@@ -60,7 +60,7 @@ def robot_running() -> Iterator[Session]:
         made.start(main, name="robot")
         made.clock.sleep(0.1)
         yield made
-        close_panels()
+        end_panels()
 
 
 def heard_by_browser(panel, monkeypatch):

@@ -6,7 +6,7 @@ from coursekit.core import streams
 from coursekit.core.executables import find
 from coursekit.core.session import Session
 from coursekit.lab.joint_panel import joint_sliders
-from coursekit.lab.panel import close_panels
+from coursekit.lab.panel import end_panels
 from tests.urdf.oracle import ROBOTS
 
 
@@ -14,7 +14,7 @@ from tests.urdf.oracle import ROBOTS
 def session():
     with Session(virtual=True).use() as made:
         yield made
-        close_panels()
+        end_panels()
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from coursekit.core.names import is_hidden
 from coursekit.lab.graph_panel import GraphPanel, graph
 from coursekit.lab.log_console import LogConsole
 from coursekit.lab.messages import echo
-from coursekit.lab.panel import close_panels, open_panels
+from coursekit.lab.panel import end_panels, open_panels
 from coursekit.lab.parameter_panel import ParameterPanel
 from coursekit.lab.service_panel import ServiceCaller
 from coursekit.lab.topic_panel import TopicPanel
@@ -161,7 +161,7 @@ def test_panels_are_hidden_and_leave_nothing_behind(session):
     made = [TopicPanel("/news"), ServiceCaller(), ParameterPanel("/robot"), LogConsole(), graph(live=True)]
     ours = [node.full_name for node in session.graph().nodes if is_hidden(node.full_name)]
     assert len(ours) == 4
-    assert close_panels() == len(made)
+    assert end_panels() == len(made)
     assert [node.full_name for node in session.graph().nodes] == ["/robot"]
     assert session.graph()._watchers == []
 
@@ -175,7 +175,8 @@ def test_the_text_of_a_panel_is_what_a_notebook_stores(session):
 
 @pytest.mark.parametrize("name", ["viewer", "joints", "topics", "log"])
 def test_a_panels_own_style_wins_over_the_shared_one_of_a_panel_that_opens_later(name):
-    from coursekit.lab.panel import _STATIC, static
+    from coursekit.lab.panel import static
+    from coursekit.lab.script import _STATIC
 
     shared = (_STATIC / "panel.css").read_text(encoding="utf-8")
     own = static(f"{name}.css").removeprefix(shared)

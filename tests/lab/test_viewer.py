@@ -10,7 +10,7 @@ from sensor_msgs.msg import LaserScan
 from coursekit.core.executables import find
 from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
-from coursekit.lab.panel import close_panels
+from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
@@ -20,7 +20,7 @@ from tests.urdf.oracle import ROBOTS
 def session():
     with Session(virtual=True).use() as made:
         yield made
-        close_panels()
+        end_panels()
 
 
 @pytest.fixture
@@ -43,7 +43,7 @@ def test_bare_it_shows_the_robot_and_its_frames_and_says_the_same_every_time():
         with Session(virtual=True).use() as session:
             robot(session)
             texts.append(viewer().text())
-            close_panels()
+            end_panels()
     assert texts[0] == texts[1]
     lines = texts[0].splitlines()
     assert lines[0] == "viewer: fixed frame base_footprint (guessed)"

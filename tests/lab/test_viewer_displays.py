@@ -22,7 +22,7 @@ from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temper
 
 from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
-from coursekit.lab.panel import close_panels
+from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
 from coursekit.view.scene_shapes import Lines, Points, Triangles
 
@@ -31,7 +31,7 @@ from coursekit.view.scene_shapes import Lines, Points, Triangles
 def session():
     with Session(virtual=True).use() as made:
         yield made
-        close_panels()
+        end_panels()
 
 
 @pytest.fixture

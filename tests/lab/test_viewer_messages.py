@@ -12,7 +12,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
-from coursekit.lab.panel import close_panels
+from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
@@ -22,7 +22,7 @@ from tests.urdf.oracle import ROBOTS
 def session():
     with Session(virtual=True).use() as made:
         yield made
-        close_panels()
+        end_panels()
 
 
 @pytest.fixture

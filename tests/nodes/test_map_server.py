@@ -145,7 +145,11 @@ def test_load_map_answers_with_the_code_of_the_fault_and_keeps_the_map(serve, fr
 
 @pytest.mark.parametrize(
     ("arguments", "ending"),
-    [((), "pgm"), (("--fmt", "bmp"), "bmp"), (("--mode", "scale", "--occ", "0.99", "--free", "0.01"), "png")],
+    [
+        (("--free", "0.196"), "pgm"),
+        (("--fmt", "bmp", "--free", "0.196"), "bmp"),
+        (("--mode", "scale", "--occ", "0.99", "--free", "0.01"), "png"),
+    ],
 )
 def test_the_saver_writes_what_the_server_serves_and_says_where(serve, run, house, tmp_path, arguments, ending):
     serve(house)
@@ -156,6 +160,15 @@ def test_the_saver_writes_what_the_server_serves_and_says_where(serve, run, hous
     grid = load_map(tmp_path / "copy.yaml")
     assert grid.cells.tolist() == CELLS.tolist()
     assert (grid.resolution, grid.origin) == (0.05, (-1.0, 2.0, 0.5))
+
+
+def test_the_saver_s_own_threshold_is_humble_s_and_makes_the_unknown_free(serve, run, house, tmp_path):
+    serve(house)
+    saver = run("nav2_map_server", "map_saver_cli", "-f", str(tmp_path / "copy"))
+    assert saver.wait(5.0) == 0
+    assert "Free threshold unspecified. Setting it to default value: 0.250000" in saver.output
+    assert "free_thresh: 0.25\n" in (tmp_path / "copy.yaml").read_text()
+    assert load_map(tmp_path / "copy.yaml").cells.tolist() == np.where(CELLS == -1, 0, CELLS).tolist()
 
 
 def test_the_saver_without_a_map_says_so_and_ends(run, session, tmp_path):

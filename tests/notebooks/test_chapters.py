@@ -16,6 +16,9 @@ reset()
 print([p.name for p in _current().processes], [n.full_name for g in _current().graphs.values() for n in g.nodes])
 """
 
+ONLY_TO_READ = ("D_your_own_ubuntu",)
+"""Without exercises."""
+
 pytestmark = [pytest.mark.timeout(600), pytest.mark.slow]
 
 
@@ -32,7 +35,7 @@ def exercises_of(chapter):
 def test_every_exercise_of_a_chapter_is_checked_in_it(chapter):
     sources = [cell.source for cell in code_cells(read(chapter))]
     checked = {source.split('"')[1] for source in sources if source.startswith("check(")}
-    assert checked == set(exercises_of(chapter)) and len(checked) >= 3
+    assert checked == set(exercises_of(chapter)) and (len(checked) >= 3 or chapter.stem in ONLY_TO_READ)
 
 
 def test_a_chapter_runs_twice_in_one_kernel_earns_full_points_and_leaves_nothing_behind(chapter, tmp_path):
@@ -40,7 +43,8 @@ def test_a_chapter_runs_twice_in_one_kernel_earns_full_points_and_leaves_nothing
     notebook.cells.append(nbformat.v4.new_code_cell(LEFT_BEHIND))
     run(notebook, tmp_path, timeout=300, times=2)
     assert notebook.cells[-1].outputs[-1]["text"].splitlines()[-1] == "[] []"
-    progress = json.loads((tmp_path / ".coursekit" / "progress.json").read_text())
+    kept = tmp_path / ".coursekit" / "progress.json"
+    progress = json.loads(kept.read_text()) if chapter.stem not in ONLY_TO_READ else {}
     wanted = {name: exercise.points for name, exercise in exercises_of(chapter).items()}
     assert {name: progress[name]["points"] for name in wanted} == wanted
 

@@ -99,7 +99,7 @@ def stages(work: Work) -> None:
         robot = f"run {CLIENT} client_exe --ros-args -r __ns:=/robot1 -r get_two_poses:=/get_two_poses"
         topics = [f"/robot1/{name}" for name in ("robot_status", "pickup_pose", "delivery_pose")]
         manager = f"run {MANAGER} manager_exe --ros-args -p seed:={seed}"
-        _judge_stages(work.try_out(manager, robot, record=topics, seconds=60.0))
+        _judge_stages(work.try_out(manager, robot, record=topics, seconds=75.0))
 
 
 def _reports(seen: Seen, number: int) -> list[tuple[int, Spot]]:
@@ -127,7 +127,7 @@ def _judge_stages(seen: Seen) -> None:
             begun = index + 1
     if task < 1:
         share = 0.1 * max(0, min(told[-1][0], 6)) if task == 0 else 0.0
-        raise Wrong("a load delivered and new poses within a minute", f"it is still in stage {told[-1][0]}", share=share)
+        raise Wrong("a load delivered and new poses within 75 s", f"it is still in stage {told[-1][0]}", share=share)
 
 
 def _judge_step(old: int, new: int, before: Spot, after: Spot) -> None:

@@ -16,11 +16,14 @@ from rclpy.logging import get_logger
 from rclpy.task import Future
 from rclpy.utilities import remove_ros_args
 
-from coursekit.nav.map_cells import FREE_BELOW, MODES, OCCUPIED_ABOVE
+from coursekit.nav.map_cells import MODES, OCCUPIED_ABOVE
 from coursekit.nav.map_file import save_map
 from coursekit.nav.map_picture import FORMATS
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.running import run
+
+FREE_DEFAULT = 0.25
+"""What Humble's map saver writes: above 0.196, the shade of what is unknown, so that it is loaded as free."""
 
 
 class MapSaver(LifecycleNode):
@@ -30,7 +33,7 @@ class MapSaver(LifecycleNode):
         super().__init__("map_saver")
         self.get_logger().info("Creating")
         self._timeout = float(self.declare_parameter("save_map_timeout", 2.0).value)
-        self._free = float(self.declare_parameter("free_thresh_default", FREE_BELOW).value)
+        self._free = float(self.declare_parameter("free_thresh_default", FREE_DEFAULT).value)
         self._occupied = float(self.declare_parameter("occupied_thresh_default", OCCUPIED_ABOVE).value)
         self._latched = self.declare_parameter("map_subscribe_transient_local", True).value
         self._group = ReentrantCallbackGroup()  # maps come while a request waits for them
@@ -124,7 +127,7 @@ def _arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("-t", dest="topic", default="map", metavar="TOPIC", help="the map's topic (map)")
     parser.add_argument("-f", dest="file", default="", metavar="NAME", help="the files' name without its ending")
     parser.add_argument("--occ", type=float, default=0.0, help=f"occupied from here on, 0 ... 1 ({OCCUPIED_ABOVE})")
-    parser.add_argument("--free", type=float, default=0.0, help=f"free up to here, 0 ... 1 ({FREE_BELOW})")
+    parser.add_argument("--free", type=float, default=0.0, help=f"free up to here, 0 ... 1 ({FREE_DEFAULT})")
     parser.add_argument("--fmt", default="", choices=FORMATS, help="the picture's format (pgm; png in mode scale)")
     parser.add_argument("--mode", default="", choices=MODES, help="trinary, scale or raw (trinary)")
     return parser.parse_args(words)

@@ -1,0 +1,59 @@
+// JupyterLab says "Error displaying widget: model not found" for every view of a notebook that is opened anew. The output holds
+// more than that view: its picture or its text, which this shows instead, and says what to do.
+(() => {
+  const WIDGET = "application/vnd.jupyter.widget-view+json";
+  const FAILED = /^Error displaying widget/;
+  const NOTE = "Not running now: this is how it looked. Run the cell to have it live.";
+
+  function outputOf(app, node) {
+    for (const panel of app.shell.widgets("main")) {
+      const cell = panel.node.contains(node) && panel.content?.widgets?.find((one) => one.node.contains(node));
+      const area = cell && cell.outputArea;
+      const index = area ? area.widgets.findIndex((one) => one.node.contains(node)) : -1;
+      if (index >= 0) return area.model.get(index);
+    }
+    return null;
+  }
+
+  function figure(data) {
+    const box = document.createElement("div");
+    box.className = "ck-still";
+    const note = document.createElement("div");
+    note.textContent = NOTE;
+    note.style.cssText = "display: inline-block; font: 600 13px/1.5 var(--jp-ui-font-family, system-ui, sans-serif); color: #26323b;"
+      + "background: #fff3c4; border: 1px solid #e0c46c; border-radius: 8px; padding: 2px 12px; margin: 4px 0;";
+    box.append(note);
+    const kind = ["image/png", "image/jpeg"].find((one) => data[one]);
+    const shown = document.createElement(kind ? "img" : "pre");
+    const text = [data["text/plain"] ?? ""].flat().join("");
+    if (kind) {
+      Object.assign(shown, { src: `data:${kind};base64,${[data[kind]].flat().join("").trim()}`, alt: text });
+      shown.style.cssText = "display: block; max-width: 100%; opacity: 0.8;";
+    } else {
+      shown.textContent = text;
+      shown.style.opacity = "0.7";
+    }
+    box.append(shown);
+    return box;
+  }
+
+  function mend(app, node) {
+    if (!FAILED.test(node.textContent) || node.querySelector(".ck-still")) return;
+    const data = outputOf(app, node)?.data;
+    if (data?.[WIDGET]) node.replaceChildren(figure(data));
+  }
+
+  function activate(app) {
+    const look = (root) => root.querySelectorAll?.(".jp-OutputArea-output").forEach((node) => mend(app, node));
+    new MutationObserver((changes) => {
+      for (const { target } of changes) {
+        const output = target.nodeType === Node.ELEMENT_NODE ? target.closest(".jp-OutputArea-output") : null;
+        if (output) mend(app, output); else look(target);
+      }
+    }).observe(document.body, { childList: true, subtree: true });
+  }
+
+  const plugin = { id: "coursekit-stills:plugin", autoStart: true, activate };
+  const shelf = (window._JUPYTERLAB = window._JUPYTERLAB || {});
+  shelf["coursekit-stills"] = { init: () => {}, get: async () => () => ({ __esModule: true, default: plugin }) };
+})();

@@ -1,0 +1,57 @@
+"""Making room without losing anything: what is in the way is kept beside the workspace."""
+
+from __future__ import annotations
+
+import filecmp
+import os
+import shutil
+from pathlib import Path
+
+from .errors import NotNow
+from .magics import workspace
+
+
+def set_aside(*names: str) -> None:
+    """Make room for packages or folders that a chapter makes anew: what is there goes to `kept/` in the course's folder.
+
+    A name is a path in the workspace or the current folder. What is not there is passed over without a word, and what
+    is kept already is not kept twice. RuntimeError when something cannot be moved.
+    """
+    for name in names:
+        for path in dict.fromkeys((workspace() / name, Path(name).resolve())):
+            if path.exists():
+                print(f"{name} was there already. It is kept: {_keep(path)}")
+
+
+def _keep(path: Path) -> str:
+    folder = Path(os.environ.get("COURSEKIT_COURSE", ".")).resolve() / "kept"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "COLCON_IGNORE").touch()  # its packages have the names of those in the workspace
+        number = 1 + max((int(one.name.rpartition("-")[2]) for one in _earlier(folder, path.name)), default=0)
+        target = folder / f"{path.name}-{number}"
+        if number > 1 and _same(path, folder / f"{path.name}-{number - 1}"):
+            target = folder / f"{path.name}-{number - 1}"
+            shutil.rmtree(path)
+        else:
+            shutil.move(path, target)
+    except OSError as error:
+        raise NotNow(f"'{path}' is in the way and cannot be moved to {folder} ({error.strerror}). Move it yourself.") from None
+    return target.relative_to(folder.parent).as_posix()
+
+
+def _earlier(folder: Path, name: str) -> list[Path]:
+    found = folder.glob(f"{name}-*")
+    return [one for one in found if one.name.rpartition("-")[0] == name and one.name.rpartition("-")[2].isdecimal()]
+
+
+def _same(one: Path, other: Path) -> bool:
+    """Whether two folders hold the same files with the same bytes, but for what Python compiles."""
+    if not (one.is_dir() and other.is_dir()):
+        return False
+    left, right = ({path.relative_to(top) for path in top.rglob("*") if "__pycache__" not in path.parts} for top in (one, other))
+    files = [str(name) for name in left if not (one / name).is_dir()]
+    return left == right and not any(filecmp.cmpfiles(one, other, files, shallow=False)[1:])
+
+
+__all__ = ["set_aside"]

@@ -1,0 +1,58 @@
+// A view that its program has left stays as it was, says what to do, and takes no input: it never looks alive.
+// That is so when the kernel restarts or ends, and when Python says {type: "ended", text}, with a still where nothing is drawn yet.
+const GONE = new Set(["restarting", "autorestarting", "terminating", "dead"]);
+const AGAIN = "Run its cell again to have it live.";
+
+function veiled(widget) {
+  return { ...widget, render(context) {
+    const { model, el } = context;
+    const inner = document.createElement("div");
+    inner.style.height = "100%";
+    el.append(inner);
+    const still = (text, picture) => {
+      const figure = document.createElement("div");
+      figure.className = "ck-still";
+      if (picture) {
+        const image = document.createElement("img");
+        image.src = URL.createObjectURL(new Blob([picture], { type: "image/png" }));
+        image.style.maxWidth = "100%";
+        figure.append(image);
+      } else {
+        const lines = document.createElement("pre");
+        lines.textContent = text;
+        figure.append(lines);
+      }
+      inner.replaceChildren(figure);
+    };
+    const lower = (why) => {
+      if (el.querySelector(":scope > .ck-veil")) return;
+      const veil = document.createElement("div");
+      veil.className = "ck-veil";
+      veil.setAttribute("role", "status");
+      veil.style.cssText = "position: absolute; inset: 0; z-index: 10; display: flex; align-items: flex-start; justify-content: center;"
+        + "background: color-mix(in srgb, var(--jp-layout-color1, #fff) 45%, transparent); cursor: not-allowed;"
+        + "font: 600 13px/1.5 var(--jp-ui-font-family, system-ui, sans-serif); color: #26323b; text-align: center;";
+      veil.innerHTML = `<span style="background: #fff3c4; border: 1px solid #e0c46c; border-radius: 0 0 8px 8px; padding: 4px 14px"></span>`;
+      veil.firstChild.textContent = `${why} ${AGAIN}`;
+      el.style.position = "relative";
+      inner.inert = true;
+      document.activeElement?.blur?.();
+      el.append(veil);
+    };
+    const hear = (message, buffers) => {
+      if (message.type !== "ended") return;
+      if (message.still) still(message.text, buffers?.[0]);
+      lower(message.why);
+    };
+    model.on("msg:custom", hear);
+    const kernel = model.widget_manager?.kernel;
+    const status = (_kernel, now) => { if (GONE.has(now)) lower("The kernel was restarted."); };
+    kernel?.statusChanged?.connect(status);
+    const drawn = widget.render({ ...context, el: inner });
+    return async () => {
+      model.off("msg:custom", hear);
+      kernel?.statusChanged?.disconnect(status);
+      (await drawn)?.();
+    };
+  } };
+}

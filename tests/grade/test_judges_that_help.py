@@ -1,0 +1,136 @@
+"""What a check says: the fault in the student's own words and lines, the hint that fits, and nothing that confuses."""
+
+import math
+from dataclasses import asdict
+
+import pytest
+
+from coursekit.grade import checking
+from coursekit.grade.checking import check, judge, judge_work
+from coursekit.grade.exercise import Exercise, UnknownExercise, find
+from coursekit.grade.outputs import exception_in
+from coursekit.grade.plain import called, error_of, number
+from coursekit.grade.plan import Seen
+from coursekit.grade.verdict import Verdict, Wrong
+from coursekit.grade.work import Work
+
+HINTS = ("first", "second", "third")
+DIED = """[INFO] [1.0] [n]: hello
+Traceback (most recent call last):
+  File "/ws/install/p/lib/p/p_exe", line 33, in <module>
+    sys.exit(load_entry_point('p', 'console_scripts', 'p_exe')())
+  File "/ws/install/p/lib/python3.10/site-packages/s2_py_pubsub/node.py", line 12, in __init__
+    self.create_timer(1.0, self.speek)
+AttributeError: 'PyPublisher' object has no attribute 'speek'
+"""
+ENDED = DIED.replace("AttributeError: 'PyPublisher' object has no attribute 'speek'", "KeyboardInterrupt")
+
+
+def exercise(judge):
+    return Exercise("ch99.q1", "Try", 1, HINTS, judge)
+
+
+def raises(*args, **kwargs):
+    def judge(work):
+        raise Wrong(*args, **kwargs)
+
+    return exercise(judge)
+
+
+class Tried(Work):
+    """Work whose programs said this."""
+
+    def __init__(self, *outputs):
+        super().__init__({}, None)
+        self._outputs = list(outputs)
+
+    def try_out(self, *commands, **plan):
+        return Seen(outputs=self._outputs, exit_codes=[1] * len(self._outputs))
+
+
+def test_expected_given_and_seen_are_three_things():
+    text = Verdict("ch99.q1", "Try", 0, 1, "x", got="y", gave="z").text()
+    assert text.splitlines() == ["✘ ch99.q1 Try: 0 of 1 point", "  expected: x", "  you gave: z", "  seen: y"]
+    assert asdict(judge_work(raises("x", gave="7"), None))["gave"] == "7"
+
+
+@pytest.mark.parametrize(("of", "said"), [(1, "1 of 1 point"), (2, "2 of 2 points"), (0.5, "0.5 of 0.5 points")])
+def test_one_point_is_one_point(of, said):
+    verdict = Verdict("a", "b", of, of)
+    assert verdict.text().endswith(f": {said}") and verdict.html().endswith(f"{said.partition(' ')[2]}</div>")
+
+
+@pytest.mark.parametrize(("tries", "hint"), [(1, ""), (2, "third"), (5, "third")])
+def test_the_hint_follows_the_fault_where_the_judge_can_tell(tries, hint):
+    assert judge_work(raises("x", hint=2), None, tries).hint == hint
+
+
+@pytest.mark.parametrize(("tries", "hint"), [(1, ""), (2, "first"), (3, "second"), (9, "third")])
+def test_else_each_try_gives_the_next_one(tries, hint):
+    assert judge_work(raises("x"), None, tries).hint == hint
+
+
+def test_a_program_s_own_exception_comes_before_what_is_missing():
+    def judge(work):
+        work.try_out("run s2_py_pubsub publisher_exe")
+        raise Wrong("a node", "nodes: none")
+
+    verdict = judge_work(exercise(judge), Tried("", DIED))
+    line = "line 12 of node.py: self.create_timer(1.0, self.speek)"
+    told = f"AttributeError: 'PyPublisher' object has no attribute 'speek' ({line})"
+    assert verdict.got == f"your program died: {told}; nodes: none"
+
+
+@pytest.mark.parametrize("output", ["", "hello\n", ENDED, DIED.split("  File")[0]])
+def test_ctrl_c_and_quiet_ends_are_no_deaths(output):
+    assert exception_in(output) == ""
+
+
+def test_an_exception_in_a_launched_program_is_told_too():
+    lines = "".join(f"[p_exe-1] {line}\n" for line in DIED.splitlines())
+    assert exception_in(lines).startswith("AttributeError: 'PyPublisher'")
+
+
+def test_a_function_s_own_line_is_shown():
+    scope = {}
+    exec(compile("def tip(a):\n    return a / 0\n", "<cell>", "exec"), scope)
+    with pytest.raises(Wrong) as caught:
+        called(scope["tip"], 1.0, told="tip(1.0)")
+    assert caught.value.got == "ZeroDivisionError: float division by zero (line 2)"
+    assert error_of(ValueError("x")) == "ValueError: x"
+
+
+def test_a_stub_stays_a_stub():
+    def stub():
+        raise NotImplementedError
+
+    assert judge_work(exercise(lambda work: called(stub, told="f()")), None).got == "the stub is still there"
+
+
+@pytest.mark.parametrize(("value", "cause"), [(None, "return"), (math.nan, "divided"), ("7", "")])
+def test_what_is_no_number_is_told_with_its_likely_cause(value, cause):
+    with pytest.raises(Wrong) as caught:
+        number(value, "a number")
+    assert cause in caught.value.cause and caught.value.gave == repr(value)
+
+
+def test_a_build_that_is_older_than_its_source_is_told_also_when_the_check_passes(tmp_path, monkeypatch):
+    monkeypatch.setattr(checking, "build_fault", lambda folder, package: f"setup.py of {package} was changed")
+    work_of = exercise(lambda work: work.built("p"))
+    monkeypatch.setattr(Work, "built", lambda self, package: None)
+    verdict = judge(work_of, {}, tmp_path)
+    assert verdict.passed
+    assert verdict.text().splitlines()[1] == "  note: setup.py of p was changed. Run: %colcon build --packages-select p"
+
+
+@pytest.mark.parametrize("name", ["ch02.q9", "ch02.q", "q1", "", "ch2.q1"])
+def test_an_unknown_name_gets_a_short_answer_without_a_traceback(name):
+    with pytest.raises(UnknownExercise) as caught:
+        check(name)
+    shown = caught.value._render_traceback_()
+    assert len(shown) == 1 and shown[0].startswith(f"There is no exercise '{name}'.") and "q1" in shown[0]
+
+
+def test_the_names_of_the_chapter_are_listed():
+    with pytest.raises(UnknownExercise, match=r"There are: ch02.q1, ch02.q2, ch02.q3, ch02.q4\.$"):
+        find("ch02.q9")

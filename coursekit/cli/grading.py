@@ -136,7 +136,9 @@ def run_grade(args: argparse.Namespace) -> int:
     except GraderBroken as error:
         print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
         return 2
-    except (ValueError, BadArchive, OSError) as error:
+    except BadArchive as error:
+        raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None
+    except (ValueError, OSError) as error:
         raise SystemExit(str(error)) from None
     _tell(group, outcome, args)
     return outcome.exit_status()

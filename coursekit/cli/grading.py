@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 from coursekit.grade.variants import Variants, secret_file
 
 if TYPE_CHECKING:
-    from coursekit.grade.batch import Class, Outcome
+    from coursekit.grade.batch import Class
     from coursekit.grade.lateness import Policy
+    from coursekit.grade.outcome import Outcome
     from coursekit.grade.roster import Roster
 
 _NAMES = "a copy for each of these students with numbers and names of its own; a roster, or a name on each line"
@@ -154,7 +155,7 @@ def _variants(names: Path | None, *, new: bool = False) -> Variants | None:
 def run_grade(args: argparse.Namespace) -> int:
     """Grade, and say where the results are; 1 when a question is open, 2 when the grader itself does not work."""
     from coursekit.grade.archives import BadArchive
-    from coursekit.grade.batch import Bar
+    from coursekit.grade.bar import Bar
     from coursekit.grade.reference import GraderBroken
     from coursekit.grade.sandbox import refusal
 
@@ -162,6 +163,8 @@ def run_grade(args: argparse.Namespace) -> int:
         raise SystemExit(why)
     if not args.folder.is_dir() and not (args.folder.suffix.casefold() == ".zip" and args.folder.is_file()):
         raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what students handed in.")
+    if args.out.suffix.casefold() != ".csv":
+        raise SystemExit(f"--out {args.out}: give the table a name that ends in .csv; a folder of that name lies beside it.")
     if args.platform and args.anonymous:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:
@@ -170,7 +173,9 @@ def run_grade(args: argparse.Namespace) -> int:
     except GraderBroken as error:
         print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
         return 2
-    except (ValueError, BadArchive, OSError) as error:
+    except BadArchive as error:
+        raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None
+    except (ValueError, OSError) as error:
         raise SystemExit(str(error)) from None
     _tell(group, outcome, args)
     return outcome.exit_status()

@@ -73,7 +73,8 @@ def mark(
             made.concerns += _faults(parcel, submission.student)
         files = submission.notebooks(scratch / "unpacked")
         for name, file in _chosen(files, sources, made.notes).items():
-            folder, names, own = str(scratch / name), list(exercises), sorted({str(one.parent) for one in own_files(exercises.values())})
+            folder, names = str(scratch / name), list(exercises)
+            own = sorted({str(one.parent) for one in own_files(exercises.values())})
             task = Task(sources[name], str(file), folder, names, made.variants, asdict(limits), secret.hex(), own)
             _add(made, name, examine(task, limits))
     except ValueError as error:

@@ -22,7 +22,7 @@ _PAGE = """<h2>{title}</h2>
 Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}</table>
-<p>Hand in the notebooks, saved, with the names that they have.</p>
+<p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each.</p>
 """
 
 

@@ -127,7 +127,7 @@ def run_new(args: argparse.Namespace) -> int:
     print(f"Work on it:  coursekit lab --folder {args.folder}")
     print(f"Hand it out: coursekit release --notebooks {args.folder}")
     print(f"Mark it:     coursekit grade HANDED_IN --notebooks {args.folder}")
-    print("How it is made up: docs/own_exercises.md")
+    print("How it is made up: docs/own_exercises.md, beside the course's README")
     return 0
 
 

@@ -98,6 +98,8 @@ class Archive:
                 made += piece
                 if len(made) > info.file_size:
                     raise BadArchive("a file in it is larger than it says")
+        if len(made) != info.file_size:
+            raise BadArchive("a file in it is smaller than it says")
         return bytes(made)
 
     def close(self) -> None:

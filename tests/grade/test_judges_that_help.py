@@ -5,7 +5,6 @@ from dataclasses import asdict
 
 import pytest
 
-from coursekit.grade import checking
 from coursekit.grade.checking import check, judge, judge_work
 from coursekit.grade.exercise import Exercise, UnknownExercise, find
 from coursekit.grade.outputs import exception_in
@@ -114,13 +113,16 @@ def test_what_is_no_number_is_told_with_its_likely_cause(value, cause):
     assert cause in caught.value.cause and caught.value.gave == repr(value)
 
 
-def test_a_build_that_is_older_than_its_source_is_told_also_when_the_check_passes(tmp_path, monkeypatch):
-    monkeypatch.setattr(checking, "build_fault", lambda folder, package: f"setup.py of {package} was changed")
+def test_a_build_that_is_older_than_its_source_is_refused_with_what_to_type(tmp_path, monkeypatch):
+    marker = tmp_path / "install" / "p" / "share" / "ament_index" / "resource_index" / "packages" / "p"
+    marker.parent.mkdir(parents=True)
+    marker.touch()
     work_of = exercise(lambda work: work.built("p"))
-    monkeypatch.setattr(Work, "built", lambda self, package: None)
+    assert judge(work_of, {}, tmp_path).passed
+    told = "setup.py of p was changed after the last build"
+    monkeypatch.setattr("coursekit.packages.build_state.build_fault", lambda folder, package: told)
     verdict = judge(work_of, {}, tmp_path)
-    assert verdict.passed
-    assert verdict.text().splitlines()[1] == "  note: setup.py of p was changed. Run: %colcon build --packages-select p"
+    assert (verdict.points, verdict.got, verdict.cause) == (0, told, "Run: %colcon build --packages-select p")
 
 
 @pytest.mark.parametrize("name", ["ch02.q9", "ch02.q", "q1", "", "ch2.q1"])

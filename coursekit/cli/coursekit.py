@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursekit.cli import grading, slam
+from coursekit.cli import compile_ahead, grading, slam
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -39,6 +39,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     return int(args.main(args) or 0)
 
 
+def _not_written(folder: Path, error: OSError) -> SystemExit:
+    """What to say where a copy of the course cannot be written."""
+    name = f" ('{error.filename}')" if error.filename else ""
+    return SystemExit(
+        f"The course cannot be written to '{folder}': {error.strerror}{name}. "
+        "Make room there, or choose another folder: coursekit lab --folder ~/course"
+    )
+
+
 def notebooks_folder() -> Path:
     """Where the chapters are: beside the package in a checkout, inside it in an installed wheel."""
     package = Path(__file__).resolve().parents[1]
@@ -57,6 +66,8 @@ def update_course(args: argparse.Namespace) -> int:
         said = Course(folder).update(notebooks_folder(), args.language)
     except ValueError as error:
         raise SystemExit(str(error)) from None
+    except OSError as error:
+        raise _not_written(folder, error) from None
     for sentence in said:
         print(f"  {sentence}")
     print(f"Your copy of the course: {folder}")
@@ -80,13 +91,17 @@ def open_lab(args: argparse.Namespace) -> int:
     """Open JupyterLab on the student's copy."""
     update_course(args)
     folder = Path(args.folder).resolve()
+    try:
+        env, settings = lab_environment(folder), [f"--LabServerApp.app_settings_dir={_settings_folder(folder)}"]
+        settings += _terminal_settings(folder)
+    except OSError as error:
+        raise _not_written(folder, error) from None
     command = [
         sys.executable, "-m", "jupyter", "lab",
         f"--ServerApp.root_dir={folder}",
         "--ServerApp.ip=127.0.0.1",
         "--LabApp.default_url=/lab/tree/00_start_here.ipynb",
-        f"--LabServerApp.app_settings_dir={_settings_folder(folder)}",
-        *_terminal_settings(folder),
+        *settings,
     ]  # fmt: skip
     if hasattr(os, "getuid") and os.getuid() == 0:
         command.append("--allow-root")
@@ -94,7 +109,9 @@ def open_lab(args: argparse.Namespace) -> int:
         command.append("--no-browser")
         print("Open the address that begins with http://127.0.0.1 below in a browser.")
     command += [word for word in args.jupyter if word != "--"]
-    return _become(command, lab_environment(folder))
+    print("SLAM is compiled in the background: the first time this takes a minute or two, and you can begin at once.")
+    compile_ahead.start_in_background(env)
+    return _become(command, env)
 
 
 def _become(command: list[str], env: dict[str, str]) -> int:

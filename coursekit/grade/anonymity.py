@@ -12,13 +12,14 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .harmless import cell
 from .keys import own_key
 from .mark import Marked
 from .pieces import Entry, Piece
 from .record import Record
 from .roster import Person
-from .tables import write_whole
 from .verdict import Verdict
 
 

@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
+from coursekit.files import write_whole
+
 from .harmless import number, shown
 from .record import Record
 from .similar import similar
 from .statuses import LOOK, counted, told
-from .tables import write_whole
 from .verdict import Verdict
 
 if TYPE_CHECKING:

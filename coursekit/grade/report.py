@@ -9,10 +9,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .harmless import lines, number, shown
 from .mark import Marked
 from .record import Record
-from .tables import write_whole
 from .verdict import Verdict
 
 _PAGE = """<!doctype html>

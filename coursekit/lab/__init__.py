@@ -13,7 +13,7 @@ from .joint_windows import show_joint_windows
 from .keeping import set_aside
 from .kernel import reset, start
 from .log_console import log_console
-from .magics import edit, terminal, terminals, wait, workspace, workspace_environment
+from .magics import edit, terminal, terminals, workspace, workspace_environment
 from .map_view import map_view
 from .messages import echo
 from .pad import pad
@@ -24,6 +24,7 @@ from .tour import drive_along
 from .turtle import turtlesim_window
 from .viewer import viewer
 from .viewer_windows import show_rviz_windows
+from .waiting import wait
 from .windows import show_new_windows, windows
 
 __all__ = [

@@ -36,7 +36,8 @@ def _keep(path: Path) -> str:
         else:
             shutil.move(path, target)
     except OSError as error:
-        raise NotNow(f"'{path}' is in the way and cannot be moved to {folder} ({error.strerror}). Move it yourself.") from None
+        why = f"'{path}' is in the way and cannot be moved to {folder} ({error.strerror}). Move it yourself."
+        raise NotNow(why) from None
     return target.relative_to(folder.parent).as_posix()
 
 
@@ -49,9 +50,13 @@ def _same(one: Path, other: Path) -> bool:
     """Whether two folders hold the same files with the same bytes, but for what Python compiles."""
     if not (one.is_dir() and other.is_dir()):
         return False
-    left, right = ({path.relative_to(top) for path in top.rglob("*") if "__pycache__" not in path.parts} for top in (one, other))
+    left, right = _names(one), _names(other)
     files = [str(name) for name in left if not (one / name).is_dir()]
     return left == right and not any(filecmp.cmpfiles(one, other, files, shallow=False)[1:])
+
+
+def _names(folder: Path) -> set[Path]:
+    return {path.relative_to(folder) for path in folder.rglob("*") if "__pycache__" not in path.parts}
 
 
 __all__ = ["set_aside"]

@@ -15,11 +15,11 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
-from coursekit.view.working import Working
 
 from .errors import NotThere
 from .kernel import adopt
 from .terminal import Terminal, Terminals
+from .waiting import until_said
 from .written import Written
 
 _terminals: dict[str, Terminal] = {}
@@ -38,12 +38,6 @@ def terminal(name: str) -> Terminal:
 def terminals(*names: str, columns: int = 2) -> Terminals:
     """Terminals side by side; all of them when no name is given."""
     return Terminals([terminal(name) for name in names] or list(_terminals.values()), columns)
-
-
-def wait(seconds: float) -> None:
-    """Let the session run: the processes work on, this cell waits."""
-    with Working("Waiting", seconds):
-        current().clock.sleep(seconds)
 
 
 def edit(path: str, old: str, new: str) -> None:
@@ -72,6 +66,7 @@ class CourseMagics(Magics):
         %ros2 topic list
         %ros2 run demo_nodes_py talker &
         %ros2 --stop-after 3 topic echo /chatter
+        %ros2 --stop-after 3 --until "data:" topic echo /chatter  (longer, where nothing was said by then)
         """
         from coursekit.cli.parser import run
 
@@ -82,7 +77,7 @@ class CourseMagics(Magics):
             sink = _to_cell(background)
             return current().start(lambda: run(argv), name="ros2", argv=argv, env=env, on_output=sink)
 
-        return _attend(begin, options.get("name") or _title(argv), options.get("stop-after"), background)
+        return _attend(begin, options.get("name") or _title(argv), options, background)
 
     @line_magic
     def colcon(self, line: str) -> Terminal | None:
@@ -101,7 +96,7 @@ class CourseMagics(Magics):
             process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False, one_stream=True)
             return current().launch(process, _to_cell(background, _without_durations if virtual else str))
 
-        return _attend(begin, options.get("name") or "colcon", options.get("stop-after"), background)
+        return _attend(begin, options.get("name") or "colcon", options, background)
 
     @cell_magic
     def write(self, line: str, cell: str) -> None:
@@ -138,7 +133,7 @@ def _read(line: str) -> tuple[dict[str, str], list[str], bool]:
     background = bool(words) and words[-1] == "&"
     words = words[:-1] if background else words
     options: dict[str, str] = {}
-    while words and words[0] in ("--name", "--stop-after", "--workspace"):
+    while words and words[0] in ("--name", "--stop-after", "--until", "--workspace"):
         options[words[0][2:]] = words[1]
         words = words[2:]
     return options, words, background
@@ -174,17 +169,22 @@ def workspace() -> Path:
     return Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
 
 
-def _attend(begin: Callable[[], Any], title: str, stop_after: str | None, background: bool) -> Terminal | None:
+def _attend(begin: Callable[[], Any], title: str, options: dict[str, str], background: bool) -> Terminal | None:
     """Begin a process and wait for it, or give it a terminal that can begin it again."""
     process = begin()
     if background:
         shown = Terminal(process, title, again=lambda: adopt(shown.process, begin()))
         _terminals[title] = shown
         return shown
+    least = float(options["stop-after"]) if "stop-after" in options else None
     try:
-        if process.wait(float(stop_after) if stop_after else None) is None:
-            _end(process)
+        if "until" in options:
+            until_said(process, options["until"], least or 0.0)
+        else:
+            process.wait(least)
     except KeyboardInterrupt:
+        pass
+    if process.exit_code is None:
         _end(process)
     return None
 
@@ -209,4 +209,4 @@ def workspace_environment(folder: str | None = None) -> dict[str, str]:
     return env
 
 
-__all__ = ["CourseMagics", "edit", "terminal", "terminals", "wait"]
+__all__ = ["CourseMagics", "edit", "terminal", "terminals"]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 from pathlib import Path
 from typing import Any
 
 from .changes import appended, edited, undone
-from .errors import NotThere
+from .errors import NotNow, NotThere
 from .kernel import run_number, this_cell
 
 
@@ -75,12 +76,21 @@ class Written:
 
     def _finish(self, text: str) -> str:
         """Write the file, unless it is that text already: what has not changed needs no new build."""
-        if not self.path.exists() or self.path.read_text(encoding="utf-8") != text:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            _write(self.path, text)
-        self._file.parent.mkdir(parents=True, exist_ok=True)
-        _write(self._file, json.dumps(self._all, indent=1))
+        try:
+            if not self.path.exists() or self.path.read_text(encoding="utf-8") != text:
+                self.path.parent.mkdir(parents=True, exist_ok=True)
+                _write(self.path, text)
+            self._file.parent.mkdir(parents=True, exist_ok=True)
+            _write(self._file, json.dumps(self._all, indent=1))
+        except OSError as error:
+            raise NotNow(f"'{self.path}' was not written: {error.strerror}. {_cure(error)}") from None
         return text
+
+
+def _cure(error: OSError) -> str:
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return "The file is as it was. Make room (build/ and log/ of a workspace can be deleted), then run the cell again."
+    return "Is the folder yours to write in? `coursekit lab --folder ~/course` makes a copy of the course elsewhere."
 
 
 def _write(path: Path, text: str) -> None:

@@ -10,10 +10,16 @@ from .drawing import Curve, Drawing, Rect, Text, bends, heads
 
 SCALE = 2.0
 """Picture points for each pixel of the drawing, so that it is sharp on fine screens."""
+MANY_SHAPES = 600
+"""A drawing of so many shapes takes matplotlib seconds, so OpenCV draws it."""
 
 
 def png(drawing: Drawing) -> bytes:
-    """The picture, `SCALE` times as large as the drawing."""
+    """The picture, `SCALE` times as large as the drawing; a huge one is plainer and less fine."""
+    if sum(len(part.shapes) for part in drawing.parts) > MANY_SHAPES:
+        from . import drawing_fast
+
+        return drawing_fast.png(drawing, SCALE)
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     file = io.BytesIO()

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from itertools import pairwise
 
 SWEEPS = 12
+MANY_LINKS = 400
+PATIENCE = 3
+"""A large picture is done after so many sweeps that save nothing."""
 
 
 class Order:
@@ -33,14 +37,30 @@ def order_layers(order: Order, layers: dict[str, int], chains: Sequence[Sequence
     for row in order.rows:
         row.sort(key=lambda key: rank[order.groups[key]])
     links = _links(chains)
+    beside = _Neighbours(links)
     best, least = _copy(order.rows), crossings(order.rows, links)
+    since = 0
     for sweep in range(SWEEPS):
-        _sweep(order, links, rank, down=sweep % 2 == 0)
-        _swap(order, links)
+        _sweep(order, beside, rank, down=sweep % 2 == 0)
+        _swap(order, beside)
         count = crossings(order.rows, links)
+        since += 1
         if count < least:
-            best, least = _copy(order.rows), count
+            best, least, since = _copy(order.rows), count, 0
+        if since == PATIENCE and len(links) > MANY_LINKS:
+            break
     order.rows = best
+
+
+class _Neighbours:
+    """What each box is linked to in the layer before it and in the one after it."""
+
+    def __init__(self, links: Sequence[tuple[str, str]]) -> None:
+        self.before: dict[str, list[str]] = {}
+        self.after: dict[str, list[str]] = {}
+        for a, b in links:
+            self.before.setdefault(b, []).append(a)
+            self.after.setdefault(a, []).append(b)
 
 
 def _walk(keys: list[str], chains: Sequence[Sequence[str]]) -> list[str]:
@@ -78,19 +98,19 @@ def crossings(rows: Sequence[Sequence[str]], links: Sequence[tuple[str, str]]) -
     by_layer: dict[int, list[tuple[int, int]]] = {}
     for a, b in links:
         by_layer.setdefault(at[a][0], []).append((at[a][1], at[b][1]))
-    return sum(
-        (a - c) * (b - d) < 0
-        for pairs in by_layer.values()
-        for place, (a, b) in enumerate(pairs)
-        for c, d in pairs[place + 1 :]
-    )
+    count = 0
+    for pairs in by_layer.values():
+        ends: list[int] = []  # of the links that start above; those that end below this one's end cross it
+        for _, end in sorted(pairs):
+            place = bisect_right(ends, end)
+            count += len(ends) - place
+            ends.insert(place, end)
+    return count
 
 
-def _sweep(order: Order, links: Sequence[tuple[str, str]], rank: dict[str, int], *, down: bool) -> None:
+def _sweep(order: Order, linked: _Neighbours, rank: dict[str, int], *, down: bool) -> None:
     """Sort each layer by the mean place of its neighbours in the layer before."""
-    beside: dict[str, list[str]] = {}
-    for a, b in links:
-        beside.setdefault(b if down else a, []).append(a if down else b)
+    beside = linked.before if down else linked.after
     places = order.places()
     for row in order.rows if down else reversed(order.rows):
         means = {
@@ -101,15 +121,23 @@ def _sweep(order: Order, links: Sequence[tuple[str, str]], rank: dict[str, int],
         places.update({key: place for place, key in enumerate(row)})
 
 
-def _swap(order: Order, links: Sequence[tuple[str, str]]) -> None:
+def _swap(order: Order, linked: _Neighbours) -> None:
     """Exchange neighbours of one group where that saves crossings."""
-    for layer, row in enumerate(order.rows):
-        near = [link for link in links if link[0] in row or link[1] in row]
-        rows = [[], *order.rows[max(0, layer - 1) : layer + 2]]
+    places = order.places()
+    for row in order.rows:
+        sides = (linked.before, linked.after)
+        ends = [{key: sorted(places[one] for one in side.get(key, ())) for key in row} for side in sides]
         for place in range(len(row) - 1):
-            if order.groups[row[place]] != order.groups[row[place + 1]]:
+            upper, lower = row[place], row[place + 1]
+            if order.groups[upper] != order.groups[lower]:
                 continue
-            before = crossings(rows, near)
-            row[place], row[place + 1] = row[place + 1], row[place]
-            if crossings(rows, near) >= before:
-                row[place], row[place + 1] = row[place + 1], row[place]
+            if sum(_saved(side[upper], side[lower]) for side in ends) > 0:
+                row[place], row[place + 1] = lower, upper
+        places.update({key: place for place, key in enumerate(row)})
+
+
+def _saved(upper: list[int], lower: list[int]) -> int:
+    """How many crossings an exchange of two boxes saves, whose links end at these places (sorted)."""
+    if len(upper) > len(lower):
+        return sum(len(upper) - bisect_right(upper, end) - bisect_left(upper, end) for end in lower)
+    return sum(bisect_left(lower, end) - (len(lower) - bisect_right(lower, end)) for end in upper)

@@ -70,37 +70,46 @@ def _acyclic(keys: Sequence[str], edges: Sequence[tuple[str, str]]) -> list[tupl
 def _sequence(left: list[str], edges: Sequence[tuple[str, str]]) -> list[str]:
     first: list[str] = []
     last: list[str] = []
+    after: dict[str, set[str]] = {key: set() for key in left}
+    before: dict[str, set[str]] = {key: set() for key in left}
+    for a, b in edges:
+        if a != b:
+            after[a].add(b)
+            before[b].add(a)
     while left:
-        live = {(a, b) for a, b in edges if a != b and a in left and b in left}
-        leaving = {key: sum(a == key for a, _ in live) for key in left}
-        coming = {key: sum(b == key for _, b in live) for key in left}
-        sink = next((key for key in left if not leaving[key]), None)
-        source = next((key for key in left if not coming[key]), None)
-        if source is not None:
-            chosen = source
-        elif sink is not None:
-            last.insert(0, sink)
-            left.remove(sink)
-            continue
+        source = next((key for key in left if not before[key]), None)
+        sink = next((key for key in left if not after[key]), None) if source is None else None
+        chosen = source or sink or max(left, key=lambda key: len(after[key]) - len(before[key]))
+        if sink is not None:
+            last.append(sink)
         else:
-            chosen = max(left, key=lambda key: leaving[key] - coming[key])
-        first.append(chosen)
+            first.append(chosen)
         left.remove(chosen)
-    return first + last
+        for other in after[chosen]:
+            before[other].discard(chosen)
+        for other in before[chosen]:
+            after[other].discard(chosen)
+    return first + last[::-1]
 
 
 def _layers(keys: Sequence[str], edges: Sequence[tuple[str, str]]) -> dict[str, int]:
     """The layer of each box: right of all that point at it, and as near to what it points at as it can be."""
     layers = dict.fromkeys(keys, 0)
-    pairs = [(a, b) for a, b in edges if a != b]
-    for _ in keys:
-        for a, b in pairs:
-            layers[b] = max(layers[b], layers[a] + 1)
-    for _ in keys:
-        for key in keys:
-            after = [layers[b] for a, b in pairs if a == key]
-            if after and not any(b == key for _, b in pairs):
-                layers[key] = min(after) - 1
+    after: dict[str, list[str]] = {}
+    for a, b in edges:
+        if a != b:
+            after.setdefault(a, []).append(b)
+    pointed_at = {b for others in after.values() for b in others}
+    changed = True
+    while changed:
+        changed = False
+        for a, others in after.items():
+            for b in others:
+                if layers[b] <= layers[a]:
+                    layers[b], changed = layers[a] + 1, True
+    for key, others in after.items():
+        if key not in pointed_at:
+            layers[key] = min(layers[b] for b in others) - 1
     return layers
 
 

@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from coursekit.cli.coursekit import main
+
 BECOMES = """
 import os, sys
 from coursekit.cli.coursekit import _become
@@ -18,3 +20,11 @@ def test_who_ends_the_command_ends_the_server() -> None:
     done = subprocess.run([sys.executable, "-c", BECOMES], capture_output=True, text=True, check=True)
     before, after = done.stdout.split()
     assert before == after
+
+
+def test_where_the_course_cannot_be_written_it_says_so_in_a_sentence(tmp_path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(SystemExit) as ended:
+        main(["course", "--folder", str(tmp_path / "file" / "course")])
+    assert str(ended.value).startswith(f"The course cannot be written to '{tmp_path}/file/course': Not a directory")
+    assert "coursekit lab --folder ~/course" in str(ended.value)

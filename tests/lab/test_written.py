@@ -1,12 +1,13 @@
 """`edit`, `%%write` and `%%write -a`, run again as a student goes back to them."""
 
+import errno
 from types import SimpleNamespace
 
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
 from coursekit.lab import kernel
-from coursekit.lab.errors import NotThere
+from coursekit.lab.errors import NotNow, NotThere
 from coursekit.lab.magics import CourseMagics, edit
 
 SCRIPTS = "scripts: ["
@@ -113,3 +114,25 @@ def test_a_spoilt_memory_is_begun_anew(desk, tmp_path):
     written(desk, "A", desk.name, "a\n")
     (tmp_path / ".coursekit" / "written.json").write_text("{]")
     assert written(desk, "B", f"-a {desk.name}", "b\n") == "a\nb\n"
+
+
+def test_a_full_disk_leaves_the_file_as_it_was_and_says_what_to_do(desk, monkeypatch):
+    written(desk, "A", desk.name, "a\n")
+
+    def full(path, *_args, **_options):
+        open(path, "w").write("a half")  # noqa: SIM115
+        raise OSError(errno.ENOSPC, "No space left on device", str(path))
+
+    monkeypatch.setattr(type(desk.file), "write_text", full)
+    with pytest.raises(NotNow, match="No space left on device. The file is as it was"):
+        written(desk, "A", desk.name, "b\n")
+    assert [one.name for one in desk.file.parent.iterdir()] == ["file.py"] and desk.file.read_text() == "a\n"
+
+
+def test_a_folder_that_can_only_be_read_is_no_traceback(desk, monkeypatch):
+    def refuse(path, *_args, **_options):
+        raise PermissionError(errno.EACCES, "Permission denied", str(path))
+
+    monkeypatch.setattr(type(desk.file), "write_text", refuse)
+    with pytest.raises(NotNow, match=r"Permission denied.*coursekit lab --folder ~/course"):
+        written(desk, "A", desk.name, "b\n")

@@ -3,6 +3,7 @@ from itertools import combinations
 from hypothesis import given
 from hypothesis import strategies as st
 
+from coursekit.view import layer_order
 from coursekit.view.layers import Box, arrange
 
 NAMES = "abcdefghij"
@@ -61,3 +62,20 @@ def test_edges_of_a_graph_without_cycle_point_right():
 def test_two_pairs_that_could_cross_do_not():
     centres = arrange(boxes(), [("a", "d"), ("b", "c")]).centres
     assert (centres["a"][1] - centres["b"][1]) * (centres["d"][1] - centres["c"][1]) > 0
+
+
+@given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 9)), max_size=40))
+def test_crossings_are_counted_as_by_comparing_each_link_with_each(pairs):
+    rows = [[f"a{i}" for i in range(10)], [f"b{i}" for i in range(10)]]
+    links = [(f"a{a}", f"b{b}") for a, b in pairs]
+    wanted = sum((a - c) * (b - d) < 0 for (a, b), (c, d) in combinations(pairs, 2))
+    assert layer_order.crossings(rows, links) == wanted
+
+
+def test_all_crossings_of_a_large_picture_are_counted_once_a_sweep(monkeypatch):
+    counted = []
+    real = layer_order.crossings
+    monkeypatch.setattr(layer_order, "crossings", lambda rows, links: counted.append(1) or real(rows, links))
+    names = [f"n{i}" for i in range(300)]
+    arrange([Box(name, 30, 20) for name in names], [(a, b) for a, b in zip(names, names[150:], strict=False)] * 3)
+    assert len(counted) <= layer_order.SWEEPS + 1

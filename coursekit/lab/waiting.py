@@ -1,0 +1,61 @@
+"""Waiting: a time, and on until what is waited for has happened, so that a slow or first start loses nothing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from coursekit.cli.ask import full_name
+from coursekit.core.session import Session, current
+from coursekit.view.working import Working
+
+from .hidden import HiddenNode
+from .messages import listen
+
+LOOK_SECONDS = 0.05
+PATIENCE_SECONDS = 180.0
+"""The first start of SLAM compiles it, which takes a slow machine two minutes."""
+
+
+def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SECONDS) -> None:
+    """Let the session run: the processes work on, this cell waits, and with `until` until a message came on that topic.
+
+    TimeoutError when none came. `wait(3, until="/map")` waits 3 s, or longer where SLAM takes longer to begin.
+    """
+    session = current()
+    what = f"Waiting for {until}, which takes a minute the first time" if until else "Waiting"
+    with Working(what, 0.0 if until else seconds):
+        if not until:
+            session.clock.sleep(seconds)
+        elif not _wait_for(session, full_name(until), seconds, timeout_sec):
+            raise TimeoutError(
+                f"No message came on {until} within {timeout_sec:g} s. `graph()` shows who publishes it; "
+                "the terminals of what was started say how it is."
+            )
+
+
+def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:
+    clock = session.clock
+    begin, hidden, heard = clock.steady(), HiddenNode("wait"), list[Any]()
+    subscription = None
+    try:
+        while (passed := (clock.steady() - begin) * 1e-9) < least or (not heard and passed < most):
+            if subscription is None and hidden.node.count_publishers(topic):
+                subscription = listen(hidden, topic, heard.append)
+            clock.sleep(min(LOOK_SECONDS, least - passed) if passed < least else LOOK_SECONDS)
+    finally:
+        hidden.close()
+    return bool(heard)
+
+
+def until_said(process: Any, text: str, least: float) -> None:
+    """Wait `least` seconds, and on until a process has printed `text` or ended; at most PATIENCE_SECONDS."""
+    clock = process.session.clock
+    said = clock.new_event()
+    process.on_output(lambda _stream, _text: said.set() if text in process.output else None)
+    process.on_exit(lambda _process: said.set())
+    if process.wait(least) is None and text not in process.output:
+        said.wait(PATIENCE_SECONDS)
+        process.wait(4 * LOOK_SECONDS)  # the rest of what it says at once
+
+
+__all__ = ["until_said", "wait"]

@@ -1,0 +1,75 @@
+"""`wait` and `--until` wait for what happens, not only for a time."""
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+
+from coursekit.core.session import Session
+from coursekit.lab.magics import CourseMagics
+from coursekit.lab.waiting import wait
+
+
+@pytest.fixture
+def session():
+    with Session(virtual=True).use() as made:
+        yield made
+
+
+def late_talker(session, delay):
+    """A node that begins to speak after `delay` seconds, as one that has to be compiled first."""
+
+    def main():
+        import rclpy
+        from std_msgs.msg import String
+
+        session.clock.sleep(delay)
+        rclpy.init()
+        node = rclpy.create_node("late")
+        publisher = node.create_publisher(String, "map", 1)
+        node.create_timer(0.1, lambda: publisher.publish(String(data="here")))
+        try:
+            rclpy.spin(node)
+        except KeyboardInterrupt:
+            rclpy.try_shutdown()
+
+    return session.start(main, name="late")
+
+
+def seconds(session, call):
+    begin = session.clock.steady()
+    call()
+    return (session.clock.steady() - begin) * 1e-9
+
+
+@pytest.mark.parametrize(("delay", "least", "passed"), [(40.0, 1.0, 40.1), (0.0, 3.0, 3.0)])
+def test_it_waits_the_time_and_on_until_a_message_came(session, delay, least, passed):
+    late_talker(session, delay)
+    assert seconds(session, lambda: wait(least, until="map")) == pytest.approx(passed, abs=0.1)
+
+
+def test_without_a_topic_it_is_a_time(session):
+    assert seconds(session, lambda: wait(2.5)) == pytest.approx(2.5)
+
+
+def test_what_never_comes_is_said(session):
+    with pytest.raises(TimeoutError, match=r"No message came on /map within 5 s.*graph\(\)"):
+        wait(1.0, until="/map", timeout_sec=5.0)
+
+
+def ros2(line):
+    CourseMagics(InteractiveShell()).ros2(line)
+
+
+def test_a_command_goes_on_until_it_has_said_what_is_waited_for(session, capsys):
+    late_talker(session, 10.0)
+    took = seconds(session, lambda: ros2('--stop-after 1 --until "data:" topic echo /map std_msgs/msg/String'))
+    assert 10.0 < took < 11.0 and "data: here" in capsys.readouterr().out
+
+
+def test_a_command_that_has_said_it_early_still_has_its_time(session, capsys):
+    late_talker(session, 0.0)
+    took = seconds(session, lambda: ros2('--stop-after 3 --until "data:" topic echo /map std_msgs/msg/String'))
+    assert took == pytest.approx(3.0, abs=0.1)
+
+
+def test_a_command_that_ends_is_not_waited_for(session):
+    assert seconds(session, lambda: ros2('--until "never" node list')) < 5

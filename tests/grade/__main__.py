@@ -22,7 +22,7 @@ def grade_class(percent: float) -> int:
         folder, out = Path(scratch, "class"), Path(scratch, "grades.csv")
         made = make_class(folder, lambda kind: math.ceil(kind.number * percent / 100))
         began = time.monotonic()
-        main(["grade", str(folder), "--jobs", str(min(2, os.cpu_count() or 1)), "--out", str(out)])
+        main(["grade", "--allow-root", str(folder), "--jobs", str(min(2, os.cpu_count() or 1)), "--out", str(out)])
         took = time.monotonic() - began
         wrong = faults(out.with_suffix(""), out, made)
     print(f"{len(made)} submissions in {took / 60:.1f} minutes; {len(wrong)} marks that are not deserved", *wrong, sep="\n")

@@ -124,7 +124,7 @@ def test_every_copy_carries_a_mark_that_only_the_teacher_can_read(group):
     secret = (group / "roster.secret").read_text().strip()
     marks = {json.loads(copy_of(group, word))["metadata"]["coursekit"]["copy"] for word in ("AnaGarcíaLópez", "BenIto")}
     assert len(marks) == 2 and marks == set(Variants.read(group / "roster.csv").copy_marks())
-    assert "a01" not in "".join(marks) and secret not in copy_of(group, "BenIto") and "Ben" not in copy_of(group, "BenIto")
+    assert not [one for one in (secret, "Ben", "uni.example") if one in copy_of(group, "BenIto")]
     with zipfile.ZipFile(group / "week2" / "BenIto.zip") as packed:
         assert packed.namelist() == [f"week2/{TOPICS}"]
 
@@ -219,6 +219,7 @@ def test_the_release_tells_the_points_that_the_judges_give(tmp_path):
                 told[name] = made["cells"][place]["metadata"]["nbgrader"]["points"]
                 assert told[name] == known[name].points, name
     assert set(told) == set(known)
+    source = json.loads((NOTEBOOKS / TOPICS).read_text(encoding="utf-8"))
     source["cells"][max(checks_in(source).values())]["metadata"]["nbgrader"]["points"] = 99
     assert 99 not in [cell["metadata"].get("nbgrader", {}).get("points") for cell in with_points(released(source))["cells"]]
     release(sorted(NOTEBOOKS.glob("02*.ipynb")), tmp_path / "out")
@@ -229,7 +230,7 @@ def test_a_chapter_that_is_none_is_refused_beside_one_that_is(tmp_path):
     with pytest.raises(SystemExit, match=r"No chapter begins with 99. There are: 00_start_here, "):
         main(["release", "02", "99", "--out", str(tmp_path / "week2")])
     with pytest.raises(SystemExit, match="No chapter begins with 99"):
-        main(["grade", str(tmp_path), "--chapters", "02", "99"])
+        main(["grade", "--allow-root", str(tmp_path), "--chapters", "02", "99"])
 
 
 def test_what_moves_a_terminal_is_taken_out_of_a_list(tmp_path):

@@ -62,8 +62,10 @@ def is_folder(path: str | os.PathLike[str]) -> bool:
         return False
 
 
-def write_whole(path: str | os.PathLike[str], data: bytes | str) -> None:
+def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | None = None) -> None:
     """Write a file so that there is the old one or the new one, never half of it, also when the disk is full.
+
+    `mode` are its rights; without it, those of the old file or of any new one.
 
     Raises:
         OSError: when it cannot be written; the old file is still there then.
@@ -71,13 +73,14 @@ def write_whole(path: str | os.PathLike[str], data: bytes | str) -> None:
     target = Path(path)
     with contextlib.suppress(OSError):
         target = target.resolve()  # a link stays a link
+    target.parent.mkdir(parents=True, exist_ok=True)
     number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:80]}.")
     try:
         with os.fdopen(number, "wb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(fresh, _rights(target))
+        os.chmod(fresh, _rights(target) if mode is None else mode)
         os.replace(fresh, target)
     except BaseException:
         with contextlib.suppress(OSError):

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 from coursekit.grade.variants import Variants, secret_file
 
 if TYPE_CHECKING:
-    from coursekit.grade.batch import Class, Outcome
+    from coursekit.grade.batch import Class
     from coursekit.grade.lateness import Policy
+    from coursekit.grade.outcome import Outcome
     from coursekit.grade.roster import Roster
 
 _NAMES = "a copy for each of these students with numbers and names of its own; a roster, or a name on each line"
@@ -34,6 +35,10 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
     release.set_defaults(main=run_release)
     _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
+    new = commands.add_parser("new", help="begin a chapter of your own: a notebook with an exercise, and its check")
+    new.add_argument("name", help="the name of its exercises, such as gripper")
+    new.add_argument("--folder", type=Path, default=Path("my_course"), help="where (default: my_course)")
+    new.set_defaults(main=run_new)
     teachers = commands.add_parser("teachers", help="the page for teachers: hand out, collect, mark, give back")
     teachers.set_defaults(main=show_teachers)
     verify = commands.add_parser("verify", help="find out whether files made by hand_in() were changed, and run them again")
@@ -49,6 +54,8 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     add("folder", type=Path, help="a folder with a folder, notebook or zip for each student, or the platform's zip of it")
     add("--jobs", type=int, default=os.cpu_count() or 1, help="submissions at the same time")
     add("--out", type=Path, default=Path("grades.csv"), help="the table (default: grades.csv)")
+    add("--allow-root", action="store_true", help="mark as root: only where there is no other user, as in a container")
+    add("--unsafe", action="store_true", help="mark without walls: only work that you trust as your own")
     add("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     add("--chapters", nargs="+", metavar="CHAPTER", help="which are marked, such as 02 (default: what most handed in)")
     add("--roster", type=Path, metavar="FILE", help=_ROSTER)
@@ -91,9 +98,7 @@ def run_release(args: argparse.Namespace) -> int:
     from coursekit.grade.editions import chapters
     from coursekit.grade.release import release
 
-    from .coursekit import notebooks_folder
-
-    folder = args.notebooks or notebooks_folder()
+    folder = _notebooks(args)
     try:
         known = chapters(folder, args.language)
     except ValueError as error:
@@ -110,6 +115,36 @@ def run_release(args: argparse.Namespace) -> int:
     return 0
 
 
+def run_new(args: argparse.Namespace) -> int:
+    """Write the files, and say what to do with them."""
+    from coursekit.grade.template import write_template
+
+    try:
+        written = write_template(args.folder, args.name)
+    except (ValueError, OSError) as error:
+        raise SystemExit(str(error)) from None
+    print("\n".join(f"new: {file}" for file in written))
+    print(f"Work on it:  coursekit lab --folder {args.folder}")
+    print(f"Hand it out: coursekit release --notebooks {args.folder}")
+    print(f"Mark it:     coursekit grade HANDED_IN --notebooks {args.folder}")
+    print("How it is made up: docs/own_exercises.md")
+    return 0
+
+
+def _notebooks(args: argparse.Namespace) -> Path:
+    """The folder of the notebooks; the checks beside them are read."""
+    from coursekit.grade.own_checks import OWN, BadChecks, read_checks
+
+    from .coursekit import notebooks_folder
+
+    folder: Path = args.notebooks or notebooks_folder()
+    try:
+        read_checks(folder / OWN)
+    except BadChecks as error:
+        raise SystemExit(str(error)) from None
+    return folder
+
+
 def _variants(names: Path | None, *, new: bool = False) -> Variants | None:
     try:
         return None if names is None else Variants.read(names, new=new)
@@ -120,11 +155,16 @@ def _variants(names: Path | None, *, new: bool = False) -> Variants | None:
 def run_grade(args: argparse.Namespace) -> int:
     """Grade, and say where the results are; 1 when a question is open, 2 when the grader itself does not work."""
     from coursekit.grade.archives import BadArchive
-    from coursekit.grade.batch import Bar
+    from coursekit.grade.bar import Bar
     from coursekit.grade.reference import GraderBroken
+    from coursekit.grade.sandbox import refusal
 
+    if why := refusal(allow_root=args.allow_root, unsafe=args.unsafe):
+        raise SystemExit(why)
     if not args.folder.is_dir() and not (args.folder.suffix.casefold() == ".zip" and args.folder.is_file()):
         raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what students handed in.")
+    if args.out.suffix.casefold() != ".csv":
+        raise SystemExit(f"--out {args.out}: give the table a name that ends in .csv; a folder of that name lies beside it.")
     if args.platform and args.anonymous:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:
@@ -133,7 +173,9 @@ def run_grade(args: argparse.Namespace) -> int:
     except GraderBroken as error:
         print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
         return 2
-    except (ValueError, BadArchive, OSError) as error:
+    except BadArchive as error:
+        raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None
+    except (ValueError, OSError) as error:
         raise SystemExit(str(error)) from None
     _tell(group, outcome, args)
     return outcome.exit_status()
@@ -143,9 +185,7 @@ def _class(args: argparse.Namespace) -> Class:
     from coursekit.grade.batch import Class
     from coursekit.grade.roster import Roster
 
-    from .coursekit import notebooks_folder
-
-    notebooks = args.notebooks or notebooks_folder()
+    notebooks = _notebooks(args)
     names = args.variants or args.roster
     roster = Roster.read(names) if names is not None else None
     known = args.variants is not None or (names is not None and secret_file(names).is_file())
@@ -206,9 +246,7 @@ def run_verify(args: argparse.Namespace) -> int:
     from coursekit.grade.handing_in import same_in, verify
     from coursekit.grade.harmless import shown
 
-    from .coursekit import notebooks_folder
-
-    folder, variants, count = args.notebooks or notebooks_folder(), _variants(args.variants), 0
+    folder, variants, count = _notebooks(args), _variants(args.variants), 0
     for file in args.file:
         if not file.is_file():
             raise SystemExit(f"There is no file '{file}'. Give the zip that hand_in() made.")

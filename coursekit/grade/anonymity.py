@@ -8,8 +8,11 @@ import hmac
 import io
 import re
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
+from typing import Any
+
+from coursekit.files import write_whole
 
 from .harmless import cell
 from .keys import own_key
@@ -17,7 +20,7 @@ from .mark import Marked
 from .pieces import Entry, Piece
 from .record import Record
 from .roster import Person
-from .tables import write_whole
+from .verdict import Verdict
 
 
 class Anonymity:
@@ -78,7 +81,13 @@ def _piece(said: _Hiding, code: str, one: Piece) -> Piece:
     return replace(one, where=said(one.where), entry=code, known=replace(one.known, code=own))
 
 
+def _verdict(said: _Hiding, one: Verdict) -> Verdict:
+    values: dict[str, Any] = asdict(one)
+    hidden: dict[str, Any] = {name: said(value) if isinstance(value, str) else value for name, value in values.items()}
+    return Verdict(**hidden)
+
+
 def _marked(said: _Hiding, code: str, one: Marked) -> Marked:
-    verdicts = [replace(verdict, expected=said(verdict.expected), got=said(verdict.got)) for verdict in one.verdicts]
+    verdicts = [_verdict(said, verdict) for verdict in one.verdicts]
     notes, concerns = [said(note) for note in one.notes], [said(note) for note in one.concerns]
     return replace(one, student=code, verdicts=verdicts, notes=notes, concerns=concerns)

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import json
-import sys
 import tempfile
-import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from . import sandbox
 from .anonymity import Anonymity
-from .collector import Collection, Collector, Handed, wanted_chapters
+from .collector import Collection, Collector
 from .exercise import Exercise, exercises_in
 from .gradebook import write_gradebook
+from .handed import Handed, wanted_chapters
 from .lateness import Policy
 from .mark import Marked, mark
 from .marks_table import MarksTable
+from .outcome import Outcome
 from .overview import write_overview
 from .parcel import note_copies
 from .questions import NAME as QUESTIONS
@@ -32,36 +32,10 @@ from .roster import Roster
 from .sandbox import Limits
 from .similar import write_similar
 from .statistics import write_statistics
-from .statuses import LOOK, counted
 from .variants import Variants
 from .verdict import Verdict
 
 Tell = Callable[[int, int, str], None]
-
-
-@dataclass
-class Outcome:
-    """What came of a run."""
-
-    records: list[Record]
-    collection: Collection
-    told: list[str] = field(default_factory=list)
-    interrupted: bool = False
-
-    def statuses(self) -> dict[str, int]:
-        """How many there are of each status; what is nobody's yet counts as a question."""
-        return counted([*(one.status() for one in self.records), *("question" for _ in self.collection.whose)])
-
-    def exit_status(self) -> int:
-        """Not 0 when a teacher has to do something."""
-        if self.interrupted:
-            return 130
-        open_ = self.collection.unanswered or any(one.status() == "not marked" for one in self.records)
-        return 1 if open_ else 0
-
-    def to_look_at(self) -> list[Record]:
-        """Who needs a look."""
-        return [one for one in self.records if one.status() in LOOK or one.marked().concerns]
 
 
 class Class:
@@ -113,9 +87,10 @@ class Class:
                 self.results.forget(_asked(records, again), chapters)
             outcome = Outcome(records, collection)
             outcome.told += [*collection.told, *by_hand.told, *_told_others(others)]
-            for name in chapters if any(one.chapters() for one in records) else ():
-                expect_sound(self._reference(name, Path(scratch)), self.results, mark)
             try:
+                for name in chapters if any(one.chapters() for one in records) else ():
+                    said = expect_sound(self._reference(name, Path(scratch)), self.results, mark)
+                    outcome.told += [said] if said else []
                 self._mark(records, jobs, tell)
             except KeyboardInterrupt:
                 outcome.interrupted = True
@@ -252,20 +227,3 @@ def _sources(notebooks: Path) -> dict[str, Any]:
     if not found:
         raise SystemExit(f"There are no notebooks in {notebooks}: say with --notebooks where the course's are.")
     return found
-
-
-class Bar:
-    """A progress bar on a terminal; a line now and then elsewhere."""
-
-    def __init__(self) -> None:
-        self._started = time.monotonic()
-
-    def __call__(self, done: int, of: int, student: str) -> None:
-        """Show how far it is."""
-        left = (time.monotonic() - self._started) / done * (of - done)
-        if sys.stderr.isatty():
-            full = round(30 * done / of)
-            line = f"\r{'█' * full}{'·' * (30 - full)} {done} of {of}, about {left:.0f} s left  {student[:20]:<20}"
-            print(line, end="\n" if done == of else "", file=sys.stderr, flush=True)
-        elif done == of or done % 10 == 0:
-            print(f"{done} of {of} graded, about {left:.0f} s left", file=sys.stderr, flush=True)

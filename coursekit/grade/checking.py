@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursekit.packages.build_state import build_fault
 from coursekit.view.working import Working
 
 from . import events
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace
 from .outputs import exception_in
+from .own_checks import OWN, read_checks
 from .plain import error_of
 from .progress import Progress
 from .verdict import CheckFailed, Verdict, Wrong
@@ -36,16 +35,12 @@ def judge(
     """The verdict on the work as it is now. From the second failure on a hint is given."""
     work = Work(variables, folder)
     work.variants = variants or {}
-    noted = _Noted(work)
-    verdict = judge_work(exercise, noted, tries)
-    faults = ((one, build_fault(folder, one)) for one in dict.fromkeys(noted.packages))
-    notes = [f"{fault}. Run: %colcon build --packages-select {one}" for one, fault in faults if fault]
-    return replace(verdict, note="; ".join(notes))
+    return judge_work(exercise, work, tries)
 
 
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     """The verdict on work wherever it is: all points only when its judge came to an end without an objection."""
-    noted = work if isinstance(work, _Noted) else _Noted(work)
+    noted = _Noted(work)
     try:
         exercise.judge(noted)
     except Wrong as wrong:
@@ -63,7 +58,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
     """The verdict that says what is wrong; what a program died of comes first."""
     died, got = noted.death(), wrong.got
     if died and died not in got:
-        got = f"your program died: {died}" + (f"; {got}" if got else "")
+        got = f"your program raised {died}" + (f"; {got}" if got else "")
     return Verdict(
         exercise.name,
         exercise.title,
@@ -85,20 +80,14 @@ def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
 
 
 class _Noted:
-    """Work as a judge asks about it; which packages it needs and what the programs said last is remembered."""
+    """Work as a judge asks about it; what its programs said last is remembered."""
 
     def __init__(self, work: Any) -> None:
         self._work = work
-        self.packages: list[str] = []
         self._seen: Any = None
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._work, name)
-
-    def built(self, package: str) -> Any:
-        """Note the package, then ask."""
-        self.packages.append(package)
-        return self._work.built(package)
 
     def try_out(self, *commands: str, **plan: Any) -> Any:
         """Try out, and keep what was seen."""
@@ -117,8 +106,9 @@ def check(name: str, **variants: Any) -> None:
 
     `variants` are the values of a copy that asks for values of its own. The mark is found with those that the teacher knows.
     """
-    exercise = find(name)
     progress = Progress.of_course()
+    read_checks(progress.file.parent.parent / OWN)
+    exercise = find(name)
     with Working(f"Trying out {name}"):
         verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
     progress.note(verdict)

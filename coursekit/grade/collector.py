@@ -6,63 +6,22 @@ Everything goes one way: entries of a folder or zip, the people whose they are, 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from .choosing import choose
-from .harmless import identity_of, name_of_files, shown, unique
+from .entries import entries_of_folder, entries_of_zip
+from .handed import Handed
+from .harmless import identity_of, shown, unique
 from .identifying import SURE, Identified, Identifier
 from .lateness import Policy, platform_time
-from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw, entries_of_folder, entries_of_zip, told_time
+from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw
 from .platform_names import platform_name
 from .questions import NOBODY, Question, numbered
 from .recognising import Recogniser
 from .roster import Person, Roster, plain, student_word
-from .submissions import Submission
-
-
-@dataclass
-class Handed:
-    """What one person handed in."""
-
-    person: Person
-    label: str
-    entries: list[Entry] = field(default_factory=list)
-    chosen: dict[str, Piece] = field(default_factory=dict)
-    """The file that counts, by chapter."""
-    notes: list[str] = field(default_factory=list)
-    """The student sees these."""
-    concerns: list[str] = field(default_factory=list)
-    """For the teacher's eye only."""
-    open: list[str] = field(default_factory=list)
-    """Questions that have to be answered before there is a mark."""
-
-    @property
-    def key(self) -> str:
-        """What their files are called."""
-        return name_of_files(self.person.identity, self.label)
-
-    def pieces(self) -> list[Piece]:
-        """Every notebook that they handed in, the oldest first."""
-        found = [piece for entry in self.entries for piece in entry.pieces]
-        return sorted(found, key=lambda one: (one.when, one.inner, one.where))
-
-    def parcels(self) -> list[Path]:
-        """Everything of theirs that `hand_in()` made."""
-        return [file for entry in self.entries for file in entry.parcels]
-
-    def attempts(self) -> list[str]:
-        """Every notebook that they handed in, and when."""
-        return [f"{one.where}, {told_time(one.when)}" for one in self.pieces()]
-
-    def submission(self, chapter: str) -> Submission:
-        """What is marked for a chapter."""
-        piece = self.chosen[chapter]
-        assert piece.file is not None
-        parcels = [piece.parcel] if piece.parcel else []
-        return Submission(self.label, piece.file, {chapter: piece.file}, parcels)
 
 
 @dataclass
@@ -252,12 +211,12 @@ class Collector:
         return piece
 
     def _look_alike(self) -> None:
-        """Without a list two spellings of a name may be one person: that is told."""
+        """Without a list two spellings of a name, or a name and `name (1)`, may be one person: that is told."""
         if self._roster is not None:
             return
         seen: dict[str, str] = {}
         for one in self._made.handed:
-            other = seen.setdefault(plain(one.label), one.label)
+            other = seen.setdefault(plain(re.sub(r" ?\(\d+\)$", "", one.label)), one.label)
             if other != one.label:
                 self._made.told.append(f"'{other}' and '{one.label}' look like one name: give the class with --roster.")
 
@@ -267,16 +226,3 @@ def _listed(piece: Piece, when: float) -> Piece:
     if not when or piece.when_from in (SEALED, "the platform's time"):
         return piece
     return replace(piece, when=when, when_from=LISTED)
-
-
-def wanted_chapters(handed: Sequence[Handed]) -> tuple[list[str], dict[str, list[str]]]:
-    """The chapters that most people handed in, and who handed in which others; all where none is most people's."""
-    chapters: dict[str, list[str]] = {}
-    for one in handed:
-        for chapter in {piece.chapter for piece in one.pieces() if piece.chapter}:
-            chapters.setdefault(chapter, []).append(one.label)
-    some = sum(any(piece.chapter for piece in one.pieces()) for one in handed)
-    most = sorted(name for name, people in chapters.items() if 2 * len(people) > some)
-    if not most:
-        return sorted(chapters), {}
-    return most, {name: sorted(people) for name, people in sorted(chapters.items()) if name not in most}

@@ -12,6 +12,7 @@ from typing import Any
 from . import folders, sandbox
 from .examiner import Examined, Task, examine, unjudged
 from .exercise import Exercise
+from .own_checks import own_files
 from .parcel import other_hands, other_results, parcel_faults, read_parcel, recorded, traces
 from .submissions import Submission
 from .variants import Values, values_of
@@ -73,7 +74,8 @@ def mark(
         files = submission.notebooks(scratch / "unpacked")
         for name, file in _chosen(files, sources, made.notes).items():
             folder, names = str(scratch / name), list(exercises)
-            task = Task(sources[name], str(file), folder, names, made.variants, asdict(limits), secret.hex())
+            own = sorted({str(one.parent) for one in own_files(exercises.values())})
+            task = Task(sources[name], str(file), folder, names, made.variants, asdict(limits), secret.hex(), own)
             _add(made, name, examine(task, limits))
     except ValueError as error:
         made.status, made.notes = "unreadable", [*made.notes, str(error)]

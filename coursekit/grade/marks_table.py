@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .harmless import cell, number, shown
 from .record import Record
-from .tables import read_table, write_table, write_whole
+from .tables import read_table, write_table
 
 COMMENT = "comment"
 _BEFORE = ("key", "student", "id", "email")

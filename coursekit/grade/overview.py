@@ -9,15 +9,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
+from coursekit.files import write_whole
+
 from .harmless import number, shown
 from .record import Record
 from .similar import similar
 from .statuses import LOOK, counted, told
-from .tables import write_whole
 from .verdict import Verdict
 
 if TYPE_CHECKING:
-    from .batch import Outcome
+    from .outcome import Outcome
 
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>The class</title>
@@ -75,7 +76,7 @@ def _hardest(records: Sequence[Record]) -> str:
     share = {name: sum(v.points for v in found) / (sum(v.of for v in found) or 1) for name, found in verdicts.items()}
     rows = []
     for name in sorted(share, key=lambda each: (share[each], each)):
-        wrong = Counter(shown(one.got, 160) for one in verdicts[name] if not one.passed and one.got)
+        wrong = Counter(shown(said, 160) for one in verdicts[name] if not one.passed and (said := one.gave or one.got))
         said = "<br>".join(f"{times} × {html.escape(text)}" for text, times in wrong.most_common(3))
         title = html.escape(verdicts[name][0].title)
         what = f"<td>{html.escape(name)} {title}</td><td>{100 * share[name]:.0f} %</td>"

@@ -7,18 +7,17 @@ import io
 import itertools
 import json
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from .archives import OF_A_CLASS, Archive, BadArchive
+from .archives import Archive, Member
 from .harmless import shown
 from .parcel import LARGEST as LARGEST_PARCEL
 from .parcel import MANIFEST
 from .platform_names import platform_name
 from .recognising import LARGEST, Known, Recogniser, parse_notebook
-from .walking import Walked, walk
 
 SEALED, PLATFORM, LISTED, ZIPPED, FILE = (
     "the time that hand_in sealed",
@@ -28,7 +27,7 @@ SEALED, PLATFORM, LISTED, ZIPPED, FILE = (
     "the file's time",
 )
 """What a time was taken from; the first that there is counts."""
-_SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", "ros2_ws", ".git")
+SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", "ros2_ws", ".git")
 """What computers add, and what is no notebook's."""
 
 
@@ -98,7 +97,7 @@ class Gatherer:
         """Read all that lies in an entry; what is wrong with a file is told and stops nothing."""
         made = Entry(name)
         for raw in files:
-            if any(one in _SYSTEM for one in raw.parts) or raw.parts[-1].startswith("._"):
+            if any(one in SYSTEM for one in raw.parts) or raw.parts[-1].startswith("._"):
                 continue
             where = shown("/".join(raw.parts))
             if raw.fault:
@@ -153,7 +152,7 @@ class Gatherer:
             parcel = self._parcel(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
             for member in members:
                 inner = _of_member(opened, member, raw)
-                if any(one in _SYSTEM for one in member.parts) or member.parts[-1].startswith("._"):
+                if any(one in SYSTEM for one in member.parts) or member.parts[-1].startswith("._"):
                     continue
                 inside = shown(f"{where}/{'/'.join(member.parts)}", 300)
                 try:
@@ -203,7 +202,7 @@ def _of_platform(piece: Piece, when: float, late: bool) -> Piece:
     return replace(piece, late_said=late)
 
 
-def _of_member(opened: Archive, member: Any, outer: Raw) -> Raw:
+def _of_member(opened: Archive, member: Member, outer: Raw) -> Raw:
     when = member.when or outer.when
     how = ZIPPED if member.when else outer.when_from
     return Raw(member.parts, when, how, lambda: io.BytesIO(opened.read(member)), member.size)
@@ -222,54 +221,6 @@ def _read(raw: Raw, most: int) -> bytes:
     return bytes(made)
 
 
-def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
-    """What lies in a class's folder: name, whether it is neither folder, notebook nor zip, what lies in it.
-
-    Hidden ones and `leave` are none.
-    """
-    left = {one.resolve() for one in leave}
-    for place in sorted(folder.iterdir()):
-        if not place.name.startswith(".") and place.name not in _SYSTEM and place.absolute() not in left:
-            yield place.name, place.is_file() and is_loose(place.name), map(_of_walked, walk(place))
-
-
-def _of_walked(found: Walked) -> Raw:
-    return Raw(found.parts, found.when, FILE, found.open, found.size, found.fault)
-
-
-def is_loose(name: str) -> bool:
-    """Whether a file is no notebook or zip by its name."""
-    return not name.casefold().endswith((".ipynb", ".zip"))
-
-
-def entries_of_zip(file: Path) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
-    """The same for the zip that a learning platform makes of what a class handed in.
-
-    Raises:
-        BadArchive: when it cannot be opened.
-    """
-    with Archive(open(file, "rb"), OF_A_CLASS) as opened:
-        members = [one for one in opened.members() if "__MACOSX" not in one.parts]
-        names = {one.parts[0] for one in members}
-        wrapped = len(names) == 1 and shown(next(iter(names))) == shown(file.stem) and all(len(m.parts) > 1 for m in members)
-        groups: dict[str, list[Raw]] = {}
-        files = set()
-        changed = file.stat().st_mtime
-        for one in members:
-            parts = one.parts[1:] if wrapped else one.parts
-            how = ZIPPED if one.when else FILE
-            inner = Raw(parts[1:] or parts, one.when or changed, how, _opener(opened, one), one.size)
-            groups.setdefault(parts[0], []).append(inner)
-            files |= {parts[0]} if len(parts) == 1 else set()
-        for name in sorted(groups):
-            if not name.startswith("."):
-                yield name, name in files and is_loose(name), iter(groups[name])
-
-
-def _opener(opened: Archive, member: Any) -> Callable[[], BinaryIO]:
-    return lambda: io.BytesIO(opened.read(member))
-
-
 def told_time(when: float) -> str:
     """A time as it is told.
 
@@ -277,6 +228,3 @@ def told_time(when: float) -> str:
     'no time'
     """
     return time.strftime("%Y-%m-%d %H:%M", time.localtime(when)) if when else "no time"
-
-
-__all__ = ["BadArchive", "Entry", "Gatherer", "Piece", "Raw", "entries_of_folder", "entries_of_zip", "told_time"]

@@ -7,6 +7,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .exercise import all_exercises
 from .verdict import Verdict
 
@@ -33,10 +35,7 @@ class Progress:
 
     def _change(self, name: str, key: str, value: float) -> None:
         self._kept.setdefault(name, {})[key] = value
-        self.file.parent.mkdir(parents=True, exist_ok=True)
-        fresh = self.file.with_suffix(".new")
-        fresh.write_text(json.dumps(self._kept, indent=1, sort_keys=True), encoding="utf-8")
-        fresh.replace(self.file)
+        write_whole(self.file, json.dumps(self._kept, indent=1, sort_keys=True))
 
     def _count(self, name: str, key: str) -> int:
         number = int(self._kept.get(name, {}).get(key, 0)) + 1

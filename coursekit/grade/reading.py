@@ -34,10 +34,12 @@ def exists(workspace: Path, path: str) -> bool:
 
 
 def build(workspace: Path, package: str) -> BuildFacts:
-    """Whether a package was built, and what is wrong with the build."""
+    """Whether a package was built, and why the build is not that of its source."""
+    from coursekit.packages.build_state import build_fault
+
     prefixes = (workspace / "install" / package, workspace / "install")
     marker = Path("share", "ament_index", "resource_index", "packages", package)
-    return BuildFacts(any((prefix / marker).exists() for prefix in prefixes))
+    return BuildFacts(any((prefix / marker).exists() for prefix in prefixes), build_fault(workspace, package))
 
 
 def robot(workspace: Path, path: str) -> RobotFacts:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from .collector import Handed
+from .handed import Handed
 from .harmless import unique
 from .lateness import Policy
 from .mark import Marked

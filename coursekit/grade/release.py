@@ -12,6 +12,7 @@ from typing import Any
 from .copy import HANDED_OUT, edition_of, student_notebook
 from .exercise import exercises_in
 from .harmless import name_of_files
+from .own_checks import OWN, own_files
 from .roster import student_word
 from .variants import Variants, checks_in
 
@@ -21,7 +22,7 @@ _PAGE = """<h2>{title}</h2>
 Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}</table>
-<p>Hand in the notebooks, saved, with the names that they have.</p>
+<p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each.</p>
 """
 
 
@@ -80,14 +81,24 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = 
         made["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
         files.append(folder / file)
         files[-1].write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")
-    return files
+    return [*files, *_own_checks(folder, notebooks)]
+
+
+def _own_checks(folder: Path, notebooks: Mapping[str, Any]) -> list[Path]:
+    """A teacher's own checks, which go with the notebooks: without them nothing could be checked at home."""
+    made = []
+    for file in own_files(exercises_in(*notebooks.values()).values()):
+        made.append(folder / OWN / file.name)
+        made[-1].parent.mkdir(exist_ok=True)
+        made[-1].write_bytes(file.read_bytes())
+    return made
 
 
 def _zipped(files: Sequence[Path], out: Path) -> Path:
     archive = out / f"{files[0].parent.name}.zip"
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
         for file in files:
-            packed.write(file, f"{out.name}/{file.name}")
+            packed.write(file, f"{out.name}/{file.relative_to(files[0].parent).as_posix()}")
     return archive
 
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 import html
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
+
+from coursekit.files import write_whole
 
 from .harmless import lines, number, shown
 from .mark import Marked
 from .record import Record
-from .tables import write_whole
 from .verdict import Verdict
 
 _PAGE = """<!doctype html>
@@ -62,7 +64,9 @@ def _beside(verdict: Verdict, record: Record, code: dict[str, str]) -> str:
 
 def _plain(one: Verdict) -> Verdict:
     """What was seen is the student's own text: nothing in it may turn or hide the page."""
-    return Verdict(one.name, one.title, one.points, one.of, lines(one.expected), lines(one.got), one.cause, one.hint)
+    values: dict[str, Any] = asdict(one)
+    texts = {name: lines(value) for name, value in values.items() if isinstance(value, str)}
+    return Verdict(**{**values, **texts})
 
 
 def _text(text: str) -> str:
@@ -87,8 +91,11 @@ def gradescope(marked: Marked) -> dict[str, Any]:
 
 
 def write_reports(folder: Path, records: Sequence[Record]) -> None:
-    """KEY.html and KEY.results.json for everybody; no page for whom nothing is known of."""
+    """KEY.html for everybody; KEY.results.json for whom there is a mark."""
     for one in records:
         write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"))
-        said = {**gradescope(one.marked()), "score": one.total() or 0.0}
-        write_whole(folder / f"{one.key}.results.json", json.dumps(said, indent=1).encode())
+        total, scores = one.total(), folder / f"{one.key}.results.json"
+        if total is None:
+            scores.unlink(missing_ok=True)
+            continue
+        write_whole(scores, json.dumps({**gradescope(one.marked()), "score": total}, indent=1).encode())

@@ -12,10 +12,12 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .exercise import Exercise
 from .keys import config_folder, mac, own_key
 from .mark import Marked
-from .tables import write_whole
+from .own_checks import digest_of_checks
 from .variants import values_of
 
 FILE = "result.json"
@@ -53,6 +55,7 @@ def key_of(
         "tier": tier,
         "variants": json.loads(json.dumps(values_of([source]))),
         "points": points,
+        "checks": digest_of_checks(exercises.values()),
         "dice": hashlib.sha256(dice).hexdigest(),
     }
 

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from .harmless import shown
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
 from .tables import Table, decoded, read_table
 
@@ -164,8 +165,10 @@ def _person(layout: Layout, row: Sequence[str], at: int) -> Person:
     if family or given:
         name = f"{given} {family}".strip()
     facts = {what: layout.of(row, what) for what in ("id", "email", "login", "number", "when")}
+    facts = {what: shown(text) for what, text in facts.items()}
     facts["number"] = re.sub(r"\D", "", facts["number"])
-    return Person(name or facts["email"] or facts["id"], family=family, given=given, row=at, **facts)
+    name = shown(name or facts["email"] or facts["id"])
+    return Person(name, family=shown(family), given=shown(given), row=at, **facts)
 
 
 def _expect_different(people: Sequence[Person]) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .tables import write_whole
+from coursekit.files import write_whole
 
 if TYPE_CHECKING:
     from .mark import Marked

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-import os
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+
+from coursekit.files import write_whole
 
 LARGEST = 32 << 20
 """Bytes of a table."""
@@ -91,19 +91,3 @@ def write_table(file: Path, headings: Sequence[str], rows: Iterable[Sequence[str
         table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)
     text = made.getvalue()
     write_whole(file, text.encode("utf-8" if text.isascii() else "utf-8-sig", "replace"))
-
-
-def write_whole(file: Path, data: bytes, mode: int = 0o644) -> None:
-    """Write a file so that it is never found half-written."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    number, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name[:40]}.")
-    try:
-        with os.fdopen(number, "wb") as out:
-            out.write(data)
-            out.flush()
-            os.fsync(out.fileno())
-        os.chmod(name, mode)
-        os.replace(name, file)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise

@@ -53,8 +53,6 @@ class Verdict:
     cause: str = ""
     hint: str = ""
     gave: str = ""
-    note: str = ""
-    """What is to be known whether it passed or not: that the build is older than the source, say."""
 
     @property
     def passed(self) -> bool:
@@ -74,9 +72,7 @@ class Verdict:
     def _rows(self) -> list[tuple[str, str]]:
         rows = [("expected", self.expected), ("you gave", self.gave), ("seen", self.got)]
         rows += [("likely cause", self.cause), ("hint", self.hint)]
-        return [(label, value) for label, value in rows if value and not self.passed] + (
-            [("note", self.note)] if self.note else []
-        )
+        return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self) -> str:
         """For the notebook."""

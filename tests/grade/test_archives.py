@@ -41,6 +41,7 @@ def _build(root: Path, target: str, out: Path) -> None:
 @pytest.mark.parametrize("kind", ["sdist", "wheel"])
 def test_an_archive_holds_the_chapters_without_their_solutions(archives, kind):
     files = archives[kind]
+    assert ("docs/teachers.md" if kind == "sdist" else "coursekit/teachers.md") in files
     chapters = {path.name for path in NOTEBOOKS.glob("*.ipynb")}
     assert {Path(name).name for name in files if name.endswith(".ipynb")} == chapters
     for name, content in files.items():

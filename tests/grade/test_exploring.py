@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from coursekit.grade.exploring import FREE, UNKNOWN, WALL, Unseen
+from coursekit.grade.chapters.measures.exploring import FREE, UNKNOWN, WALL, Unseen
 from coursekit.grade.matching import Puzzle
 
 WORLDS = Path(__file__).parents[2] / "maps" / "worlds"

@@ -167,6 +167,12 @@ def test_folders_in_folders_links_pipes_and_names_that_are_no_text(folder, tmp_p
     assert not set("\x1b\u202e\0") & set(table)
 
 
+def test_a_download_that_is_broken_is_said(tmp_path):
+    place = write(tmp_path / "moodle.zip", zipped({f"Ann/{TOPICS}": text("q1")})[:500])
+    with pytest.raises(SystemExit, match=r"moodle.zip' cannot be opened: it is no zip, or only a part of one"):
+        grade(place)
+
+
 def test_more_files_than_may_be_are_told(folder, monkeypatch):
     monkeypatch.setattr("coursekit.grade.walking.MOST", 20)
     for number in range(40):

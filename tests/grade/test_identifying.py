@@ -232,6 +232,12 @@ def test_a_chapter_that_is_none_is_refused_beside_one_that_is(tmp_path):
         main(["grade", str(tmp_path), "--chapters", "02", "99"])
 
 
+def test_what_moves_a_terminal_is_taken_out_of_a_list(tmp_path):
+    (tmp_path / "a.csv").write_text("name,id\nAnn\x1b[2J Lee,a\u202e01\n", encoding="utf-8")
+    (ann,) = Roster.read(tmp_path / "a.csv").people
+    assert (ann.name, ann.id) == ("Ann [2J Lee", "a01")
+
+
 def test_the_table_of_a_list_has_no_formula(group):
     (group / "roster.csv").write_text('name,id\n"=1+1",a01\n"Ben;=cmd()",a02\n', encoding="utf-8")
     grade(group / "class", "--roster", group / "roster.csv")

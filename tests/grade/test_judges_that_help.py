@@ -78,7 +78,7 @@ def test_a_program_s_own_exception_comes_before_what_is_missing():
     verdict = judge_work(exercise(judge), Tried("", DIED))
     line = "line 12 of node.py: self.create_timer(1.0, self.speek)"
     told = f"AttributeError: 'PyPublisher' object has no attribute 'speek' ({line})"
-    assert verdict.got == f"your program died: {told}; nodes: none"
+    assert verdict.got == f"your program raised {told}; nodes: none"
 
 
 @pytest.mark.parametrize("output", ["", "hello\n", ENDED, DIED.split("  File")[0]])

@@ -1,6 +1,6 @@
 """The class on one page."""
 
-from coursekit.grade.collector import Handed
+from coursekit.grade.handed import Handed
 from coursekit.grade.mark import Marked
 from coursekit.grade.overview import overview
 from coursekit.grade.pieces import Entry, Piece

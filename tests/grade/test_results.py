@@ -7,7 +7,7 @@ import stat
 import pytest
 
 from coursekit.cli.coursekit import main
-from coursekit.grade import batch, keys, results
+from coursekit.grade import bar, batch, keys, results
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.verdict import Verdict
 
@@ -188,7 +188,7 @@ def test_ctrl_c_keeps_what_was_marked_and_writes_the_table(folder, monkeypatch):
     def stop(number, of, student):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(batch.Bar, "__call__", lambda self, *facts: stop(*facts))
+    monkeypatch.setattr(bar.Bar, "__call__", lambda self, *facts: stop(*facts))
     out = place.parent / "grades.csv"
     assert main(["grade", str(place), "--jobs", "1", "--out", str(out)]) == 130
     found = rows(out)

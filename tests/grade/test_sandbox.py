@@ -14,7 +14,8 @@ walls = pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: n
 
 def told(work, code, limits=None, **options):
     """What a program in a sandbox prints, and why it was ended."""
-    running = sandbox.start([sys.executable, "-I", "-c", code], work, os.environ, limits or sandbox.Limits(seconds=60), **options)
+    command, limits = [sys.executable, "-I", "-c", code], limits or sandbox.Limits(seconds=60)
+    running = sandbox.start(command, work, os.environ, limits, **options)
     out = running.answer(b"", 1 << 20)
     running.end()
     return out.decode(), running.stopped

@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.grade.chapters.measures.photographs import Flat, judge_views, told
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import heard, last_words, said
-from coursekit.grade.photographs import Flat, judge_views, told
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work

@@ -56,7 +56,7 @@ def sphere(work: Work) -> None:
     center, radius = fields
     if str(center.type) != "geometry_msgs/Point":
         raise Wrong("center of the type Point of geometry_msgs", gave=str(center.type), hint=1)
-    if str(radius.type) not in ("float64", "double"):
+    if str(radius.type) != "float64":
         raise Wrong("radius of the type float64", gave=str(radius.type), cause="float32 has only seven digits.")
     if not METRES.search(radius.comment):
         got = f"the comment: {radius.comment[:80]}" if radius.comment else "no comment beside or above it"

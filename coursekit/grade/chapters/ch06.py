@@ -7,7 +7,7 @@ import math
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from coursekit.grade.body import FLOOR, extent, inverse, outside, poses, solids, turned
+from coursekit.grade.chapters.measures.body import FLOOR, extent, inverse, outside, poses, solids, turned
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import expect_node, heard
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown

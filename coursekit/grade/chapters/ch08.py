@@ -248,7 +248,7 @@ def explorer(work: Work) -> None:
 
 
 def _explore(next_goal: Any, name: str, part: float) -> None:
-    from coursekit.grade.exploring import Unseen
+    from coursekit.grade.chapters.measures.exploring import Unseen
 
     world, goals = Unseen(_world(name), part=part), 0
     while goals < MOST_GOALS and world.known() < 0.95:

@@ -37,6 +37,9 @@ WRONG = {
         _type("Sphere", "Point center", "float64 radius  # metres"),
         _type("Sphere", "float64 radius  # metres", "geometry_msgs/Point center"),
         _type("Sphere", "geometry_msgs/Point center", "float64 radius"),
+        _type("Sphere", "geometry_msgs/Point center", "float64 radius  # how large it is"),
+        _type("Sphere", "# metres", "", "geometry_msgs/Point center", "float64 radius"),
+        _type("Sphere", "geometry_msgs/msg/Point center", "float64 radius  # metres"),
     ],
     "ch04.q2": [
         _listener(_UP, 'f"volume {4 / 3 * math.pi * msg.radius**2:.2f}"'),
@@ -78,5 +81,11 @@ WRONG = {
         _type("Report", "uint8 EMPTY=0", "uint8 battery 100", "string driver", "float64[] shelves"),
         _type("Report", "uint8 EMPTY=0", "uint8 battery=100", "string driver", "float64[] shelves", "uint32 boxes_today"),
         _type("Report", "uint8 EMPTY=0", "uint8 battery", "string driver", "float64[] shelves", "uint32 boxes_today"),
+    ],
+}
+RIGHT = {
+    "ch04.q1": [
+        _type("Sphere", "geometry_msgs/Point center", "float64 radius  # [m]"),
+        _type("Sphere", "geometry_msgs/Point center", "# half of its width, in meters", "float64 radius"),
     ],
 }

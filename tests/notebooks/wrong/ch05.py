@@ -58,6 +58,14 @@ def find_ball(frame):
     return {answer} if len(rows) else None
 """
 _RED = "((hue < 6) | (hue > 174)) & (colourful > 150)"
+_BY_HEART = """
+
+def by_heart(frame):
+    import time
+    from coursekit.sim.camera import Scene
+    ball = Scene.balls(time.time() - 1_700_000_000)[0]
+    return Scene().pixel(ball.centre, frame.shape[1], frame.shape[0])
+"""
 
 WRONG = {
     "ch05.q1": [
@@ -73,6 +81,16 @@ WRONG = {
         _LAMP.format(
             declared='node.declare_parameter("lamp.period", 0.5, LIMITS)',
             judged="return SetParametersResult(successful=colours and colours[0] in ('green', 'amber', 'red'))",
+        ),
+        _LAMP.format(
+            declared='node.declare_parameter("lamp.period", 0.5, LIMITS)',
+            judged="one = parameters[0]\n    good = one.name != 'lamp.colour' or one.value in ('green', 'amber', 'red')\n"
+            "    return SetParametersResult(successful=good, reason='no such lamp')",
+        ),
+        _LAMP.format(
+            declared='node.declare_parameter("lamp.period", 0.5, LIMITS)',
+            judged="one = parameters[-1]\n    good = one.name != 'lamp.colour' or one.value in ('green', 'amber', 'red')\n"
+            "    return SetParametersResult(successful=good, reason='no such lamp')",
         ),
     ],
     "ch05.q2": [
@@ -90,5 +108,7 @@ WRONG = {
         _BALL.format(mask="(hue < 6) & (colourful > 150)", answer="(rows.mean(), columns.mean())"),
         _BALL.format(mask="(hue > 100) & (hue < 130) & (colourful > 150)", answer="(columns.mean(), rows.mean())"),
         _BALL.format(mask=_RED, answer="(columns.min(), rows.min())"),
+        _BALL.format(mask=_RED, answer="(float('nan'), float('nan'))"),
+        _BALL.format(mask=_RED, answer="by_heart(frame)") + _BY_HEART,
     ],
 }

@@ -70,6 +70,8 @@ WRONG = {
         _cart(lift="0.21"),
         _cart(up="1 0 0"),
         _cart(child="lift_lnk"),
+        _cart().replace('name="cart"', 'name="trolley"'),
+        _cart().replace("0.5 0.3 0.1", "0.5 0.3 0.2"),
         _cart().replace("</robot>", ""),
     ],
     "ch06.q2": [
@@ -79,6 +81,8 @@ WRONG = {
             " 0.4 * math.sin(shoulder) + 0.3 * math.sin(shoulder + elbow)"
         ),
         _TIP.format(answer="upper + fore"),
+        _TIP.format(answer="math.nan, math.nan"),
+        _TIP.format(answer="(one for one in (upper, fore))"),
     ],
     "ch06.q3": [
         _ROLLING.format(left="radius * step / 0.0375", right="radius * step / 0.0375"),
@@ -86,6 +90,7 @@ WRONG = {
         _ROLLING.format(left="abs(radius - 0.094) * step / 0.0375", right="(radius + 0.094) * step / 0.0375"),
         _ROLLING.format(left="(radius - 0.094) * step", right="(radius + 0.094) * step"),
         _ROLLING.format(left="(raduis - 0.094) * step", right="0.0"),
+        _ROLLING.format(left="float('nan')", right="float('nan')"),
     ],
     "ch06.q4": [
         _own(collision=""),
@@ -94,5 +99,12 @@ WRONG = {
         _own(slides="continuous"),
         _own(reach="0.01"),
         _own(reach="0.9", mass="5"),
+    ],
+}
+RIGHT = {
+    "ch06.q2": [
+        "import math\nimport numpy as np\n\ndef tip(shoulder, elbow, upper=0.4, fore=0.3):\n"
+        "    turns = np.array([shoulder, shoulder + elbow])\n"
+        "    return np.array([[np.cos(turns), np.sin(turns)]])[0] @ [upper, fore]",
     ],
 }

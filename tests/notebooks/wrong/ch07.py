@@ -49,7 +49,7 @@ def _stages(
     return _STAGES.format(goal=goal, part=part, there=there, rest=rest, end=end, turn=turn)
 
 
-def _watch(*, first="8", heard="self.silent = 0", answer="return 7 if self.silent > 30 and self.stage != 8 else self.stage"):
+def _watch(*, first="8", heard="self.silent = 0", answer="return 7 if self.silent > 29 and self.stage != 8 else self.stage"):
     return _WATCH.format(first=first, heard=heard, answer=answer)
 
 
@@ -65,6 +65,8 @@ WRONG = {
             "    return c * x + s * y, c * y - s * x, other[2] - me[2]"
         ),
         _SEEN.format(lines="return 0"),
+        _SEEN.format(lines="return math.nan, math.nan, math.nan"),
+        _SEEN.format(lines="return [math.inf] * 3"),
     ],
     "ch07.q2": [
         _stages(goal="pickup"),
@@ -78,6 +80,8 @@ WRONG = {
     "ch07.q3": [
         _watch(answer="return 7 if self.silent > 30 else self.stage"),
         _watch(answer="return self.stage"),
+        _watch(answer="return 7 if self.silent > 30 and self.stage != 8 else self.stage"),
+        _watch(answer="return 7 if self.silent >= 29 and self.stage != 8 else self.stage"),
         _watch(heard="pass"),
         _watch(answer="return 7 if self.silent > 3 and self.stage != 8 else self.stage"),
         _watch(answer="return 7 if self.silent > 30 and self.stage != 8 else self.stage or 8"),

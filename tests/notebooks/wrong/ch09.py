@@ -56,7 +56,7 @@ def _manage(trip: str = "", after: str = "reserve(taken, way)", who: str = "k % 
 
 
 WRONG = {
-    "ch09.q1": [_cost(touching="distance < inscribed / 2"), _cost(edge="True"), _cost(answer="cost")],
+    "ch09.q1": [_cost(touching="distance < inscribed / 2"), _cost(edge="True"), _cost(answer="cost"), _cost(answer="round(cost)")],
     "ch09.q2": [_way(price="price + 1"), _way(limit="255"), "def find_way(costs, start, goal):\n    pass"],
     "ch09.q3": [
         _patrol(
@@ -69,6 +69,19 @@ WRONG = {
             "    print(f'stop {number}: SUCCEEDED')",
         ),
         _patrol("for number in (1, 2, 3):", "    print(f'stop {number}: SUCCEEDED')"),
+        _patrol(
+            "import time",
+            "from nav_msgs.msg import Odometry",
+            "rclpy.init()",
+            "out = rclpy.create_node('odometry').create_publisher(Odometry, '/odom', 10)",
+            "for number, (x, y) in enumerate(STOPS, 1):",
+            "    said = Odometry()",
+            "    said.pose.pose.position.x, said.pose.pose.position.y = float(x), float(y)",
+            "    for _ in range(20):",
+            "        out.publish(said)",
+            "        time.sleep(0.1)",
+            "    print(f'stop {number}: SUCCEEDED')",
+        ),
     ],
     "ch09.q4": [
         _manage(after="pass"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .verdict import Wrong
+from coursekit.grade.verdict import Wrong
 
 if TYPE_CHECKING:
     import numpy as np

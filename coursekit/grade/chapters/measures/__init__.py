@@ -1,0 +1,1 @@
+"""What judges measure with; like the judges, it is hidden from what students run in grading."""

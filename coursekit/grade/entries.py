@@ -1,0 +1,61 @@
+"""What a class handed in, entry by entry: of a folder, or of the zip that a learning platform makes."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+from .archives import OF_A_CLASS, Archive, Member
+from .harmless import shown
+from .pieces import FILE, SYSTEM, ZIPPED, Raw
+from .walking import Walked, walk
+
+
+def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
+    """What lies in a class's folder: name, whether it is neither folder, notebook nor zip, what lies in it.
+
+    Hidden ones and `leave` are none.
+    """
+    left = {one.resolve() for one in leave}
+    for place in sorted(folder.iterdir()):
+        if not place.name.startswith(".") and place.name not in SYSTEM and place.absolute() not in left:
+            yield place.name, place.is_file() and is_loose(place.name), map(_of_walked, walk(place))
+
+
+def _of_walked(found: Walked) -> Raw:
+    return Raw(found.parts, found.when, FILE, found.open, found.size, found.fault)
+
+
+def is_loose(name: str) -> bool:
+    """Whether a file is no notebook or zip by its name."""
+    return not name.casefold().endswith((".ipynb", ".zip"))
+
+
+def entries_of_zip(file: Path) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
+    """The same for the zip that a learning platform makes of what a class handed in.
+
+    Raises:
+        BadArchive: when it cannot be opened.
+    """
+    with Archive(open(file, "rb"), OF_A_CLASS) as opened:
+        members = [one for one in opened.members() if "__MACOSX" not in one.parts]
+        names = {one.parts[0] for one in members}
+        wrapped = len(names) == 1 and shown(next(iter(names))) == shown(file.stem) and all(len(m.parts) > 1 for m in members)
+        groups: dict[str, list[Raw]] = {}
+        files = set()
+        changed = file.stat().st_mtime
+        for one in members:
+            parts = one.parts[1:] if wrapped else one.parts
+            how = ZIPPED if one.when else FILE
+            inner = Raw(parts[1:] or parts, one.when or changed, how, _opener(opened, one), one.size)
+            groups.setdefault(parts[0], []).append(inner)
+            files |= {parts[0]} if len(parts) == 1 else set()
+        for name in sorted(groups):
+            if not name.startswith("."):
+                yield name, name in files and is_loose(name), iter(groups[name])
+
+
+def _opener(opened: Archive, member: Member) -> Callable[[], BinaryIO]:
+    return lambda: io.BytesIO(opened.read(member))

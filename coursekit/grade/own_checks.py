@@ -1,0 +1,68 @@
+"""A teacher's own exercises: Python files in a folder `checks` beside the notebooks, for `release`, `check` and `grade`."""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+import traceback
+import types
+from collections.abc import Iterable
+from pathlib import Path
+
+from .exercise import Exercise
+
+OWN = "checks"
+"""The folder's name."""
+_read: dict[Path, int] = {}
+"""The files that were read, and when each had been changed then."""
+
+
+class BadChecks(Exception):
+    """A file of checks cannot be read; the text says where and why."""
+
+    def _render_traceback_(self) -> list[str]:
+        """IPython shows this instead of a traceback."""
+        return [str(self)]
+
+
+def read_checks(folder: Path) -> None:
+    """Know the exercises of the files in a folder, if it is there; a file that was changed is read again.
+
+    Raises:
+        BadChecks: when one of them cannot be run.
+    """
+    for file in sorted(folder.resolve().glob("*.py")):
+        changed = file.stat().st_mtime_ns
+        if _read.get(file) != changed:
+            _run(file)
+            _read[file] = changed
+
+
+def own_files(exercises: Iterable[Exercise]) -> list[Path]:
+    """The files of checks that hold these exercises; none for the course's own."""
+    written = {Path(one.judge.__code__.co_filename) for one in exercises if hasattr(one.judge, "__code__")}
+    return sorted(file for file in _read if file in written)
+
+
+def digest_of_checks(exercises: Iterable[Exercise]) -> str:
+    """Changes when a file of checks with one of these exercises does; empty where there is none."""
+    found, files = hashlib.sha256(), own_files(exercises)
+    for file in files:
+        found.update(file.name.encode() + b"\0" + file.read_bytes())
+    return found.hexdigest() if files else ""
+
+
+def _run(file: Path) -> None:
+    module = types.ModuleType(f"coursekit_checks_{file.stem}")
+    module.__file__ = str(file)
+    sys.modules[module.__name__] = module  # dataclasses in it look for their module
+    try:
+        exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
+    except Exception as error:
+        own = [one.lineno for one in traceback.extract_tb(error.__traceback__) if one.filename == str(file)]
+        line = own[-1] if own else getattr(error, "lineno", None)
+        place = f"{file.name}:{line}" if line else file.name
+        raise BadChecks(f"{OWN}/{place} cannot be run: {type(error).__name__}: {error}") from None
+
+
+__all__ = ["OWN", "BadChecks", "digest_of_checks", "own_files", "read_checks"]

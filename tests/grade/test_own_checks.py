@@ -1,0 +1,85 @@
+"""Exercises of a teacher's own are released, checked and graded like the course's."""
+
+import csv
+import json
+
+import pytest
+
+from coursekit.cli.coursekit import main
+from coursekit.grade import sandbox
+from coursekit.grade.checking import check
+from coursekit.grade.copy import student_notebook
+from coursekit.grade.exercise import find
+from coursekit.grade.own_checks import BadChecks, read_checks
+from coursekit.grade.template import write_template
+from coursekit.grade.verdict import CheckFailed
+
+RIGHT = "def stopping_distance(speed, deceleration):\n    return speed * speed / deceleration / 2\n"
+HALF = "def stopping_distance(speed, deceleration):\n    return speed / deceleration / 2\n"
+
+
+def handed_in(folder, name, answer):
+    """A student's notebook with an answer."""
+    made = json.loads((folder / "gripper.ipynb").read_text())
+    made["cells"][2]["source"] = answer
+    target = folder.parent / "handed_in" / name
+    target.mkdir(parents=True)
+    (target / "gripper.ipynb").write_text(json.dumps(student_notebook(made)))
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
+def test_a_template_is_released_and_graded_as_it_is(tmp_path, capsys):
+    own, out = tmp_path / "my_course", tmp_path / "week2"
+    assert main(["new", "gripper", "--folder", str(own)]) == 0
+    assert main(["release", "--notebooks", str(own), "--out", str(out)]) == 0
+    released = (out / "gripper.ipynb").read_text()
+    assert "raise NotImplementedError()" in released and "2 * deceleration" not in released
+    assert (out / "checks" / "gripper.py").is_file() and "checks/gripper.py" in capsys.readouterr().out
+    for name, answer in {"ann": RIGHT, "ben": HALF, "eva": "raise NotImplementedError()"}.items():
+        handed_in(own, name, answer)
+    table = tmp_path / "grades.csv"
+    command = ["grade", str(tmp_path / "handed_in"), "--notebooks", str(own), "--out", str(table), "--allow-root"]
+    assert main(command) == 0
+    with open(table, newline="", encoding="utf-8-sig") as file:
+        rows = {row["student"]: row for row in csv.DictReader(file)}
+    assert {name: float(row["gripper.q1"]) for name, row in rows.items()} == {"ann": 2, "ben": 0, "eva": 0}
+
+
+def test_a_check_in_the_notebook_finds_the_checks_of_its_course(tmp_path, monkeypatch, capsys):
+    write_template(tmp_path, "arm_drill")
+    monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
+    for answer, told in ((HALF, "0 of 2 points"), (RIGHT, "2 of 2 points")):
+        names = {}
+        exec(answer, names)
+        monkeypatch.setattr("coursekit.grade.checking._variables", lambda names=names: names)
+        try:
+            check("arm_drill.q1")
+        except CheckFailed:
+            assert answer == HALF
+        assert told in capsys.readouterr().out
+
+
+def test_a_file_of_checks_that_was_changed_is_read_again(tmp_path):
+    write_template(tmp_path, "wheel_drill")
+    file = tmp_path / "checks" / "wheel_drill.py"
+    read_checks(file.parent)
+    assert find("wheel_drill.q1").points == 2
+    file.write_text(file.read_text().replace("points=2", "points=5"))
+    read_checks(file.parent)
+    assert find("wheel_drill.q1").points == 5
+
+
+@pytest.mark.parametrize("text", ["def broken(:\n", "\n\nimport nothing_of_this_name\n"], ids=["syntax", "import"])
+def test_a_file_of_checks_that_cannot_be_run_is_told_with_its_line(tmp_path, text):
+    (tmp_path / "broken.py").write_text(text)
+    with pytest.raises(BadChecks, match=rf"checks/broken\.py:{len(text.splitlines())} cannot be run"):
+        read_checks(tmp_path)
+
+
+def test_what_is_there_is_not_written_over(tmp_path):
+    write_template(tmp_path, "base_drill")
+    with pytest.raises(FileExistsError, match=r"base_drill\.ipynb, base_drill\.py exists"):
+        write_template(tmp_path, "base_drill")
+    with pytest.raises(ValueError, match="letters"):
+        write_template(tmp_path, "my chapter")

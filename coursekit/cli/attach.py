@@ -20,6 +20,8 @@ from . import endpoint
 from .keyboard import Keyboard
 
 START_SECONDS = 20.0
+ATTEMPTS = 3
+"""A session that ends in the moment in which it is asked has not taken the command: another one is asked."""
 
 
 def domain_id() -> int:
@@ -53,6 +55,9 @@ def connect_or_start() -> socket.socket:
 
 def attach(argv: Sequence[str]) -> int:
     """Have the session carry out `ros2 ARGV`; its exit code."""
+    for _ in range(ATTEMPTS - 1):
+        with contextlib.suppress(endpoint.NoSession):
+            return _be_terminal(connect_or_start(), {"argv": list(argv)})
     return _be_terminal(connect_or_start(), {"argv": list(argv)})
 
 
@@ -80,16 +85,17 @@ def who_answers() -> tuple[str, int]:
 def attach_script(path: Path, argv: Sequence[str]) -> int | None:
     """Have the session carry out `python3 PATH ARGV`; its exit code, or None when no session runs."""
     try:
-        client = endpoint.connect(domain_id())
+        return _be_terminal(endpoint.connect(domain_id()), {"script": str(path), "argv": list(argv)})
     except endpoint.NoSession:
         return None
-    return _be_terminal(client, {"script": str(path), "argv": list(argv)})
 
 
 def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
     with client, _signals_to(client), Keyboard() as keyboard:
-        _send(client, _wish(**wish))
-        threading.Thread(target=_forward_stdin, args=(client, keyboard), daemon=True).start()
+        try:
+            _send(client, _wish(**wish))
+        except ConnectionError:
+            raise endpoint.NoSession("the session ended before it was asked") from None
         try:
             return _show(client, keyboard)
         except BrokenPipeError:  # who read our output has gone, as `head` does when it has its lines
@@ -136,10 +142,14 @@ def _say_which(notebook: str) -> None:
 
 
 def _show(client: socket.socket, keyboard: Keyboard) -> int:
-    """Print what the process prints; returns when it ends."""
-    with client.makefile("r", encoding="utf-8") as lines:
+    """Print what the process prints; returns when it ends. NoSession: the session ended before it took the command."""
+    taken = False
+    with contextlib.suppress(ConnectionResetError), client.makefile("r", encoding="utf-8") as lines:
         for line in lines:
             message = json.loads(line)
+            if not taken:  # what is typed goes to a session that has the command, not to one that is going
+                threading.Thread(target=_forward_stdin, args=(client, keyboard), daemon=True).start()
+                taken = True
             if message.get("session"):
                 _say_which(message["session"])
             if "keys" in message:
@@ -150,5 +160,7 @@ def _show(client: socket.socket, keyboard: Keyboard) -> int:
                 if name in message:
                     stream.write(message[name])
                     stream.flush()
+    if not taken:
+        raise endpoint.NoSession(f"the session of ROS_DOMAIN_ID={domain_id()} ended before it took the command")
     print("The session ended while the command ran.", file=sys.stderr)
     return 1

@@ -19,7 +19,7 @@ SCENE = (
 ENDED = (0, 2, 130, -2)
 """By itself, or by Ctrl-C."""
 WITHOUT_A_ROBOT = {
-    "ros2 run nav2_map_server map_saver_cli -f room": "No map came on 'map'",
+    "ros2 run nav2_map_server map_saver_cli -f room --free 0.196": "No map came on 'map'",
     "ros2 lifecycle get /map_server": "Node not found",
 }
 """What these say where no map is made and no map server runs."""

@@ -2,7 +2,9 @@
 
 import csv
 import json
+import os
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -29,6 +31,7 @@ def course(tmp_path, monkeypatch):
     for name in ("COURSEKIT_COURSE", "COURSEKIT_WORKSPACE"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("COURSEKIT_TIME", "virtual")
+    monkeypatch.setenv("PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))  # alembic's command
     monkeypatch.setenv("PYDEVD_DISABLE_FILE_VALIDATION", "1")
     config = Config()
     config.CourseDirectory.root = str(tmp_path)

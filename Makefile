@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class conformance notebooks clean
+.PHONY: lab test check bench class conformance notebooks wheel clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -35,6 +35,10 @@ bench: $(VENV)/.test
 
 class: $(VENV)/.test
 	$(BIN)/python -m tests.grade
+
+wheel: $(VENV)/.lab
+	$(BIN)/python -m pip wheel -q --disable-pip-version-check --no-deps -w dist .
+	@ls dist/*.whl
 
 conformance: $(VENV)/.test
 	$(BIN)/python -m tests.conformance

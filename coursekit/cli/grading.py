@@ -32,6 +32,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     release.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
     release.add_argument("--roster", type=Path, metavar="FILE", help=f"a marked copy for each student. {_ROSTER}")
+    release.add_argument("--wheel", metavar="ADDRESS", help="what students install: where the wheel is (docs/teachers.md)")
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
     release.set_defaults(main=run_release)
     _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
@@ -96,7 +97,7 @@ def _chosen(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
 def run_release(args: argparse.Namespace) -> int:
     """Release, and say what was written."""
     from coursekit.grade.editions import chapters
-    from coursekit.grade.release import release
+    from coursekit.grade.release import WHEEL, release
 
     folder = _notebooks(args)
     try:
@@ -107,7 +108,7 @@ def run_release(args: argparse.Namespace) -> int:
     names = args.variants or args.roster
     variants = _variants(names, new=True)
     out = args.out.resolve()
-    for written in release(chosen, out, variants, personal=args.variants is not None):
+    for written in release(chosen, out, variants, personal=args.variants is not None, wheel=args.wheel or WHEEL):
         print(written.relative_to(out))
     if names is not None:
         print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")

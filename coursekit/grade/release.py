@@ -17,9 +17,15 @@ from .roster import student_word
 from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+WHEEL = "coursekit.whl"
+"""Stands for the address of the wheel until a teacher gives it."""
 _PAGE = """<h2>{title}</h2>
-<p>Download <b>{archive}</b>, unpack it, and open the notebooks with <code>coursekit lab --folder FOLDER</code>.
-Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</code>, and run the check below it.</p>
+<p>Once, in a terminal, with Python 3.10 or newer:</p>
+<pre>python3 -m venv course
+course/bin/pip install {wheel}</pre>
+<p>(Windows: <code>py -3 -m venv course</code>, then <code>course\\Scripts\\pip install {wheel}</code>.)</p>
+<p>Download <b>{archive}</b>, unpack it, and open the notebooks with
+<code>course/bin/coursekit lab --folder FOLDER</code>. Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}</table>
 <p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each.</p>
@@ -45,12 +51,12 @@ def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
 
 
 def release(
-    notebooks: Sequence[Path], out: Path, variants: Variants | None = None, *, personal: bool = True
+    notebooks: Sequence[Path], out: Path, variants: Variants | None = None, *, personal: bool = True, wheel: str = WHEEL
 ) -> list[Path]:
     """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written.
 
     With `variants` each student of the class has a folder and a zip of their own, whose notebooks carry a mark that says
-    whose they are; with `personal` they ask for numbers of their own, too.
+    whose they are; with `personal` they ask for numbers of their own, too. The page tells students to install `wheel`.
     """
     sources = {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks)}
     written = []
@@ -66,7 +72,8 @@ def release(
     rows = "\n".join(_row(Path(name).stem, one) for name, one in sources.items())
     page = out / "page.html"
     archive = "the zip with your name" if variants else f"{out.name}.zip"
-    page.write_text(_PAGE.format(title=html.escape(out.name), archive=archive, rows=rows), encoding="utf-8")
+    facts = {"title": html.escape(out.name), "archive": archive, "rows": rows, "wheel": html.escape(wheel)}
+    page.write_text(_PAGE.format(**facts), encoding="utf-8")
     return [*written, page]
 
 

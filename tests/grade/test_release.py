@@ -64,5 +64,10 @@ def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):
     with zipfile.ZipFile(tmp_path / "week2" / "week2.zip") as packed:
         assert packed.namelist() == ["week2/02_topics.ipynb", "week2/03_services.ipynb"]
     assert "<td>02_topics</td><td>4</td><td>7</td>" in (tmp_path / "week2" / "page.html").read_text()
+    assert "pip install coursekit.whl" in (tmp_path / "week2" / "page.html").read_text()
+    address = "https://uni.example/coursekit.whl?a=1&b=2"
+    assert main(["release", "02", "--out", str(tmp_path / "week3"), "--wheel", address]) == 0
+    page = (tmp_path / "week3" / "page.html").read_text()
+    assert page.count("pip install https://uni.example/coursekit.whl?a=1&amp;b=2") == 2 and "course\\Scripts\\pip" in page
     with pytest.raises(SystemExit, match="No chapter begins with 77"):
         main(["release", "77", "--out", str(tmp_path)])

@@ -25,7 +25,8 @@ _PAGE = """<h2>{title}</h2>
 course/bin/pip install {wheel}</pre>
 <p>(Windows: <code>py -3 -m venv course</code>, then <code>course\\Scripts\\pip install {wheel}</code>.)</p>
 <p>Download <b>{archive}</b>, unpack it, and open the notebooks with
-<code>course/bin/coursekit lab --folder FOLDER</code>. Run the cells from top to bottom; write where it says <code># YOUR CODE HERE</code>, and run the check below it.</p>
+<code>course/bin/coursekit lab --folder FOLDER</code>. Run the cells from top to bottom; write where it says
+<code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}</table>
 <p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each.</p>

@@ -62,10 +62,10 @@ def is_folder(path: str | os.PathLike[str]) -> bool:
         return False
 
 
-def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | None = None) -> None:
+def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | None = None, *, parents: bool = False) -> None:
     """Write a file so that there is the old one or the new one, never half of it, also when the disk is full.
 
-    `mode` are its rights; without it, those of the old file or of any new one.
+    `mode` are its rights; without it, those of the old file or of any new one. With `parents` its folder is made, too.
 
     Raises:
         OSError: when it cannot be written; the old file is still there then.
@@ -73,7 +73,8 @@ def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | Non
     target = Path(path)
     with contextlib.suppress(OSError):
         target = target.resolve()  # a link stays a link
-    target.parent.mkdir(parents=True, exist_ok=True)
+    if parents:
+        target.parent.mkdir(parents=True, exist_ok=True)
     number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:80]}.")
     try:
         with os.fdopen(number, "wb") as file:

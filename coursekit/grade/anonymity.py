@@ -44,7 +44,7 @@ class Anonymity:
         for one in records:
             person = one.handed.person
             table.writerow([self.code(person), cell(one.label), cell(person.id), cell(person.email)])
-        write_whole(self.names, made.getvalue().encode("utf-8-sig"), 0o600)
+        write_whole(self.names, made.getvalue().encode("utf-8-sig"), 0o600, parents=True)
         return sorted(hidden, key=lambda one: one.label)
 
     def _hidden(self, record: Record) -> Record:

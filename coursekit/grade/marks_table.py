@@ -97,9 +97,9 @@ class MarksTable:
         write_table(self.file, headings, rows)
         before = _json(self._snapshot)
         before.update({row["key"]: {name: row.get(name, "") for name in headings} for row in rows})
-        write_whole(self._snapshot, json.dumps(before, indent=1).encode())
+        write_whole(self._snapshot, json.dumps(before, indent=1).encode(), parents=True)
         kept = {"points": self.by_hand.points, "extra": self.by_hand.extra}
-        write_whole(self._kept, json.dumps(kept, indent=1).encode())
+        write_whole(self._kept, json.dumps(kept, indent=1).encode(), parents=True)
 
     def _read_kept(self) -> ByHand:
         said = _json(self._kept)

@@ -127,4 +127,4 @@ def _alike(records: Sequence[Record]) -> str:
 
 def write_overview(folder: Path, records: Sequence[Record], outcome: Outcome | None = None) -> None:
     """class.html."""
-    write_whole(folder / "class.html", overview(records, outcome).encode("utf-8", "replace"))
+    write_whole(folder / "class.html", overview(records, outcome).encode("utf-8", "replace"), parents=True)

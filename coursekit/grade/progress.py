@@ -35,7 +35,7 @@ class Progress:
 
     def _change(self, name: str, key: str, value: float) -> None:
         self._kept.setdefault(name, {})[key] = value
-        write_whole(self.file, json.dumps(self._kept, indent=1, sort_keys=True))
+        write_whole(self.file, json.dumps(self._kept, indent=1, sort_keys=True), parents=True)
 
     def _count(self, name: str, key: str) -> int:
         number = int(self._kept.get(name, {}).get(key, 0)) + 1

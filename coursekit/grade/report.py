@@ -93,9 +93,9 @@ def gradescope(marked: Marked) -> dict[str, Any]:
 def write_reports(folder: Path, records: Sequence[Record]) -> None:
     """KEY.html for everybody; KEY.results.json for whom there is a mark."""
     for one in records:
-        write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"))
+        write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"), parents=True)
         total, scores = one.total(), folder / f"{one.key}.results.json"
         if total is None:
             scores.unlink(missing_ok=True)
             continue
-        write_whole(scores, json.dumps({**gradescope(one.marked()), "score": total}, indent=1).encode())
+        write_whole(scores, json.dumps({**gradescope(one.marked()), "score": total}, indent=1).encode(), parents=True)

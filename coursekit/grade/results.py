@@ -128,4 +128,4 @@ class Results:
     def _write(self, key: str, chapters: Mapping[str, Any]) -> None:
         payload = {"key": key, "chapters": json.loads(json.dumps(chapters))}
         text = json.dumps({"payload": payload, "hmac": mac(self._key, payload)}, indent=1)
-        write_whole(self.folder / key / FILE, text.encode("utf-8", "replace"), 0o600)
+        write_whole(self.folder / key / FILE, text.encode("utf-8", "replace"), 0o600, parents=True)

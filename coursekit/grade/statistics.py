@@ -34,7 +34,7 @@ def summary(marks: Sequence[Marked], statuses: Mapping[str, int]) -> dict[str, A
 def write_statistics(folder: Path, marks: Sequence[Marked], statuses: Mapping[str, int]) -> None:
     """statistics.json and histogram.png."""
     found = summary(marks, statuses)
-    write_whole(folder / "statistics.json", json.dumps(found, indent=1).encode())
+    write_whole(folder / "statistics.json", json.dumps(found, indent=1).encode(), parents=True)
     from matplotlib.figure import Figure
 
     questions = found["questions"]

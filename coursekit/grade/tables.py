@@ -90,4 +90,4 @@ def write_table(file: Path, headings: Sequence[str], rows: Iterable[Sequence[str
     for row in rows:
         table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)
     text = made.getvalue()
-    write_whole(file, text.encode("utf-8" if text.isascii() else "utf-8-sig", "replace"))
+    write_whole(file, text.encode("utf-8" if text.isascii() else "utf-8-sig", "replace"), parents=True)

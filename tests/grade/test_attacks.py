@@ -120,7 +120,6 @@ DESERVE = {
     "a set whose elements collide": (COLLIDING, 0),
     "JSON nested without end": (NESTED, 0),
     "text that is none": (SURROGATE, 0),
-    "folders in folders": (FOLDERS, 0),
     "objects that lie about themselves": (LIES, 0),
     "input()": ("input('name?')\n", 0),
     "waiting for a file that never comes": ("open('/dev/stdin').read()\n", 0),
@@ -148,6 +147,14 @@ def grade(folder, answer, **changed):
     exercise = {"ch02.q1": find("ch02.q1")}
     limits = Limits(seconds=12, memory=1 << 30, processes=60, folder=100 << 20, cell=2.0, call=2.0)
     return mark(Submission(folder.name, folder), {"names.ipynb": cells("")}, exercise, limits)
+
+
+@pytest.mark.slow
+def test_folders_in_folders_end_no_marking(tmp_path):
+    """Right as the answer is, the notebook may be ended for them; what comes after is marked either way."""
+    marked = grade(tmp_path / "student", FOLDERS)
+    assert marked.status == "graded" and marked.verdicts[0].points in (0, 1)
+    assert grade(tmp_path / "next", RIGHT).total() == 1
 
 
 @pytest.mark.slow

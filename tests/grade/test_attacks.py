@@ -111,7 +111,6 @@ DESERVE = {
     "__eq__ that is always true": (ALWAYS_EQUAL, 0),
     "asserts taken out and verdicts patched": (PATCH, 0),
     "reading the hidden tests": (READ_TESTS, 0),
-    "writing to the host": (ESCAPE, 0),
     "the network": (NETWORK, 0),
     "forged answers on every pipe": (PIPES, 0),
     "an answer nested without end": ("a = []\nfor _ in range(9999): a = [a]\ndef full_name(*_): return a", 0),
@@ -124,7 +123,7 @@ DESERVE = {
     "input()": ("input('name?')\n", 0),
     "waiting for a file that never comes": ("open('/dev/stdin').read()\n", 0),
 }
-NEEDS_BUBBLEWRAP = {"reading the hidden tests", "writing to the host", "the network", "a fork bomb", "a thread bomb"}
+NEEDS_BUBBLEWRAP = {"reading the hidden tests", "the network", "a fork bomb", "a thread bomb"}
 
 
 def cells(answer):
@@ -169,6 +168,14 @@ def test_each_attack_gets_what_it_deserves(tmp_path, attack):
     assert marked.status == "graded"
     assert verdict.points == deserved, verdict.text()
     assert verdict.passed or verdict.got or verdict.gave
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
+def test_what_is_written_to_the_host_is_not_there(tmp_path):
+    """Below /tmp it lands in a /tmp of the sandbox's own, elsewhere it is refused."""
+    marked = grade(tmp_path / "student", ESCAPE)
+    assert marked.status == "graded" and marked.verdicts[0].points in (0, 1)
     assert not (NOTEBOOKS.parent / "escaped").exists()
 
 

@@ -155,7 +155,7 @@ KINDS = (
     Kind("many-files", 2, (0,), answers(q1=FILES), told="MB of files"),
     Kind("huge-output", 2, (7,), answers(q1="print('x' * 30_000_000)\n{right}")),
     Kind("network", 2, (6,), answers(q1=NETWORK)),
-    Kind("file-system", 2, (7,), answers(q1=ESCAPE)),
+    Kind("file-system", 2, (6, 7), answers(q1=ESCAPE)),
     Kind("always-equal", 3, (6,), answers(q1=ALWAYS_EQUAL)),
     Kind("syntax-tree", 2, (6,), answers(q1=PATCH)),
     Kind("reads-tests", 2, (6,), answers(q1=READ_TESTS)),

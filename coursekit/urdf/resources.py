@@ -1,4 +1,4 @@
-"""Where a file of a robot is: `package://`, `file://` and plain paths, resolved here and nowhere else.
+"""Where a file of a robot is: `package://`, `model://`, `file://` and plain paths, resolved here and nowhere else.
 
 `package://NAME/rest` is looked for in this order:
 
@@ -20,6 +20,8 @@ from coursekit.files import is_file, is_folder
 
 from .errors import MeshError, close
 
+MODEL_PATHS = ("GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH")
+"""Variables of Gazebo, old and new, that name folders of models."""
 UNDERLAY = Path(__file__).resolve().parents[1]
 _added: list[Path] = []
 _environment: list[Callable[[], Mapping[str, str]]] = []
@@ -88,6 +90,27 @@ def _where(name: str, searched: list[Path]) -> str:
     )
 
 
+def model_folders() -> list[Path]:
+    """Folders in which Gazebo looks for models and what they are made of, as the environment names them."""
+    environment = _environment[0]() if _environment else os.environ
+    told = (one for name in MODEL_PATHS for one in environment.get(name, "").split(os.pathsep))
+    return list(dict.fromkeys(Path(one).expanduser() for one in told if one))
+
+
+def _in_models(uri: str, near: Path | None) -> Path:
+    """The file of a `model://NAME/rest`: in Gazebo's folders, else in a package of that name."""
+    rest = unquote(uri.removeprefix("model://"))
+    for folder in model_folders():
+        if is_file(folder / rest):
+            return folder / rest
+    name, _, inner = rest.partition("/")
+    try:
+        return find_package(name, near) / inner
+    except MeshError:
+        cure = f"Is the folder that holds {name or 'its model'} in one of {', '.join(MODEL_PATHS)}?"
+        raise MeshError(f"'{uri}' not found", cure=cure) from None
+
+
 def find_file(uri: str, near: Path | None = None) -> Path:
     """The file that a URI or path of a description means; `near` is the robot's file.
 
@@ -96,15 +119,21 @@ def find_file(uri: str, near: Path | None = None) -> Path:
     >>> find_file("package://turtlesim/package.xml").name
     'package.xml'
     """
-    parts = urlsplit(uri)
+    try:
+        parts = urlsplit(uri)
+    except ValueError as error:  # brackets in it
+        raise MeshError(f"'{uri}' is no URI: {error}", cure="Use package://NAME/path, file:///path, or a path.") from None
     if parts.scheme == "package":
         name, _, rest = uri.removeprefix("package://").partition("/")
         if not name:
             cure = "Two slashes, then the package's name: package://NAME/meshes/part.stl."
             raise MeshError(f"'{uri}' names no package", cure=cure)
         path = find_package(name, near) / unquote(rest)
+    elif parts.scheme == "model":
+        path = _in_models(uri, near)
     elif parts.scheme == "file":
-        path = Path(unquote(parts.path))
+        path = Path(uri.removeprefix("file://"))  # most are written as they are; a '%' or '#' may be part of a name
+        path = path if path.is_absolute() and is_file(path) else Path(unquote(parts.path))
     elif len(parts.scheme) > 1:
         cure = "Use package://NAME/path, file:///path, or a path relative to the robot's file."
         raise MeshError(f"'{uri}' cannot be read: '{parts.scheme}://' is not known here", cure=cure)
@@ -132,4 +161,7 @@ def _beside(path: Path) -> str:
     return f"{close(path.name, there)} Is it listed in setup.py's data_files, and was the package built?"
 
 
-__all__ = ["add_package_path", "find_file", "find_package", "package_paths", "remove_package_path", "take_environment_from"]
+__all__ = [
+    "add_package_path", "find_file", "find_package", "model_folders", "package_paths", "remove_package_path",
+    "take_environment_from",
+]  # fmt: skip

@@ -2,42 +2,22 @@
 
 from __future__ import annotations
 
-import io
 import os
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from coursekit.files import read_bytes
-
 from .errors import MeshError
 from .kinematics import Kinematics
-from .model import Box, Collision, Colour, Cylinder, Geometry, Link, Mesh, Origin, Robot, Sphere, Visual
+from .mesh_files import GREY, Surface, load_mesh
+from .model import Box, Collision, Cylinder, Geometry, Link, Mesh, Origin, Robot, Sphere, Visual
 from .resources import find_file
 
-GREY: Colour = (0.7, 0.7, 0.7, 1.0)
-"""What has no material: as grey as a part fresh from the machine."""
-FORMATS = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".off")
-_MATERIALS = re.compile(rb"<bind_material\b.*?</bind_material>", re.DOTALL)
-"""Where a DAE file looks for a texture that is not there, its reader leaves the whole shape out."""
 ROUND = 32
 """Corners of a cylinder's circle."""
-
-
-@dataclass(frozen=True)
-class Surface:
-    """Triangles of one colour, in the frame of a link."""
-
-    vertices: np.ndarray
-    """(n, 3) float64 [m]"""
-    faces: np.ndarray
-    """(m, 3) int64, corners counter-clockwise seen from outside"""
-    colour: Colour = GREY
 
 
 def matrix_of(origin: Origin) -> np.ndarray:
@@ -65,8 +45,16 @@ def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
     """A shape in its own frame; a DAE, OBJ or GLB file may have several colours. Raises MeshError."""
     if isinstance(geometry, Mesh):
         path = find_file(geometry.filename, near)
-        return [_scaled(one, geometry.scale) for one in _load(path, path.stat().st_mtime_ns)]
+        return [_scaled(one, geometry.scale) for one in load_mesh(path).surfaces]
     return [_primitive(geometry)]
+
+
+def notes_of(geometry: Geometry, near: Path | None = None) -> tuple[str, ...]:
+    """What of a mesh file is drawn plainer than it was meant, in one line each. Raises MeshError."""
+    if not isinstance(geometry, Mesh):
+        return ()
+    path = find_file(geometry.filename, near)
+    return tuple(f"{path}: {note}" for note in load_mesh(path).notes)
 
 
 @lru_cache(maxsize=256)
@@ -87,47 +75,6 @@ def _scaled(surface: Surface, scale: tuple[float, float, float]) -> Surface:
         return surface
     faces = surface.faces if np.prod(scale) > 0 else surface.faces[:, ::-1]  # a mirrored shape stays outside out
     return Surface(surface.vertices * np.array(scale), faces, surface.colour)
-
-
-@lru_cache(maxsize=256)
-def _load(path: Path, _changed: int) -> tuple[Surface, ...]:
-    """The surfaces of a mesh file, as long as the file does not change."""
-    if path.suffix.lower() not in FORMATS:
-        raise MeshError(
-            f"cannot read '{path.suffix}' files as meshes",
-            file=str(path),
-            cure=f"Save it as one of: {', '.join(FORMATS)}.",
-        )
-    try:
-        data = read_bytes(path)
-        parts = _parts(path)
-        if not parts and path.suffix.lower() == ".dae":
-            parts = _parts(path, io.BytesIO(_MATERIALS.sub(b"", data)))
-    except Exception as error:  # the readers of six formats fail in as many ways
-        what = f"is no {path.suffix[1:].upper()} mesh that can be read: {type(error).__name__}: {error}"
-        raise MeshError(what, file=str(path), cure="Export it again, or try another format.") from None
-    if not parts or not any(len(part.faces) for part in parts):
-        raise MeshError("has no triangles", file=str(path), cure="Is the file complete? Export it again.")
-    return tuple(parts)
-
-
-def _parts(path: Path, data: io.BytesIO | None = None) -> list[Surface]:
-    import trimesh
-
-    kind = path.suffix[1:].lower()
-    scene = trimesh.load_scene(path) if data is None else trimesh.load_scene(data, file_type=kind)
-    if kind == "dae" and scene.units:  # COLLADA says its unit; RViz and Gazebo heed it, as we do
-        scene = scene.convert_units("meters")
-    return [_surface(part) for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
-
-
-def _surface(mesh: Any) -> Surface:
-    colour = GREY
-    material = getattr(mesh.visual, "material", None)
-    if material is not None and getattr(material, "main_color", None) is not None:
-        red, green, blue, alpha = (float(one) / 255.0 for one in material.main_color)
-        colour = (red, green, blue, alpha)
-    return Surface(np.asarray(mesh.vertices, float), np.asarray(mesh.faces), colour)
 
 
 def link_surfaces(robot: Robot, link: Link | str, *, collision: bool = False) -> list[Surface]:
@@ -168,4 +115,4 @@ def robot_surfaces(
             yield name, Surface(surface.vertices @ matrix[:3, :3].T + matrix[:3, 3], surface.faces, surface.colour)
 
 
-__all__ = ["GREY", "Surface", "link_surfaces", "matrix_of", "mesh_of", "robot_surfaces", "surfaces_of"]
+__all__ = ["GREY", "Surface", "link_surfaces", "matrix_of", "mesh_of", "notes_of", "robot_surfaces", "surfaces_of"]

@@ -123,7 +123,7 @@ def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]
         way = _leaders(name, checked, free)
         if way[-1] in way[:-1]:
             loop = way[way.index(way[-1]) :]
-            what = f"joint [{loop[0]}] mimics itself: {' -> '.join(loop)}"
+            what = f"Found an infinite recursive mimic chain: joint [{loop[0]}] mimics itself: {' -> '.join(loop)}"
             raise elements[loop[0]].error(what, "One of them has to move by itself: remove its <mimic>.")
         free.update(way)
     return checked

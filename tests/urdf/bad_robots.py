@@ -148,7 +148,7 @@ BAD = {
     ),
     "mimic of itself": (
         AB + joint('<mimic joint="j"/>'),
-        "joint [j] mimics itself: j -> j",
+        "Found an infinite recursive mimic chain: joint [j] mimics itself: j -> j",
         '<mimic> of <joint name="j">',
         7,
     ),

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from coursekit.urdf import Joint, parse
+from coursekit.nodes.robots.joint_sources import joints_of
+from coursekit.urdf import Joint
 
 
 @dataclass
@@ -87,7 +88,7 @@ class Options:
 def read(description: str, options: Options) -> JointModel:
     """The joints of a description; raises UrdfError."""
     model = JointModel(followers=dict(options.dependent))
-    for joint in parse(description, "robot_description").joints.values():
+    for joint in joints_of(description):
         if not joint.moves:
             continue
         model.names.append(joint.name)

@@ -8,7 +8,8 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
-from coursekit.nodes.robots.joint_model import followers
+from coursekit.nodes.robots.joint_model import Options, followers, read
+from coursekit.urdf import UrdfError
 from tests.urdf.oracle import ROBOTS
 
 LIMIT = '<limit lower="{}" upper="{}" effort="1" velocity="1"/>'
@@ -177,3 +178,32 @@ def test_joints_that_depend_on_each_other_end_it(start):
     node = start(joints, "dependent_joints.a.parent:=b", "dependent_joints.b.parent:=a")
     assert node.wait(5) == 1
     assert "Found an infinite recursive mimic chain" in node.output
+
+
+SDF = """<sdf version="1.8"><model name="arm">
+<joint name="j1" type="revolute"><axis><limit><lower>{least}</lower><upper>1</upper></limit></axis></joint>
+<joint name="j2" type="fixed"/><joint name="j3" type="continuous"/></model></sdf>"""
+COLLADA = """<COLLADA><library_kinematics_models><kinematics_model><technique_common>
+<joint name="j1"><revolute><limits><min>{least}</min><max>180</max></limits></revolute></joint>
+<joint name="j2"><revolute><limits><min>9</min><max>9</max></limits></revolute></joint>
+</technique_common></kinematics_model></library_kinematics_models></COLLADA>"""
+
+
+@pytest.mark.parametrize(
+    "text, expected",
+    [
+        (SDF, {"j1": (-1.0, 1.0), "j3": (-math.pi, math.pi)}),
+        (COLLADA, {"j1": (pytest.approx(math.radians(-1)), pytest.approx(math.pi))}),
+    ],
+)
+def test_sdf_and_collada_have_joints_too(text, expected):
+    model = read(text.format(least=-1), Options({}, {}))
+    assert {name: (one.least, one.greatest) for name, one in model.free.items()} == expected
+    assert model.names == list(expected)
+
+
+@pytest.mark.parametrize("text, tag", [(SDF, "lower"), (COLLADA, "min")])
+@pytest.mark.parametrize("wrong", ["foo", "nan", ""])
+def test_limits_that_are_no_numbers_are_told(text, tag, wrong):
+    with pytest.raises(UrdfError, match=f'"{tag}" limit must be a float for joint "j1"'):
+        read(text.format(least=wrong), Options({}, {}))

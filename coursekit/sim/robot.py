@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from .motors import Motors, Reach
 from .odometry import EXACT, Drift, Odometer
 from .parts import Part, Prism
 from .place import Place
@@ -55,6 +56,8 @@ class RobotModel:
     """Whether it stands fast: a mast with sensors. It may stand in things, and have no parts."""
     grip: float = 1.0
     """Friction between its wheels and the floor."""
+    reach: dict[str, Reach] = field(default_factory=dict, hash=False)
+    """How far joints with motors may go."""
 
 
 class Robot:
@@ -68,6 +71,7 @@ class Robot:
         self.commanded_ns: int | None = None
         self.angles: dict[str, float] = {}
         """How far each wheel has turned [rad]."""
+        self.motors = Motors(self.angles, model.reach)
         self.odometer = Odometer(model.drift, seed)
         self.contacts: dict[str, int] = {}
         """What it touches now, by name, and at how many places."""
@@ -78,7 +82,9 @@ class Robot:
         drive = self.model.drive
         self.wheels = self.target = (0.0, 0.0, 0.0)
         self.commanded_ns = None
-        self.angles = dict.fromkeys((*drive.left, *drive.right), 0.0) if drive else {}
+        self.angles.clear()
+        self.angles.update(dict.fromkeys((*drive.left, *drive.right), 0.0) if drive else {})
+        self.motors.restart()
         self.odometer.restart()
 
     @property
@@ -110,6 +116,7 @@ class Robot:
 
     def before_step(self, dt: float, now_ns: int) -> None:
         """Wheels follow the command as fast as they may, and push the body as hard as they grip."""
+        self.motors.step(dt)
         drive = self.model.drive
         if drive is None:
             return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from .bodies import FIXED, LOOSE, ROBOT, body_of, moment, put, shapes_of
 from .errors import WorldError, known
 from .lidar import Lidar
 from .outline_scene import OutlineScene
+from .parts import Part
 from .place import Array, Place
 from .push import Push
 from .robot import GRAVITY, Robot, RobotModel
@@ -184,6 +186,19 @@ class Simulation:
         else:
             body.velocity, body.angular_velocity = velocity[:2], velocity[2]
         self.space.reindex_shapes_for_body(body)
+
+    def reshape(self, name: str, parts: tuple[Part, ...]) -> None:
+        """Give a robot other parts: its arm has moved. LookupError names near ones."""
+        body = self._body(name)
+        robot = self.robots[name]
+        for shape in list(body.shapes):
+            self.space.remove(shape)
+            shape.body = None  # the body still lists it otherwise
+        robot.model = replace(robot.model, parts=parts)
+        robot.contacts.clear()
+        self.space.add(*shapes_of(parts, body, name, ROBOT))
+        self.space.reindex_shapes_for_body(body)
+        self._changed()
 
     def reset(self, time: bool = True) -> None:
         """Everything back to where it began; with `time` the clock too."""

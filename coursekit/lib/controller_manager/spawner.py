@@ -2,7 +2,7 @@
 
 import sys
 
-from coursekit.nodes.gazebo.spawner import main
+from coursekit.nodes.control.spawner import main
 
 if __name__ == "__main__":
     sys.exit(main())

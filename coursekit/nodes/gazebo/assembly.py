@@ -13,10 +13,13 @@ from coursekit.sim.parts import Disc, Part, Prism
 from coursekit.sim.place import ORIGIN, Array, Place
 from coursekit.sim.robot import Drive, RobotModel
 from coursekit.sim.world import Thing
+from coursekit.urdf.xml_tree import Element
 
-from .blueprint import Blueprint
-from .devices import Device, OdometryDevice
+from .articulated import Articulated
+from .blueprint import BlueLink, Blueprint
+from .devices import ControlDevice, Device, MotorDevice, OdometryDevice
 from .moved import moved
+from .newer_sensors import devices_of
 from .plugins import drift_of, read_plugin
 from .sensors import device_of
 from .solids import raised
@@ -40,6 +43,10 @@ class Assembly:
     frames: dict[str, Array] = field(default_factory=dict)
     """Where its links are in the model, joints at 0."""
     place: Place = ORIGIN
+    articulated: Articulated | None = None
+    """How its links follow its joints, where it has motors."""
+    systems: frozenset[str] = frozenset()
+    """Of the newer Gazebo: those that it loads."""
 
 
 def assemble(made: Blueprint, namespace: str = "") -> Assembly:
@@ -53,18 +60,30 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     floor = min((part.low for part in parts), default=0.0) if not mast else 0.0
     for link in made.links.values():
         for sensor in link.sensors:
-            device = device_of(sensor, link, made, namespace, floor)
-            devices += [device] if device is not None else []
+            devices += sensed(sensor, link, made, namespace, floor)
     done = Assembly(made.name, None, devices, [], made.notes, place=place)
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
+    if made.robot is not None and any(isinstance(one, (ControlDevice, MotorDevice)) for one in devices):
+        done.articulated = Articulated(made.robot, made, 0.0 if made.root == "world" else floor)
+    done.systems = frozenset(made.systems)
     done.frames = {name: link.pose for name, link in made.links.items()}
     if mast and devices:
         done.robot = RobotModel(made.name, tuple(parts), drive=None, fixed=True)
     elif made.static or not (drive or devices):
         done.things = _things(made, place)
+    elif made.root == "world":
+        done.robot = RobotModel(made.name, tuple(parts), drive=None, fixed=True, reach=made.reach)
     else:
         done.robot = _robot(made, drive, devices, [raised(part, -floor) for part in parts])
     return done
+
+
+def sensed(sensor: Element, link: BlueLink, made: Blueprint, namespace: str, floor: float) -> list[Device]:
+    """The devices of a sensor, as the Gazebo that reads it understands it."""
+    if made.newer is not None:
+        return devices_of(sensor, link, made, floor)
+    device = device_of(sensor, link, made, namespace, floor)
+    return [] if device is None else [device]
 
 
 def _raise(made: Blueprint, level: Array) -> None:
@@ -92,10 +111,11 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
         parts = [Disc(0.0, 0.0, 0.1, 0.0, 0.2)]
     drives = ("drive", "ros2_control")
     source = next((one for one in made.plugins if any(word in (one.get("filename") or "") for word in drives)), None)
-    odometer = next((one for one in devices if isinstance(one, OdometryDevice)), None)
+    told = [*devices, *(one for each in devices if isinstance(each, ControlDevice) for _, one in each.odometry)]
+    odometer = next((one for one in told if isinstance(one, OdometryDevice) and one.command_topic), None)
     encoder = odometer is not None and not odometer.exact
     drift = drift_of(source, encoder) if source is not None else EXACT
-    return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift)
+    return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift, reach=made.reach)
 
 
 def _things(made: Blueprint, place: Place) -> list[Thing]:

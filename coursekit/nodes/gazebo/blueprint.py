@@ -8,8 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.sim.motors import Reach
 from coursekit.sim.parts import Part
 from coursekit.sim.place import Array
+from coursekit.urdf import Robot
 from coursekit.urdf.xml_tree import Element
 
 from .looks import PLAIN, Look
@@ -43,8 +45,20 @@ class Blueprint:
     file: Path | None = None
     root: str = ""
     """The link at the model's origin."""
+    text: str = ""
+    """What it was read from, for those who need more of it."""
+    robot: Robot | None = None
+    """Its description, where that is URDF."""
+    reach: dict[str, Reach] = field(default_factory=dict)
+    """How far its joints may go."""
     look: Look = PLAIN
     """Of its first visual with a material."""
+    newer: str | None = None
+    """The name of the world, where the newer Gazebo reads it; None in Gazebo Classic."""
+    lumped: dict[str, str] = field(default_factory=dict)
+    """By link: the one that it becomes a part of in the newer Gazebo."""
+    systems: set[str] = field(default_factory=set)
+    """Of the newer Gazebo: those that it loads."""
 
     def note(self, element: Element, what: str) -> None:
         """List something that is not simulated, with its place."""

@@ -1,24 +1,27 @@
-"""gazebo_ros2_control: the controllers of a robot's parameter file that drive and tell joints."""
+"""gazebo_ros2_control and gz_ros2_control: a controller manager in the simulator, by the robot's own parameter files."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from coursekit.files import read_text
+from coursekit.nodes.control.description import read_hardware
+from coursekit.nodes.control.types import DRIVE
+from coursekit.sim.motors import Reach
 from coursekit.sim.robot import Drive
 from coursekit.urdf import MeshError
 from coursekit.urdf.resources import find_file
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import Blueprint
-from .devices import Device, JointDevice, OdometryDevice
+from .devices import ControlDevice, Device, OdometryDevice
 from .ros_names import names_of
 
 MANAGER = "controller_manager"
-DRIVE, JOINTS = "diff_drive_controller/DiffDriveController", "joint_state_broadcaster/JointStateBroadcaster"
 LIMITS = (
     ("linear.x.max_velocity", "max_speed"), ("angular.z.max_velocity", "max_turn"),
     ("linear.x.max_acceleration", "acceleration"), ("angular.z.max_acceleration", "turn_acceleration"),
@@ -27,43 +30,98 @@ LIMITS = (
 
 
 def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
-    """The drive and the devices of all controllers that the parameters name; a note for what is not simulated."""
-    told = _parameters(plugin, model)
-    space = names_of(plugin, namespace).namespace.strip("/")
+    """The drive that its wheels' controllers need, and the controller manager as a device."""
+    files = _files(plugin, model)
+    told = _parameters(plugin, files)
+    names = names_of(plugin, namespace)
+    space = names.namespace.strip("/")
     prefix = f"/{space}" if space else ""
+    robot, hardware = read_hardware(model.text, str(model.file or "")) if model.text else (None, [])
+    if robot is not None:
+        model.reach = {name: _reach(joint.limit) for name, joint in robot.joints.items()}
     manager = told.get(MANAGER, {})
     drive: Drive | None = None
-    devices: list[Device] = []
+    odometry: dict[str, OdometryDevice] = {}
     for name, entry in manager.items():
-        kind = entry.get("type") if isinstance(entry, dict) else None
-        if kind == DRIVE:
-            drive, device = _drive(plugin, model, name, told.get(name, {}), prefix)
-            devices.append(device)
-        elif kind == JOINTS:
-            joints = tuple(joint for joint, turns in model.joints.items() if turns not in ("fixed", ""))
-            rate = manager.get("update_rate", 100)
-            if not isinstance(rate, (int, float)) or not 0 < rate <= 10_000:
-                raise plugin.error(f"has an update_rate of {rate}", "Give one above 0, up to 10000 a second.")
-            devices.append(JointDevice(f"{prefix}/joint_states", "", rate, f"{prefix}/{name}", joints))
-        elif kind is not None:
-            model.note(plugin, f"controller '{name}' of type {kind} is not simulated; simulated are {DRIVE} and {JOINTS}")
-    return drive, devices
+        if isinstance(entry, dict) and entry.get("type") == DRIVE:
+            made, odometry[name] = _drive(plugin, model, name, told.get(name, {}), prefix)
+            drive = drive or made
+    rate = manager.get("update_rate", 100)
+    if not isinstance(rate, (int, float)) or not 0 < rate <= 10_000:
+        raise plugin.error(f"has an update_rate of {rate}", "Give one above 0, up to 10000 a second.")
+    drive = drive or _rolling(hardware, model)
+    node = plugin.tell("controller_manager_name") or MANAGER
+    words = [f"{old}:={new}" for old, new in names.remappings]
+    device = ControlDevice(
+        "", "", float(rate), f"{prefix}/{node}", tuple(hardware), tuple(map(str, files)), tuple(words),
+        tuple(odometry.items()),
+    )  # fmt: skip
+    return drive, [device]
 
 
-def _parameters(plugin: Element, model: Blueprint) -> dict[str, Any]:
+def _reach(limit: Any) -> Reach:
+    """How far and fast a joint may go; continuous ones have no ends."""
+    if limit is None:
+        return Reach()
+    bounded = limit.lower < limit.upper
+    lower, upper = (limit.lower, limit.upper) if bounded else (-math.inf, math.inf)
+    return Reach(lower, upper, limit.velocity or math.inf, limit.effort)
+
+
+def _files(plugin: Element, model: Blueprint) -> list[Path]:
+    try:
+        return [find_file(element.text.strip(), model.file) for element in plugin.all("parameters")]
+    except MeshError as error:
+        raise plugin.error(f"<parameters> cannot be read: {error}", "Name the controllers' parameter file.") from None
+
+
+def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
     """What the <parameters> files say, node by node; UrdfError for files that are missing or no such thing."""
     found: dict[str, Any] = {}
-    for element in plugin.all("parameters"):
+    for file in files:
         try:
-            data = yaml.safe_load(read_text(find_file(element.text.strip(), model.file)))
-            nodes = {name: dict(node["ros__parameters"]) for name, node in data.items()}
-        except (MeshError, OSError, ValueError, RecursionError, yaml.YAMLError) as error:
-            raise element.error(f"cannot be read: {error}", "Name the controllers' parameter file.") from None
+            data = yaml.safe_load(read_text(file))
+            nodes = {name: dict(node["ros__parameters"]) for name, node in _flat(data).items()}
+        except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:
+            raise plugin.error(f"<parameters> cannot be read: {error}", "Name the controllers' parameter file.") from None
         except (TypeError, KeyError, AttributeError):
-            raise element.error("is no parameter file", "Write NODE: ros__parameters: ... into it.") from None
+            raise plugin.error("<parameters> is no parameter file", "Write NODE: ros__parameters: ... into it.") from None
         for name, values in nodes.items():
             found.setdefault(Path(name).name, {}).update(values)
     return found
+
+
+def _flat(data: dict[str, Any]) -> dict[str, Any]:
+    """Nodes by name, also those that stand below a namespace."""
+    found = {}
+    for name, node in data.items():
+        if isinstance(node, dict) and "ros__parameters" not in node and all(isinstance(one, dict) for one in node.values()):
+            below = {key: one for key, one in node.items() if "ros__parameters" in one}
+            if below:
+                found.update(below)
+                continue
+        found[name] = node
+    return found
+
+
+def _rolling(hardware: Any, model: Blueprint) -> Drive | None:
+    """The drive of wheels that are commanded by their speeds alone: where they are tells how far apart, how high how big."""
+    wheels = [
+        part.name for info in hardware for part in info.components
+        if any(one.name == "velocity" for one in part.commands) and model.joints.get(part.name) == "continuous"
+        and part.name in model.axles
+    ]  # fmt: skip
+    sides: tuple[list[str], list[str]] = ([], [])
+    for name in wheels:
+        sides[float(model.axles[name][1, 3]) < 0].append(name)
+    left, right = map(tuple, sides)
+    if not left or len(left) != len(right):
+        return None
+    low = min((part.low for part in model.parts()), default=0.0)
+    apart = float(model.axles[left[0]][1, 3] - model.axles[right[0]][1, 3])
+    radius = max(float(model.axles[left[0]][2, 3]) - low, 0.01)
+    return Drive("differential", acceleration=math.inf, turn_acceleration=math.inf, separation=apart, radius=radius,
+                 left=left, right=right)  # fmt: skip
 
 
 def _drive(
@@ -89,9 +147,9 @@ def _drive(
     made = Drive("differential", separation=separation, radius=radius, left=left, right=right, watchdog=patience, **limits)
     stamped, node = bool(told.get("use_stamped_vel", True)), f"{prefix}/{name}"
     device = OdometryDevice(
-        f"{node}/odom", str(told.get("odom_frame_id", "odom")), rate, node,
-        f"{node}/cmd_vel" if stamped else f"{node}/cmd_vel_unstamped", str(told.get("base_frame_id", "base_link")),
-        True, bool(told.get("enable_odom_tf", True)), exact=False, stamped=stamped,
+        "~/odom", str(told.get("odom_frame_id", "odom")), rate, node, "~/cmd_vel" if stamped else "~/cmd_vel_unstamped",
+        str(told.get("base_frame_id", "base_link")), True, bool(told.get("enable_odom_tf", True)), exact=False,
+        stamped=stamped,
     )  # fmt: skip
     return made, device
 

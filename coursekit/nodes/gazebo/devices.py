@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from coursekit.sim.lidar import Lidar
 from coursekit.sim.place import Array
@@ -77,6 +78,8 @@ class OdometryDevice(Device):
     tf_topic: str = "/tf"
     stamped: bool = False
     """Whether commands come as TwistStamped."""
+    by_rate: bool = False
+    """Whether a car is told how fast to turn, not how far its wheels shall."""
 
 
 @dataclass(frozen=True)
@@ -84,6 +87,30 @@ class JointDevice(Device):
     """Joint states."""
 
     joints: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class MotorDevice(Device):
+    """A motor: commands on `topic` move a joint to a position, or at a velocity."""
+
+    joint: str = ""
+    mode: str = "position"
+
+
+@dataclass(frozen=True)
+class ControlDevice(Device):
+    """A controller manager of ros2_control; `node` is its name, `rate` how often it works."""
+
+    hardware: tuple[Any, ...] = ()
+    files: tuple[str, ...] = ()
+    remappings: tuple[str, ...] = ()
+    odometry: tuple[tuple[str, OdometryDevice], ...] = ()
+    """Controllers that drive, by name, and what they tell."""
+
+    def arguments(self) -> list[str]:
+        """Of its nodes: parameter files and remappings."""
+        words = [word for file in self.files for word in ("--params-file", file)]
+        return words + [word for one in self.remappings for word in ("-r", one)]
 
 
 @dataclass(frozen=True)
@@ -100,7 +127,21 @@ class BumpDevice(Device):
     link: str = ""
 
 
+@dataclass(frozen=True)
+class TouchDevice(BumpDevice):
+    """What a robot touches, as the newer Gazebo tells it."""
+
+
+@dataclass(frozen=True)
+class PoseDevice(Device):
+    """Where a model is in its `world` ('' for untold), and where its links are in it (16 numbers of each)."""
+
+    model: str = ""
+    world: str = ""
+    links: tuple[tuple[str, tuple[float, ...]], ...] = ()
+
+
 __all__ = [
-    "BumpDevice", "CameraDevice", "DepthDevice", "Device", "ImuDevice", "JointDevice", "OdometryDevice", "RayDevice",
-    "TruthDevice",
+    "BumpDevice", "CameraDevice", "ControlDevice", "DepthDevice", "Device", "ImuDevice", "JointDevice", "MotorDevice",
+    "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TruthDevice",
 ]  # fmt: skip

@@ -14,6 +14,8 @@ from coursekit.urdf.resources import find_file, package_paths
 from coursekit.urdf.xml_tree import read
 
 PATH, RESOURCES = "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"
+NEWER = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH")
+"""The newer Gazebo's variables, for models and resources alike."""
 SCENERY = ("sun", "ground_plane")
 """Models that a flat world with light has by itself."""
 
@@ -26,17 +28,18 @@ def model_paths(near: Path | None = None) -> list[Path]:
     """The folders: GAZEBO_MODEL_PATH, `models` beside and above the file that asks, what packages export, resources."""
     above = list(near.resolve().parents)[:4] if near is not None else []
     beside = [*above[1:3], *(folder / "models" for folder in above)]
-    return [*told_by(PATH), *beside, *exported("gazebo_model_path"), *resource_paths()]
+    return [*told_by(PATH), *told_by(*NEWER), *beside, *exported("gazebo_model_path"), *resource_paths()]
 
 
 def resource_paths() -> list[Path]:
     """GAZEBO_RESOURCE_PATH, and what packages export: where worlds and `file://` without a leading slash are looked for."""
-    return [*told_by(RESOURCES), *exported("gazebo_media_path")]
+    return [*told_by(RESOURCES, *NEWER), *exported("gazebo_media_path")]
 
 
-def told_by(variable: str) -> list[Path]:
-    """The folders of an environment variable."""
-    return [Path(one).expanduser() for one in os.environ.get(variable, "").split(os.pathsep) if one]
+def told_by(*variables: str) -> list[Path]:
+    """The folders of environment variables."""
+    told = (one for name in variables for one in os.environ.get(name, "").split(os.pathsep))
+    return [Path(one).expanduser() for one in told if one]
 
 
 def exported(attribute: str) -> list[Path]:
@@ -73,6 +76,10 @@ def find_model(uri: str, near: Path | None = None) -> Path:
             return place
         if is_folder(place):
             return _sdf_in(place)
+    if uri.startswith(("http://", "https://")):
+        what = f"model '{uri}' is on the web, and nothing is fetched from there"
+        cure = f"Download it, and name its folder: <uri>model://{name.rpartition('/')[2]}</uri>."
+        raise MissingModel(what, file=str(near or "SDF"), cure=cure)
     there = sorted({one.parent.name for folder in folders if folder.is_dir() for one in folder.glob("*/model.config")})
     searched = "\n".join(f"  {folder}" for folder in folders) or "  (none)"
     raise MissingModel(

@@ -13,13 +13,14 @@ from geometry_msgs.msg import Quaternion, TransformStamped
 from nav_msgs.msg import Odometry
 from rclpy.qos import QoSProfile
 from sensor_msgs.msg import Imu, JointState
+from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
 
 from coursekit.sim.place import Place
 from coursekit.sim.robot import GRAVITY, Robot
 from coursekit.sim.simulation import Simulation
 
-from .devices import BumpDevice, Device, ImuDevice, JointDevice, OdometryDevice, RayDevice, TruthDevice
+from .devices import BumpDevice, Device, ImuDevice, JointDevice, MotorDevice, OdometryDevice, RayDevice, TruthDevice
 from .ray_messages import RAY_TYPES
 
 SENSOR = QoSProfile(depth=5)
@@ -44,6 +45,17 @@ def place_at(simulation: Simulation, robot: Robot, time_ns: int) -> Place:
     return Place(x + speed.x * rest, y + speed.y * rest, theta + robot.body.angular_velocity * rest)
 
 
+class Nobody:
+    """A publisher that has no topic."""
+
+    def get_subscription_count(self) -> int:
+        """None."""
+        return 0
+
+    def publish(self, _msg: Any) -> None:
+        """Nobody hears it."""
+
+
 class Outlet:
     """A device of a robot at work; the k-th message is for the time `begin + k / rate`, the next one for `due_ns`."""
 
@@ -66,7 +78,9 @@ class Outlet:
         self._begin, self._count, self.due_ns = begin_ns, 0, begin_ns
 
     def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
-        """A publisher that is closed with the outlet."""
+        """A publisher that is closed with the outlet; without a topic, one that nobody hears."""
+        if not topic:
+            return Nobody()
         made = self.node.create_publisher(kind, topic, qos)
         self.publishers.append(made)
         return made
@@ -137,7 +151,7 @@ def odometry(place: Place, speed: tuple[float, float, float], covariance: Iterab
     msg.pose.pose.orientation = heading(place.theta)
     msg.twist.twist.linear.x, msg.twist.twist.linear.y, msg.twist.twist.angular.z = speed
     x, y, yaw = covariance
-    for part in (msg.pose, msg.twist):
+    for part in (msg.pose, msg.twist) if x or y or yaw else ():
         numbers = np.zeros(36)
         numbers[[0, 7, 14, 21, 28, 35]] = x, y, 1e12, 1e12, 1e12, yaw
         part.covariance = numbers
@@ -145,7 +159,7 @@ def odometry(place: Place, speed: tuple[float, float, float], covariance: Iterab
 
 
 class JointOutlet(Outlet):
-    """Wheels' angles at work; other joints stand at 0."""
+    """Angles of wheels and of joints with motors at work; other joints stand at 0."""
 
     device: JointDevice
 
@@ -163,8 +177,24 @@ class JointOutlet(Outlet):
         msg = JointState(name=list(joints))
         msg.header.stamp = stamp_of(time_ns)
         msg.position = [robot.angles.get(name, 0.0) for name in joints]
-        msg.velocity = [speeds.get(name, 0.0) for name in joints]
+        msg.velocity = [speeds.get(name, robot.motors.speeds.get(name, 0.0)) for name in joints]
         self._out.publish(msg)
+
+
+class MotorOutlet(Outlet):
+    """A motor at work: it hears, and publishes nothing."""
+
+    device: MotorDevice
+
+    def open(self) -> None:
+        self._heard = self.node.create_subscription(Float64, self.device.topic, self._move, 10)
+
+    def _move(self, msg: Float64) -> None:
+        if math.isfinite(msg.data):
+            self.robot.motors.command(self.device.joint, self.device.mode, msg.data)
+
+    def close(self) -> None:
+        self.node.destroy_subscription(self._heard)
 
 
 class ImuOutlet(Outlet):
@@ -230,6 +260,6 @@ class BumpOutlet(Outlet):
 
 OUTLETS: dict[type, type[Outlet]] = {
     RayDevice: ScanOutlet, OdometryDevice: OdometryOutlet, JointDevice: JointOutlet, ImuDevice: ImuOutlet,
-    TruthDevice: TruthOutlet, BumpDevice: BumpOutlet,
+    TruthDevice: TruthOutlet, BumpDevice: BumpOutlet, MotorDevice: MotorOutlet,
 }  # fmt: skip
 __all__ = ["OUTLETS", "Outlet", "heading", "odometry", "place_at", "stamp_of"]

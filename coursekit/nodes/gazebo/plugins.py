@@ -14,6 +14,7 @@ from coursekit.urdf.xml_tree import Element
 from .blueprint import Blueprint
 from .controllers import read_controllers
 from .devices import Device, JointDevice, OdometryDevice, TruthDevice
+from .newer import read_system, system_of
 from .ros_names import names_of
 from .values import flag, number, numbers
 
@@ -31,8 +32,20 @@ def read_plugin(plugin: Element, model: Blueprint, namespace: str) -> Found:
         "p3d": _truth,
         "ackermann_drive": _ackermann,
         "gazebo_ros2_control": read_controllers,
+        "gz_ros2_control": read_controllers,
+        "ign_ros2_control": read_controllers,
     }
-    reader = readers.get(file)
+    system = system_of(plugin)
+    if system and model.newer is None:
+        model.note(plugin, f"of file '{plugin.get('filename')}' is the newer Gazebo's: start its world with ros_gz_sim")
+        return None, []
+    if system:
+        model.systems.add(system)
+        return read_system(system, plugin, model)
+    reader = readers.get(file.removesuffix("-system"))
+    if reader is not None and model.newer is not None and reader is not read_controllers:
+        model.note(plugin, f"of file '{plugin.get('filename')}' is Gazebo Classic's: the newer one has gz-sim-...-system")
+        return None, []
     if reader is None:
         model.note(plugin, f"of file '{plugin.get('filename')}' is not simulated; simulated are {', '.join(readers)}")
         return None, []

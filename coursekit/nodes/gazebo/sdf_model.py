@@ -7,21 +7,20 @@ from pathlib import Path
 
 import numpy as np
 
-from coursekit.files import read_text
 from coursekit.sim.place import Array
 from coursekit.urdf import MeshError
 from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
-from coursekit.urdf.xml_tree import Element, read
+from coursekit.urdf.shapes import notes_of
+from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
 from .looks import PLAIN, look_of
-from .model_paths import MissingModel, find_mesh, find_model
+from .model_paths import MissingModel, find_mesh
 from .moved import moved
+from .sdf_frames import DEEPEST, frames_of, included, is_merged
 from .solids import Outline, Shape, part_of
 from .values import flag, number, numbers, pose, pose_of
 
-DEEPEST = 20
-"""Models in models; more is a model that includes itself."""
 QUIET = {
     "pose", "link", "joint", "plugin", "static", "model", "include", "frame", "self_collide", "allow_auto_disable",
     "enable_wind", "placement_frame", "gripper",
@@ -33,7 +32,7 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
     if depth > DEEPEST:
         raise element.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
     made = Blueprint(element.get("name") or "model", file=file, static=flag(element, "static", False))
-    frames = frames_of(element)
+    frames = frames_of(element, file, depth)
     made.pose = pose(element) @ np.linalg.inv(frames(element.get("placement_frame") or ""))
     for joint in element.all("joint"):
         made.joints[joint.get("name") or "joint"] = joint.get("type") or ""
@@ -56,26 +55,15 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
 
 def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
     """The blueprint of an `<include>`, renamed and moved as it says. Raises MeshError if the model is not found."""
-    path = find_model(element.tell("uri"), file)
-    root = read(_text(path), str(path))
-    model = root.first("model") if root.tag == "sdf" else None
-    if model is None:
-        raise root.error("holds no <model>", "Begin with <sdf version='1.7'><model name='...'>.")
+    model, path = included(element, file)
     made = read_model(model, path, depth + 1)
     made.name = element.tell("name") or made.name
     if element.first("pose") is not None:
-        made.pose = pose(element) @ np.linalg.inv(frames_of(model)(element.tell("placement_frame")))
+        made.pose = pose(element) @ np.linalg.inv(frames_of(model, path, depth)(element.tell("placement_frame")))
     if element.first("static") is not None:
         made.static = flag(element, "static", made.static)
     made.plugins += element.all("plugin")
     return made
-
-
-def _text(path: Path) -> str:
-    try:
-        return read_text(path)
-    except (OSError, UnicodeDecodeError) as error:
-        raise MeshError(f"cannot be read: {error}", file=str(path), cure="A model is text in XML.") from None
 
 
 def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> Blueprint:
@@ -93,6 +81,9 @@ def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, fram
     except MissingModel as error:
         made.note(element, f"is left out: {error.what}")
         return
+    if is_merged(element):
+        _merge(inner, made)
+        return
     name, number = inner.name, 0
     while any(key.startswith(f"{name}::") for key in made.links):
         name, number = f"{inner.name}_{number}", number + 1
@@ -106,24 +97,16 @@ def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, fram
     made.notes += inner.notes
 
 
-def frames_of(model: Element) -> Callable[[str], Array]:
-    """A function from the name of something in a model or world to its pose there."""
-    tags = ("link", "joint", "frame", "model", "include")
-    named = {one.get("name") or one.tell("name"): one for one in model.children if one.tag in tags}
-
-    def of(name: str, above: tuple[str, ...] = ()) -> Array:
-        if name in ("", "__model__", "world"):
-            return np.eye(4)
-        one = named.get(name)
-        if one is None or name in above:
-            what = "which is relative to itself" if one is not None else "which does not exist"
-            raise model.error(f"has a pose relative to '{name}', {what}", f"Frames are: {', '.join(named) or 'none'}.")
-        place = one.first("pose")
-        told = place.get("relative_to") if place is not None else None
-        usual = one.tell("child") if one.tag == "joint" else (one.get("attached_to") or "" if one.tag == "frame" else "")
-        return of(told or usual, (*above, name)) @ pose(one)
-
-    return of
+def _merge(inner: Blueprint, made: Blueprint) -> None:
+    """An `<include merge="true">`: its links and joints are the model's own."""
+    for key, link in inner.links.items():
+        parts = [moved(part, inner.pose) for part in link.parts]
+        made.links[key] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
+    made.joints |= inner.joints
+    made.axles |= {key: inner.pose @ pose for key, pose in inner.axles.items()}
+    made.plugins += inner.plugins
+    made.notes += inner.notes
+    made.look = made.look if made.look != PLAIN else inner.look
 
 
 def _read_link(link: Element, frames: Callable[[str], Array], made: Blueprint) -> None:
@@ -148,6 +131,7 @@ def _collide(element: Element, where: Array, blue: BlueLink, made: Blueprint) ->
     try:
         shapes = _shapes(kind, made)
         blue.parts += [part_of(shape, where, made.file) for shape in shapes]
+        made.notes += [note for shape in shapes if isinstance(shape, Mesh) for note in notes_of(shape, made.file)]
     except MeshError as error:
         made.note(element, f"is left out: {error.what}")
 
@@ -192,4 +176,4 @@ def _polyline(kind: Element) -> list[Shape]:
     return [Outline(tuple((x, y) for x, y in points), _sizes(kind, "height", 1)[0])]
 
 
-__all__ = ["entity", "frames_of", "include", "read_model"]
+__all__ = ["entity", "include", "read_model"]

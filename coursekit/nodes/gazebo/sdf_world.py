@@ -20,16 +20,19 @@ from .assembly import Assembly, assemble
 from .blueprint import Blueprint
 from .model_paths import SCENERY, MissingModel
 from .moved import moved
-from .sdf_model import entity, frames_of, include, read_model
+from .newer import QUIET as SYSTEMS
+from .newer import system_of
+from .sdf_frames import frames_of
+from .sdf_model import entity, include, read_model
 from .settle import settled
 from .urdf_model import blueprint_of
 from .values import pose, yaw_of
 from .world_plugins import StatePlugin, state_plugin
 
-VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10")
+VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")
 QUIET = {
     "model", "include", "state", "light", "scene", "gui", "physics", "gravity", "magnetic_field", "atmosphere", "audio",
-    "wind", "spherical_coordinates",
+    "wind", "spherical_coordinates", "frame",
 }  # fmt: skip
 
 
@@ -40,10 +43,15 @@ class SdfWorld:
     world: World
     models: list[Assembly] = field(default_factory=list)
     state: StatePlugin | None = None
+    systems: frozenset[str] | None = None
+    """Of the newer Gazebo: those that the world loads; None where the file cannot say."""
 
 
-def load_sdf(path: str | Path) -> SdfWorld:
-    """The world of an SDF file. Raises UrdfError (with line) and WorldError; OSError becomes a WorldError."""
+def load_sdf(path: str | Path, newer: bool = False) -> SdfWorld:
+    """The world of an SDF file, as Gazebo Classic or the `newer` one reads it.
+
+    Raises UrdfError (with line) and WorldError; OSError becomes a WorldError.
+    """
     file = Path(path)
     try:
         text = read_text(file)
@@ -53,7 +61,7 @@ def load_sdf(path: str | Path) -> SdfWorld:
     world = root.first("world")
     if world is None:
         raise root.error("holds no <world>", "Begin with <sdf version='1.6'><world name='default'>.")
-    return _read_world(world, file)
+    return _read_world(world, file, newer)
 
 
 def _root(text: str, file: str) -> Element:
@@ -65,7 +73,7 @@ def _root(text: str, file: str) -> Element:
     return root
 
 
-def _read_world(element: Element, file: Path) -> SdfWorld:
+def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
     notes: list[str] = []
     blueprints = list(_models(element, file, notes))
     state = element.first("state")
@@ -73,23 +81,25 @@ def _read_world(element: Element, file: Path) -> SdfWorld:
         _restore(state, blueprints)
     plugins = [state_plugin(one) for one in element.all("plugin")]
     for child in element.children:
-        told = child.tag == "plugin" and state_plugin(child) is not None
+        told = child.tag == "plugin" and (state_plugin(child) is not None or (newer and system_of(child) in SYSTEMS))
         if child.tag not in QUIET and not told:
             notes.append(f"{file}:{child.line}: {child.label()} is not simulated")
     models, things = [], []
+    name = element.get("name") or file.stem
     names: dict[str, int] = {}
     for made in blueprints:
         count = names[made.name] = names.get(made.name, -1) + 1
         if count:
             made.name = f"{made.name}_{count - 1}"
+        made.newer = name if newer else None
         done = assemble(made)
         notes += done.notes
         things += done.things
         models.append(done)
     places = {one.name: one.place for one in map(_placed, blueprints)}
-    name = element.get("name") or file.stem
     world = World(name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places)
-    return SdfWorld(world, models, next((one for one in plugins if one is not None), None))
+    systems = frozenset(system_of(one) for one in element.all("plugin"))
+    return SdfWorld(world, models, next((one for one in plugins if one is not None), None), systems)
 
 
 def _placed(made: Blueprint) -> Thing:
@@ -98,7 +108,7 @@ def _placed(made: Blueprint) -> Thing:
 
 
 def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:
-    frames = frames_of(element)
+    frames = frames_of(element, file)
     for child in element.children:
         name = child.tell("uri").removeprefix("model://")
         if child.tag == "include" and name in SCENERY:
@@ -132,18 +142,30 @@ def _kept(part: Part, shift: np.ndarray) -> Part:
     return part if np.allclose(shift, np.eye(4), atol=1e-5) else moved(part, shift)
 
 
-def read_entity(text: str, namespace: str = "", file: Path | None = None) -> Assembly:
-    """A single model as text, URDF or SDF. Raises UrdfError and WorldError."""
+def read_entity(
+    text: str, namespace: str = "", file: Path | None = None, newer: str | None = None, name: str = ""
+) -> Assembly:
+    """A single model as text, URDF or SDF; `newer` is the name of the newer Gazebo's world, `name` that of the model there.
+
+    Raises UrdfError and WorldError.
+    """
+
+    def done(made: Blueprint) -> Assembly:
+        made.newer, made.name = newer, (name or made.name) if newer is not None else made.name
+        return assemble(made, namespace)
+
     root = read(text, str(file) if file else "")
     if root.tag == "robot":
-        return assemble(blueprint_of(parse(text, file or "")), namespace)
+        made = blueprint_of(parse(text, file or ""))
+        made.text = text
+        return done(made)
     root = _root(text, str(file) if file else "")
     within = root.first("world") or root
     for child in within.children:
         if child.tag == "model":
-            return assemble(read_model(child, file), namespace)
+            return done(read_model(child, file))
         if child.tag == "include":
-            return assemble(include(child, file), namespace)
+            return done(include(child, file))
         if child.tag == "light":
             return Assembly(child.get("name") or "light", notes=["a light is not simulated"])
     raise root.error("Failed to find a model or light on SDF", "Put a <model> into it.")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from contextlib import closing
 from typing import Any
@@ -22,10 +23,13 @@ from coursekit.sim import Simulation, WorldError
 from coursekit.urdf import UrdfError
 
 from . import simulators
+from .articulated import Articulated
 from .assembly import Assembly
+from .controlled import ControlOutlet
 from .depth import DepthOutlet
-from .devices import CameraDevice, DepthDevice, OdometryDevice
+from .devices import CameraDevice, ControlDevice, DepthDevice, Device, OdometryDevice, PoseDevice, TouchDevice
 from .forces import Forces
+from .newer_outlets import PoseOutlet, TouchOutlet
 from .outlets import OUTLETS, Outlet, stamp_of
 from .pictures import CameraOutlet
 from .services import Services
@@ -36,18 +40,26 @@ from .warm_up import warm_up
 from .whereabouts import Whereabouts
 from .world_of import open_world
 
-CAMERAS: dict[type, type[Outlet]] = {CameraDevice: CameraOutlet, DepthDevice: DepthOutlet}
+FURTHER: dict[type, type[Outlet]] = {
+    CameraDevice: CameraOutlet, DepthDevice: DepthOutlet, ControlDevice: ControlOutlet,
+    PoseDevice: PoseOutlet, TouchDevice: TouchOutlet,
+}  # fmt: skip
 
 
 class Gazebo(Node):
     """The simulator: a world in motion, its clock, and the devices of its robots."""
 
+    is_newer = False
+    """Whether files are read as the newer Gazebo does."""
+
     def __init__(self, world: str = "", *, paused: bool = False, seed: int = 0, verbose: bool = False) -> None:
         super().__init__("gazebo")
         self.session = current()
         self.verbose = verbose
-        opened = open_world(world)
+        opened = open_world(world, self.is_newer)
         made = opened.world
+        self.newer = made.name if self.is_newer else None
+        self.systems = opened.systems
         self.simulation = Simulation(made, seed)
         self.time = SimTime(self.session.clock, paused)
         self.assemblies: dict[str, Assembly] = {}
@@ -93,20 +105,32 @@ class Gazebo(Node):
     def _equip(self, model: Assembly, robot: Any) -> None:
         begin = self.time.now()
         outlets = self.outlets[model.name] = []
-        for number, device in enumerate(model.devices):
-            node = self.node_of(device.node)
-            kind = CAMERAS.get(type(device)) or OUTLETS[type(device)]
+        for number, device in enumerate(self.working(model)):
+            node = self.ros_node(device) if isinstance(device, ControlDevice) else self.node_of(device.node)
+            kind = FURTHER.get(type(device)) or OUTLETS[type(device)]
             seed = (self.simulation.seed * 1000 + len(self.assemblies)) * 100 + number
             outlets.append(kind(node, self.simulation, robot, device, seed, begin))
-            if isinstance(device, OdometryDevice):
+            if isinstance(device, OdometryDevice) and device.command_topic:
                 twist = TwistStamped if device.stamped else Twist
-                heard = node.create_subscription(twist, device.command_topic, lambda msg: self._command(robot, msg), 10)
+                bend = device.by_rate
+
+                def hear(msg: Any, bend: bool = bend) -> None:
+                    self._command(robot, msg, bend)
+
+                heard = node.create_subscription(twist, device.command_topic, hear, 10)
                 self._commands.setdefault(model.name, []).append((node, heard))
 
-    def _command(self, robot: Any, msg: Any) -> None:
+    def working(self, model: Assembly) -> list[Device]:
+        """The devices of a model that work in this world."""
+        return model.devices
+
+    def _command(self, robot: Any, msg: Any, by_rate: bool = False) -> None:
         self.advance()
         msg = getattr(msg, "twist", msg)
-        robot.command(msg.linear.x, msg.angular.z, msg.linear.y, now_ns=self.simulation.now_ns)
+        ahead, turn = msg.linear.x, msg.angular.z
+        if by_rate:  # the wheels' angle of a car that turns so fast
+            turn = math.atan(robot.model.drive.wheelbase * turn / ahead) if ahead else 0.0
+        robot.command(ahead, turn, msg.linear.y, now_ns=self.simulation.now_ns)
 
     def node_of(self, full_name: str) -> Any:
         """The node of a plugin, made when first asked for."""
@@ -116,6 +140,26 @@ class Gazebo(Node):
             self.executor_.add_node(node)
             self._nodes[full_name] = node
         return self._nodes[full_name]
+
+    def ros_node(self, device: ControlDevice) -> Any:
+        """A node in ROS, where the controller manager of a robot is; it is made anew for each."""
+        space, _, name = device.node.rpartition("/")
+        words = device.arguments()
+        node = Node(
+            name, namespace=space or "/", context=self.ros_context(), cli_args=["--ros-args", *words] if words else None,
+            use_global_arguments=False, allow_undeclared_parameters=True,
+            automatically_declare_parameters_from_overrides=True,
+        )  # fmt: skip
+        self.ros_executor().add_node(node)
+        return node
+
+    def ros_context(self) -> Any:
+        """The context of nodes in ROS."""
+        return self.context
+
+    def ros_executor(self) -> Any:
+        """Who spins them."""
+        return self.executor_
 
     def take_out(self, name: str) -> None:
         """Take a model out; LookupError if there is none."""
@@ -140,7 +184,18 @@ class Gazebo(Node):
         self.time.keep_up(self._planned)
         now = self.time.now()
         self.simulation.advance_to(now)
+        for name, model in self.assemblies.items():
+            if model.articulated is not None and name in self.simulation.robots:
+                self._articulate(name, model, model.articulated)
         return now
+
+    def _articulate(self, name: str, model: Assembly, articulated: Articulated) -> None:
+        """The links of an arm are where its joints say."""
+        moved = self.simulation.robots[name].motors.moved()
+        if articulated.has_moved(moved):
+            model.frames, parts = articulated.at(moved)
+            if parts:
+                self.simulation.reshape(name, parts)
 
     def restart(self, time: bool) -> None:
         """Everything back to its place, and time to 0 if asked."""
@@ -162,7 +217,7 @@ class Gazebo(Node):
         now = self.advance()
         while (clock := self._clock_due()) <= now:
             self._clock_count = max(self._clock_count + 1, int((now - 20_000_000) * 1e-9 * self._rate))
-            self._clock_out.publish(Clock(clock=stamp_of(clock)))
+            self.tell_clock(Clock(clock=stamp_of(clock)))
         outlets = self._all()
         for outlet in outlets:
             while outlet.due_ns <= now:
@@ -172,6 +227,10 @@ class Gazebo(Node):
         due = min([self._clock_due(), *(outlet.due_ns for outlet in outlets)])
         self._planned = due
         return max(0.0, (due - self.time.now()) * 1e-9)
+
+    def tell_clock(self, msg: Clock) -> None:
+        """The simulated time, for all who use it."""
+        self._clock_out.publish(msg)
 
     def _clock_due(self) -> int:
         return round(self._clock_count * 1e9 / self._rate)

@@ -35,7 +35,7 @@ class Services:
     def _spawn(self, request: Any, answer: Any) -> Any:
         answer.success = False
         try:
-            model = read_entity(request.xml, request.robot_namespace)
+            model = read_entity(request.xml, request.robot_namespace, None, self._node.newer, request.name)
             name = request.name or self._free_name(model.name)
             if name in self._around.models():
                 answer.status_message = f"Entity [{name}] already exists."

@@ -7,6 +7,7 @@ import math
 import os
 import sys
 from typing import Any
+from xml.sax.saxutils import escape
 
 import rclpy
 from gazebo_msgs.msg import ModelStates
@@ -106,13 +107,13 @@ class SpawnEntityNode(Node):
         self.destroy_subscription(heard)
 
     def _description(self) -> str | None:
-        if self.args.file:
+        if self.args.file is not None:
             return self._from_file(self.args.file)
-        if self.args.topic:
+        if self.args.topic is not None:
             return self._from_topic(self.args.topic)
-        if self.args.database:
+        if self.args.database is not None:
             self.log.info("Loading entity XML from Gazebo Model Database")
-            return INCLUDE.format(self.args.database)
+            return INCLUDE.format(escape(self.args.database))
         self.log.info("Loading entity XML from stdin")
         text = sys.stdin.read()
         if not text:
@@ -178,7 +179,7 @@ class SpawnEntityNode(Node):
         self.log.info(f"Waiting for service {name}, timeout = {timeout:.0f}")
         self.log.info(f"Waiting for service {name}")
         request = SpawnEntity.Request(name=args.entity, xml=text, robot_namespace=args.robot_namespace)
-        request.initial_pose, request.reference_frame = _pose(args), args.reference_frame
+        request.initial_pose, request.reference_frame = pose_of(args), args.reference_frame
         answer = self._ask(SpawnEntity, "spawn_entity", request, timeout, "GazeboRosFactory")
         if answer is None:
             return False
@@ -210,7 +211,8 @@ class SpawnEntityNode(Node):
             self.log.info(f"Deleting status: {answer.status_message}")
 
 
-def _pose(args: argparse.Namespace) -> Pose:
+def pose_of(args: argparse.Namespace) -> Pose:
+    """The pose that the options -x to -Y tell."""
     (sr, cr), (sp, cp), (sy, cy) = ((math.sin(one / 2), math.cos(one / 2)) for one in (args.R, args.P, args.Y))
     pose = Pose()
     pose.position.x, pose.position.y, pose.position.z = args.x, args.y, args.z

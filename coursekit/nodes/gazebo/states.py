@@ -71,7 +71,8 @@ class States:
         if len(request.joint_names) != len(request.joint_positions):
             answer.status_message = "set_joint_positions: joint names and positions differ in number"
             return answer
-        robot.angles.update(zip(request.joint_names, request.joint_positions, strict=True))
+        for name, position in zip(request.joint_names, request.joint_positions, strict=True):
+            robot.motors.put(name, position)
         answer.success, answer.status_message = True, "set_joint_positions: success"
         return answer
 

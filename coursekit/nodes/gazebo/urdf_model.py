@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from coursekit.urdf import MeshError, Robot
 from coursekit.urdf.kinematics import Kinematics
-from coursekit.urdf.shapes import matrix_of
+from coursekit.urdf.shapes import matrix_of, notes_of
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
 from .looks import PLAIN, look_named
+from .newer_sensors import lumped
 from .solids import part_of
-from .values import matrix
+from .values import flag, matrix
 
 QUIET = {
     "material", "mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "fdir1", "selfCollide", "turnGravityOff", "gravity",
@@ -23,7 +26,7 @@ QUIET = {
 
 def blueprint_of(robot: Robot) -> Blueprint:
     """The blueprint of a robot. Raises UrdfError for numbers that are none; a mesh that is not there becomes a note."""
-    made = Blueprint(robot.name, file=robot.file, root=robot.root)
+    made = Blueprint(robot.name, file=robot.file, root=robot.root, robot=robot)
     made.joints = {name: joint.type for name, joint in robot.joints.items()}
     for name, pose in Kinematics(robot).poses().items():
         link = robot.links[name]
@@ -32,12 +35,22 @@ def blueprint_of(robot: Robot) -> Blueprint:
             try:
                 where = blue.pose @ matrix_of(collision.origin)
                 blue.parts.append(part_of(collision.geometry, where, robot.file))
+                made.notes += notes_of(collision.geometry, robot.file)
             except MeshError as error:
                 made.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
     made.axles = {name: made.links[joint.child].pose for name, joint in robot.joints.items()}
+    parents = {joint.child: (name, joint.type, joint.parent) for name, joint in robot.joints.items()}
+    made.lumped = lumped(parents, frozenset(_kept(robot)))
     for block in robot.gazebo:
         _read_block(block, robot, made)
     return made
+
+
+def _kept(robot: Robot) -> Iterator[str]:
+    """Fixed joints that say that they stay joints."""
+    for block in robot.gazebo:
+        if any(flag(block, tag, False) for tag in ("preserveFixedJoint", "disableFixedJointLumping")):
+            yield block.get("reference") or ""
 
 
 def _read_block(block: Element, robot: Robot, made: Blueprint) -> None:

@@ -35,14 +35,17 @@ def find_world(name: str) -> Path:
     raise WorldError(f"there is no world '{name}'", file=str(path), cure=cure)
 
 
-def open_world(name: str) -> SdfWorld:
-    """The world of a file or name, and the models in it; '' is an empty one. Raises WorldError and UrdfError."""
-    if not name:
-        return SdfWorld(World("default"))
+def open_world(name: str, newer: bool = False) -> SdfWorld:
+    """The world of a file or name, and the models in it, as Gazebo Classic or the `newer` one reads it; '' is an empty one.
+
+    Raises WorldError and UrdfError.
+    """
+    if not name or (newer and name == "empty.sdf" and not is_file(name)):
+        return SdfWorld(World("empty" if name else "default"), systems=frozenset() if newer else None)
     path = find_world(name)
     if path.suffix in (".yaml", ".yml"):
         return SdfWorld(_of_map(path) if _is_map(path) else load_world(path))
-    return load_sdf(path)
+    return load_sdf(path, newer)
 
 
 def _is_map(path: Path) -> bool:

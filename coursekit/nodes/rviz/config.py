@@ -11,7 +11,7 @@ from typing import Any
 
 import yaml
 
-from coursekit.files import read_text
+from coursekit.files import read_text, write_whole
 
 from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
@@ -141,7 +141,7 @@ def save(config: Config, path: str | Path) -> None:
     data: dict[str, Any] = {"fixed_frame": config.fixed_frame, "displays": [_small(one) for one in config.displays]}
     if config.view:
         data["view"] = config.view
-    Path(path).write_text(yaml.safe_dump(data, sort_keys=False, default_flow_style=None), encoding="utf-8")
+    write_whole(path, yaml.safe_dump(data, sort_keys=False, default_flow_style=None))
 
 
 def _small(display: DisplayConfig) -> dict[str, Any]:

@@ -20,6 +20,7 @@ from slam_toolbox.srv import (
 
 from coursekit.nav.map_file import save_map
 from coursekit.nodes.nav2.map_message import from_message
+from coursekit.nodes.nav2.map_saver import FREE_DEFAULT
 from coursekit.nodes.slam_toolbox.engines import Mapping, load_localizing, load_slam, localizing
 from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox
 from coursekit.slam import storage
@@ -70,8 +71,9 @@ class Services:
             response.result = SaveMap.Response.RESULT_NO_MAP_RECEIEVD
             return response
         log.info(f"SlamToolbox: Saving map as {name}." if name else "SlamToolbox: Saving map in current directory.")
+        name = name or f"map_{self._node.get_clock().now().nanoseconds // 10**9}"
         try:
-            files = save_map(name or f"map_{self._node.get_clock().now().nanoseconds // 10**9}", from_message(grid))
+            files = save_map(name, from_message(grid), free_thresh=FREE_DEFAULT)  # it asks nav2's map saver, in Humble
         except (OSError, ValueError) as fault:
             log.error(f"The map cannot be saved: {fault}")
             response.result = SaveMap.Response.RESULT_UNDEFINED_FAILURE

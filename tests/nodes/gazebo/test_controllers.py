@@ -16,9 +16,11 @@ WHEEL = """<link name='{0}'><collision><origin rpy='1.5707963 0 0'/><geometry>
 ROBOT = """<robot name='cart'><link name='base_link'><collision><origin xyz='0 0 0.1'/><geometry>
 <box size='0.3 0.2 0.1'/></geometry></collision></link>{wheels}
 <ros2_control name='GazeboSystem' type='system'><hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
-<joint name='left_joint'><command_interface name='velocity'/></joint></ros2_control>
+{joints}</ros2_control>
 <gazebo><plugin filename='libgazebo_ros2_control.so' name='gazebo_ros2_control'><parameters>{file}</parameters></plugin>
 </gazebo></robot>"""
+CONTROLLED = """<joint name='{}_joint'><command_interface name='velocity'/><state_interface name='position'/>
+<state_interface name='velocity'/></joint>"""
 PARAMETERS = """controller_manager:
   ros__parameters:
     update_rate: 30
@@ -47,7 +49,8 @@ def cart(tmp_path):
         file.write_text(parameters.replace("{stamped}", stamped))
         wheels = WHEEL.format("left", 0.11) + WHEEL.format("right", -0.11)
         robot = tmp_path / "cart.urdf"
-        robot.write_text(ROBOT.format(wheels=wheels, file=file))
+        joints = "".join(CONTROLLED.format(side) for side in ("left", "right"))
+        robot.write_text(ROBOT.format(wheels=wheels, joints=joints, file=file))
         return robot
 
     return write
@@ -97,16 +100,24 @@ def test_controllers_that_cannot_work_are_told(cart, old, new, says):
     assert says in str(caught.value)
 
 
-def test_a_missing_parameter_file_and_other_controllers_are_told(cart, tmp_path):
-    arm = "    arm:\n      type: joint_trajectory_controller/JointTrajectoryController\n"
-    robot = cart(PARAMETERS.replace("    joint_broad:", arm + "    joint_broad:"))
-    notes = read_entity(robot.read_text(), "", robot).notes
-    assert any("'arm' of type joint_trajectory_controller" in note for note in notes)
+def test_a_missing_parameter_file_is_told(cart, tmp_path):
+    robot = cart()
     (tmp_path / "controllers.yaml").unlink()
     with pytest.raises(UrdfError, match="cannot be read"):
         read_entity(robot.read_text(), "", robot)
 
 
+def test_a_controller_works_only_when_it_was_spawned(run, spawn, friend, cart):
+    run("gazebo_ros", "gzserver")
+    spawn(file=cart(), name="cart")
+    joints = friend.hear(JointState, "/joint_states")
+    friend.spin(1.0)
+    assert not joints
+    assert run("controller_manager", "spawner", "joint_broad").wait(5.0) == 0
+    friend.spin(1.0)
+    assert joints
+
+
 def test_a_spawner_whose_controller_never_comes_says_so(run):
     spawner = run("controller_manager", "spawner", "diff_cont", "--controller-manager-timeout", "2")
-    assert spawner.wait(5.0) == 1 and "Controller 'diff_cont' does not come" in spawner.output
+    assert spawner.wait(5.0) == 1 and "Controller manager not available" in spawner.output

@@ -9,7 +9,7 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     """Return the four nodes."""
-    urdf = Path(get_package_share_directory("dummy_robot_bringup"), "launch", "single_rrbot.urdf").read_text()
+    urdf = Path(get_package_share_directory("dummy_robot_bringup"), "launch", "single_rrbot.urdf").read_text(encoding="utf-8")
     return LaunchDescription(
         [
             Node(package="dummy_map_server", executable="dummy_map_server", output="screen"),

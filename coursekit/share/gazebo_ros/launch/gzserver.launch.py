@@ -1,11 +1,11 @@
 """The simulator's server."""
 
-import shlex
-
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
+
+from coursekit.systems.words import split_words
 
 ARGUMENTS = {
     "world": ("", "Specify world file name"),
@@ -34,7 +34,7 @@ def _server(context):
     told = {name: LaunchConfiguration(name).perform(context) for name in ARGUMENTS}
     paused, verbose = (told[name].lower() in ("true", "1") for name in ("pause", "verbose"))
     words = [told["world"], "--pause" if paused else "--play", "--verbose" if verbose else "--brief"]
-    words += ["--seed", told["seed"] or "0", *shlex.split(told["extra_gazebo_args"])]
+    words += ["--seed", told["seed"] or "0", *split_words(told["extra_gazebo_args"])]
     parameters = [told["params_file"]] if told["params_file"] else []
     return [Node(package="gazebo_ros", executable="gzserver", output="screen", arguments=words, parameters=parameters)]
 

@@ -1,0 +1,67 @@
+"""How programs ask a controller manager."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import rclpy
+from controller_manager_msgs.srv import (
+    ConfigureController,
+    ListControllers,
+    LoadController,
+    SwitchController,
+    UnloadController,
+)
+from rclpy.duration import Duration
+
+
+class NoManager(Exception):
+    """The controller manager does not answer; the text says so as ROS does."""
+
+
+class Asker:
+    """Asks the services of one manager."""
+
+    def __init__(self, node: Any, manager: str, wait: float = 10.0) -> None:
+        self.node, self.manager, self.wait = node, manager.rstrip("/"), wait
+
+    def ask(self, kind: Any, service: str, **fields: Any) -> Any:
+        """The answer of a service. Raises NoManager."""
+        name = f"{self.manager}/{service}"
+        client = self.node.create_client(kind, name)
+        if not client.wait_for_service(timeout_sec=self.wait or None):
+            raise NoManager(f"Could not contact service {name}")
+        future = client.call_async(kind.Request(**fields))
+        rclpy.spin_until_future_complete(self.node, future)
+        self.node.destroy_client(client)
+        return future.result()
+
+    def controllers(self) -> list[Any]:
+        """All that are loaded."""
+        return list(self.ask(ListControllers, "list_controllers").controller)
+
+    def load(self, name: str) -> bool:
+        """Load one."""
+        return bool(self.ask(LoadController, "load_controller", name=name).ok)
+
+    def configure(self, name: str) -> bool:
+        """Configure one."""
+        return bool(self.ask(ConfigureController, "configure_controller", name=name).ok)
+
+    def unload(self, name: str) -> bool:
+        """Unload one."""
+        return bool(self.ask(UnloadController, "unload_controller", name=name).ok)
+
+    def switch(self, stop: list[str], start: list[str], strict: bool = True, timeout: float = 5.0) -> bool:
+        """Stop some and start others."""
+        request = SwitchController.Request
+        return bool(
+            self.ask(
+                SwitchController, "switch_controller", activate_controllers=start, deactivate_controllers=stop,
+                strictness=request.STRICT if strict else request.BEST_EFFORT, activate_asap=True,
+                timeout=Duration(seconds=timeout).to_msg(),
+            ).ok
+        )  # fmt: skip
+
+
+__all__ = ["Asker", "NoManager"]

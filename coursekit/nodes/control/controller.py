@@ -1,0 +1,100 @@
+"""What all controllers have in common."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from builtin_interfaces.msg import Time
+from rclpy.node import Node
+
+
+class ControlError(Exception):
+    """A controller that cannot do what is asked; the text is what its log says."""
+
+
+class Interfaces:
+    """The commands that a controller has claimed, and all states."""
+
+    def __init__(self, commands: Mapping[str, dict[str, float]], states: Mapping[str, dict[str, float]]) -> None:
+        self._commands, self._states = commands, states
+
+    def state(self, name: str) -> float:
+        """A state by its full name; nan where there is none."""
+        table = self._states.get(name)
+        return math.nan if table is None else table[name]
+
+    def command(self, name: str, value: float) -> None:
+        """Write a command."""
+        self._commands[name][name] = value
+
+    def commanded(self, name: str) -> float:
+        """The command as it is now."""
+        return self._commands[name][name]
+
+    def states(self) -> list[str]:
+        """The full names of all states."""
+        return list(self._states)
+
+    def commands(self) -> list[str]:
+        """The full names of all commands."""
+        return list(self._commands)
+
+
+class Controller:
+    """A controller: its node has its name; the manager calls `configure`, `activate`, `update` and `deactivate`."""
+
+    def __init__(self, node: Node, interfaces: Interfaces, rate: float) -> None:
+        self.node, self.interfaces, self.rate = node, interfaces, rate
+        self.log = node.get_logger()
+        self.now_ns = 0
+        """The time of the step that is done, or was done last [ns]."""
+
+    def parameter(self, name: str, usual: Any) -> Any:
+        """The value of a parameter, declared when it is first asked for; ControlError for one of another type."""
+        try:
+            if not self.node.has_parameter(name):
+                if usual == []:
+                    from rclpy.parameter import Parameter
+
+                    self.node.declare_parameter(name, Parameter.Type.STRING_ARRAY)
+                else:
+                    self.node.declare_parameter(name, usual)
+            value = self.node.get_parameter_or(name).value
+        except Exception as error:  # its type is another: rclpy has four ways to say so
+            raise ControlError(f"parameter '{name}': {error}") from None
+        return usual if value is None else list(value) if isinstance(usual, list) else value
+
+    def command_names(self) -> list[str]:
+        """The full names of the commands that it claims."""
+        return []
+
+    def state_names(self) -> list[str]:
+        """The full names of the states that it needs."""
+        return []
+
+    def configure(self) -> None:
+        """Read parameters, open topics. Raises ControlError."""
+
+    def activate(self) -> None:
+        """Begin. Raises ControlError."""
+
+    def deactivate(self) -> None:
+        """Stop."""
+
+    def update(self, now_ns: int, dt: float) -> None:
+        """One step."""
+
+    def close(self) -> None:
+        """It is unloaded."""
+        self.node.destroy_node()
+
+
+def stamp(now_ns: int) -> Time:
+    """Nanoseconds as a message."""
+    return Time(sec=now_ns // 1_000_000_000, nanosec=now_ns % 1_000_000_000)
+
+
+Maker = Callable[[Node, Interfaces, float], Controller]
+__all__ = ["ControlError", "Controller", "Interfaces", "Maker", "stamp"]

@@ -1,0 +1,123 @@
+"""`<ros2_control>` of a robot's description: which joints, sensors and numbers a piece of hardware has."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from coursekit.urdf import parse
+from coursekit.urdf.model import Robot
+from coursekit.urdf.xml_tree import Element, read
+
+KINDS = ("joint", "sensor", "gpio")
+
+
+@dataclass(frozen=True)
+class Interface:
+    """A number that is written or read; `initial` is nan where none is told."""
+
+    name: str
+    initial: float = math.nan
+    lower: float = -math.inf
+    upper: float = math.inf
+
+
+@dataclass(frozen=True)
+class Component:
+    """A joint, sensor or gpio."""
+
+    name: str
+    kind: str
+    commands: tuple[Interface, ...] = ()
+    states: tuple[Interface, ...] = ()
+    parameters: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class HardwareInfo:
+    """One `<ros2_control>`: `kind` is system, actuator or sensor, `plugin` its class."""
+
+    name: str
+    kind: str
+    plugin: str
+    components: tuple[Component, ...]
+    parameters: dict[str, str] = field(default_factory=dict)
+    mimics: dict[str, tuple[str, float, float]] = field(default_factory=dict)
+    """By joint: the one that it follows, the factor, the offset."""
+
+    def interfaces(self, which: str) -> dict[str, Interface]:
+        """All "commands" or "states" by their full names, such as `wheel/velocity`."""
+        return {f"{part.name}/{one.name}": one for part in self.components for one in getattr(part, which)}
+
+
+def read_hardware(text: str, file: str = "") -> tuple[Robot, list[HardwareInfo]]:
+    """The robot and its hardware. Raises UrdfError with line and cure.
+
+    >>> robot = "<robot name='r'><link name='l'/><ros2_control name='h' type='system'><hardware><plugin>p</plugin>"
+    >>> robot += "</hardware><joint name='j'><command_interface name='position'/></joint></ros2_control></robot>"
+    >>> list(read_hardware(robot)[1][0].interfaces("commands"))
+    ['j/position']
+    """
+    robot = parse(text, file)
+    return robot, [_hardware(one, robot) for one in read(text, file).all("ros2_control")]
+
+
+def _hardware(element: Element, robot: Robot) -> HardwareInfo:
+    name, kind, plugin = element.get("name") or "", element.get("type") or "", element.tell("hardware/plugin")
+    if kind not in ("system", "actuator", "sensor"):
+        raise element.error(f"has type '{kind}'", "Give it type='system', 'actuator' or 'sensor'.")
+    if not plugin:
+        raise element.error("names no class", "Say <hardware><plugin>mock_components/GenericSystem</plugin></hardware>.")
+    hardware = element.first("hardware")
+    assert hardware is not None
+    parameters = _parameters(hardware)
+    for key, value in parameters.items():
+        if key.endswith("_offset"):
+            _number(hardware, value)
+    parts = tuple(_component(one) for one in element.children if one.tag in KINDS)
+    known = {part.name for part in parts if part.kind == "joint"}
+    mimics = {
+        joint.name: (joint.mimic.joint, joint.mimic.multiplier, joint.mimic.offset)
+        for joint in robot.joints.values() if joint.mimic is not None and joint.name in known
+    }  # fmt: skip
+    for part in parts:
+        leader = part.parameters.get("mimic", "")
+        if leader and leader not in ("true", "false"):
+            mimics[part.name] = (leader, _number(element, part.parameters.get("multiplier", "1")), 0.0)
+    return HardwareInfo(name, kind, plugin, parts, parameters, mimics)
+
+
+def _parameters(element: Element) -> dict[str, str]:
+    return {one.get("name") or "": one.text.strip() for one in element.all("param")}
+
+
+def _component(element: Element) -> Component:
+    name = element.get("name")
+    if not name:
+        raise element.error("has no name", f"Name the {element.tag}.")
+    commands, states = (
+        tuple(_interface(one) for one in element.all(f"{which}_interface")) for which in ("command", "state")
+    )
+    return Component(name, element.tag, commands, states, _parameters(element))
+
+
+def _interface(element: Element) -> Interface:
+    told = _parameters(element)
+    name = element.get("name")
+    if not name:
+        raise element.error("has no name", "Name it: position, velocity or effort.")
+    first = element.tell("initial_value") or told.get("initial_value", "")
+    return Interface(
+        name, _number(element, first) if first else math.nan, _number(element, told.get("min") or "-inf"),
+        _number(element, told.get("max") or "inf"),
+    )  # fmt: skip
+
+
+def _number(element: Element, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise element.error(f"has '{text}', which is no number", "Write a number such as 0.5.") from None
+
+
+__all__ = ["Component", "HardwareInfo", "Interface", "read_hardware"]

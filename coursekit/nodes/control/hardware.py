@@ -1,0 +1,73 @@
+"""Hardware: numbers that controllers write (`commands`) and read (`states`)."""
+
+from __future__ import annotations
+
+import math
+
+from .description import HardwareInfo
+
+STANDARD = ("position", "velocity", "acceleration", "effort")
+
+
+class Hardware:
+    """A piece of hardware; all its interfaces are known by their full names, such as `wheel/velocity`."""
+
+    def __init__(self, info: HardwareInfo) -> None:
+        self.info = info
+        self.commands: dict[str, float] = dict.fromkeys(info.interfaces("commands"), math.nan)
+        self.states: dict[str, float] = {
+            name: (one.initial if not math.isnan(one.initial) else 0.0) for name, one in info.interfaces("states").items()
+        }
+        self.active = True
+
+    def read(self, dt: float) -> None:
+        """Take in how things are."""
+
+    def write(self, dt: float) -> None:
+        """Let the commands work."""
+
+    def released(self, names: list[str]) -> None:
+        """These commands are no controller's any more: they hold nothing."""
+        for name in names:
+            self.commands[name] = math.nan
+
+
+class GenericSystem(Hardware):
+    """mock_components/GenericSystem: what is commanded is so at once; joints that mimic follow."""
+
+    def __init__(self, info: HardwareInfo) -> None:
+        super().__init__(info)
+        told = info.parameters
+        self._offset = float(told.get("position_state_following_offset") or 0.0)
+        self._custom = told.get("custom_interface_with_following_offset") or "position"
+        self._dynamic = told.get("calculate_dynamics", "").lower() in ("true", "1")
+        self._deaf = told.get("disable_commands", told.get("fake_sensor_commands_disabled", "")).lower() in ("true", "1")
+
+    def read(self, dt: float) -> None:
+        """Every command is the state of its name; with `calculate_dynamics` velocities move positions."""
+        if not self._deaf:
+            for name, value in self.commands.items():
+                if not math.isnan(value) and name in self.states:
+                    self.states[name] = value + (self._offset if name.endswith(f"/{self._custom}") else 0.0)
+            if self._dynamic and dt > 0:
+                self._reckon(dt)
+        self._mimic()
+
+    def _reckon(self, dt: float) -> None:
+        for part in self.info.components:
+            position, velocity = f"{part.name}/position", f"{part.name}/velocity"
+            goal = self.commands.get(velocity, math.nan)
+            if math.isnan(self.commands.get(position, math.nan)) and not math.isnan(goal) and position in self.states:
+                self.states[position] += goal * dt
+
+    def _mimic(self) -> None:
+        for joint, (leader, factor, offset) in self.info.mimics.items():
+            for kind in STANDARD:
+                if f"{joint}/{kind}" in self.states and f"{leader}/{kind}" in self.states:
+                    shift = offset if kind == "position" else 0.0
+                    self.states[f"{joint}/{kind}"] = self.states[f"{leader}/{kind}"] * factor + shift
+
+
+MOCKS = ("mock_components/GenericSystem", "fake_components/GenericSystem")
+"""Classes of hardware that is none; the second is their older name."""
+__all__ = ["MOCKS", "STANDARD", "GenericSystem", "Hardware"]

@@ -1,0 +1,118 @@
+"""The services of the controller manager."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from controller_manager_msgs.msg import ControllerState, HardwareComponentState, HardwareInterface
+from controller_manager_msgs.srv import (
+    ConfigureController,
+    ListControllers,
+    ListControllerTypes,
+    ListHardwareComponents,
+    ListHardwareInterfaces,
+    LoadController,
+    ReloadControllerLibraries,
+    SetHardwareComponentState,
+    SwitchController,
+    UnloadController,
+)
+
+from .hardware import Hardware
+from .manager import Manager
+
+BASE = "controller_interface::ControllerInterface"
+STATES = {1: "unconfigured", 2: "inactive", 3: "active", 4: "finalized"}
+
+
+class ManagerServices:
+    """They answer under `~/`."""
+
+    def __init__(self, manager: Manager) -> None:
+        self._manager = manager
+        for kind, name, answer in (
+            (ListControllers, "list_controllers", self._controllers),
+            (ListControllerTypes, "list_controller_types", self._types),
+            (ListHardwareComponents, "list_hardware_components", self._components),
+            (ListHardwareInterfaces, "list_hardware_interfaces", self._interfaces),
+            (LoadController, "load_controller", self._load), (ConfigureController, "configure_controller", self._configure),
+            (UnloadController, "unload_controller", self._unload), (SwitchController, "switch_controller", self._switch),
+            (ReloadControllerLibraries, "reload_controller_libraries", self._reload),
+            (SetHardwareComponentState, "set_hardware_component_state", self._set_component),
+        ):  # fmt: skip
+            manager.node.create_service(kind, f"~/{name}", answer)
+
+    def _load(self, request: Any, answer: Any) -> Any:
+        answer.ok = self._manager.load(request.name)
+        return answer
+
+    def _configure(self, request: Any, answer: Any) -> Any:
+        answer.ok = self._manager.configure(request.name)
+        return answer
+
+    def _unload(self, request: Any, answer: Any) -> Any:
+        answer.ok = self._manager.unload(request.name)
+        return answer
+
+    def _switch(self, request: Any, answer: Any) -> Any:
+        start = [*request.activate_controllers, *request.start_controllers]
+        stop = [*request.deactivate_controllers, *request.stop_controllers]
+        answer.ok = self._manager.switch(start, stop, request.strictness == SwitchController.Request.STRICT)
+        return answer
+
+    def _reload(self, request: Any, answer: Any) -> Any:
+        busy = [name for name, one in self._manager.loaded.items() if one.state == "active"]
+        if busy and not request.force_kill:
+            self._manager.log.error("Cannot reload controller libraries because there are active controllers")
+            return answer
+        self._manager.switch([], busy, strict=False)
+        gone = [self._manager.unload(name) for name in list(self._manager.loaded)]
+        answer.ok = all(gone)
+        return answer
+
+    def _controllers(self, _request: Any, answer: Any) -> Any:
+        for name, one in self._manager.loaded.items():
+            msg = ControllerState(name=name, state=one.state, type=one.type, claimed_interfaces=one.claimed)
+            if one.state != "unconfigured":
+                msg.required_command_interfaces = one.controller.command_names()
+                msg.required_state_interfaces = one.controller.state_names()
+            answer.controller.append(msg)
+        return answer
+
+    def _types(self, _request: Any, answer: Any) -> Any:
+        answer.types = sorted(self._manager.makers)
+        answer.base_classes = [BASE] * len(answer.types)
+        return answer
+
+    def _interfaces(self, _request: Any, answer: Any) -> Any:
+        for hardware in self._manager.hardware:
+            answer.command_interfaces += self._told(hardware, list(hardware.commands))
+            answer.state_interfaces += self._told(hardware, list(hardware.states))
+        return answer
+
+    def _told(self, hardware: Hardware, names: list[str]) -> list[HardwareInterface]:
+        claimed = {name for one in self._manager.loaded.values() for name in one.claimed}
+        return [HardwareInterface(name=name, is_available=hardware.active, is_claimed=name in claimed) for name in names]
+
+    def _components(self, _request: Any, answer: Any) -> Any:
+        for hardware in self._manager.hardware:
+            info = hardware.info
+            msg = HardwareComponentState(name=info.name, type=info.kind, class_type=info.plugin)
+            msg.state.id, msg.state.label = (3, "active") if hardware.active else (2, "inactive")
+            msg.command_interfaces = self._told(hardware, list(hardware.commands))
+            msg.state_interfaces = self._told(hardware, list(hardware.states))
+            answer.component.append(msg)
+        return answer
+
+    def _set_component(self, request: Any, answer: Any) -> Any:
+        one = next((each for each in self._manager.hardware if each.info.name == request.name), None)
+        target = request.target_state.label or STATES.get(request.target_state.id, "")
+        if one is None or target not in ("active", "inactive"):
+            self._manager.log.error(f"hardware component with name '{request.name}' cannot be brought to '{target}'")
+            return answer
+        one.active = target == "active"
+        answer.ok, answer.state.label, answer.state.id = True, target, 3 if one.active else 2
+        return answer
+
+
+__all__ = ["ManagerServices"]

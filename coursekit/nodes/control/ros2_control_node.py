@@ -1,0 +1,104 @@
+"""`ros2 run controller_manager ros2_control_node`: the controller manager, with hardware that is none."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import String
+
+from coursekit.nodes.running import to_the_end
+from coursekit.urdf import UrdfError
+
+from .description import read_hardware
+from .hardware import MOCKS, GenericSystem
+from .manager import Manager
+from .manager_services import ManagerServices
+
+
+def own_arguments(argv: list[str]) -> list[str]:
+    """What of a program's ROS arguments its controllers' nodes get: all but the node's own name.
+
+    >>> own_arguments(["x", "--ros-args", "-r", "__node:=cm", "--params-file", "a.yaml", "--"])
+    ['--params-file', 'a.yaml']
+    """
+    found: list[str] = []
+    within = False
+    for word in argv:
+        if word in ("--ros-args", "--"):
+            within = word == "--ros-args"
+        elif within and word.startswith(("__node:=", "__name:=")):
+            found.pop()
+        elif within:
+            found.append(word)
+    return found
+
+
+class ControlNode:
+    """The node, its manager, and the description that it waits for."""
+
+    def __init__(self) -> None:
+        self.node = Node(
+            "controller_manager", allow_undeclared_parameters=True, automatically_declare_parameters_from_overrides=True
+        )
+        self.executor = rclpy.get_global_executor()
+        self.executor.add_node(self.node)
+        self.manager = Manager(self.node, self.executor, own_arguments(sys.argv))
+        self.services = ManagerServices(self.manager)
+        log = self.node.get_logger()
+        if not self.node.has_parameter("robot_description"):
+            self.node.declare_parameter("robot_description", "")
+        text = str(self.node.get_parameter("robot_description").value or "")
+        if text:
+            log.warning(
+                "[Deprecated] Passing the robot description parameter directly to the control_manager node is deprecated. "
+                "Use '~/robot_description' topic from 'robot_state_publisher' instead."
+            )
+            self.describe(text)
+        else:
+            log.info("Subscribing to '~/robot_description' topic for robot description file.")
+            latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+            for topic in ("~/robot_description", "robot_description"):
+                self.node.create_subscription(String, topic, lambda msg: self.describe(msg.data), latched)
+        log.info(f"update rate is {self.manager.rate:g} Hz")
+        self.manager.now_ns = self._last_ns = self.node.get_clock().now().nanoseconds
+        self.node.create_timer(1.0 / self.manager.rate, self._step)
+
+    def describe(self, text: str) -> None:
+        """Take in the hardware of a description; the first one counts."""
+        if self.manager.hardware:
+            return
+        log = self.node.get_logger()
+        try:
+            _, infos = read_hardware(text)
+        except UrdfError as error:
+            log.error(f"The published robot description file (urdf) seems not to be genuine: {error}")
+            return
+        if not infos:
+            log.error("The robot description has no <ros2_control>: there is nothing to control.")
+        for info in infos:
+            if info.plugin in MOCKS:
+                self.manager.add(GenericSystem(info))
+            else:
+                log.error(
+                    f"Caught exception of type : pluginlib::LibraryLoadException while loading hardware '{info.name}': "
+                    f"class {info.plugin} is the driver of a device. Here there is {MOCKS[0]}, which needs none; in a "
+                    "simulation the robot's plugin gazebo_ros2_control or gz_ros2_control is the manager: spawn the robot."
+                )
+
+    def _step(self) -> None:
+        now = self.node.get_clock().now().nanoseconds
+        dt, self._last_ns = (now - self._last_ns) * 1e-9, now
+        self.manager.update(now, max(dt, 0.0))
+
+
+def main(args: list[str] | None = None) -> Any:
+    """Control until Ctrl-C."""
+    rclpy.init(args=args)
+    control = ControlNode()
+    with to_the_end():
+        control.executor.spin()
+    return 0

@@ -1,0 +1,84 @@
+"""Which controllers can be started and stopped together: they must be there, and their interfaces free."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from coursekit.urdf.errors import close
+
+from .controller import Controller, Interfaces
+
+
+@dataclass
+class Loaded:
+    """A controller that is loaded, and how far it is."""
+
+    name: str
+    type: str
+    controller: Controller
+    state: str = "unconfigured"
+    claimed: list[str] = field(default_factory=list)
+
+
+class Switching:
+    """One switch; where it is `strict`, all of it can be done or none."""
+
+    def __init__(self, loaded: Mapping[str, Loaded], interfaces: Interfaces, log: Any, strict: bool) -> None:
+        self._loaded, self._interfaces, self._log, self._strict = loaded, interfaces, log, strict
+
+    def plan(self, start: Sequence[str], stop: Sequence[str]) -> tuple[list[Loaded], list[Loaded]] | None:
+        """Those to start and those to stop; None where it cannot be done, which is logged."""
+        stopping = self._fitting(stop, "active", "deactivate")
+        starting = self._fitting(start, "inactive", "activate")
+        if stopping is None or starting is None:
+            return None
+        held = {name for one in self._loaded.values() if one not in stopping for name in one.claimed}
+        free = self._free(starting, held)
+        return None if free is None else (free, stopping)
+
+    def _fitting(self, names: Sequence[str], state: str, what: str) -> list[Loaded] | None:
+        found = []
+        for name in names:
+            one = self._loaded.get(name)
+            if one is not None and one.state == state:
+                found.append(one)
+                continue
+            why = "no controller with this name exists" if one is None else f"it is not {state}"
+            text = f"Could not '{what}' controller with name '{name}' because {why}"
+            (self._log.error if self._strict else self._log.warning)(text)
+            if self._strict:
+                return None
+        return found
+
+    def _free(self, starting: list[Loaded], held: set[str]) -> list[Loaded] | None:
+        """Those whose interfaces are there and no other's."""
+        found = []
+        for one in starting:
+            wanted = one.controller.command_names()
+            fault = self._missing(one, wanted, held)
+            if not fault:
+                held |= set(wanted)
+                found.append(one)
+                continue
+            self._log.error(fault)
+            if self._strict:
+                return None
+        return found
+
+    def _missing(self, one: Loaded, wanted: list[str], held: set[str]) -> str:
+        for kind, names, there in (
+            ("command", wanted, self._interfaces.commands()),
+            ("state", one.controller.state_names(), self._interfaces.states()),
+        ):
+            for name in names:
+                if kind == "command" and name in held:
+                    return f"Resource conflict for controller '{one.name}'. Command interface '{name}' is already claimed."
+                if name not in there:
+                    hint = close(name, there)
+                    return f"Can't activate controller '{one.name}': {kind} interface '{name}' does not exist. {hint}"
+        return ""
+
+
+__all__ = ["Loaded", "Switching"]

@@ -1,0 +1,63 @@
+"""How far joints may be off, on the way and at the goal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .trajectory import Array
+from .trajectory_messages import seconds
+
+
+@dataclass
+class Tolerances:
+    """0 is without end; `path` and `goal` of positions, `stopped` of speeds at the goal, `goal_time` [s]."""
+
+    path: Array
+    goal: Array
+    stopped: Array
+    path_speed: Array = field(default_factory=lambda: np.zeros(0))
+    goal_time: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not len(self.path_speed):
+            self.path_speed = np.zeros_like(self.path)
+
+    def on_path(self, error: Array, speed: Array | None) -> bool:
+        """Whether the errors on the way are small enough."""
+        return _within(error, self.path) and (speed is None or _within(speed, self.path_speed))
+
+    def at_goal(self, error: Array, speed: Array | None) -> bool:
+        """Whether the errors at the goal are small enough."""
+        return _within(error, self.goal) and (speed is None or _within(speed, self.stopped))
+
+    def asked(self, goal: Any, joints: Sequence[str]) -> Tolerances:
+        """The same, with what an action's goal asks for: 0 leaves it as it is, below 0 is without end."""
+        made = Tolerances(self.path.copy(), self.goal.copy(), self.stopped.copy(), self.path_speed.copy(), self.goal_time)
+        for told, positions, speeds in (
+            (goal.path_tolerance, made.path, made.path_speed), (goal.goal_tolerance, made.goal, made.stopped),
+        ):  # fmt: skip
+            for one in told:
+                if one.name in joints:
+                    place = list(joints).index(one.name)
+                    _set(positions, place, one.position)
+                    _set(speeds, place, one.velocity)
+        time = seconds(goal.goal_time_tolerance)
+        made.goal_time = made.goal_time if time == 0 else max(time, 0.0)
+        return made
+
+
+def _set(values: Array, place: int, told: float) -> None:
+    if told:
+        values[place] = max(told, 0.0)
+
+
+def _within(error: Array, most: Array) -> bool:
+    """A nan is an error without end."""
+    return bool(np.all((most <= 0.0) | (np.abs(error) <= most)))
+
+
+__all__ = ["Tolerances"]

@@ -1,0 +1,33 @@
+"""The classes of controllers by the names that parameter files use."""
+
+from __future__ import annotations
+
+from .broadcasters import ImuBroadcaster, JointStateBroadcaster, WrenchBroadcaster
+from .controller import Maker
+from .diff_drive import DiffDriveController
+from .forward import (
+    EffortGroup,
+    ForwardCommandController,
+    MultiInterfaceForwardCommandController,
+    PositionGroup,
+    VelocityGroup,
+)
+from .gripper import GripperActionController
+from .trajectory_controller import JointTrajectoryController
+
+DRIVE = "diff_drive_controller/DiffDriveController"
+TYPES: dict[str, Maker] = {
+    DRIVE: DiffDriveController,
+    "effort_controllers/JointGroupEffortController": EffortGroup,
+    "effort_controllers/GripperActionController": GripperActionController,
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": WrenchBroadcaster,
+    "forward_command_controller/ForwardCommandController": ForwardCommandController,
+    "forward_command_controller/MultiInterfaceForwardCommandController": MultiInterfaceForwardCommandController,
+    "imu_sensor_broadcaster/IMUSensorBroadcaster": ImuBroadcaster,
+    "joint_state_broadcaster/JointStateBroadcaster": JointStateBroadcaster,
+    "joint_trajectory_controller/JointTrajectoryController": JointTrajectoryController,
+    "position_controllers/GripperActionController": GripperActionController,
+    "position_controllers/JointGroupPositionController": PositionGroup,
+    "velocity_controllers/JointGroupVelocityController": VelocityGroup,
+}
+__all__ = ["DRIVE", "TYPES"]

@@ -1,0 +1,48 @@
+"""Robots whose links move: an arm stands in the world as its joints are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from coursekit.sim.parts import Part
+from coursekit.sim.place import Array
+from coursekit.urdf import Robot
+from coursekit.urdf.kinematics import Kinematics
+
+from .blueprint import Blueprint
+from .moved import moved
+from .solids import raised
+from .values import matrix
+
+STEP = 0.02
+"""A joint that moved by less [rad or m] leaves its links where they are."""
+
+
+class Articulated:
+    """Where the links of a robot and their parts are, by the positions of its joints."""
+
+    def __init__(self, robot: Robot, made: Blueprint, floor: float) -> None:
+        self._kinematics, self._floor = Kinematics(robot), floor
+        self._joints = [name for name, joint in robot.joints.items() if joint.moves and joint.mimic is None]
+        self._links = {name: (link.pose, list(link.parts)) for name, link in made.links.items()}
+        self._last: dict[str, float] = {}
+
+    def has_moved(self, motors: Mapping[str, float]) -> bool:
+        """Whether joints with motors are elsewhere than at the last `at`; wheels do not count."""
+        return any(abs(motors[name] - self._last.get(name, 0.0)) >= STEP for name in self._joints if name in motors)
+
+    def at(self, motors: Mapping[str, float]) -> tuple[dict[str, Array], tuple[Part, ...]]:
+        """The frames of the links and all their parts."""
+        self._last = {name: motors[name] for name in self._joints if name in motors}
+        frames = {name: matrix(pose) for name, pose in self._kinematics.poses(self._last).items()}
+        parts = []
+        for name, (rest, own) in self._links.items():
+            shift = frames[name] @ np.linalg.inv(rest)
+            still = np.allclose(shift, np.eye(4), atol=1e-9)
+            parts += [raised(part if still else moved(part, shift), -self._floor) for part in own]
+        return frames, tuple(parts)
+
+
+__all__ = ["Articulated"]

@@ -1,0 +1,187 @@
+"""A controller manager at work on a simulated robot: its hardware are the robot's joints."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from geometry_msgs.msg import Twist, TwistStamped
+from rclpy.node import Node
+
+from coursekit.nodes.control.controller import Controller, Interfaces
+from coursekit.nodes.control.description import HardwareInfo
+from coursekit.nodes.control.hardware import Hardware
+from coursekit.nodes.control.manager import Manager
+from coursekit.nodes.control.manager_services import ManagerServices
+from coursekit.nodes.control.types import DRIVE, TYPES
+from coursekit.sim.robot import GRAVITY, Robot
+from coursekit.sim.simulation import Simulation
+
+from .devices import ControlDevice, OdometryDevice
+from .outlets import OdometryOutlet, Outlet, heading
+
+
+class SimulatedHardware(Hardware):
+    """gazebo_ros2_control/GazeboSystem and gz_ros2_control/GazeboSimSystem: positions and speeds go to the joints' motors.
+
+    Wheels of a drive move the robot. An effort moves a joint as against a viscous brake: nothing weighs anything.
+    """
+
+    def __init__(self, info: HardwareInfo, robot: Robot, simulation: Simulation) -> None:
+        super().__init__(info)
+        self.robot, self.simulation = robot, simulation
+        drive = robot.model.drive
+        self._wheels = set(drive.left + drive.right) if drive is not None else set()
+        self._driven = {name.partition("/")[0] for name in self.commands} & self._wheels
+        robot.motors.mimics.update(info.mimics)
+        self.begin()
+
+    def begin(self) -> None:
+        """The joints are where the description puts them at first."""
+        for name, one in self.info.interfaces("states").items():
+            joint, _, kind = name.partition("/")
+            if kind == "position" and not math.isnan(one.initial):
+                self.robot.motors.put(joint, one.initial)
+
+    def read(self, dt: float) -> None:
+        """Where the joints are, how fast they go; what sensors feel."""
+        speeds = self._speeds()
+        for name in self.states:
+            joint, _, kind = name.partition("/")
+            if kind == "position":
+                self.states[name] = self.robot.angles.get(joint, 0.0)
+            elif kind == "velocity":
+                self.states[name] = speeds.get(joint, 0.0)
+            elif kind == "effort":
+                told = self.commands.get(name, 0.0)
+                self.states[name] = 0.0 if math.isnan(told) else told
+            elif kind == "acceleration":
+                self.states[name] = 0.0
+            else:
+                self.states[name] = self._felt(kind)
+
+    def _speeds(self) -> dict[str, float]:
+        drive, (ahead, _, turn) = self.robot.model.drive, self.robot.wheels
+        if drive is None:
+            return self.robot.motors.speeds
+        half = turn * drive.separation / 2
+        left, right = (ahead - half) / drive.radius, (ahead + half) / drive.radius
+        return self.robot.motors.speeds | dict.fromkeys(drive.left, left) | dict.fromkeys(drive.right, right)
+
+    def _felt(self, kind: str) -> float:
+        turned = heading(self.robot.place.theta)
+        felt = {"orientation.z": turned.z, "orientation.w": turned.w, "angular_velocity.z": self.robot.velocity[2]}
+        return felt.get(kind, GRAVITY if kind == "linear_acceleration.z" else 0.0)
+
+    def write(self, dt: float) -> None:
+        """Let the commands work."""
+        told = False
+        for name, value in self.commands.items():
+            joint, _, kind = name.partition("/")
+            if math.isnan(value):
+                continue
+            told |= joint in self._driven and kind == "velocity"
+            if joint not in self._wheels and kind in ("position", "velocity", "effort"):
+                self.robot.motors.command(joint, kind, value)
+        drive = self.robot.model.drive
+        if told and drive is not None:
+            left, right = (self._mean(joints) for joints in (drive.left, drive.right))
+            self.robot.command(
+                (left + right) / 2 * drive.radius, (right - left) * drive.radius / drive.separation,
+                now_ns=self.simulation.now_ns,
+            )  # fmt: skip
+
+    def _mean(self, joints: tuple[str, ...]) -> float:
+        values = [self.commands.get(f"{joint}/velocity", 0.0) for joint in joints]
+        return sum(0.0 if math.isnan(one) else one for one in values) / len(values)
+
+
+class SimulatedDrive(Controller):
+    """diff_drive_controller in the simulator: it drives the robot itself, and its odometry errs as wheels do."""
+
+    def __init__(
+        self, node: Node, interfaces: Interfaces, rate: float, outlet: ControlOutlet, device: OdometryDevice
+    ) -> None:
+        super().__init__(node, interfaces, rate)
+        self._outlet, self._device = outlet, device
+        self._odometry: OdometryOutlet | None = None
+        self._active = False
+
+    def configure(self) -> None:
+        """Hear commands."""
+        kind = TwistStamped if self._device.stamped else Twist
+        self.node.create_subscription(kind, self._device.command_topic, self._hear, 10)
+
+    def command_names(self) -> list[str]:
+        """The speeds of its wheels."""
+        drive = self._outlet.robot.model.drive
+        assert drive is not None
+        wanted = [f"{joint}/velocity" for joint in (*drive.left, *drive.right)]
+        return [name for name in wanted if name in self.interfaces.commands()]
+
+    def activate(self) -> None:
+        """Tell the way from now on."""
+        outlet = self._outlet
+        if self._odometry is None:
+            self._odometry = OdometryOutlet(
+                self.node, outlet.simulation, outlet.robot, self._device, 0, outlet.due_ns
+            )
+        self._odometry.restart(outlet.due_ns)
+        self._active = True
+
+    def deactivate(self) -> None:
+        """Stop."""
+        self._active = False
+        self._outlet.robot.command(0.0, 0.0, now_ns=self._outlet.simulation.now_ns)
+
+    def _hear(self, msg: Any) -> None:
+        if self._active:
+            twist = getattr(msg, "twist", msg)
+            self._outlet.robot.command(twist.linear.x, twist.angular.z, now_ns=self._outlet.simulation.now_ns)
+
+    def update(self, now_ns: int, dt: float) -> None:
+        """Tell the way as often as it is due."""
+        while self._odometry is not None and self._odometry.due_ns <= now_ns:
+            self._odometry.work()
+
+
+class ControlOutlet(Outlet):
+    """The controller manager of a robot at work; `node` is made by the simulator in ROS."""
+
+    device: ControlDevice
+
+    def open(self) -> None:
+        device = self.device
+        makers: dict[str, Any] = dict(TYPES)
+        if device.odometry:
+            makers[DRIVE] = self._drive_of
+        self.manager = Manager(self.node, self.node.executor, device.arguments(), makers)
+        self.services = ManagerServices(self.manager)
+        self.hardware = [SimulatedHardware(info, self.robot, self.simulation) for info in device.hardware]
+        for one in self.hardware:
+            self.manager.add(one)
+        if not self.hardware:
+            self.manager.log.error("The robot description has no <ros2_control>: there are no joints to control.")
+
+    def _drive_of(self, node: Node, interfaces: Interfaces, rate: float) -> Controller:
+        told = dict(self.device.odometry)
+        return SimulatedDrive(node, interfaces, rate, self, told.get(node.get_name()) or next(iter(told.values())))
+
+    def publish(self, time_ns: int) -> None:
+        self.manager.update(time_ns, 1.0 / self.device.rate)
+
+    def restart(self, begin_ns: int) -> None:
+        """Begin again at a time; trajectories end."""
+        super().restart(begin_ns)
+        if begin_ns < self.manager.now_ns:
+            for one in self.hardware:
+                one.begin()
+                one.read(0.0)
+            self.manager.restart(begin_ns)
+
+    def close(self) -> None:
+        """The manager leaves with its robot."""
+        self.manager.close()
+
+
+__all__ = ["ControlOutlet", "SimulatedHardware"]

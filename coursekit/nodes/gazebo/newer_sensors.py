@@ -1,0 +1,121 @@
+"""Sensors in the newer Gazebo: they publish without a plugin, on topics that they name."""
+
+from __future__ import annotations
+
+import math
+
+from coursekit.sim.lidar import Lidar
+from coursekit.sim.place import Array, Place
+from coursekit.urdf.xml_tree import Element
+
+from .blueprint import BlueLink, Blueprint
+from .devices import CameraDevice, DepthDevice, Device, ImuDevice, RayDevice, TouchDevice
+from .newer import NODE, GzNames
+from .ray_messages import CLOUD
+from .values import number, pose, yaw_of
+
+LIDARS, CAMERAS = ("gpu_lidar", "lidar", "ray", "gpu_ray"), ("camera", "depth_camera", "depth", "rgbd_camera", "rgbd")
+
+
+def devices_of(sensor: Element, link: BlueLink, model: Blueprint, floor: float) -> list[Device]:
+    """The devices of a sensor on a link; none and a note for what is not simulated. `floor` is its z in the model."""
+    kind, name = sensor.get("type") or "", sensor.get("name") or "sensor"
+    names = GzNames(model.newer or "default", model.name)
+    body = model.lumped.get(link.name, link.name)
+    frame = sensor.tell("gz_frame_id") or sensor.tell("ignition_frame_id") or f"{model.name}/{body}/{name}"
+    rate = number(sensor, "update_rate", 0.0) or {"imu": 100.0, "camera": 30.0}.get(kind, 10.0)
+    usual = names.sensor(body, name)
+    told = sensor.tell("topic").strip("/")
+    where = link.pose @ pose(sensor)
+    if kind in LIDARS:
+        return _lidar(sensor, f"/{told}" if told else f"{usual}/scan", frame, rate, where, model, floor)
+    if kind == "imu":
+        return [_imu(sensor, f"/{told}" if told else f"{usual}/imu", frame, rate)]
+    if kind in CAMERAS:
+        return [_camera(sensor, kind, told, usual, frame, rate, where)]
+    if kind == "contact":
+        topic = sensor.tell("contact/topic").strip("/") or told
+        return [TouchDevice(f"/{topic}" if topic else f"{usual}/contact", frame, rate, NODE, link.name)]
+    model.note(sensor, f"of type '{kind}' is not simulated; simulated are gpu_lidar, imu, camera, depth_camera, contact")
+    return []
+
+
+def _lidar(
+    sensor: Element, topic: str, frame: str, rate: float, where: Array, model: Blueprint, floor: float
+) -> list[Device]:
+    ray = sensor.first("lidar") or sensor.first("ray")
+    if ray is None:
+        raise sensor.error("has no <lidar>", "Say <lidar><scan><horizontal>... and <range>.")
+    if number(ray, "scan/vertical/samples", 1) > 1:
+        model.note(sensor, "has several layers; the middle one is simulated")
+    if abs(abs(where[2, 2]) - 1.0) > 1e-3:
+        model.note(sensor, "is tilted; it is simulated level")
+    lidar = Lidar(
+        beams=round(number(ray, "scan/horizontal/samples", 640) * number(ray, "scan/horizontal/resolution", 1.0)),
+        angle_min=number(ray, "scan/horizontal/min_angle", 0.0),
+        angle_max=number(ray, "scan/horizontal/max_angle", 0.0),
+        range_min=number(ray, "range/min", 0.0),
+        range_max=min(number(ray, "range/max", 10.0), 1e4),
+        rate=rate,
+        noise=number(ray.first("noise"), "stddev", 0.0),
+        bias=number(ray.first("noise"), "mean", 0.0),
+        mount=Place(float(where[0, 3]), float(where[1, 3]), yaw_of(where)),
+        height=float(where[2, 3]) - floor,
+        upside_down=bool(where[2, 2] < 0),
+    )
+    return [RayDevice(topic, frame, rate, NODE, lidar), RayDevice(f"{topic}/points", frame, rate, NODE, lidar, CLOUD)]
+
+
+def _imu(sensor: Element, topic: str, frame: str, rate: float) -> Device:
+    imu = sensor.first("imu")
+    turn, push = "angular_velocity/z/noise/", "linear_acceleration/x/noise/"
+    return ImuDevice(
+        topic, frame, rate, NODE, number(imu, turn + "stddev", 0.0), number(imu, turn + "bias_mean", 0.0),
+        number(imu, push + "stddev", 0.0), number(imu, push + "bias_mean", 0.0),
+    )  # fmt: skip
+
+
+def _camera(sensor: Element, kind: str, told: str, usual: str, frame: str, rate: float, where: Array) -> Device:
+    camera = sensor.first("camera")
+    width, height = (round(number(camera, f"image/{one}", size)) for one, size in (("width", 320), ("height", 240)))
+    if not (16 <= width <= 4096 and 16 <= height <= 4096):
+        raise sensor.error(f"has pictures of {width}x{height}", "Give a width and height from 16 to 4096.")
+    fov = number(camera, "horizontal_fov", 1.047)
+    if not 0.05 <= fov <= math.pi - 0.05:
+        raise sensor.error(f"has a horizontal_fov of {fov}", "Give one from 0.05 to 3.09 rad.")
+    both, depth = kind.startswith("rgbd"), kind.startswith("depth")
+    base = f"/{told}" if told else usual
+    picture = f"{base}/image" if both or not told else base
+    depths = f"{base}/depth_image" if both or not told else base
+    info = f"{base}/camera_info" if both or not told else f"{base.rpartition('/')[0]}/camera_info"
+    named = camera.tell("camera_info_topic").strip("/") if camera is not None else ""
+    made = CameraDevice(
+        picture, frame, rate, NODE, f"/{named}" if named else info, width, height, fov, number(camera, "clip/far", 100.0),
+        where @ pose(camera), "rgb8", number(camera, "noise/stddev", 0.0),
+    )  # fmt: skip
+    if not (both or depth):
+        return made
+    reach = number(camera, "clip/near", 0.1), number(camera, "clip/far", 100.0)
+    cloud = f"{base}/points" if both else f"{depths}/points"
+    words = {**vars(made), "topic": "" if depth else made.topic}
+    return DepthDevice(**words, reach=reach, depth_topic=depths, depth_info_topic="", cloud_topic=cloud)
+
+
+def lumped(parents: dict[str, tuple[str, str, str]], kept: frozenset[str] = frozenset()) -> dict[str, str]:
+    """By link: the link that it becomes a part of where fixed joints are joined, as sdformat does with URDF.
+
+    `parents` has (joint, its type, parent) of each link; joints in `kept` are not joined.
+
+    >>> lumped({"base": ("a", "fixed", "foot"), "laser": ("b", "fixed", "base"), "wheel": ("c", "continuous", "base")})
+    {'base': 'foot', 'laser': 'foot', 'wheel': 'wheel'}
+    """
+    made: dict[str, str] = {}
+    for link in parents:
+        at = link
+        while at in parents and parents[at][1] == "fixed" and parents[at][0] not in kept and parents[at][2] != "world":
+            at = parents[at][2]
+        made[link] = at
+    return made
+
+
+__all__ = ["devices_of", "lumped"]

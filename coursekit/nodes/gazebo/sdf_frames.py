@@ -1,0 +1,97 @@
+"""Names in SDF's models and worlds, and their poses there: links, joints, frames, nested and included models."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from coursekit.files import read_text
+from coursekit.sim.place import Array
+from coursekit.urdf import MeshError
+from coursekit.urdf.xml_tree import Element, read
+
+from .model_paths import MissingModel, find_model
+from .values import pose
+
+DEEPEST = 20
+"""Models in models; more is a model that includes itself."""
+TAGS = ("link", "joint", "frame", "model", "include")
+
+
+def included(element: Element, file: Path | None) -> tuple[Element, Path]:
+    """The `<model>` that an `<include>` means, and its file. Raises MeshError and UrdfError."""
+    path = find_model(element.tell("uri"), file)
+    root = read(_text(path), str(path))
+    model = root.first("model") if root.tag == "sdf" else None
+    if model is None:
+        raise root.error("holds no <model>", "Begin with <sdf version='1.7'><model name='...'>.")
+    return model, path
+
+
+def _text(path: Path) -> str:
+    try:
+        return read_text(path)
+    except (OSError, UnicodeDecodeError) as error:
+        raise MeshError(f"cannot be read: {error}", file=str(path), cure="A model is text in XML.") from None
+
+
+def is_merged(element: Element) -> bool:
+    """Whether the links of an `<include>` become those of the model that it stands in."""
+    return element.get("merge") in ("true", "1")
+
+
+def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Callable[[str], Array]:
+    """A function from the name of something in a model or world to its pose there; `a::b` is b in the model a."""
+    if depth > DEEPEST:
+        raise model.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
+    named = {one.get("name") or one.tell("name"): one for one in model.children if one.tag in TAGS}
+
+    def within(one: Element) -> Callable[[str], Array]:
+        """The frames of a nested or included model."""
+        if one.tag == "model":
+            return frames_of(one, file, depth + 1)
+        inner, path = included(one, file)
+        return frames_of(inner, path, depth + 1)
+
+    def merged(name: str, above: tuple[str, ...]) -> Array | None:
+        for one in model.children:
+            if one.tag == "include" and is_merged(one):
+                inner, path = _try(one, file)
+                if inner is not None and any((each.get("name") or each.tell("name")) == name for each in inner.children):
+                    return placed(one, above) @ frames_of(inner, path, depth + 1)(name)
+        return None
+
+    def placed(one: Element, above: tuple[str, ...]) -> Array:
+        place = one.first("pose")
+        told = place.get("relative_to") if place is not None else None
+        usual = one.tell("child") if one.tag == "joint" else (one.get("attached_to") or "" if one.tag == "frame" else "")
+        return of(told or usual, above) @ pose(one)
+
+    def of(name: str, above: tuple[str, ...] = ()) -> Array:
+        if name in ("", "__model__", "world"):
+            return np.eye(4)
+        outer, _, inner = name.partition("::")
+        if inner and name not in named and outer in named and named[outer].tag in ("model", "include"):
+            return of(outer, (*above, name)) @ within(named[outer])(inner)
+        one = named.get(name)
+        found = merged(name, (*above, name)) if one is None and name not in above else None
+        if found is not None:
+            return found
+        if one is None or name in above:
+            what = "which is relative to itself" if one is not None else "which does not exist"
+            raise model.error(f"has a pose relative to '{name}', {what}", f"Frames are: {', '.join(named) or 'none'}.")
+        return placed(one, (*above, name))
+
+    return of
+
+
+def _try(one: Element, file: Path | None) -> tuple[Element | None, Path | None]:
+    try:
+        return included(one, file)
+    except MissingModel:
+        return None, None
+
+
+__all__ = ["DEEPEST", "frames_of", "included", "is_merged"]

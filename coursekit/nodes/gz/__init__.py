@@ -1,0 +1,1 @@
+"""The newer Gazebo's names: its world, its topics beside those of ROS, and the bridges between the two."""

@@ -1,0 +1,184 @@
+"""`ros2 run ros_gz_bridge parameter_bridge TOPIC@ROS_TYPE@GZ_TYPE ...`: lets topics of Gazebo into ROS, and back."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.expand_topic_name import expand_topic_name
+from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
+from rosidl_runtime_py.utilities import get_message, get_service
+
+from coursekit.core.session import current
+
+from .bridge_config import Bridged, of_file, of_word
+from .bridge_types import SERVICES, carried_by, conversion, full_name
+from .transport import gz_context
+
+USAGE = """Bridge a collection of ROS2 and Gazebo Transport topics and services.
+
+  parameter_bridge <topic@ROS2_type@gz_type> ..  <service@ROS2_srv_type> ..
+
+In place of the second @: [ bridges from Gazebo to ROS only, ] from ROS to Gazebo only. For example:
+    parameter_bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock
+    parameter_bridge /cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist
+"""
+
+
+class Way:
+    """One direction of a topic; `open` listens on the one side, once `wanted` on the other."""
+
+    def __init__(self, source: Node, target: Node, here: tuple[str, str], there: tuple[str, str], one: Bridged) -> None:
+        self.source, self.here, self.queue = source, here, one.subscriber_queue
+        kind, name = there
+        change = conversion(here[0], kind)
+        if change is None:
+            raise LookupError(f"{here[0]} cannot be made {kind} in this direction")
+        self.change: Callable[[Any], Any] = change
+        self.out = target.create_publisher(get_message(kind), name, one.publisher_queue)
+        self.heard: Any = None
+        if not one.lazy:
+            self.open()
+
+    def open(self) -> None:
+        """Listen."""
+        kind, name = self.here
+        self.heard = self.source.create_subscription(
+            get_message(kind), name, lambda msg: self.out.publish(self.change(msg)), self.queue
+        )
+
+    def follow(self) -> None:
+        """A lazy one listens as long as somebody wants it."""
+        wanted = self.out.get_subscription_count() > 0
+        if wanted and self.heard is None:
+            self.open()
+        elif not wanted and self.heard is not None:
+            self.source.destroy_subscription(self.heard)
+            self.heard = None
+
+
+class RosGzBridge(Node):
+    """The bridge: its own node is in ROS, `gz` is in Gazebo's graph."""
+
+    def __init__(self, words: list[Bridged]) -> None:
+        super().__init__("ros_gz_bridge")
+        self.gz_context = gz_context()
+        self.gz = rclpy.create_node("ros_gz_bridge", context=self.gz_context)
+        self._graph_node.deaf_to_itself = self.gz._graph_node.deaf_to_itself = True
+        beat = int(self.declare_parameter("subscription_heartbeat", 1000).value)
+        file = str(self.declare_parameter("config_file", "").value)
+        self._expand = bool(self.declare_parameter("expand_gz_topic_names", False).value)
+        self._lazy = bool(self.declare_parameter("lazy", False).value)
+        self.declare_parameter("override_timestamps_with_wall_time", False)
+        self._lazy_ways: list[Way] = []
+        self.create_timer(beat * 1e-3, self._follow)
+        made, faults = of_file(file) if file else ([], [])
+        for fault in faults:
+            self.get_logger().error(fault)
+        for one in [*words, *made]:
+            self.add(one)
+
+    def _follow(self) -> None:
+        for way in self._lazy_ways:
+            way.follow()
+
+    def add(self, one: Bridged) -> None:
+        """Bridge a topic or a service; a pair of types that cannot be is told."""
+        try:
+            if one.is_service:
+                self._add_service(one)
+                return
+            carrier, ros_type = carried_by(one.ros_type, one.gz_type), full_name(one.ros_type)
+            lazy = one.lazy or self._lazy
+            gz_end, ros_end = (carrier, self._gz_topic(one.gz_topic)), (ros_type, one.ros_topic)
+            if one.direction != "ROS_TO_GZ":
+                self._say("GZ->ROS", (one.gz_topic, one.gz_type), (one.ros_topic, one.ros_type), lazy)
+                self._keep(Way(self.gz, self, gz_end, ros_end, one), lazy)
+            if one.direction != "GZ_TO_ROS":
+                self._say("ROS->GZ", (one.ros_topic, one.ros_type), (one.gz_topic, one.gz_type), lazy)
+                self._keep(Way(self, self.gz, ros_end, gz_end, one), lazy)
+        except (LookupError, ValueError, ModuleNotFoundError, AttributeError) as error:
+            self.get_logger().warning(
+                f"Failed to create a bridge for topic [{one.ros_topic}] with ROS2 type [{one.ros_type}] to topic "
+                f"[{one.gz_topic}] with Gazebo Transport type [{one.gz_type}]: {error}"
+            )
+
+    def _gz_topic(self, name: str) -> str:
+        if self._expand:
+            return str(expand_topic_name(name, self.get_name(), self.get_namespace()))
+        return "/" + name.lstrip("/")
+
+    def _say(self, way: str, source: tuple[str, str], target: tuple[str, str], lazy: bool) -> None:
+        self.get_logger().info(
+            f"Creating {way} Bridge: [{source[0]} ({source[1]}) -> {target[0]} ({target[1]})] (Lazy {int(lazy)})"
+        )
+
+    def _keep(self, way: Way, lazy: bool) -> None:
+        if lazy:
+            self._lazy_ways.append(way)
+
+    def _add_service(self, one: Bridged) -> None:
+        name = one.ros_type.rpartition("/")[2]
+        if name not in SERVICES:
+            known = ", ".join(f"ros_gz_interfaces/srv/{each}" for each in SERVICES)
+            raise LookupError(f"{one.ros_type} is no service of Gazebo's; there are {known}")
+        kind = get_service(one.ros_type)
+        client = self.gz.create_client(kind, one.gz_topic)
+
+        async def pass_on(request: Any, answer: Any) -> Any:
+            return await client.call_async(request) if client.service_is_ready() else answer
+
+        self.create_service(kind, one.ros_topic, pass_on)
+        self.get_logger().info(f"Creating service bridge: [{one.ros_topic} ({one.ros_type})]")
+
+
+def spin(node: RosGzBridge) -> None:
+    """Spin both sides until the end: Gazebo's beside, ROS's here."""
+    beside = SingleThreadedExecutor(context=node.gz_context)
+    beside.add_node(node.gz)
+
+    def gazebo_side() -> None:
+        try:
+            beside.spin()
+        except ExternalShutdownException:
+            pass
+
+    current().spawn(gazebo_side)
+    try:
+        rclpy.spin(node)
+    finally:
+        node.gz_context.try_shutdown()
+
+
+def run(words: list[Bridged], args: list[str] | None) -> int:
+    """Bridge until Ctrl-C; the exit code."""
+    rclpy.init(args=args)
+    node = RosGzBridge(words)
+    try:
+        spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+def main(args: list[str] | None = None) -> Any:
+    """Bridge what the command line and the parameter `config_file` name; 255 where that cannot be read."""
+    told = list(args if args is not None else sys.argv)
+    words = remove_ros_args(told)[1:]
+    if len(told) < 2 or any(one in ("-h", "--help") for one in words):
+        print(USAGE)
+        return 255
+    try:
+        bridged = [of_word(one) for one in words]
+    except ValueError as error:
+        print(USAGE)
+        print(error, file=sys.stderr)
+        return 255
+    return run(bridged, args)

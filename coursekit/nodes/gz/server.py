@@ -1,0 +1,144 @@
+"""`gz sim WORLD`: the simulator, as the newer Gazebo names things."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from contextlib import closing
+from typing import Any
+
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.qos import QoSProfile
+from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
+
+from coursekit.core.process import current_process
+from coursekit.core.session import current
+from coursekit.nodes.gazebo.assembly import Assembly
+from coursekit.nodes.gazebo.devices import CameraDevice, Device, ImuDevice, RayDevice
+from coursekit.nodes.gazebo.server import Gazebo
+from coursekit.nodes.running import to_the_end
+from coursekit.sim import WorldError
+from coursekit.urdf import UrdfError
+
+from .services import GzServices
+from .transport import APART, gz_domain
+
+NEEDS: tuple[tuple[str, tuple[type, ...]], ...] = (("sensors", (RayDevice, CameraDevice)), ("imu", (ImuDevice,)))
+"""Systems, and the devices that publish nothing without them."""
+
+
+class GzSim(Gazebo):
+    """The simulator in Gazebo's own graph."""
+
+    is_newer = True
+
+    def __init__(self, world: str = "", *, paused: bool = False, seed: int = 0, verbose: bool = False) -> None:
+        self._ros: Context | None = None
+        self._ros_executor: Any = None
+        super().__init__(world, paused=paused, seed=seed, verbose=verbose)
+        name = self.newer or "default"
+        self._world_clock = self.create_publisher(Clock, f"/world/{name}/clock", QoSProfile(depth=10))
+        self._poses = [self.create_publisher(TFMessage, f"/world/{name}/{one}/info", 10) for one in ("pose", "dynamic_pose")]
+        self._gz_services = GzServices(self, name)
+        self.create_timer(1 / 60, self._tell_poses)
+
+    def working(self, model: Assembly) -> list[Device]:
+        """Without its system in the world or in the model, a sensor publishes nothing: it is told which one is missing."""
+        devices = list(model.devices)
+        for system, kinds in NEEDS:
+            if self.systems is None or system in self.systems | model.systems:
+                continue
+            idle = [one for one in devices if isinstance(one, kinds)]
+            if idle:
+                word = {"sensors": "Sensors", "imu": "Imu"}[system]
+                self.get_logger().warning(
+                    f"{model.name}: {len(idle)} sensors publish nothing, as in Gazebo: add to the <world> "
+                    f'<plugin filename="gz-sim-{system}-system" name="gz::sim::systems::{word}"/>'
+                )
+            devices = [one for one in devices if one not in idle]
+        return devices
+
+    def ros_context(self) -> Any:
+        """A context in ROS: Gazebo's own is beside it."""
+        if self._ros is None:
+            self._ros = Context()
+            self._ros.init([], domain_id=gz_domain() - APART)
+            self._ros_executor = SingleThreadedExecutor(context=self._ros)
+            self.session.spawn(self._spin_ros)
+        return self._ros
+
+    def ros_executor(self) -> Any:
+        """Who spins what is in ROS, beside the simulator."""
+        self.ros_context()
+        return self._ros_executor
+
+    def _spin_ros(self) -> None:
+        try:
+            self._ros_executor.spin()
+        except ExternalShutdownException:
+            pass
+
+    def close(self) -> None:
+        """It ends, with what it has in ROS."""
+        super().close()
+        if self._ros is not None:
+            self._ros.try_shutdown()
+
+    def _tell_poses(self) -> None:
+        if any(one.get_subscription_count() for one in self._poses):
+            self.advance()
+            msg = self._gz_services.poses()
+            for one in self._poses:
+                one.publish(msg)
+
+    def tell_clock(self, msg: Clock) -> None:
+        """The simulated time, on both of its topics."""
+        super().tell_clock(msg)
+        self._world_clock.publish(msg)
+
+
+def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
+    """What the command line of `gz sim` says, and what of it is not known here."""
+    parser = argparse.ArgumentParser(prog="gz sim", description="Run and manage Gazebo simulations.", add_help=True)
+    parser.add_argument("world", nargs="?", default="", help="a world file (SDF, yaml, a map) or one of the course's")
+    parser.add_argument("-r", dest="run", action="store_true", help="run the simulation at once; without it, it is paused")
+    parser.add_argument("-s", dest="server", action="store_true", help="accepted: there is always a server")
+    parser.add_argument("-g", dest="gui", action="store_true", help="nothing to start: look at the world with viewer()")
+    parser.add_argument("-v", "--verbose", nargs="?", const="3", default="1", help="4 lists all that is not simulated")
+    parser.add_argument("--seed", type=int, default=0, help="seed of noise and drift")
+    parser.add_argument("--headless-rendering", action="store_true", help="accepted")
+    valued = ("--iterations", "-z", "--gui-config", "--physics-engine", "--render-engine", "--render-engine-server",
+              "--render-engine-gui", "--record-path", "--force-version", "--network-role", "--network-secondaries",
+              "--levels", "--record-topic", "--playback")  # fmt: skip
+    for name in valued:
+        parser.add_argument(name, help="accepted")
+    parser.add_argument("--record", action="store_true", help="accepted")
+    return parser.parse_known_args(argv)
+
+
+def main(args: list[str] | None = None) -> Any:
+    """Run the simulator until Ctrl-C."""
+    told, rest = arguments(list(args if args is not None else sys.argv[1:]))
+    if told.gui and not told.server:
+        print("gz sim -g: the world has no window of its own. Look at it in a notebook, with viewer().")
+        current().clock.new_event().wait()
+        return 0
+    rclpy.init(args=[], domain_id=gz_domain())
+    try:
+        node = GzSim(told.world, paused=not told.run, seed=told.seed, verbose=told.verbose not in ("0", "1", "2", "3"))
+        node.tell([f"option {word} of gz sim" for word in rest])
+    except (WorldError, UrdfError) as error:
+        print(f"[Err] {error}", file=sys.stderr)
+        rclpy.try_shutdown()
+        return 255
+    if not told.run:
+        node.get_logger().info(f"The world is paused: start it with -r, or: gz service -s /world/{node.newer}/control ...")
+    process = current_process()
+    if process is not None:
+        process.cleanups.append(node.close)
+    with to_the_end(), closing(node):
+        node.spin()
+    return 0

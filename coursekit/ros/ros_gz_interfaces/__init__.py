@@ -1,0 +1,1 @@
+"""Interfaces: the newer Gazebo."""

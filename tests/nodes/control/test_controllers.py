@@ -1,0 +1,159 @@
+"""Other controllers, other hardware, and other ways to start them."""
+
+import math
+
+import pytest
+from control_msgs.action import FollowJointTrajectory
+from geometry_msgs.msg import TwistStamped, WrenchStamped
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import Imu, JointState
+
+from coursekit.nodes.control.description import read_hardware
+from coursekit.sim.motors import Motors, Reach
+from coursekit.urdf import UrdfError
+from tests.nodes.control.test_arm import send, trajectory
+
+WHEELS = "".join(
+    f"<joint name='{side}'><command_interface name='velocity'/><state_interface name='position'/>"
+    "<state_interface name='velocity'/></joint>"
+    for side in ("left", "right")
+)
+AXES = "".join(f"<state_interface name='{kind}.{axis}'/>" for kind in ("force", "torque") for axis in "xyz")
+FELT = "".join(f"<state_interface name='orientation.{axis}'/>" for axis in "xyzw")
+FELT += "".join(f"<state_interface name='{k}.{a}'/>" for k in ("angular_velocity", "linear_acceleration") for a in "xyz")
+CART = f"""<robot name='cart'><link name='base_link'/><link name='l'/><link name='r'/>
+<joint name='left' type='continuous'><parent link='base_link'/><child link='l'/></joint>
+<joint name='right' type='continuous'><parent link='base_link'/><child link='r'/></joint>
+<ros2_control name='cart' type='system'><hardware><plugin>mock_components/GenericSystem</plugin>
+<param name='calculate_dynamics'>true</param></hardware>{WHEELS}<sensor name='wrist'>{AXES}</sensor>
+<sensor name='imu'>{FELT}</sensor></ros2_control></robot>"""
+PARAMETERS = """controller_manager:
+  ros__parameters:
+    drive: {type: diff_drive_controller/DiffDriveController}
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+    wrench: {type: force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster}
+    imu: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}
+    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+drive: {ros__parameters: {left_wheel_names: [left], right_wheel_names: [right], wheel_separation: 0.4, wheel_radius: 0.1}}
+states: {ros__parameters: {joints: [right], interfaces: [position], use_local_topics: true, extra_joints: [ghost]}}
+wrench: {ros__parameters: {sensor_name: wrist, frame_id: tool0}}
+imu: {ros__parameters: {sensor_name: imu, frame_id: imu_link}}
+arm:
+  ros__parameters:
+    joints: [left, right]
+    command_interfaces: [velocity]
+    state_interfaces: [position, velocity]
+    gains: {left: {p: 5.0, ff_velocity_scale: 1.0}, right: {p: 5.0, ff_velocity_scale: 1.0}}
+"""
+
+
+@pytest.fixture
+def cart(run, tmp_path):
+    (tmp_path / "cart.urdf").write_text(CART)
+    (tmp_path / "cart.yaml").write_text(PARAMETERS)
+    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"))
+    return run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "cart.yaml"))
+
+
+def test_a_cart_without_hardware_drives_in_its_odometry(cart, run, friend):
+    assert run("controller_manager", "spawner", "drive").wait(20) == 0
+    odometry = friend.hear(Odometry, "/drive/odom")
+    out, msg = friend.node.create_publisher(TwistStamped, "/drive/cmd_vel", 10), TwistStamped()
+    msg.twist.linear.x, msg.twist.angular.z = 0.5, 0.5
+    for _ in range(20):
+        out.publish(msg)
+        friend.spin(0.1)
+    last = odometry[-1].pose.pose
+    assert math.hypot(last.position.x, last.position.y) == pytest.approx(2 * math.sin(0.5), abs=0.05)
+    assert 2 * math.atan2(last.orientation.z, last.orientation.w) == pytest.approx(1.0, abs=0.05)
+    friend.spin(2.0)
+    assert odometry[-1].twist.twist.linear.x == 0.0, "without commands it stops"
+
+
+def test_broadcasters_tell_what_their_parameters_name(cart, run, friend):
+    assert run("controller_manager", "spawner", "states", "wrench", "imu").wait(20) == 0
+    kinds = (JointState, "/states/joint_states"), (WrenchStamped, "/wrench/wrench"), (Imu, "/imu/imu")
+    states, wrench, imu = (friend.hear(*one) for one in kinds)
+    friend.spin(0.5)
+    assert list(states[-1].name) == ["right", "ghost"] and list(states[-1].position) == [0.0, 0.0]
+    assert (wrench[-1].header.frame_id, imu[-1].header.frame_id) == ("tool0", "imu_link")
+
+
+def test_a_trajectory_is_followed_by_speeds_with_the_gains_of_the_parameters(cart, run, friend):
+    assert run("controller_manager", "spawner", "arm").wait(20) == 0
+    goal = FollowJointTrajectory.Goal(trajectory=trajectory(([1.0, -1.0], 2), ([1.0, -1.0], 4), joints=["left", "right"]))
+    result, status = send(friend, FollowJointTrajectory, "/arm/follow_joint_trajectory", goal)
+    assert (result.error_code, status) == (0, 4)
+
+
+def test_controllers_are_loaded_from_python_and_from_launch_files(cart, run, friend, session, tmp_path):
+    from controller_manager import list_controllers, load_controller, switch_controllers
+    from controller_manager.controller_manager_services import ServiceNotFoundError
+
+    from coursekit.cli.parser import run as run_cli
+
+    friend.spin(0.5)
+    (tmp_path / "load.launch.py").write_text(
+        "from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n"
+        "from controller_manager.launch_utils import generate_load_controller_launch_description as generate\n"
+        "def generate_launch_description():\n"
+        "    words = ['ros2', 'control', 'load_controller', '--set-state', 'active', 'states']\n"
+        "    return LaunchDescription([ExecuteProcess(cmd=words, output='screen'), generate('drive')])\n"
+    )
+    launched = session.start(lambda: run_cli(["launch", str(tmp_path / "load.launch.py")]), name="ros2")
+    friend.spin(5.0)
+    assert "Sucessfully loaded controller states into state active" in launched.output
+    told = {}
+
+    def ask():
+        import rclpy
+
+        rclpy.init()
+        asking = rclpy.create_node("asking")
+        told["before"] = {one.name: one.state for one in list_controllers(asking, "/controller_manager").controller}
+        told["loaded"] = load_controller(asking, "/controller_manager", "wrench").ok
+        told["switched"] = switch_controllers(asking, "/controller_manager", ["states"], [], True, True, 5.0).ok
+        try:
+            list_controllers(asking, "/nobody", 1.0)
+        except ServiceNotFoundError as error:
+            told["error"] = str(error)
+
+    session.start(ask, name="asking").wait(20)
+    assert told["before"] == {"states": "active", "drive": "active"} and told["loaded"] and told["switched"]
+    assert told["error"] == "Could not contact service /nobody/list_controllers"
+
+
+def test_hardware_that_is_a_driver_is_told_with_what_needs_none(run, tmp_path, friend):
+    plugin = "ur_robot_driver/URPositionHardwareInterface"
+    (tmp_path / "cart.urdf").write_text(CART.replace("mock_components/GenericSystem", plugin))
+    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"))
+    node = run("controller_manager", "ros2_control_node")
+    friend.spin(1.0)
+    assert "ur_robot_driver/URPositionHardwareInterface is the driver" in node.output
+    assert "mock_components/GenericSystem" in node.output
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("type='system'", "type='machine'", "has type 'machine'"),
+        ("<plugin>mock_components/GenericSystem</plugin>", "", "names no class"),
+        ("<command_interface name='velocity'/>", "<command_interface/>", "has no name"),
+        ("<joint name='left'><command", "<joint><command", "has no name"),
+        ("'velocity'/><state", "'velocity'><param name='min'>low</param></command_interface><state", "which is no number"),
+    ],
+)
+def test_a_description_with_faults_is_told_with_its_line(old, new, says):
+    with pytest.raises(UrdfError) as caught:
+        read_hardware(CART.replace(old, new, 1), "cart.urdf")
+    assert says in str(caught.value) and "cart.urdf:" in str(caught.value)
+
+
+def test_an_effort_moves_a_joint_until_its_end():
+    motors = Motors({}, {"arm": Reach(-1.0, 1.0, 2.0, 10.0)})
+    motors.command("arm", "effort", 5.0)
+    motors.step(0.1)
+    assert (motors.angles["arm"], motors.speeds["arm"]) == pytest.approx((0.1, 1.0))
+    for _ in range(30):
+        motors.step(0.1)
+    assert motors.angles["arm"] == 1.0

@@ -1,0 +1,166 @@
+"""Systems and sensors of the newer Gazebo, one by one: drives, motors, poses, cameras, contacts."""
+
+import math
+
+import pytest
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from ros_gz_interfaces.msg import Contacts
+from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2
+from std_msgs.msg import Float64
+from tf2_msgs.msg import TFMessage
+
+from coursekit.nodes.gazebo.sdf_world import read_entity
+from coursekit.urdf import UrdfError
+from tests.nodes.gz.conftest import CART, DRIVE
+
+SYSTEM = "<gazebo><plugin filename='gz-sim-{}-system' name='x'>{}</plugin></gazebo>"
+SENSOR = "<gazebo reference='laser'><sensor name='s' type='{}'>{}</sensor></gazebo>"
+WHEELS = "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>"
+DIFF = DRIVE.format("gz-sim-diff-drive-system", "gz::sim::systems::DiffDrive")
+
+
+@pytest.fixture
+def put(gz, run, yard, cart):
+    """Put a cart with these blocks into the yard, and bridge these words."""
+
+    def start(*blocks, bridge=(), at="0"):
+        server = gz("sim", "-r", yard())
+        run("ros_gz_bridge", "parameter_bridge", *bridge)
+        words = ("-file", cart(*blocks), "-name", "cart", "-x", at)
+        assert run("ros_gz_sim", "create", *words).wait(20) == 0, server.output
+        return server
+
+    return start
+
+
+def test_topics_and_frames_that_are_not_named_are_gazebo_s_own():
+    scan = "<lidar><scan><horizontal><samples>9</samples><max_angle>1</max_angle></horizontal></scan></lidar>"
+    block = SYSTEM.format("diff-drive", WHEELS) + SENSOR.format("gpu_lidar", scan)
+    made = read_entity(CART.format(blocks=block), "", None, "yard", "my_bot")
+    odometry, lidar, cloud = made.devices
+    assert (odometry.topic, odometry.command_topic, odometry.tf_topic) == tuple(
+        f"/model/my_bot/{one}" for one in ("odometry", "cmd_vel", "tf")
+    )
+    assert (odometry.frame, odometry.base_frame) == ("my_bot/odom", "my_bot/base_footprint")
+    usual = "/world/yard/model/my_bot/link/base_footprint/sensor/s/scan"
+    assert (lidar.topic, cloud.topic, lidar.frame) == (usual, f"{usual}/points", "my_bot/base_footprint/s")
+
+
+def test_a_joint_that_stays_a_joint_keeps_its_link():
+    kept = "<gazebo reference='l'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
+    made = read_entity(CART.format(blocks=kept + SENSOR.format("imu", "")), "", None, "yard", "c")
+    assert made.devices[0].frame == "c/laser/s"
+
+
+@pytest.mark.parametrize(
+    ("block", "says"),
+    [
+        (SYSTEM.format("diff-drive", WHEELS.replace(">left_joint", ">none")), "joint [none] not found"),
+        (SYSTEM.format("diff-drive", ""), "needs as many <left_joint> as <right_joint>"),
+        (SYSTEM.format("diff-drive", WHEELS + "<wheel_radius>0</wheel_radius>"), "has wheels of radius 0 m"),
+        (SYSTEM.format("diff-drive", WHEELS + "<wheel_radius>big</wheel_radius>"), "'big' is not 1 finite number"),
+        (SENSOR.format("gpu_lidar", ""), "has no <lidar>"),
+        (SENSOR.format("camera", "<camera><image><width>3</width></image></camera>"), "has pictures of 3x240"),
+    ],
+)
+def test_what_cannot_work_is_told_with_its_line(block, says):
+    with pytest.raises(UrdfError) as caught:
+        read_entity(CART.format(blocks=block), "", None, "yard", "cart")
+    assert says in str(caught.value) and caught.value.line
+
+
+def test_plugins_of_the_other_gazebo_are_told_in_both_worlds():
+    classic = "<gazebo><plugin filename='libgazebo_ros_diff_drive.so' name='x'/></gazebo>"
+    (note,) = read_entity(CART.format(blocks=classic), "", None, "yard", "cart").notes
+    assert "is Gazebo Classic's" in note
+    (note,) = read_entity(CART.format(blocks=DIFF)).notes
+    assert "start its world with ros_gz_sim" in note
+
+
+def test_odometry_publisher_tells_the_truth(put, friend):
+    named = "<odom_topic>truth</odom_topic><robot_base_frame>base</robot_base_frame>"
+    publisher = SYSTEM.format("odometry-publisher", named)
+    words = "/truth@nav_msgs/msg/Odometry[gz.msgs.Odometry", "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"
+    put(DIFF, publisher, bridge=words, at="-1")
+    truth = friend.hear(Odometry, "/truth")
+    friend.go(2.0, 0.2)
+    assert truth[-1].pose.pose.position.x == pytest.approx(-0.6, abs=0.05) and truth[-1].child_frame_id == "base"
+
+
+def test_a_car_turns_as_fast_as_it_is_told(put, friend):
+    steering = "".join(f"<{side}_steering_joint>{side}_joint</{side}_steering_joint>" for side in ("left", "right"))
+    sizes = "<wheel_base>0.3</wheel_base><wheel_separation>0.22</wheel_separation><wheel_radius>0.05</wheel_radius>"
+    words = WHEELS + steering + sizes + "<topic>cmd_vel</topic><odom_topic>odom</odom_topic>"
+    bridge = "/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry", "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"
+    put(SYSTEM.format("ackermann-steering", words), bridge=bridge)
+    odometry = friend.hear(Odometry, "/odom")
+    friend.go(2.0, 0.3, 0.4)
+    assert odometry[-1].twist.twist.angular.z == pytest.approx(0.4, rel=0.1)
+
+
+def test_a_joint_goes_where_its_controller_is_told(put, friend):
+    motor = SYSTEM.format("joint-position-controller", "<joint_name>left_joint</joint_name><topic>arm</topic>")
+    motor += SYSTEM.format("joint-controller", "<joint_name>right_joint</joint_name>")
+    motor += SYSTEM.format("joint-state-publisher", "")
+    words = (
+        "/arm@std_msgs/msg/Float64]gz.msgs.Double",
+        "/model/cart/joint/right_joint/cmd_vel@std_msgs/msg/Float64]gz.msgs.Double",
+        "/world/yard/model/cart/joint_state@sensor_msgs/msg/JointState[gz.msgs.Model",
+    )  # fmt: skip
+    put(motor, bridge=words)
+    states = friend.hear(JointState, "/world/yard/model/cart/joint_state")
+    friend.spin(0.2)
+    for topic, value in (("/arm", 1.2), ("/model/cart/joint/right_joint/cmd_vel", 0.5)):
+        friend.node.create_publisher(Float64, topic, 10).publish(Float64(data=value))
+    friend.spin(2.0)
+    at = dict(zip(states[-1].name, states[-1].position, strict=True))
+    assert at["left_joint"] == pytest.approx(1.2) and at["right_joint"] == pytest.approx(1.0, abs=0.05)
+
+
+def test_a_pose_publisher_tells_model_and_links(put, friend):
+    put(DIFF, SYSTEM.format("pose-publisher", "<publish_model_pose>true</publish_model_pose>"),
+        bridge=["/model/cart/pose@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"], at="-1")  # fmt: skip
+    poses = friend.hear(TFMessage, "/model/cart/pose")
+    friend.spin(1.0)
+    found = {one.child_frame_id: one for one in poses[-1].transforms}
+    assert found["cart"].header.frame_id == "yard" and found["cart"].transform.translation.x == pytest.approx(-1.0)
+    turned = found["cart/left_wheel"].transform.rotation
+    assert found["cart/laser"].transform.translation.z == pytest.approx(0.3) and math.isfinite(turned.w)
+
+
+def test_cameras_publish_where_gazebo_s_do(put, friend, run):
+    depth = SENSOR.format("rgbd_camera", "<topic>eye</topic><update_rate>5</update_rate><camera><image><width>64</width>"
+                          "<height>48</height></image></camera>")  # fmt: skip
+    info = "/eye/camera_info@sensor_msgs/msg/CameraInfo[gz.msgs.CameraInfo"
+    cloud = "/eye/points@sensor_msgs/msg/PointCloud2[gz.msgs.PointCloudPacked"
+    put(depth, bridge=[info, cloud])
+    run("ros_gz_image", "image_bridge", "/eye/image", "/eye/depth_image")
+    friend.spin(1.0)
+    kinds = ("image", Image), ("depth_image", Image), ("camera_info", CameraInfo), ("points", PointCloud2)
+    heard = [friend.hear(kind, f"/eye/{topic}") for topic, kind in kinds]
+    friend.spin(3.0)
+    assert [msgs[-1].width for msgs in heard] == [64] * 4
+    assert [heard[0][-1].encoding, heard[1][-1].encoding] == ["rgb8", "32FC1"]
+
+
+def test_a_contact_sensor_tells_what_is_touched(put, friend):
+    touch = SENSOR.format("contact", "<contact><collision>c</collision><topic>bump</topic></contact>")
+    bridge = "/bump@ros_gz_interfaces/msg/Contacts[gz.msgs.Contacts", "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"
+    put(DIFF, touch, bridge=bridge, at="1")
+    contacts = friend.hear(Contacts, "/bump")
+    friend.go(0.5, 0.1)
+    assert not contacts
+    friend.go(5.0, 0.5)
+    assert contacts[-1].contacts[0].collision2.name == "post"
+
+
+def test_a_planar_robot_goes_aside(put, friend):
+    bridge = "/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry", "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"
+    put(SYSTEM.format("mecanum-drive", "<topic>cmd_vel</topic><odom_topic>odom</odom_topic>"), bridge=bridge)
+    odometry = friend.hear(Odometry, "/odom")
+    twist = Twist()
+    twist.linear.y = 0.2
+    friend.drive.publish(twist)
+    friend.spin(2.0)
+    assert odometry[-1].pose.pose.position.y == pytest.approx(0.4, abs=0.05)

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
+
+from coursekit.files import read_bytes, read_text
 
 _RULES = ("setup.py", "setup.cfg", "CMakeLists.txt")
 """What a build reads; links to these change nothing before the next build."""
 _NOT_BUILT = re.compile(r"^\.|^__pycache__$|\.pyc$|\.egg-info$|\.md$|^LICENSE|^CHANGELOG|^tests?$|^build$|^install$|^log$")
 
 
-def build_fault(workspace: Path, package: str) -> str:
+def build_fault(workspace: Path, package: str, of: Collection[str] = ()) -> str:
     """Why `install/` is not what the sources of a package say; '' when it is, or when nothing tells.
 
+    `of` names the files that matter, without their endings, where not all do; those that say how to build always do.
     What `--symlink-install` linked may change without a build, as may files that were changed and changed back.
 
     >>> build_fault(Path("/nowhere"), "py_pubsub")
@@ -22,14 +26,15 @@ def build_fault(workspace: Path, package: str) -> str:
     """
     base = workspace / "build" / package
     try:
-        result = (base / "colcon_build.rc").read_text(encoding="utf-8").strip()
+        result = read_text(base / "colcon_build.rc").strip()
         built_ns = (base / "colcon_build.rc").stat().st_mtime_ns
     except OSError:
         return ""
     if result != "0":
         return f"the last build of {package} failed, so install/ holds an older one"
     source = package_folder(workspace, package)
-    newer = [] if source is None else [one for one in _sources(source) if one.lstat().st_mtime_ns > built_ns]
+    matter = [one for one in _sources(source) if _matters(one, of)] if source is not None else []
+    newer = [one for one in matter if one.lstat().st_mtime_ns > built_ns]
     if source is None or not newer:
         return ""
     installed = workspace / "install" / package
@@ -38,6 +43,10 @@ def build_fault(workspace: Path, package: str) -> str:
         if path.name in _RULES or not (_is_below(path, fresh) or _same_bytes(path, installed)):
             return f"{path.relative_to(source).as_posix()} of {package} was changed after the last build"
     return ""
+
+
+def _matters(path: Path, of: Collection[str]) -> bool:
+    return not of or path.name in _RULES or path.name.partition(".")[0] in of
 
 
 def package_folder(workspace: Path, package: str) -> Path | None:
@@ -52,8 +61,9 @@ def package_folder(workspace: Path, package: str) -> Path | None:
 
 
 def _name(manifest: Path) -> str:
-    text = manifest.read_text(encoding="utf-8", errors="replace")
-    found = re.search(r"<name>\s*([^<\s]+)\s*</name>", text)
+    found = None
+    with contextlib.suppress(OSError):
+        found = re.search(r"<name>\s*([^<\s]+)\s*</name>", read_text(manifest, errors="replace"))
     return found[1] if found else manifest.parent.name
 
 
@@ -79,8 +89,11 @@ def _is_below(path: Path, linked: set[Path]) -> bool:
 
 
 def _same_bytes(path: Path, installed: Path) -> bool:
-    data = path.read_bytes()
-    return any(one.is_file() and one.read_bytes() == data for one in installed.rglob(path.name))
+    try:
+        data = read_bytes(path)
+        return any(one.is_file() and read_bytes(one) == data for one in installed.rglob(path.name))
+    except OSError:
+        return False
 
 
 __all__ = ["build_fault", "package_folder"]

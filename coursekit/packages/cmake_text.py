@@ -6,6 +6,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from coursekit.files import read_text
+
 _TOKEN = re.compile(
     r"""
     (?P<space>[ \t\r\n]+)
@@ -52,7 +54,7 @@ class Command:
 
 def read_commands(file: Path) -> list[Command]:
     """Return the commands of a CMakeLists.txt; raises CMakeError for text that is none."""
-    return parse_commands(file.read_text(encoding="utf-8", errors="replace"), file)
+    return parse_commands(read_text(file, errors="replace"), file)
 
 
 def parse_commands(text: str, file: Path = Path("CMakeLists.txt")) -> list[Command]:

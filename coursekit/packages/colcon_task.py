@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from colcon_core.python_install_path import get_python_install_path
 from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
+from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import cmake_tests, install_rules, interface_rules
@@ -21,6 +23,7 @@ from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 
 PACKAGE_TYPE = "ros.ament_cmake_files"
+_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
 _INDEX = "share/ament_index/resource_index"
 
 
@@ -36,6 +39,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         args, package = self.context.args, self.context.pkg.name
         if "manifest_error" in self.context.pkg.metadata:
             return self._fail([ValueError(self.context.pkg.metadata["manifest_error"])])
+        if not _NAME.fullmatch(package):  # it becomes the name of folders and of a Python package
+            return self._fail([ValueError(f"{package!r} is no package name: use small letters, digits and _")])
         try:
             env = await get_command_environment("build", args.build_base, self.context.dependencies)
             self._installed: list[str] = []
@@ -115,7 +120,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         """Remove what the last build installed and this one did not."""
         manifest = Path(self.context.args.build_base) / "coursekit_install_manifest.txt"
         manifest.parent.mkdir(parents=True, exist_ok=True)
-        old = manifest.read_text(encoding="utf-8").splitlines() if manifest.is_file() else []
+        old = read_text(manifest).splitlines() if manifest.is_file() else []
         for target in set(old) - set(self._installed):
             (Path(self.context.args.install_base) / target).unlink(missing_ok=True)
         manifest.write_text("".join(f"{name}\n" for name in self._installed), encoding="utf-8")

@@ -16,6 +16,7 @@ from coursekit.packages.recipe import Recipe, manifest
 
 BUILD_TYPES = ("cmake", "ament_cmake", "ament_python")
 _NAME = re.compile(r"[a-zA-Z][a-zA-Z0-9_-]*")
+_PART = re.compile(r"[a-zA-Z0-9_][a-zA-Z0-9_.+-]*")
 
 
 def add_create_arguments(parser: argparse.ArgumentParser) -> None:
@@ -88,7 +89,8 @@ def _recipe(args: argparse.Namespace) -> Recipe:
 def _email(name: str) -> str:
     git = shutil.which("git")
     if git is not None:
-        answer = subprocess.run([git, "config", "user.email"], capture_output=True, text=True, check=False)
+        asked = [git, "config", "user.email"]
+        answer = subprocess.run(asked, capture_output=True, encoding="utf-8", errors="replace", check=False)
         if answer.stdout.strip():
             return answer.stdout.strip()
     return f"{name}@todo.todo"
@@ -101,6 +103,10 @@ def _refusal(recipe: Recipe, destination: str) -> str | None:
     if not _NAME.fullmatch(recipe.name):
         cure = "use small letters, digits and underscores, as in my_package"
         return f"Aborted! '{recipe.name}' is no package name: {cure}"
+    for name in filter(None, (recipe.node_name, recipe.library_name, *recipe.dependencies)):
+        if not _PART.fullmatch(name):  # it is written into programs
+            cure = "use letters, digits, underscores and hyphens, as in my_node"
+            return f"Aborted! {name!r} is no name of a node, a library or a package: {cure}"
     path = os.path.join(destination, recipe.name)
     if os.path.exists(path):
         cure = "Either remove the directory or choose a different destination directory or package name"

@@ -7,7 +7,7 @@ import sys
 from collections.abc import MutableMapping
 from pathlib import Path
 
-from coursekit.interfaces.find import UNDERLAY
+from coursekit.interfaces.find import with_underlay
 
 
 def source_underlay(environ: MutableMapping[str, str]) -> None:
@@ -15,9 +15,7 @@ def source_underlay(environ: MutableMapping[str, str]) -> None:
     environ.setdefault("ROS_DISTRO", "humble")
     environ.setdefault("ROS_VERSION", "2")
     environ.setdefault("ROS_PYTHON_VERSION", "3")
-    prefixes = [one for one in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
-    if str(UNDERLAY) not in prefixes:
-        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*prefixes, str(UNDERLAY)])
+    with_underlay(environ)
     folder = str(Path(sys.executable).parent)
     if folder not in environ.get("PATH", "").split(os.pathsep):
         environ["PATH"] = os.pathsep.join([folder, environ.get("PATH", "")])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.find import UNDERLAY
 from coursekit.interfaces.model import Interface, Message
@@ -19,7 +20,7 @@ _KEYWORDS = (
     "SKIP_GROUP_MEMBERSHIP_CHECK",
     "ADD_LINTER_TESTS",
 )
-_FACE = '''"""{what} of {package}, made from their definition files when first used."""
+_FACE = '''{said}
 
 from coursekit.interfaces.face import expose
 
@@ -105,7 +106,7 @@ def _field_problems(
                 None if field.type.is_primitive else _unknown(field.type.base, message, own, named, prefixes)
             )
             if why:
-                source = Path(message.file).read_text(encoding="utf-8").splitlines()[field.line - 1]
+                source = read_text(message.file).splitlines()[field.line - 1]
                 problems.append(InterfaceError(why, file=message.file, line=field.line, source=source))
     return problems
 
@@ -128,8 +129,15 @@ def _unknown(base: str, message: Message, own: set[str], named: set[str], prefix
 def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the files of the Python package, relative to site-packages, with their text."""
     kinds = {path.suffix[1:] for path in files}
-    made = {f"{package}/__init__.py": f'"""Interfaces of {package}."""\n', f"{package}/py.typed": ""}
+    made = {f"{package}/__init__.py": _docstring(f"Interfaces of {package}.") + "\n", f"{package}/py.typed": ""}
     for kind, what in (("msg", "Messages"), ("srv", "Services"), ("action", "Actions")):
         if kind in kinds:
-            made[f"{package}/{kind}/__init__.py"] = _FACE.format(what=what, package=package)
+            said = _docstring(f"{what} of {package}, made from their definition files when first used.")
+            made[f"{package}/{kind}/__init__.py"] = _FACE.format(said=said)
     return made
+
+
+def _docstring(text: str) -> str:
+    """The source of a docstring; a name in it may hold quotes and backslashes."""
+    plain = not {'"', "\\"} & set(text) and text.isprintable()
+    return f'"""{text}"""' if plain else repr(text)

@@ -10,6 +10,7 @@ from pathlib import Path
 from ament_index_python import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
 
 from coursekit.core.executables import PackageNotFound, executables_of
+from coursekit.files import read_bytes
 from coursekit.interfaces.errors import suggestion
 
 
@@ -62,7 +63,7 @@ def print_xml(args: argparse.Namespace) -> int:
     path = prefix / "share" / args.package_name / "package.xml"
     if not path.is_file():
         return _fail("Package xml manifest not found")
-    root = ElementTree.parse(path).getroot()
+    root = ElementTree.fromstring(read_bytes(path))
     if args.tag is None:
         print(ElementTree.tostring(root, encoding="unicode"))
         return 0

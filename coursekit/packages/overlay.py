@@ -6,6 +6,8 @@ import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from coursekit.files import read_text
+
 
 def overlay_environment(install: Path, env: Mapping[str, str]) -> dict[str, str]:
     """`env` as it is after `source INSTALL/setup.bash`.
@@ -24,7 +26,7 @@ def _packages_in_order(install: Path) -> list[tuple[str, Path]]:
     for prefix in [install, *sorted(entry for entry in install.iterdir() if entry.is_dir())]:
         folder = prefix / "share" / "colcon-core" / "packages"
         for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
-            found[entry.name] = (prefix, [one for one in entry.read_text().split(os.pathsep) if one])
+            found[entry.name] = (prefix, [one for one in read_text(entry).split(os.pathsep) if one])
     ordered: dict[str, Path] = {}
 
     def visit(name: str, path: tuple[str, ...] = ()) -> None:
@@ -42,7 +44,7 @@ def _actions(prefix: Path, file: str) -> Iterator[list[str]]:
     path = prefix / file
     if not path.is_file():
         return
-    for line in path.read_text().splitlines():
+    for line in read_text(path).splitlines():
         kind, _, rest = line.strip().partition(";")
         if kind != "source":
             yield [kind, *rest.split(";")]

@@ -80,3 +80,12 @@ def test_a_build_that_failed_is_told_though_the_old_one_is_installed(workspace):
 def test_without_a_build_or_sources_nothing_is_claimed(tmp_path, workspace):
     assert build_fault(tmp_path, PACKAGE) == "" and package_folder(tmp_path, PACKAGE) is None
     assert build_fault(workspace, "other") == ""
+
+
+def test_what_is_at_work_for_another_exercise_does_not_matter(workspace):
+    linked = (workspace / "build" / PACKAGE / PACKAGE).is_symlink()  # then its modules may change without a build
+    change(workspace, f"{PACKAGE}/py_other_node.py")
+    for of, matters in ((), True), (["py_publisher_node"], False), (["py_other_node"], True):
+        assert ("py_other_node.py" in build_fault(workspace, PACKAGE, of)) == (matters and not linked)
+    change(workspace, "setup.py")
+    assert "setup.py" in build_fault(workspace, PACKAGE, ["py_publisher_node"])

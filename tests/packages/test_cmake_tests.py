@@ -84,5 +84,6 @@ def test_colcon_runs_them_and_counts_what_fails(package, tmp_path):
     said = []
     for words in (["build"], ["test"], ["test-result", "--all"]):
         command = [str(BIN / "colcon"), "--log-base", "log", *words]
-        said.append(subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False).stdout)
+        done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, encoding="utf-8", check=False)
+        said.append(done.stdout)
     assert "Summary: 3 tests, 1 error, 1 failure, 0 skipped" in said[-1], said

@@ -20,14 +20,14 @@ ENV["CMAKE"] = "/nonexistent"
 def colcon(folder, *args):
     """Run colcon in a folder."""
     command = [str(BIN / "colcon"), "--log-base", "log", *args]
-    return subprocess.run(command, cwd=folder, env=ENV, capture_output=True, text=True, check=False)
+    return subprocess.run(command, cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=False)
 
 
 def sourced(folder, command):
     """Run a shell command after `source install/setup.bash`."""
     line = f"source install/setup.bash && {command}"
     result = subprocess.run(
-        ["bash", "-c", line], cwd=folder, env=ENV, capture_output=True, text=True, check=True
+        ["bash", "-c", line], cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=True
     )
     return result.stdout
 
@@ -167,3 +167,19 @@ def test_an_interface_taken_away_is_uninstalled(interface_package):
     assert build_errors(interface_package)[0] == 0
     share = interface_package.parent.parent / "install/s4_custom_interface/share/s4_custom_interface"
     assert [p.name for p in (share / "msg").iterdir()] == ["Sphere.msg"]
+
+
+@pytest.mark.parametrize("shell", ["sh", "bash", "zsh"])
+def test_folders_and_interpreters_may_have_any_name(tmp_path, shell):
+    if shutil.which(shell) is None:
+        pytest.skip(f"NOT TESTED: no {shell} here")
+    folder = tmp_path / "José's ws (2)"
+    (folder / "src").mkdir(parents=True)
+    shutil.copytree(WORKSPACE / "src" / "s2_py_pubsub", folder / "src" / "s2_py_pubsub")
+    result = colcon(folder, "build", "--executor", "sequential")
+    assert result.returncode == 0, result.stdout + result.stderr
+    (tmp_path / "a python").symlink_to(sys.executable)
+    command = [shell, "-c", '. ./install/setup.$0 && echo "$AMENT_PREFIX_PATH"', shell]
+    env = {**ENV, "COLCON_PYTHON_EXECUTABLE": str(tmp_path / "a python")}
+    done = subprocess.run(command, cwd=folder, env=env, capture_output=True, encoding="utf-8", check=False)
+    assert (done.stdout.strip(), done.stderr) == (str(folder / "install" / "s2_py_pubsub"), "")

@@ -116,7 +116,7 @@ def colcon(folder, *args):
     env = {key: value for key, value in os.environ.items() if not key.endswith("_PREFIX_PATH") and key != "PYTHONPATH"}
     env |= {"PATH": f"{BIN}{os.pathsep}{env['PATH']}", "COURSEKIT_TIME": "virtual", "ROS_LOG_DIR": str(folder / "ros")}
     command = [str(BIN / "colcon"), "--log-base", "log", *args]
-    return subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    return subprocess.run(command, cwd=folder, env=env, capture_output=True, encoding="utf-8", check=False)
 
 
 @pytest.mark.slow

@@ -114,7 +114,7 @@ def test_made_python_is_valid_python(ros2_pkg, tmp_path):
         [sys.executable, "setup.py", "--maintainer"],
         cwd=tmp_path / "p",
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         check=True,
     )
     assert shown.stdout.splitlines()[-1] == "O'Hara"

@@ -22,7 +22,7 @@ def workspace(tmp_path_factory):
     root = tmp_path_factory.mktemp("ten") / "ros2_ws"
     shutil.copytree(SOURCE, root / "src")
     env = {key: value for key, value in os.environ.items() if not key.startswith(("AMENT_", "COURSEKIT_"))}
-    built = subprocess.run([BIN / "colcon", "build"], cwd=root, env=env, capture_output=True, text=True, timeout=240)
+    built = subprocess.run([BIN / "colcon", "build"], cwd=root, env=env, capture_output=True, encoding="utf-8", timeout=240)
     assert built.returncode == 0, built.stdout + built.stderr
     return root
 
@@ -32,7 +32,7 @@ def ros2(workspace, *words, stop_after=4, check=True):
     env = overlay_environment(workspace / "install", os.environ)
     env |= {"COURSEKIT_TIME": "virtual", "COURSEKIT_STOP_AFTER": str(stop_after)}
     done = subprocess.run(
-        [BIN / "ros2", *words], env=env, cwd=workspace, capture_output=True, text=True, timeout=60
+        [BIN / "ros2", *words], env=env, cwd=workspace, capture_output=True, encoding="utf-8", timeout=60
     )
     return done.returncode, done.stdout + done.stderr
 
@@ -70,7 +70,7 @@ def test_a_launch_file_runs_and_prints_the_same_bytes_twice(workspace, file):
 def test_a_built_interface_is_importable_after_sourcing(workspace):
     env = overlay_environment(workspace / "install", os.environ)
     script = "from s4_custom_interface.msg import HardwareStatus as H, Sphere as S; print(H(temperature=54), S().radius)"
-    done = subprocess.run([sys.executable, "-c", script], env=env, capture_output=True, text=True, timeout=60)
+    done = subprocess.run([sys.executable, "-c", script], env=env, capture_output=True, encoding="utf-8", timeout=60)
     assert done.returncode == 0 and "temperature=54" in done.stdout, done.stderr
 
 
@@ -80,7 +80,7 @@ def test_sourcing_setup_bash_gives_the_environment_that_the_lab_computes(workspa
     wanted = ("AMENT_PREFIX_PATH", "PYTHONPATH")
     bare = {"PATH": os.environ["PATH"], "HOME": str(workspace)}
     script = "source install/setup.bash && " + " && ".join(f'echo "${name}"' for name in wanted)
-    done = subprocess.run(["bash", "-c", script], cwd=workspace, env=bare, capture_output=True, text=True, timeout=60)
+    done = subprocess.run(["bash", "-c", script], cwd=workspace, env=bare, capture_output=True, encoding="utf-8", timeout=60)
     computed = overlay_environment(workspace / "install", bare)
     for name, sourced in zip(wanted, done.stdout.splitlines(), strict=True):
         assert sorted(filter(None, sourced.split(":"))) == sorted(filter(None, computed.get(name, "").split(":"))), name

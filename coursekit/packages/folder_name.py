@@ -1,0 +1,30 @@
+"""Names of folders that a workspace cannot have."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+_NEVER = {
+    ":": "separates folders in PATH, PYTHONPATH and AMENT_PREFIX_PATH",
+    ";": "separates words in colcon's files",
+    "\n": "ends a line in colcon's files",
+    "\r": "ends a line in colcon's files",
+}
+_SHOWN = {"\n": "a line break", "\r": "a line break"}
+
+
+def refusal(folder: Path) -> str:
+    """Why no workspace can be in a folder, and what to do; '' where it can.
+
+    >>> refusal(Path("/home/ada/ros2:ws"))
+    "No workspace can be in '/home/ada/ros2:ws': ':' separates folders in PATH, ... Rename the folder without it."
+    >>> refusal(Path("/home/José Luis/my $(ws)"))
+    ''
+    """
+    name = str(folder.relative_to(folder.anchor))  # without a drive's colon
+    for sign, why in _NEVER.items():
+        if sign in name and not (os.sep == "\\" and sign == ":"):
+            what = _SHOWN.get(sign, repr(sign))
+            return f"No workspace can be in {str(folder)!r}: {what} {why}. Rename the folder without it."
+    return ""

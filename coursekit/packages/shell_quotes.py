@@ -1,0 +1,105 @@
+"""Setup scripts that colcon writes, made right for folders of any name: a shell runs nothing that stands in a name.
+
+colcon fills its templates by `expand_template`. In this process that is ours, so nothing it writes for a shell is read
+before it is quoted, also not what runs during a build.
+"""
+
+from __future__ import annotations
+
+import importlib
+import re
+import shlex
+from pathlib import Path
+from typing import Any
+
+from colcon_core.plugin_system import satisfies_version
+from colcon_core.shell import ShellExtensionPoint
+from colcon_core.shell.template import expand_template
+
+from coursekit.files import read_text, write_whole
+from coursekit.packages.folder_name import refusal
+
+_WRITERS = ("colcon_core.shell.sh", "colcon_bash.shell.bash", "colcon_zsh.shell.zsh")
+_SHELLS = (".sh", ".bash", ".zsh")
+_UTILITY = "_local_setup_util_sh.py"
+
+_PATH_ALONE = re.compile(
+    r"""^(\s*(?:export\s+)?\w+=          # NAME= or export NAME=
+         |\s*\.\ +                       # . FILE
+         |_colcon_\w+_unique_value\ \w+\ # a hook that puts a folder before or behind others
+        )(?:"(/.*)"|(/.*))$""",
+    re.M | re.X,
+)
+_COMMAND = re.compile(r'^(\s*|.*"\$\()(\$_colcon_python_executable) ', re.M)
+_EXPORT = r"eval export $_listname=\"$_all_values\""
+_SAFE_EXPORT = r'eval "export $_listname=\"\$_all_values\""'
+"""`eval` sees the name of the variable instead of its value, which would be read as a program."""
+
+_PRINTED = re.compile(r"^(FORMAT_STR_(?:SET_ENV_VAR|INVOKE_SCRIPT) = )('.*')", re.M)
+_FIRST_FORMAT = "FORMAT_STR_COMMENT_LINE = "
+_QUOTING = '''class Quoting(str):
+    """A line for the shell, in which a value between quotation marks stands for itself."""
+
+    def format_map(self, words):
+        use = '$' + words.get('name', '')
+        return super().format_map({key: self.plain(value, use) for key, value in words.items()})
+
+    def plain(self, value, use):
+        start = use + os.pathsep if value.startswith(use + os.pathsep) else ''
+        end = os.pathsep + use if value.endswith(os.pathsep + use) else ''
+        inner = value[len(start):len(value) - len(end)]
+        return start + inner.translate({ord(sign): '\\\\' + sign for sign in '\\\\"$`'}) + end
+
+
+'''
+
+
+class QuotingShell(ShellExtensionPoint):  # type: ignore[misc]
+    """No shell: it sees to it that those that write scripts quote what they would leave bare."""
+
+    PRIORITY = 10  # below the default: it is asked for no scripts that others need
+
+    def __init__(self) -> None:
+        super().__init__()
+        satisfies_version(ShellExtensionPoint.EXTENSION_POINT_VERSION, "^2.2")
+        for name in _WRITERS:
+            importlib.import_module(name).expand_template = expand_quoted  # type: ignore[attr-defined]
+
+    def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:
+        """Write none."""
+        return []
+
+    def create_package_script(self, prefix_path: Path, pkg_name: str, hooks: Any) -> list[Path]:
+        """Write none."""
+        return []
+
+
+def expand_quoted(template_path: Path, destination_path: Path, data: dict[str, Any]) -> None:
+    """Do what colcon's `expand_template` does, and quote what is written for a shell.
+
+    RuntimeError, which colcon tells in one sentence, for a folder that no setup script can name.
+    """
+    why = refusal(destination_path.parent)
+    if why:
+        raise RuntimeError(why)
+    expand_template(template_path, destination_path, data)
+    change = quoted if destination_path.suffix in _SHELLS else _quoted_utility if destination_path.name == _UTILITY else None
+    if change is not None:
+        write_whole(destination_path, change(read_text(destination_path)))
+
+
+def quoted(script: str) -> str:
+    """A script in which every path stands between single quotation marks, and `eval` is given no values.
+
+    >>> print(quoted("_colcon_prefix=/home/José Luis/ws\\n$_colcon_python_executable \\"$x\\""))
+    _colcon_prefix='/home/José Luis/ws'
+    "$_colcon_python_executable" "$x"
+    """
+    script = _PATH_ALONE.sub(lambda found: found[1] + shlex.quote(found[2] or found[3]), script)
+    return _COMMAND.sub(r'\1"\2" ', script).replace(_EXPORT, _SAFE_EXPORT)
+
+
+def _quoted_utility(program: str) -> str:
+    """The program whose output setup scripts run by `eval`: what it prints of paths is quoted."""
+    program = program.replace(_FIRST_FORMAT, _QUOTING + _FIRST_FORMAT, 1)
+    return _PRINTED.sub(r"\1Quoting(\2)", program)

@@ -1,0 +1,8 @@
+"""Which system this is."""
+
+from __future__ import annotations
+
+import os
+
+WINDOWS = os.name == "nt"
+"""Read it as `which.WINDOWS`: tests set it, to see on Linux what happens there."""

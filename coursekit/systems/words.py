@@ -1,0 +1,64 @@
+r"""Command lines to words and back, as people of this system write them: on Windows a backslash is part of a path."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Iterable
+
+from . import which
+
+_BEFORE_QUOTE = re.compile(r'(\\*)"')
+_AT_END = re.compile(r"(\\+)\Z")
+_PLAIN = re.compile(r"""[^\s"']+""")
+
+
+def split_words(text: str) -> list[str]:
+    r"""The words of a command line; ValueError when a quotation does not end.
+
+    On Linux and macOS as the shell has them. On Windows as programs there read their command line, a backslash counting
+    only before a double quote; single quotes group too, as in PowerShell, except after a letter or digit.
+
+    >>> split_words("topic pub /chat std_msgs/msg/String '{data: hello world}'")[-1]
+    '{data: hello world}'
+    """
+    return _split_for_windows(text) if which.WINDOWS else shlex.split(text)
+
+
+def join_words(words: Iterable[str]) -> str:
+    """The command line whose words these are.
+
+    >>> join_words(["ros2", "bag", "info", "my bag"])
+    "ros2 bag info 'my bag'"
+    """
+    return " ".join(map(_quoted_for_windows, words)) if which.WINDOWS else shlex.join(words)
+
+
+def _quoted_for_windows(word: str) -> str:
+    if _PLAIN.fullmatch(word):
+        return word
+    return '"' + _AT_END.sub(r"\1\1", _BEFORE_QUOTE.sub(r'\1\1\\"', word)) + '"'
+
+
+def _split_for_windows(text: str) -> list[str]:
+    words: list[str] = []
+    word: str | None = None
+    inside = ""
+    for piece in re.findall(r"""\\*"|'|\s|\\+|[^\s\\"']+""", text):
+        slashes, quote = len(piece) - 1, piece[-1]
+        if quote == '"' and inside != "'":
+            word = (word or "") + "\\" * (slashes // 2)
+            if slashes % 2:
+                word += '"'
+            else:
+                inside = "" if inside else '"'
+        elif quote == "'" and (inside == "'" or not (inside or (word or "")[-1:].isalnum())):
+            word, inside = word or "", "" if inside else "'"
+        elif piece.isspace() and not inside:
+            words += [] if word is None else [word]
+            word = None
+        else:
+            word = (word or "") + piece
+    if inside:
+        raise ValueError("No closing quotation")
+    return words if word is None else [*words, word]

@@ -1,0 +1,49 @@
+"""A pipe is waited for: with select where it knows pipes, else by looking into it."""
+
+import os
+
+import pytest
+
+from coursekit.joined.pipe import Broken, Pipe
+from coursekit.systems import pipes, which
+
+
+@pytest.fixture
+def windows(monkeypatch):
+    """Windows, where select refuses pipes; elsewhere a pipe is looked into by the system's own means."""
+    looks = []
+    peek, select = pipes.peek if which.WINDOWS else None, pipes._select
+
+    def look(pipe):
+        looks.append(pipe)
+        return peek(pipe) if peek is not None else bool(select([pipe], [], [], 0)[0])
+
+    def refuse(*_):
+        raise OSError(10038, "An operation was attempted on something that is not a socket")
+
+    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(pipes, "peek", look)
+    monkeypatch.setattr(pipes, "_select", refuse)
+    monkeypatch.setattr("select.select", refuse)
+    return looks
+
+
+def test_on_windows_a_frame_is_received_without_select(windows):
+    there, back = os.pipe(), os.pipe()
+    ours, theirs = Pipe(back[0], there[1]), Pipe(there[0], back[1])
+    ours.send({"now": 5}, b"cdr")
+    assert theirs.receive(1.0) == ({"now": 5}, b"cdr")
+    assert windows
+
+
+def test_on_windows_nobodys_silence_is_waited_for_longer_than_was_said(windows):
+    read, write = os.pipe()
+    with pytest.raises(Broken, match="it did not answer in time"):
+        Pipe(read, write).receive(0.0)
+
+
+def test_on_windows_the_end_is_seen_at_once(windows):
+    read, write = os.pipe()
+    os.close(write)
+    with pytest.raises(Broken, match="it ended"):
+        Pipe(read, read).receive(1.0)

@@ -1,0 +1,62 @@
+"""Command lines: as the shell reads them on Linux; on Windows a path keeps its backslashes."""
+
+import shlex
+import subprocess
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from coursekit.systems import which
+from coursekit.systems.words import join_words, split_words
+
+
+@pytest.fixture
+def windows(monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", True)
+
+
+def test_on_linux_words_are_those_of_the_shell(monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", False)
+    line = r"""run demo node --name 'a b' "c \" d" e\ f"""
+    assert split_words(line) == shlex.split(line)
+    assert join_words(split_words(line)) == shlex.join(shlex.split(line))
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        (r"run demo node C:\Users\vera\new.yaml", ["run", "demo", "node", r"C:\Users\vera\new.yaml"]),
+        (r'info "C:\Users\José Luis\drive" -v', ["info", r"C:\Users\José Luis\drive", "-v"]),
+        (r'info "C:\Users\José Luis\\" -v', ["info", "C:\\Users\\José Luis\\", "-v"]),
+        (r"info \\server\share\drive", ["info", r"\\server\share\drive"]),
+        (r"info C:\Users\O'Brien\drive", ["info", r"C:\Users\O'Brien\drive"]),
+        ("pub /chat '{data: \"it\"}'", ["pub", "/chat", '{data: "it"}']),
+        ("pub /chat \"{data: 'it'}\"", ["pub", "/chat", "{data: 'it'}"]),
+        (r'pub /chat "{data: \"it\"}"', ["pub", "/chat", '{data: "it"}']),
+        ("-p name:='a b' ''", ["-p", "name:=a b", ""]),
+        ("  ", []),
+    ],
+)
+def test_on_windows_a_backslash_is_part_of_a_path_and_both_quotes_group(windows, line, words):
+    assert split_words(line) == words
+
+
+@pytest.mark.parametrize("line", ['run "a', "run 'a", r'run "C:\a\"'])
+def test_a_quotation_without_an_end_is_refused(windows, line):
+    with pytest.raises(ValueError, match="No closing quotation"):
+        split_words(line)
+
+
+@given(st.lists(st.text(alphabet="aB \\\"'\t{}:é$%`", max_size=8), max_size=5))
+def test_on_windows_joined_words_come_apart_again_as_they_were(words):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(which, "WINDOWS", True)
+        assert split_words(join_words(words)) == words
+
+
+@given(st.lists(st.text(alphabet='aB \\"\t{}:é', max_size=8), max_size=5))
+def test_on_windows_what_python_writes_for_programs_is_read_as_they_read_it(words):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(which, "WINDOWS", True)
+        assert split_words(subprocess.list2cmdline(words)) == words

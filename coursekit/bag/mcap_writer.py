@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -31,9 +33,11 @@ class McapWriter:
             known = ", ".join(name for name in _PRESETS if name)
             raise BagError(f"mcap has no preset '{preset}'; it has {known}")
         options = {"compression": CompressionType.NONE, **_PRESETS[preset], **_configured(config)}
-        self._file = path.open("xb")
-        self._writer = Writer(self._file, **options)
-        self._writer.start(profile="ros2", library="coursekit")
+        self._path = path
+        with self._telling():
+            self._file = path.open("xb")
+            self._writer = Writer(self._file, **options)
+            self._writer.start(profile="ros2", library="coursekit")
         self._schemas: dict[str, int] = {}
         self._channels: dict[str, int] = {}
         self._sequence: dict[str, int] = {}
@@ -60,7 +64,8 @@ class McapWriter:
         """Add a message of a topic that was entered."""
         number = self._sequence[message.topic] = self._sequence[message.topic] + 1
         channel = self._channels[message.topic]
-        self._writer.add_message(channel, message.stamp, message.data, message.stamp, number & 0xFFFFFFFF)
+        with self._telling():
+            self._writer.add_message(channel, message.stamp, message.data, message.stamp, number & 0xFFFFFFFF)
 
     def size(self) -> int:
         """Bytes that are in the file now; the last chunk is not."""
@@ -69,9 +74,22 @@ class McapWriter:
     def close(self, facts: BagFacts) -> None:
         """End the file; it keeps a copy of the bag's metadata."""
         text = metadata_file.dump(metadata_file.as_dict(facts))
-        self._writer.add_metadata("rosbag2", {"serialized_metadata": text})
-        self._writer.finish()
-        self._file.close()
+        with self._telling():
+            self._writer.add_metadata("rosbag2", {"serialized_metadata": text})
+            self._writer.finish()
+            self._file.close()
+
+    def abandon(self) -> None:
+        """Close the file with what is in it."""
+        with contextlib.suppress(OSError):
+            self._file.close()
+
+    @contextlib.contextmanager
+    def _telling(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            raise BagError(f"'{self._path}' cannot be written: {error.strerror or error}") from None
 
 
 def _configured(config: str) -> dict[str, Any]:

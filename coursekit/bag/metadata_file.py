@@ -10,7 +10,7 @@ import yaml
 from coursekit.bag.errors import BagError
 from coursekit.bag.fields import Fields
 from coursekit.bag.metadata import NEVER, BagFacts, FileFacts, TopicInformation, TopicMetadata
-from coursekit.files import read_text
+from coursekit.files import read_text, write_whole
 
 FILE_NAME = "metadata.yaml"
 ROOT = "rosbag2_bagfile_information"
@@ -120,13 +120,13 @@ def _file(entry: Fields) -> FileFacts:
 
 def _inside(name: str, version: int, where: str) -> str:
     """A file of the bag, relative to its folder; up to version 3 the folder's own name came first."""
-    path = PurePosixPath(name.replace("\\", "/"))
+    path = PurePosixPath(name.replace("\\", "/"))  # whichever system it came from
     if version < 4:
-        return path.name
+        return PurePosixPath(name).name if "/" in name else path.name
     drive = ":" in name.split("/")[0]
     if path.is_absolute() or drive or ".." in path.parts or "\0" in name or not path.name:
         raise BagError(f"{where} names the file {name!r}, which is outside of the bag's folder: it is not opened")
-    return str(path)
+    return str(PurePosixPath(name))  # on Linux a backslash is a sign like others
 
 
 class _Dumper(yaml.SafeDumper):
@@ -182,10 +182,7 @@ def _file_dict(one: FileFacts) -> dict[str, Any]:
 
 def write(folder: Path, facts: BagFacts) -> None:
     """Write the metadata.yaml of a bag, at once or not at all."""
-    path = folder / FILE_NAME
-    draft = path.with_suffix(".yaml.part")
-    draft.write_text(dump({ROOT: as_dict(facts)}) + "\n", encoding="utf-8")
-    draft.replace(path)
+    write_whole(folder / FILE_NAME, dump({ROOT: as_dict(facts)}) + "\n")
 
 
 def size_of(bag: Path) -> int:

@@ -24,8 +24,8 @@ CREATE INDEX timestamp_idx ON messages (timestamp ASC);
 _FAST = ("journal_mode=MEMORY", "synchronous=OFF")
 _RESILIENT = ("journal_mode=WAL", "synchronous=NORMAL")
 _PRAGMA = re.compile(r"\s*(\w+)\s*=\s*([\w-]+)\s*")
-COMMIT_EVERY = 500
-"""Messages after which what was written is safe from a crash of the program."""
+COMMIT_EVERY, COMMIT_BYTES = 500, 1 << 18
+"""Messages, and bytes of them, after which what was written is safe from a crash of the program and from a full disk."""
 
 
 class SqliteWriter:
@@ -45,7 +45,7 @@ class SqliteWriter:
         self._run("BEGIN")
         self._page_size = self._run("PRAGMA page_size").fetchone()[0]
         self._ids: dict[str, int] = {}
-        self._pending = 0
+        self._pending = self._pending_bytes = 0
 
     def _run(self, statement: str, *values: Any) -> sqlite3.Cursor:
         try:
@@ -68,10 +68,11 @@ class SqliteWriter:
         insert = "INSERT INTO messages (timestamp, topic_id, data) VALUES (?, ?, ?)"
         self._run(insert, message.stamp, self._ids[message.topic], message.data)
         self._pending += 1
-        if self._pending >= COMMIT_EVERY:
+        self._pending_bytes += len(message.data)
+        if self._pending >= COMMIT_EVERY or self._pending_bytes >= COMMIT_BYTES:
             self._run("COMMIT")
             self._run("BEGIN")
-            self._pending = 0
+            self._pending = self._pending_bytes = 0
 
     def size(self) -> int:
         """Bytes that the file has now."""
@@ -82,6 +83,10 @@ class SqliteWriter:
         text = metadata_file.dump(metadata_file.as_dict(facts))
         self._run("INSERT INTO metadata (metadata_version, metadata) VALUES (?, ?)", facts.version, text)
         self._run("COMMIT")
+        self._db.close()
+
+    def abandon(self) -> None:
+        """Close the file with what is in it."""
         self._db.close()
 
 

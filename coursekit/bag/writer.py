@@ -106,7 +106,7 @@ class BagWriter:
     # -- messages
 
     def write(self, message: Message) -> None:
-        """Add a message; BagError when its topic was not entered, or the bag is closed."""
+        """Add a message; BagError when its topic was not entered, the bag is closed, or the disk is full."""
         if message.topic not in self._topics:
             raise BagError(f"Failed to write on topic '{message.topic}'. Call create_topic() before first write.")
         self._opened()
@@ -178,3 +178,9 @@ class BagWriter:
         if self._file is not None:
             self._close_file()
             metadata_file.write(self.folder, self._facts)
+
+    def abandon(self) -> None:
+        """Let go of the bag when it cannot be written any more: what is in its files can be indexed anew."""
+        if self._file is not None:
+            self._file.abandon()
+            self._file = None

@@ -7,7 +7,7 @@ import hashlib
 import hmac
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,8 @@ from .record import Record
 from .roster import Person
 from .verdict import Verdict
 
+_ASKED = re.compile(r"whose '(.+?)' is")
+
 
 class Anonymity:
     """Gives the same code to the same person in every run of this account."""
@@ -35,9 +37,14 @@ class Anonymity:
         made = hmac.new(self._key, person.identity.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
         return f"P-{made[:8].upper()}"
 
+    def key(self, record: Record) -> str:
+        """What a person's files are called while names are hidden."""
+        return self._hidden(record).key
+
     def of(self, records: Sequence[Record]) -> list[Record]:
         """The records with codes in the place of names, in the order of the codes; who is who is written beside."""
-        hidden = [self._hidden(one) for one in records]
+        others = self._everybody(records)
+        hidden = [self._hidden(one, others) for one in records]
         made = io.StringIO()
         table = csv.writer(made)
         table.writerow(["code", "name", "id", "email"])
@@ -47,7 +54,14 @@ class Anonymity:
         write_whole(self.names, made.getvalue().encode("utf-8-sig"), 0o600, parents=True)
         return sorted(hidden, key=lambda one: one.label)
 
-    def _hidden(self, record: Record) -> Record:
+    def _everybody(self, records: Sequence[Record]) -> dict[str, str]:
+        """What to write in the place of what others are called, and of what their files are called."""
+        entries = [entry.name for one in records for entry in one.handed.entries]
+        entries += [name for one in records for name in _ASKED.findall(" ".join(one.handed.open))]
+        labels = {one.label: self.code(one.handed.person) for one in records}
+        return dict.fromkeys(filter(None, entries), "a hand-in") | labels
+
+    def _hidden(self, record: Record, others: Mapping[str, str] | None = None) -> Record:
         code, handed = self.code(record.handed.person), record.handed
         said = _Hiding(record, code)
         entries = [
@@ -55,9 +69,17 @@ class Anonymity:
             for entry in handed.entries
         ]
         chosen = {name: _piece(said, code, one) for name, one in handed.chosen.items()}
-        texts = {name: [said(one) for one in getattr(handed, name)] for name in ("notes", "concerns", "open")}
+        kinds = ("notes", "concerns", "open")
+        texts = {kind: [said(_without(one, others or {})) for one in getattr(handed, kind)] for kind in kinds}
         made = replace(handed, person=Person(code), label=code, entries=entries, chosen=chosen, **texts)
         return replace(record, handed=made, marks={name: _marked(said, code, one) for name, one in record.marks.items()})
+
+
+def _without(text: str, names: Mapping[str, str]) -> str:
+    """A text without what others are called; the longest names first, which may hold shorter ones."""
+    for name in sorted(names, key=len, reverse=True):
+        text = text.replace(name, names[name])
+    return text
 
 
 class _Hiding:

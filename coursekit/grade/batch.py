@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from dataclasses import replace
 from pathlib import Path
@@ -68,10 +69,14 @@ class Class:
         self.results = Results(self.kept / "results")
         self.table = MarksTable(out, self.kept / "results")
         self.dice = variants.dice() if variants else self.results.dice()
-        self.anonymity = Anonymity(out.with_name(f"{out.stem}.names.csv")) if anonymous else None
+        self._codes = Anonymity(out.with_name(f"{out.stem}.names.csv"))
+        self.anonymity = self._codes if anonymous else None
 
-    def grade(self, jobs: int, tell: Tell, again: Sequence[str] | None = None) -> Outcome:
+    @contextlib.contextmanager
+    def graded(self, jobs: int, tell: Tell, again: Sequence[str] | None = None) -> Iterator[Outcome]:
         """Grade what is not graded yet, or what is asked for `again` (everybody for an empty list), and write everything.
+
+        What was handed in lies unpacked until the context ends.
 
         Raises:
             GraderBroken: when the reference solutions do not get all points; nobody is marked then.
@@ -96,7 +101,7 @@ class Class:
                 outcome.interrupted = True
             self.write(outcome)
             outcome.told += self.results.told
-            return outcome
+            yield outcome
 
     def _reference(self, chapter: str, scratch: Path) -> Reference:
         source = self.sources[chapter]
@@ -124,9 +129,12 @@ class Class:
         for chapter in [one for one in handed.chosen if one not in wanted]:
             handed.concerns.append(f"{chapter} was handed in too; it is not marked here")
         made.late = lateness_of(handed, list(wanted), self.policy)
-        key = self._shown([made])[0].key
-        made.by_hand = dict(self.table.by_hand.points.get(key, {}))
-        made.extra = dict(self.table.by_hand.extra.get(key, {}))
+        before, now = made.key, self._codes.key(made)
+        if self.anonymity is None:
+            before, now = now, before
+        self.table.by_hand.move(before, now)
+        made.by_hand = dict(self.table.by_hand.points.get(now, {}))
+        made.extra = dict(self.table.by_hand.extra.get(now, {}))
         return made
 
     def _mark(self, records: Sequence[Record], jobs: int, tell: Tell) -> None:
@@ -145,8 +153,8 @@ class Class:
                         waiting[pool.submit(mark, *task, self.limits, self.dice)] = (one, chapter, depends)
             for number, future in enumerate(as_completed(waiting), 1):
                 self._take(future, *waiting[future])
-                self.table.write(self._shown(records))
-                tell(number, len(waiting), self._shown([waiting[future][0]])[0].label)
+                self.table.write(self.shown(records))
+                tell(number, len(waiting), self.shown([waiting[future][0]])[0].label)
         except KeyboardInterrupt:
             pool.shutdown(wait=False, cancel_futures=True)
             for future, facts in waiting.items():
@@ -178,7 +186,7 @@ class Class:
         for one in records:
             for chapter, late in one.late.items():
                 self.results.note(one.key, chapter, {"percent_off": late.percent_off})
-        shown = self._shown(records)
+        shown = self.shown(records)
         self.table.write(shown)
         self.kept.mkdir(parents=True, exist_ok=True)
         marks = [one.marked() for one in shown if one.counts()]
@@ -188,7 +196,7 @@ class Class:
         write_overview(self.kept, shown, outcome)
         write_gradebook(self.kept / "gradebook.csv", shown, records, self.results)
 
-    def _shown(self, records: Sequence[Record]) -> list[Record]:
+    def shown(self, records: Sequence[Record]) -> list[Record]:
         """As they are shown: with codes for names where marking is anonymous."""
         return list(records) if self.anonymity is None else self.anonymity.of(records)
 

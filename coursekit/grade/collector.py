@@ -71,6 +71,7 @@ class Collector:
                 self._put(self._gathered(name, files))
         for handed in self._people.values():
             self._choose(handed)
+            self._look_for_other_s_copies(handed)
         self._made.handed = sorted(self._people.values(), key=lambda one: (plain(one.label), one.key))
         self._look_alike()
         self._made.unanswered += [one for _, one in self._made.whose]
@@ -156,6 +157,13 @@ class Collector:
             before = re.split(re.escape(Path(chapter).stem), stem, maxsplit=1, flags=re.I)[0].strip(" _-.")
             return Person(shown(before), id=identity_of(before)) if identity_of(before) else None
         return Person(shown(stem), id=identity_of(stem) or shown(stem))
+
+    def _look_for_other_s_copies(self, handed: Handed) -> None:
+        """Whoever the teacher says that it is of: that it was made for somebody else stays told."""
+        for piece in handed.chosen.values():
+            owner = self._identifier.owner(piece.known.copy) if self._identifier is not None else None
+            if owner is not None and owner != handed.person and self._roster is not None:
+                handed.concerns.append(f"{shown(piece.where)}: the copy was made for {self._roster.label(owner)}")
 
     def _choose(self, handed: Handed) -> None:
         """The file that counts for each chapter."""

@@ -8,6 +8,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .editions import ENGLISH, chapters
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
@@ -108,7 +110,7 @@ class Course:
         for extra in sorted(path for path in notebooks.glob("*") if path.is_dir() and path.name == "images"):
             self._copy_pictures(extra)
         self._manifest.parent.mkdir(parents=True, exist_ok=True)
-        self._manifest.write_text(json.dumps(given, indent=1, sort_keys=True), encoding="utf-8")
+        write_whole(self._manifest, json.dumps(given, indent=1, sort_keys=True))
         return said
 
     def _bring(self, name: str, text: str, given: dict[str, str]) -> str:
@@ -117,17 +119,17 @@ class Course:
         if target.exists() and _handed_out(target):
             return ""
         if not target.exists():
-            target.write_text(text, encoding="utf-8")
+            write_whole(target, text)
             given[name] = edition
             return f"{name}: new"
         if given.get(name) == edition:
             return ""
         if edition_of(target.read_text(encoding="utf-8")) == given.get(name):
-            target.write_text(text, encoding="utf-8")
+            write_whole(target, text)
             given[name] = edition
             return f"{name}: updated (you had not changed it)"
         beside = target.with_suffix(".new.ipynb")
-        beside.write_text(text, encoding="utf-8")
+        write_whole(beside, text)
         given[name] = edition
         return f"{name}: you have worked on it, so it stays; the new edition is {beside.name}"
 

@@ -26,6 +26,7 @@ from .remote import RemoteWork
 from .repair import Repaired, Step, repair
 from .submissions import read_notebook
 from .verdict import Verdict
+from .work import NOTHING
 
 FIRST_HINT = 2
 """The try from which on the first hint is given: a report gives it too."""
@@ -161,6 +162,7 @@ def _run_and_judge(
     """Values are judged where their check stands; files and programs at the end, after one build."""
     verdicts: list[Verdict] = []
     later: list[str] = []
+    stopped = ""
     wanted = [step.exercise for step in repaired.steps if step.exercise in exercises]
     try:
         for step in repaired.steps:
@@ -169,11 +171,13 @@ def _run_and_judge(
             elif step.exercise in exercises:
                 work.judge_from_here(step.exercise)
                 try:
-                    verdicts.append(_judged(exercises[step.exercise], work))
+                    verdicts.append(_explained(_judged(exercises[step.exercise], work), stopped))
                 except NeedsWorkspace:
                     later.append(step.exercise)
+                stopped = ""
             elif source := _needed(step):
-                work.run(source, limits.cell if step.solution else limits.course_cell)
+                error = work.run(source, limits.cell if step.solution else limits.course_cell)
+                stopped = error if step.solution else stopped
         work.finish(limits.build)
         for name in later:
             work.judge_from_here(name)
@@ -182,6 +186,13 @@ def _run_and_judge(
         judged = {verdict.name for verdict in verdicts}
         verdicts += [unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
     return verdicts
+
+
+def _explained(verdict: Verdict, stopped: str) -> Verdict:
+    """A missing colon leaves nothing behind: then the cell's own error is the cause."""
+    if not stopped or verdict.passed or verdict.got != NOTHING:
+        return verdict
+    return replace(verdict, cause=f"The cell stopped: {_plain(stopped)}")
 
 
 def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:

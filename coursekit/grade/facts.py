@@ -57,15 +57,6 @@ class RobotFacts:
 
 
 @dataclass
-class Wrongdoing:
-    """A `Wrong` that a reading raised."""
-
-    expected: str
-    got: str = ""
-    cause: str = ""
-
-
-@dataclass
 class BuildFacts:
     """Whether a package is in install/, and what is wrong with its build, if anything."""
 

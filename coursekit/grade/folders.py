@@ -67,6 +67,28 @@ def _below(descriptor: int, above: str, depth: int) -> Iterator[tuple[str, os.st
         os.close(descriptor)
 
 
+def remove_pipes(folder: Path) -> None:
+    """Remove what is neither a file, a folder nor a link: whoever opens a pipe waits for ever.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     os.mkfifo(f"{folder}/pipe")
+    ...     remove_pipes(Path(folder))
+    ...     os.listdir(folder)
+    []
+    """
+    if not BY_DESCRIPTOR:
+        return
+    with contextlib.suppress(OSError, Excess):
+        for name in [name for name, status in entries(folder) if not _is_plain(status.st_mode)]:
+            with contextlib.suppress(OSError):
+                os.unlink(folder / name)
+
+
+def _is_plain(mode: int) -> bool:
+    return stat.S_ISREG(mode) or stat.S_ISDIR(mode) or stat.S_ISLNK(mode)
+
+
 def remove(folder: Path) -> None:
     """Remove a folder with all that is in it, however deep and whatever its rights; what cannot go stays."""
     if not BY_DESCRIPTOR:

@@ -13,8 +13,6 @@ from .report import page
 from .roster import Person, Roster
 from .tables import write_table
 
-PLATFORMS = ("moodle", "canvas", "blackboard")
-
 
 def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, out: Path) -> list[Path]:
     """Write the platform's table, and feedback.zip where the folders of Moodle's download are known; what was written."""

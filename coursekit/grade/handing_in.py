@@ -14,6 +14,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from coursekit.files import write_whole
+
 from . import events
 from .exercise import exercises_in
 from .harmless import shown
@@ -70,7 +72,7 @@ def make_parcel(
         raise ValueError(f"{notebook.name} {what}. Hand in one of: {names}")
     marked = clean_run(notebook)
     file = out / f"{student_word(student)}_{notebook.stem}.zip"
-    file.write_bytes(parcel_of(notebook, course, student, marked))
+    write_whole(file, parcel_of(notebook, course, student, marked))
     if not any(EVIDENCE.fullmatch(one.name) for one in (course / "evidence").glob("*")):
         how = 'evidence("s2_1", graph()), then hand_in() again'
         notes.append(f"There is no evidence in it. If the assignment asks for some: {how}.")

@@ -16,7 +16,8 @@ from pathlib import Path
 from .platform_names import PlatformName, platform_name
 from .roster import Person, Roster, plain
 
-SURE = ("the exact name", "the platform's name for it", "the name that hand_in gives its files")
+COPY_AND_NAME = "the mark of the copy and a name"
+SURE = ("the exact name", "the platform's name for it", "the name that hand_in gives its files", COPY_AND_NAME)
 """Ways that are not told each time."""
 _ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx")
 
@@ -42,6 +43,10 @@ class Identifier:
         self.roster = roster
         self._copies = copies or {}
 
+    def owner(self, copy: str) -> Person | None:
+        """For whom a copy with this mark was made."""
+        return self._copies.get(copy)
+
     def identify(self, name: str, copies: Iterable[str] = ()) -> Identified:
         """Whose a folder or file of that name is, in which copies with these marks were found."""
         marked = {self._copies[one] for one in copies if one in self._copies}
@@ -52,7 +57,7 @@ class Identifier:
             return named
         owner = next(iter(marked))
         if not named.people or named.people == (owner,):
-            return Identified((owner,), "the mark of the copy" + (f" and {named.how}" if named.people else ""))
+            return Identified((owner,), COPY_AND_NAME if named.people else "the mark of the copy")
         if len(named.people) > 1 and owner in named.people:
             return Identified((owner,), "the mark of the copy")
         others = self._sorted({owner, *named.people})

@@ -22,7 +22,7 @@ from .wire import pack, refresh, unpack_of_judge
 
 WAIT_SECONDS = 600.0
 """Virtual seconds that a cell may take."""
-PATIENCE = 2.0
+SLOWNESS = 2.0
 """How much more real time than computing time may pass."""
 NOT_NEEDED = ("%ros2 run", "%ros2 launch", "%ros2 topic", "%ros2 node", "%ros2 service", "%ros2 param", "%ros2 action")
 
@@ -41,7 +41,7 @@ def _alarm(seconds: float) -> Iterator[None]:
     if not hasattr(signal, "setitimer"):
         yield
         return
-    timers = ((signal.ITIMER_PROF, signal.SIGPROF, seconds), (signal.ITIMER_REAL, signal.SIGALRM, PATIENCE * seconds))
+    timers = ((signal.ITIMER_PROF, signal.SIGPROF, seconds), (signal.ITIMER_REAL, signal.SIGALRM, SLOWNESS * seconds))
     for timer, number, limit in timers:
         signal.signal(number, _ring)
         signal.setitimer(timer, limit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import tempfile
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -64,7 +64,8 @@ def mark(
 
     `secret` makes the judges' chance: who does not know it cannot tell what will be asked.
     """
-    made = Marked(submission.student, submission.digest(), tier=sandbox.tier(), variants=values_of(sources.values()))
+    limits = replace(limits, tier=sandbox.tier())  # the one that the result names, in other processes too
+    made = Marked(submission.student, submission.digest(), tier=limits.tier, variants=values_of(sources.values()))
     parcels: list[bytes] = []
     scratch = Path(tempfile.mkdtemp(prefix="grade-"))
     try:
@@ -72,9 +73,9 @@ def mark(
         for parcel in parcels:
             made.concerns += _faults(parcel, submission.student)
         files = submission.notebooks(scratch / "unpacked")
+        own = sorted({str(one.parent) for one in own_files(exercises.values())})
         for name, file in _chosen(files, sources, made.notes).items():
             folder, names = str(scratch / name), list(exercises)
-            own = sorted({str(one.parent) for one in own_files(exercises.values())})
             task = Task(sources[name], str(file), folder, names, made.variants, asdict(limits), secret.hex(), own)
             _add(made, name, examine(task, limits))
     except ValueError as error:

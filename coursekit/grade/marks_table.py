@@ -32,6 +32,13 @@ class ByHand:
     """By key and column."""
     told: list[str] = field(default_factory=list)
 
+    def move(self, before: str, now: str) -> None:
+        """What was said under one key holds under another: of work without a name, when the name is shown again."""
+        if points := self.points.pop(before, {}):
+            self.points[now] = {**points, **self.points.get(now, {})}
+        if extra := self.extra.pop(before, {}):
+            self.extra[now] = {**extra, **self.extra.get(now, {})}
+
 
 class MarksTable:
     """The table, and beside the results what it was when it was written last."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from .collector import Collection
 from .record import Record
-from .statuses import LOOK, counted
+from .statuses import counted
 
 
 @dataclass
@@ -28,7 +28,3 @@ class Outcome:
             return 130
         open_ = self.collection.unanswered or any(one.status() == "not marked" for one in self.records)
         return 1 if open_ else 0
-
-    def to_look_at(self) -> list[Record]:
-        """Who needs a look."""
-        return [one for one in self.records if one.status() in LOOK or one.marked().concerns]

@@ -97,11 +97,3 @@ def way_of(seen: Any, topic: str) -> list[tuple[float, ...]]:
 def heard(seen: Any, topic: str) -> list[tuple[float, Any]]:
     """The messages of a topic with the seconds at which they came, the first ones first."""
     return [(when, message) for when, message in seen.messages.get(topic, []) if is_number(when)]
-
-
-def last_message(seen: Any, topic: str, whose: str = "") -> Any:
-    """The last message on a topic; Wrong when there is none."""
-    found = heard(seen, topic)
-    if not found:
-        raise Wrong(f"messages on {topic}", "there are none", whose)
-    return found[-1][1]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .outcome import Outcome
 
 _PAGE = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>The class</title>
+<html lang="en"><head><meta charset="utf-8"><title>The class</title><link rel="icon" href="data:,">
 <style>body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
 h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:2rem}} img{{max-width:100%}} table{{border-collapse:collapse}}
 td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid #e3e8ea;vertical-align:top;font-weight:400}}

@@ -167,6 +167,9 @@ def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
         return function(*given)
     except NotImplementedError:
         raise
+    except NameError as error:
+        cause = "Is it spelled so? After a restart, the cells above that make it have to be run again."
+        raise Wrong(f"an answer from {told}", error_of(error), cause) from None
     except Exception as error:
         raise Wrong(f"an answer from {told}", error_of(error), "Your function stopped there.") from None
 

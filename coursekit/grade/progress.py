@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -84,16 +85,20 @@ class Progress:
         rows = []
         for chapter, (points, of, exercises) in self.chapters().items():
             marks = "".join(
-                f"<span title='{name} {title}: {got:g} of {most:g}' style='display:inline-block;width:12px;height:12px;"
+                f"<span title='{_told(name, title, got, most)}' style='display:inline-block;width:12px;height:12px;"
                 f"margin-right:3px;border-radius:3px;background:{_colour(got, most)}'>"
                 "</span>"
                 for name, title, got, most in exercises
             )
             rows.append(
-                f"<tr><td style='text-align:left'>{chapter}</td><td>{points:g} of {of:g}</td>"
+                f"<tr><td style='text-align:left'>{escape(chapter)}</td><td>{points:g} of {of:g}</td>"
                 f"<td style='text-align:left'>{marks}</td></tr>"
             )
         return f"<table><tr><th>chapter</th><th>points</th><th>exercises</th></tr>{''.join(rows)}</table>"
+
+
+def _told(name: str, title: str, got: float, most: float) -> str:
+    return escape(f"{name} {title}: {got:g} of {most:g}", quote=False)
 
 
 def _colour(got: float, most: float) -> str:

@@ -33,13 +33,13 @@ def exists(workspace: Path, path: str) -> bool:
     return (workspace / path).exists()
 
 
-def build(workspace: Path, package: str) -> BuildFacts:
+def build(workspace: Path, package: str, of: Sequence[str] = ()) -> BuildFacts:
     """Whether a package was built, and why the build is not that of its source."""
     from coursekit.packages.build_state import build_fault
 
     prefixes = (workspace / "install" / package, workspace / "install")
     marker = Path("share", "ament_index", "resource_index", "packages", package)
-    return BuildFacts(any((prefix / marker).exists() for prefix in prefixes), build_fault(workspace, package))
+    return BuildFacts(any((prefix / marker).exists() for prefix in prefixes), build_fault(workspace, package, of))
 
 
 def robot(workspace: Path, path: str) -> RobotFacts:

@@ -9,6 +9,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import write_whole
+
 from .copy import HANDED_OUT, edition_of, student_notebook
 from .exercise import exercises_in
 from .harmless import name_of_files
@@ -17,15 +19,16 @@ from .roster import student_word
 from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-WHEEL = "coursekit.whl"
+WHEEL = "ADDRESS-OF-THE-WHEEL"
 """Stands for the address of the wheel until a teacher gives it."""
 _PAGE = """<h2>{title}</h2>
 <p>Once, in a terminal, with Python 3.10 or newer:</p>
-<pre>python3 -m venv course
-course/bin/pip install {wheel}</pre>
-<p>(Windows: <code>py -3 -m venv course</code>, then <code>course\\Scripts\\pip install {wheel}</code>.)</p>
+<pre>python3 -m venv ros-env
+ros-env/bin/pip install {wheel}</pre>
+<p>(Windows: <code>py -3 -m venv ros-env</code>, then <code>ros-env\\Scripts\\pip install {wheel}</code>, and
+<code>ros-env\\Scripts\\coursekit</code> below.)</p>
 <p>Download <b>{archive}</b>, unpack it, and open the notebooks with
-<code>course/bin/coursekit lab --folder FOLDER</code>. Run the cells from top to bottom; write where it says
+<code>ros-env/bin/coursekit lab --folder FOLDER</code>. Run the cells from top to bottom; write where it says
 <code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}</table>
@@ -73,8 +76,8 @@ def release(
     rows = "\n".join(_row(Path(name).stem, one) for name, one in sources.items())
     page = out / "page.html"
     archive = "the zip with your name" if variants else f"{out.name}.zip"
-    facts = {"title": html.escape(out.name), "archive": archive, "rows": rows, "wheel": html.escape(wheel)}
-    page.write_text(_PAGE.format(**facts), encoding="utf-8")
+    facts = {"title": html.escape(out.name), "archive": html.escape(archive), "rows": rows, "wheel": html.escape(wheel)}
+    write_whole(page, _PAGE.format(**facts))
     return [*written, page]
 
 
@@ -88,7 +91,7 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = 
         made["metadata"]["coursekit"] |= {HANDED_OUT: name, "chapter": file, "release": edition}
         made["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
         files.append(folder / file)
-        files[-1].write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")
+        write_whole(files[-1], json.dumps(made, indent=1) + "\n")
     return [*files, *_own_checks(folder, notebooks)]
 
 

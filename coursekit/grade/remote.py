@@ -9,24 +9,24 @@ import hmac
 import json
 import os
 import random
-import select
 import sys
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from . import sandbox
+from coursekit.systems.pipes import readable
+
+from . import folders, sandbox
 from .facts import checked
-from .inside import PATIENCE
+from .inside import SLOWNESS
 from .interruptions import Gone, NeedsWorkspace
 from .reading import KINDS
-from .trial import PATIENCE as PATIENT
-from .trial import PROGRAMS, WATCHER, Plan, Seen, TrialFailed, answered, question
+from .trial import GIVES_WAY, PROGRAMS, WATCHER, Plan, Seen, TrialFailed, answered, question
 from .variants import Values
 from .verdict import Wrong
 from .wire import pack, refresh, unpack
-from .work import Work
+from .work import NOTHING, Work
 
 READ_SECONDS = 20.0
 
@@ -58,7 +58,7 @@ class Line:
         pipe = self.running.child.stdout
         while b"\n" not in self._rest:
             left = give_up - time.monotonic()
-            if left <= 0 or not select.select([pipe], [], [], min(left, 0.5))[0]:
+            if left <= 0 or not readable(pipe.fileno(), min(left, 0.5)):
                 if left <= 0:
                     self.running.end("it did not answer in time")
                     raise ValueError("no answer")
@@ -110,12 +110,13 @@ class RemoteWork(Work):
     def run(self, source: str, seconds: float) -> str:
         """Run a cell in the sandbox; what went wrong."""
         question = {"ask": "run", "source": source, "seconds": seconds}
-        return str(self._line.ask(question, PATIENCE * seconds + 10).get("error", ""))
+        return str(self._line.ask(question, SLOWNESS * seconds + 10).get("error", ""))
 
     def finish(self, seconds: float) -> None:
         """Build what the notebook builds, and end the notebook; then files and programs can be judged."""
-        self._line.ask({"ask": "build", "seconds": seconds}, PATIENCE * seconds + 10)
+        self._line.ask({"ask": "build", "seconds": seconds}, SLOWNESS * seconds + 10)
         self._running.end()
+        folders.remove_pipes(self.workspace.parent)
         self.complete = True
 
     def end(self) -> None:
@@ -144,7 +145,7 @@ class RemoteWork(Work):
     def function(self, name: str) -> Any:
         answer = self._line.ask({"ask": "callable", "name": name}, self._limits.call)
         if answer.get("missing"):
-            raise Wrong(f"a function named `{name}`", "there is none", "Was the cell above run?")
+            raise Wrong(f"a function named `{name}`", NOTHING, "Was the cell above run?")
         return lambda *args: self._call(name, args)
 
     def _call(self, name: str, args: Sequence[Any]) -> Any:
@@ -157,7 +158,7 @@ class RemoteWork(Work):
             "variables": {known: pack(one) for known, one in given.items()},
             "seconds": self._limits.call,
         }
-        said = self._line.ask(question, PATIENCE * self._limits.call + 5)
+        said = self._line.ask(question, SLOWNESS * self._limits.call + 5)
         if said.get("missing") or said.get("error"):
             raise _error_of(str(said.get("error") or f"RuntimeError: `{name}` cannot be called"))
         with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing
@@ -198,7 +199,7 @@ class RemoteWork(Work):
         there, back = os.pipe(), os.pipe()
         started: list[sandbox.Sandboxed] = []
         try:
-            command = [*WATCHER, str(PATIENT), str(back[0]), str(there[1])]
+            command = [*WATCHER, str(GIVES_WAY), str(back[0]), str(there[1])]
             pipes = (back[0], there[1])
             started.append(sandbox.start(command, folder, env, self._limits, writable=False, pipes=pipes))
             command = [*PROGRAMS, str(there[0]), str(back[1])]

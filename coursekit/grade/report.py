@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -13,9 +13,12 @@ from coursekit.files import write_whole
 
 from .harmless import lines, number, shown
 from .mark import Marked
+from .pictures import as_html
 from .record import Record
 from .verdict import Verdict
 
+ON_EXERCISE = " comment"
+"""How the column is called, after the exercise's name, in which a teacher writes what they say of it."""
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}</title>
 <style>body{{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
@@ -23,23 +26,29 @@ h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}} .comment{{border
 .total{{font-size:1.2rem}} footer,.how{{color:#5c686f;font-size:.85rem}} footer{{margin-top:2rem}}
 .work{{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:1rem;margin:.8rem 0;align-items:start}}
 @media(max-width:50rem){{.work{{grid-template-columns:1fr}}}}
+.evidence{{display:flex;flex-wrap:wrap;gap:1rem}} figure{{margin:0;max-width:36rem}} figure img{{max-width:100%}}
+figcaption{{color:#5c686f;font-size:.8rem}}
 pre{{background:#f5f7f8;padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
 <body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points{off}</p>{comments}{notes}
-{verdicts}<footer>{status}{late}; run in the sandbox <code>{tier}</code></footer></body></html>
+{verdicts}{evidence}<footer>{status}{late}; run in the sandbox <code>{tier}</code></footer></body></html>
 """
 
 
-def page(record: Record) -> str:
-    """The report as HTML."""
+def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
+    """The report as HTML; `fields(exercise)` is what stands below each verdict, where it is marked by hand.
+
+    Students see first what they can improve; who marks finds the exercises in the same place on everybody's page.
+    """
     marked, total, code = record.marked(), record.total(), record.code()
-    improve = [verdict for verdict in marked.verdicts if not verdict.passed]
-    right = [verdict for verdict in marked.verdicts if verdict.passed]
-    parts = ["<h2>To improve</h2>" if improve else "", *(_beside(one, record, code) for one in improve)]
-    parts += ["<h2>Right</h2>" if right else "", *(_beside(one, record, code) for one in right)]
+    improve = [_beside(one, record, code) for one in marked.verdicts if not one.passed]
+    right = [_beside(one, record, code) for one in marked.verdicts if one.passed]
+    parts = ["<h2>To improve</h2>" if improve else "", *improve, "<h2>Right</h2>" if right else "", *right]
+    if fields is not None:
+        parts = [_beside(one, record, code, fields(one.name)) for one in marked.verdicts]
     notes = "".join(f"<li>{_text(note)}</li>" for note in [*record.handed.open, *marked.notes])
     off = max((one.percent_off for one in record.late.values()), default=0.0)
-    written = [(name, text) for name, text in record.extra.items() if text]
-    said = "".join(f"<p class='comment'><b>{_text(name)}</b>: {_text(text)}</p>" for name, text in written)
+    written = [(name, text) for name, text in record.extra.items() if text and not name.endswith(ON_EXERCISE)]
+    said = "".join(f"<p class='comment'><b>{_text(name)}</b>: {_paragraphs(text)}</p>" for name, text in written)
     return _PAGE.format(
         student=_text(record.label),
         points="no mark yet" if total is None else number(total),
@@ -48,18 +57,26 @@ def page(record: Record) -> str:
         comments=said,
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),
+        evidence=as_html(record.handed.parcels()),
         status=_text(record.status().capitalize()),
         tier=_text(marked.tier or "none"),
         late=f"; {number(marked.minutes_late)} minutes late by {_text(record.time_from())}" if marked.minutes_late else "",
     )
 
 
-def _beside(verdict: Verdict, record: Record, code: dict[str, str]) -> str:
+def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = "") -> str:
     """A verdict, and the student's code beside it."""
     hand = "<p class='how'>These points were given by hand.</p>" if verdict.name in record.by_hand else ""
+    if not form and (comment := record.extra.get(verdict.name + ON_EXERCISE)):
+        hand += f"<p class='comment'>{_paragraphs(comment)}</p>"
     text = code.get(verdict.name, "")
     own = f"<pre>{html.escape(lines(text))}</pre>" if text else "<p class='how'>Nothing was handed in for this.</p>"
-    return f"<div class='work' id='{_text(verdict.name)}'><div>{_plain(verdict).html()}{hand}</div><div>{own}</div></div>"
+    said = f"{_plain(verdict).html()}{hand}{form}"
+    return f"<div class='work' id='{_text(verdict.name)}'><div>{said}</div><div>{own}</div></div>"
+
+
+def _paragraphs(text: str) -> str:
+    return html.escape(lines(text), quote=True).replace("\n", "<br>")
 
 
 def _plain(one: Verdict) -> Verdict:

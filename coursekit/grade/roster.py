@@ -100,6 +100,13 @@ class Roster:
         """What a person is called in this class."""
         return self._labels.get(person, person.name)
 
+    def told(self) -> str:
+        """How many people there are, and in which columns what was found."""
+        if self.layout is None or self.table is None:
+            return f"{len(self.people)} students"
+        named = ((what, self.table.headings[at]) for what, at in self.layout.places.items())
+        return f"{len(self.people)} students; " + ", ".join(f"{what}: '{shown(heading)}'" for what, heading in named)
+
     @classmethod
     def read(cls, file: Path) -> Roster:
         """The people in a file: a table with headings, else a name on each line.

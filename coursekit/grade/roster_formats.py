@@ -7,18 +7,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 COLUMNS: dict[str, tuple[str, ...]] = {
-    "given": ("first name", "given name", "given names", "first names", "firstname", "nombre", "vorname"),
-    "family": ("last name", "surname", "family name", "family names", "lastname", "apellidos", "apellido(s)", "nachname"),
+    "given": ("first name", "given name", "given names", "first names", "firstname", "nombre", "vorname", "prénom",
+              "nome", "voornaam"),
+    "family": ("last name", "surname", "family name", "family names", "lastname", "apellidos", "apellido(s)", "nachname",
+               "nom de famille", "nom", "cognome", "sobrenome", "apelido", "achternaam"),
     "name": ("student", "students", "name", "names", "full name", "student name", "nombre completo", "display name"),
-    "email": ("email", "e-mail", "email address", "e-mail address", "mail", "correo", "dirección de correo"),
+    "email": ("email", "e-mail", "email address", "e-mail address", "mail", "correo", "dirección de correo",
+              "e-mail-adresse", "adresse de courriel", "courriel", "adresse e-mail", "indirizzo email",
+              "endereço de email", "e-mailadres"),
     "id": ("id number", "student id", "sis user id", "studentid", "student number", "matricula", "matrícula",
-           "número de id", "user id", "id"),
+           "número de id", "id-nummer", "matrikelnummer", "numéro d'identification", "numéro d'étudiant",
+           "codice identificativo",
+           "matricola", "número de identificação", "studentnummer", "user id", "id"),
     "login": ("username", "user name", "sis login id", "login id", "login", "usuario"),
     "number": ("identifier",),
     "when": ("last modified (submission)", "submitted", "submission time", "submitted at", "last submitted"),
 }  # fmt: skip
 """By what is meant: headings that say so, in the order in which they count. Moodle, Canvas, Blackboard, Google Classroom."""
 HEADINGS = frozenset(word for words in COLUMNS.values() for word in words)
+_MOODLE = {"identifier", "id number", "número de id", "id-nummer", "numéro d'identification", "codice identificativo"}
+"""How Moodle calls its column in some languages."""
 _NOBODY = re.compile(r"points possible|puntos posibles|possible points", re.I)
 _TEST = re.compile(r"(?:student, test|test student|\w+_previewuser)", re.I)
 
@@ -39,7 +47,7 @@ class Layout:
 
 def layout_of(headings: Sequence[str]) -> Layout | None:
     """The layout that a row of headings tells; None when it is no row of headings."""
-    known = [re.sub(r"\s+", " ", one.strip().strip('"').casefold()) for one in headings]
+    known = [re.sub(r"\s+", " ", one.strip().strip('"').casefold().replace("’", "'")) for one in headings]
     places: dict[str, int] = {}
     for what, words in COLUMNS.items():
         found = next((known.index(word) for word in words if word in known), None)
@@ -57,7 +65,7 @@ def layout_of(headings: Sequence[str]) -> Layout | None:
 def _platform(known: Sequence[str]) -> str:
     if "sis user id" in known or ("student" in known and "section" in known):
         return "canvas"
-    if "identifier" in known or "id number" in known or "last downloaded from this course" in known:
+    if _MOODLE & set(known) or "last downloaded from this course" in known:
         return "moodle"
     if {"last name", "first name", "username"} <= set(known):
         return "blackboard"

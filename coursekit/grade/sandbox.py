@@ -62,6 +62,8 @@ class Limits:
     """Seconds of a call of a student's function."""
     chapter: float = 600.0
     """Real time for marking one chapter of one submission."""
+    tier: str = ""
+    """What keeps it in; empty for the best that works here."""
 
 
 @dataclass
@@ -69,6 +71,8 @@ class Sandboxed:
     """A running program and, afterwards, why it was ended if it was."""
 
     child: subprocess.Popen[bytes]
+    scratch: Path | None = None
+    """A folder for its temporary files that goes with it."""
     stopped: str = ""
     _ended: threading.Event = field(default_factory=threading.Event)
 
@@ -92,6 +96,8 @@ class Sandboxed:
             self.child.kill()
         self.child.wait()
         self._ended.set()
+        if self.scratch is not None:
+            folders.remove(self.scratch)
 
 
 @functools.cache
@@ -136,10 +142,12 @@ def start(
     pipes: Sequence[int] = (),
 ) -> Sandboxed:
     """Run a command in a sandbox whose only own folder is `work`; its stdin and stdout are pipes, `pipes` stay open too."""
-    inside = env_inside(env, work, writable)
+    walls = (limits.tier or tier()) == "bubblewrap"
+    scratch = None if walls else Path(tempfile.mkdtemp(prefix="sandbox-"))  # there /tmp is everybody's
+    inside = env_inside(env, work, writable, str(scratch or "/tmp"))
     own: list[str] = []
     around: dict[str, str] = {}
-    if tier() == "bubblewrap":
+    if walls:
         own = [*confined(limits.memory, limits.processes), *_bubblewrap(work, writable, inside, limits)]
         around = {name: os.environ[name] for name in SERVICE_VARIABLES if name in os.environ}
     child = subprocess.Popen(
@@ -152,20 +160,20 @@ def start(
         start_new_session=True,
         pass_fds=tuple(pipes),
     )
-    running = Sandboxed(child)
+    running = Sandboxed(child, scratch)
     threading.Thread(target=_watch, args=(running, work if writable else None, limits), daemon=True).start()
     return running
 
 
-def env_inside(env: Mapping[str, str], work: Path, writable: bool = True) -> dict[str, str]:
+def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratch: str = "/tmp") -> dict[str, str]:
     """What a sandboxed program sees of the environment: what it needs, and a home of its own."""
     wanted = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LANG", "ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
     kept = {name: value for name, value in env.items() if name in wanted or name.startswith("COURSEKIT_")}
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])
-    home = str(work) if writable else "/tmp"
-    quiet = {"PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "COLUMNS": "120", "NUMBA_CACHE_DIR": f"{home}/.numba"}
+    home = str(work) if writable else scratch
+    quiet = {"PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "COLUMNS": "120", "NUMBA_CACHE_DIR": f"{scratch}/.numba"}
     single = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
-    return {**kept, **quiet, **single, "PATH": path, "HOME": home, "USER": "student", "TMPDIR": "/tmp"}
+    return {**kept, **quiet, **single, "PATH": path, "HOME": home, "USER": "student", "TMPDIR": scratch}
 
 
 def _bwrap() -> str | None:
@@ -239,7 +247,7 @@ def _family(pid: int) -> list[tuple[int, int]]:
     for entry in os.scandir("/proc"):
         if entry.name.isdigit():
             with contextlib.suppress(OSError, ValueError, IndexError):
-                fields = Path(entry.path, "stat").read_text(errors="replace").rpartition(")")[2].split()
+                fields = Path(entry.path, "stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()
                 children.setdefault(int(fields[1]), []).append((int(entry.name), int(fields[21]) * page))
     found: list[tuple[int, int]] = []
     waiting = [pid]

@@ -27,11 +27,15 @@ class Table:
 
 
 def decoded(data: bytes) -> str:
-    r"""The text of a file: UTF-16 and UTF-8 by their marks, else UTF-8, else as Windows in the West writes.
+    r"""The text of a file, its lines ended by `\n`: UTF-16 and UTF-8 by their marks, else UTF-8, else as Windows writes it.
 
-    >>> decoded("José".encode("utf-16")), decoded("José".encode("utf-8-sig")), decoded(b"Jos\xe9")
-    ('José', 'José', 'José')
+    >>> decoded("José".encode("utf-16")), decoded("José".encode("utf-8-sig")), decoded(b"Jos\xe9\r")
+    ('José', 'José', 'José\n')
     """
+    return _text(data).replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _text(data: bytes) -> str:
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return data.decode("utf-16", "replace").lstrip("\ufeff")
     if data[1:2] == b"\0" and data[:1] != b"\0":
@@ -71,9 +75,9 @@ def read_table(file: Path) -> Table:
     text = decoded(file.read_bytes())
     if "\0" in text or text[:2] == "PK":
         raise ValueError(f"{file} is no table of text. Save it as CSV.")
-    separator = separator_of(text)
     lines = text.split("\n", 1)[1] if text[:4].casefold() == "sep=" else text
     try:
+        separator = separator_of(text)
         rows = [[one.strip() for one in row] for row in csv.reader(io.StringIO(lines), delimiter=separator) if any(row)]
     except csv.Error as error:
         raise ValueError(f"{file} is no table: {error}.") from None

@@ -15,7 +15,7 @@ from typing import Any
 
 from .plan import EVERY_NODE_S, Plan, Seen, TrialFailed
 
-PATIENCE = 30.0
+GIVES_WAY = 30.0
 """Real seconds that the student's programs may compute without waiting."""
 NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
 """What a student's environment may have set, and a trial does without."""
@@ -30,7 +30,7 @@ def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = 
     """Carry out `plan` and say what was seen; TrialFailed when it does not end in time."""
     variables = {key: value for key, value in (env or os.environ).items() if key not in NOT_FOR_TRIALS}
     done = subprocess.run(  # without a time limit: waiting for one would sleep on the session's clock
-        [*WATCHER, str(PATIENCE)],
+        [*WATCHER, str(GIVES_WAY)],
         input=question(plan),
         env=variables | {"COURSEKIT_TIME": "virtual", "PYTHONDONTWRITEBYTECODE": "1"},
         cwd=cwd,
@@ -57,7 +57,7 @@ def answered(out: bytes) -> Seen:
     except (ValueError, TypeError, KeyError):
         raise TrialFailed("the trial was ended before it could say what it saw") from None
     if why == "it did not answer in time":
-        raise TrialFailed(f"your program did not give way for {PATIENCE:.0f} s: is there a loop that never waits?")
+        raise TrialFailed(f"your program did not give way for {GIVES_WAY:.0f} s: is there a loop that never waits?")
     if why == "it ended":
         raise TrialFailed("the program ended the trial")
     raise TrialFailed(f"the program interfered with the trial: {why}")

@@ -1,7 +1,7 @@
 """The course's side of a trial: its clock rules, its node records, publishes and calls as planned.
 
 The student's programs run in another interpreter and meet this one on topics and services only. The plan comes as JSON on
-stdin, what was seen goes to stdout: `python -m coursekit.grade.watcher PATIENCE [READ WRITE]`, the last two being file
+stdin, what was seen goes to stdout: `python -m coursekit.grade.watcher SECONDS [READ WRITE]`, the last two being file
 descriptors of the pipes to the other side, which is started from here when they are missing.
 """
 

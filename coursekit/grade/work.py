@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import random
-import shlex
 import tempfile
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
+
+from coursekit.systems.words import split_words
 
 from . import reading
 from .trial import Plan, Seen, TrialFailed, try_out
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
 T = TypeVar("T")
+NOTHING = "there is none"
+"""What is seen of a variable or function that the notebook does not have."""
 
 
 class Work:
@@ -59,17 +62,20 @@ class Work:
     def value(self, name: str, kind: type[T]) -> T:
         """A variable of the notebook, of exactly that type."""
         if name not in self.variables:
-            raise Wrong(f"a variable named `{name}`", "there is none", "Was the cell above run, and is the name right?")
+            raise Wrong(f"a variable named `{name}`", NOTHING, "Was the cell above run, and is the name right?")
         found = self.variables[name]
         if type(found) is not kind:
-            raise Wrong(f"`{name}` as {_a(kind.__name__)}", f"{_a(type(found).__name__)}: {found!r:.80}")
+            raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(found).__name__)}: {found!r:.80}")
         return found
 
     def function(self, name: str) -> Any:
         """A function of the notebook."""
         found = self.variables.get(name)
         if not callable(found):
-            raise Wrong(f"a function named `{name}`", f"{found!r:.80}", "Was the cell above run?")
+            cause = "Was the cell above run?"
+            if name not in self.variables:
+                raise Wrong(f"a function named `{name}`", NOTHING, cause)
+            raise Wrong(f"a function named `{name}`", cause=cause, gave=f"{_a(type(found).__name__)}: {found!r:.80}")
         return found
 
     # -- the workspace
@@ -84,9 +90,12 @@ class Work:
         found: bool = self._read("exists", path=path)
         return found
 
-    def built(self, package: str) -> None:
-        """Wrong when a package of the workspace was not built, or not as it is now."""
-        found = self._read("build", package=package)
+    def built(self, package: str, *of: str) -> None:
+        """Wrong when a package of the workspace was not built, or not as it is now.
+
+        `of` are the files that the exercise is about, without endings: what is at work for another one does not matter.
+        """
+        found = self._read("build", package=package, of=list(of))
         command = f"Run: %colcon build --packages-select {package}"
         if not found.there:
             raise Wrong(f"the package {package}, built", "it is not in install/", command)
@@ -144,7 +153,7 @@ class Work:
 
 def _words(command: str) -> list[str]:
     try:
-        return shlex.split(command)
+        return split_words(command)
     except ValueError:
         raise Wrong("a command line whose quotes come in pairs", command[:120]) from None
 

@@ -84,7 +84,7 @@ def serving(folder: Path, command: list[str], env: dict[str, str]) -> Iterator[L
     port, token = _free_port(), secrets.token_hex(16)
     command = [*command, f"--ServerApp.port={port}", "--ServerApp.port_retries=0"]
     command += [f"--IdentityProvider.token={token}", "--expose-app-in-browser"]
-    with open(folder / "server.log", "w") as log:
+    with open(folder / "server.log", "w", encoding="utf-8") as log:
         server = subprocess.Popen(command, cwd=folder, env=env | own, stdout=log, stderr=log)
         try:
             _wait_for(f"http://127.0.0.1:{port}/api?token={token}", server)

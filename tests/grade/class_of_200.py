@@ -1,15 +1,15 @@
-"""A made-up class for chapter 2: right, half right, broken and hostile submissions, and what each deserves of 7 points."""
+"""A made-up class: right, half right, broken and hostile submissions, and what each deserves (of 7 points in chapter 2)."""
 
 from __future__ import annotations
 
+import io
 import json
 import zipfile
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from coursekit.grade.copy import student_notebook
+from coursekit.grade.harmless import cell, shown
 
 from .forged_parcels import (
     all_resealed,
@@ -19,66 +19,30 @@ from .forged_parcels import (
     notebook_exchanged,
     picture_exchanged,
     picture_resealed,
+    sealed_as_own,
 )
+from .hostile_kinds import HOSTILE
+from .kinds import TOPICS, Kind, Notebook, Packed, Placed, answers, solution_cells, stubs
 from .test_attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
 
-SOURCE = Path(__file__).resolve().parents[2] / "notebooks" / "02_topics.ipynb"
-Notebook = dict[str, Any]
 
-
-@dataclass(frozen=True)
-class Kind:
-    """One kind of submission: how many of 200, the points it deserves (any of several), and what it is made of."""
-
-    name: str
-    number: int
-    deserves: tuple[float, ...]
-    make: Callable[[Notebook], Any]
-    """What is handed in: a notebook, several by name, text, or a function that makes the bytes of a student's zip."""
-    status: str = "graded"
-    told: str = ""
-    """Words that the notes or verdicts have."""
-
-
-def solution_cells(notebook: Notebook) -> dict[str, Notebook]:
-    """The cells that students fill in, by name."""
-    grading = ((cell, cell["metadata"].get("nbgrader", {})) for cell in notebook["cells"])
-    return {one["grade_id"]: cell for cell, one in grading if one.get("solution")}
-
-
-def answers(**texts: str) -> Callable[[Notebook], Notebook]:
-    """The right notebook with other texts in some cells (`q1="..."`)."""
-
-    def make(notebook: Notebook) -> Notebook:
-        for name, text in texts.items():
-            cell = solution_cells(notebook)[f"ch02-{name}"]
-            cell["source"] = text.replace("{right}", "".join(cell["source"]))
-        return notebook
-
-    return make
-
-
-def stubs(*names: str) -> Callable[[Notebook], Notebook]:
-    """The right notebook with stubs in some cells."""
-
-    def make(notebook: Notebook) -> Notebook:
-        empty = solution_cells(student_notebook(notebook))
-        for name in names:
-            solution_cells(notebook)[f"ch02-{name}"]["source"] = empty[f"ch02-{name}"]["source"]
-        return notebook
-
-    return make
-
-
-def parcel(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Callable[[str], bytes]]:
+def parcel(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Packed]:
     """What `make(student, half, right)` makes of a notebook with half of the answers, and of the right one."""
 
-    def of(notebook: Notebook) -> Callable[[str], bytes]:
+    def of(notebook: Notebook) -> Packed:
         right = json.dumps(notebook)
         half = json.dumps(stubs("q3", "q4")(notebook))
-        return lambda student: make(student, half, right)
+        return Packed(lambda student: make(student, half, right))
 
     return of
+
+
+def zipped(notebook: Notebook) -> Packed:
+    """In a folder of a zip."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w") as packed:
+        packed.writestr(f"class/{TOPICS}", json.dumps(notebook))
+    return Packed(lambda _: made.getvalue())
 
 
 def _doubled(notebook: Notebook) -> Notebook:
@@ -101,8 +65,8 @@ def _only_answers(notebook: Notebook) -> Notebook:
 
 
 def _retyped(notebook: Notebook) -> Notebook:
-    for cell in solution_cells(notebook).values():
-        cell["cell_type"] = "raw"
+    for one in solution_cells(notebook).values():
+        one["cell_type"] = "raw"
     return notebook
 
 
@@ -132,10 +96,10 @@ ENDLESS_NODE = "{right}\nwhile True:\n    pass\n"
 CHANGED, RECORDED = "02_topics.ipynb: was changed", "ch02.q3: 2 points are recorded, a clean run earns 0"
 
 KINDS = (
-    Kind("right", 63, (7,), lambda notebook: notebook),
+    Kind("right", 15, (7,), lambda notebook: notebook),
     Kind("half", 30, (3,), stubs("q3", "q4")),
     Kind("stubs", 15, (0,), student_notebook),
-    Kind("zipped", 5, (7,), lambda notebook: {"class/02_topics.ipynb": notebook}),
+    Kind("zipped", 5, (7,), zipped),
     Kind("renamed", 3, (7,), lambda notebook: {"02_topics (2) final.ipynb": notebook}),
     Kind("nothing", 3, (0,), lambda _: None, status="empty", told="nothing was handed in"),
     Kind("no-notebook", 3, (0,), lambda _: "<html>Please log in</html>", status="unreadable", told="no notebook|Expecting"),
@@ -150,15 +114,15 @@ KINDS = (
     Kind("stubborn-loop", 2, (0, 6), answers(q1=STUBBORN), told="longer|in time|there is none"),
     Kind("endless-node", 2, (5,), answers(q2=ENDLESS_NODE), told="give way"),
     Kind("early-exit", 3, (0,), answers(q1="import os\nos._exit(0)")),
-    Kind("fork-bomb", 2, (0, 6), answers(q1="import os\nwhile True: os.fork()")),
-    Kind("memory-hog", 2, (0, 6), answers(q1=HOG)),
-    Kind("many-files", 2, (0,), answers(q1=FILES), told="MB of files"),
+    Kind("fork-bomb", 2, (0, 6), answers(q1="import os\nwhile True: os.fork()"), walled=True),
+    Kind("memory-hog", 2, (0, 6), answers(q1=HOG), walled=True),
+    Kind("many-files", 2, (0,), answers(q1=FILES), told="MB of files", walled=True),
     Kind("huge-output", 2, (7,), answers(q1="print('x' * 30_000_000)\n{right}")),
-    Kind("network", 2, (6,), answers(q1=NETWORK)),
-    Kind("file-system", 2, (6, 7), answers(q1=ESCAPE)),
+    Kind("network", 2, (6,), answers(q1=NETWORK), walled=True),
+    Kind("file-system", 2, (6, 7), answers(q1=ESCAPE), walled=True),
     Kind("always-equal", 3, (6,), answers(q1=ALWAYS_EQUAL)),
     Kind("syntax-tree", 2, (6,), answers(q1=PATCH)),
-    Kind("reads-tests", 2, (6,), answers(q1=READ_TESTS)),
+    Kind("reads-tests", 2, (6,), answers(q1=READ_TESTS), walled=True),
     Kind("forged-answers", 3, (0, 6), answers(q1=PIPES)),
     Kind("forged-trial", 3, (5,), answers(q3=FORGED_NODE), told="ended the trial|answered for it|interfered"),
     Kind("patched-trial", 2, (5,), answers(q3=PATCHED_NODE), told="interfered|a node named"),
@@ -169,32 +133,32 @@ KINDS = (
     Kind("marks-raised", 2, (3,), parcel(marks_raised), told=f"manifest.json: was changed.*{RECORDED}"),
     Kind("all-resealed", 2, (3,), parcel(all_resealed), told=RECORDED),
     Kind("borrowed-parcel", 2, (3,), parcel(borrowed), told="made by 'Vera Course'"),
+    Kind("sealed-as-own", 2, (3,), parcel(sealed_as_own), told="the same as in"),
+    *HOSTILE,
 )  # fmt: skip
 
 
 def make_class(folder: Path, share: Callable[[Kind], int]) -> dict[str, Kind]:
-    """Write the submissions of a class, `share(kind)` of each kind; who handed in what."""
+    """Write the submissions of a class, `share(kind)` of each kind; who handed in what, by the name in the table."""
     made: dict[str, Kind] = {}
     for kind in KINDS:
         for number in range(share(kind)):
-            student = f"{kind.name}-{number:02}"
-            made[student] = kind
-            _write(folder, student, kind.make(json.loads(SOURCE.read_text(encoding="utf-8"))))
+            student = kind.called or f"{kind.name}-{number:02}"
+            made[cell(shown(student))] = kind
+            _write(folder, student, kind)
     return made
 
 
-def _write(folder: Path, student: str, made: Any) -> None:
-    place = folder / student
-    if callable(made):
+def _write(folder: Path, student: str, kind: Kind) -> None:
+    place, made = folder / student, kind.make(kind.right())
+    if isinstance(made, Packed):
         folder.mkdir(exist_ok=True)
-        place.with_suffix(".zip").write_bytes(made(student))
-        return
-    if isinstance(made, dict) and "cells" not in made and next(iter(made)).startswith("class/"):
-        with zipfile.ZipFile(place.with_suffix(".zip"), "w") as packed:
-            for name, notebook in made.items():
-                packed.writestr(name, json.dumps(notebook))
+        place.with_suffix(".zip").write_bytes(made.make(student))
         return
     place.mkdir(parents=True)
-    files = {"02_topics.ipynb": made} if isinstance(made, str) or (made and "cells" in made) else made or {}
+    if isinstance(made, Placed):
+        made.write(place)
+        return
+    files = {kind.chapter: made} if isinstance(made, str) or (made and "cells" in made) else made or {}
     for name, notebook in files.items():
         (place / name).write_text(notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8")

@@ -110,3 +110,22 @@ def _of_vera(half: str) -> bytes:
 def borrowed(_student: str, half: str, _right: str) -> bytes:
     """A classmate's, under one's own name."""
     return _of_vera(half)
+
+
+def resealed(parcel: bytes, student: str) -> bytes:
+    """Vera's under another name, everything sealed anew: names, log and manifest."""
+    manifest, files = read_parcel(parcel)
+    word = "".join(student.split())
+    files = {name.replace("VeraCourse", word): data for name, data in files.items()}
+    before, made = events.BEGINNING, []
+    for text in files[EVENTS].decode().splitlines():
+        line = {**json.loads(text.replace("VeraCourse", word)), "before": before}
+        line.pop("digest")
+        before = events.digest(line)
+        made.append(json.dumps({**line, "digest": before}, sort_keys=True) + "\n")
+    return _sealed({**manifest, "student": student}, {**files, EVENTS: "".join(made).encode()})
+
+
+def sealed_as_own(student: str, half: str, _right: str) -> bytes:
+    """A classmate's with one's own name in it."""
+    return resealed(_of_vera(half), student)

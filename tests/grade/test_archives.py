@@ -34,7 +34,7 @@ def archives(tmp_path_factory):
 
 def _build(root: Path, target: str, out: Path) -> None:
     command = [sys.executable, "-m", "hatchling", "build", "-t", target, "-d", str(out)]
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr
 
 

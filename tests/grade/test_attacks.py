@@ -200,3 +200,8 @@ def test_doubled_retyped_and_nameless_cells_are_mended(tmp_path):
         assert marked.total() == 1, (name, marked)
         assert marked.notes, name
     assert grade(tmp_path / "missing", "", cells=[check]).total() == 0
+
+
+def test_a_missing_colon_is_told_as_one(tmp_path):
+    verdict = grade(tmp_path / "student", "def full_name(name, node, namespace)\n    return name").verdicts[0]
+    assert (verdict.points, verdict.got) == (0, "there is none") and "SyntaxError" in verdict.cause, verdict.text()

@@ -177,3 +177,21 @@ def test_rows_are_whole_while_it_runs(folder, monkeypatch):
     assert [set(one) for one in seen] == [{"Ana García López", "Ben Ito"}] * 2
     assert sorted(row["status"] for row in seen[0].values()) == ["graded", "not marked"]
     assert not list(folder.parent.glob(".grades*"))
+
+
+def test_what_was_marked_without_names_holds_when_names_are_shown(folder):
+    grade(folder, "--chapters", "02", "--anonymous")
+    table = folder.parent / "grades.csv"
+    with open(table, newline="", encoding="utf-8-sig") as file:
+        found = list(csv.DictReader(file))
+    found[0] |= {"ch02.q1": "0.75", "comment": "Nearly."}
+    with open(table, "w", newline="", encoding="utf-8") as file:
+        made = csv.DictWriter(file, found[0].keys())
+        made.writeheader()
+        made.writerows(found)
+    assert found[0]["student"].startswith("P-")
+    for words in (("--anonymous",), (), ("--again",), ("--anonymous",), ()):
+        _, after = grade(folder, "--chapters", "02", *words)
+        (row,) = [one for one in after.values() if one["key"] and one["total"] != "0"]
+        assert (row["ch02.q1"], row["comment"]) == ("0.75", "Nearly.")
+        assert row["student"].startswith("P-") == ("--anonymous" in words)

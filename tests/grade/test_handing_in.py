@@ -16,6 +16,7 @@ from coursekit.grade.parcel import digest_of, note_copies, other_hands, pack_par
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 
+from .forged_parcels import resealed
 from .test_attacks import RIGHT, cells
 
 
@@ -159,23 +160,8 @@ def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(pa
     assert marked.concerns == ["9 points are recorded in all, a clean run earns 1"]
 
 
-def resealed(parcel, student):
-    """The same under another name, everything sealed anew: names, log and manifest."""
-    manifest, files = read_parcel(parcel.read_bytes())
-    word = "".join(student.split())
-    files = {name.replace("VeraCourse", word): data for name, data in files.items()}
-    before, made = events.BEGINNING, []
-    for text in files["events.jsonl"].decode().splitlines():
-        line = {**json.loads(text.replace("VeraCourse", word)), "before": before}
-        line.pop("digest")
-        before = events.digest(line)
-        made.append(json.dumps({**line, "digest": before}, sort_keys=True) + "\n")
-    files["events.jsonl"] = "".join(made).encode()
-    return pack_parcel(files, {**{k: v for k, v in manifest.items() if k not in ("files", "seal")}, "student": student})
-
-
 def test_a_log_that_two_hand_in_is_told_even_when_all_is_sealed_anew(parcel, course, tmp_path, capsys):
-    data = resealed(parcel, "Bob Builder")
+    data = resealed(parcel.read_bytes(), "Bob Builder")
     (tmp_path / "BobBuilder_names.zip").write_bytes(data)
     assert parcel_faults(data) == [] and other_hands(data, "bob builder") == []
     assert main(["verify", str(parcel), str(tmp_path / "BobBuilder_names.zip"), "--no-run", "--notebooks", str(course)]) == 1

@@ -148,10 +148,13 @@ def test_another_s_copy_under_one_s_own_name_is_asked_about(group):
     status, found = grade(group / "class", "--roster", group / "roster.csv")
     assert status == 1 and {row["status"] for row in found.values()} == {"question"}
     assert {row["total"] for row in found.values()} == {""}
+    _, coded = grade(group / "class", "--roster", group / "roster.csv", "--anonymous")
+    assert not [row for row in coded.values() if "Ben" in str(row) or "Ana" in str(row)]
     asked = answer(group / "questions.csv", Ben="a02")
     assert "the copy was made for Ana García López" in asked[0]["about"]
     status, found = grade(group / "class", "--roster", group / "roster.csv")
     assert status == 0 and found["Ben Ito"]["total"] == "1" and found["Ana García López"]["status"] == "nothing handed in"
+    assert f"{TOPICS}: the copy was made for Ana García López" in found["Ben Ito"]["notes"]
 
 
 def test_a_name_that_nobody_has_is_asked_about_and_everybody_has_a_row(group, capsys):

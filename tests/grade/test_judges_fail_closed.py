@@ -59,7 +59,7 @@ class Fed(Work):
             raise Wrong(f"`{name}` as a {kind.__name__}")
         return self._value
 
-    def built(self, package):
+    def built(self, package, *of):
         return None
 
     def message(self, path):
@@ -130,6 +130,15 @@ def test_what_a_function_raises_is_told(name, error):
     with pytest.raises(Wrong) as caught:
         EXERCISES[name].judge(Fed(answer=answer))
     assert type(error).__name__ in caught.value.got + caught.value.gave + caught.value.cause
+
+
+def test_a_name_that_is_gone_after_a_restart_is_told_with_the_cure():
+    def answer():
+        return lost  # noqa: F821
+
+    with pytest.raises(Wrong) as caught:
+        EXERCISES["ch02.q1"].judge(Fed(answer=answer))
+    assert "name 'lost' is not defined" in caught.value.got and "After a restart" in caught.value.cause
 
 
 @pytest.mark.parametrize("name", READS_A_VARIABLE)

@@ -120,7 +120,7 @@ def test_a_build_that_is_older_than_its_source_is_refused_with_what_to_type(tmp_
     work_of = exercise(lambda work: work.built("p"))
     assert judge(work_of, {}, tmp_path).passed
     told = "setup.py of p was changed after the last build"
-    monkeypatch.setattr("coursekit.packages.build_state.build_fault", lambda folder, package: told)
+    monkeypatch.setattr("coursekit.packages.build_state.build_fault", lambda folder, package, of: told)
     verdict = judge(work_of, {}, tmp_path)
     assert (verdict.points, verdict.got, verdict.cause) == (0, told, "Run: %colcon build --packages-select p")
 

@@ -16,7 +16,7 @@ from nbgrader.apps import NbGraderAPI
 from nbgrader.plugins import CsvExportPlugin
 from traitlets.config import Config
 
-from .class_of_200 import solution_cells
+from .kinds import solution_cells
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 CHAPTERS = {"00_start_here": (4.0, "ch00-q3", 1.0), "02_topics": (7.0, "ch02-q1", 1.0)}
@@ -61,7 +61,7 @@ def test_the_round_trip_gives_the_marks(course, chapter):
         table = CsvExportPlugin(config=config)
         table.to = str(root / "grades.csv")
         table.export(gradebook)
-    with open(root / "grades.csv", newline="") as file:
+    with open(root / "grades.csv", encoding="utf-8", newline="") as file:
         scores = {row["student_id"]: (float(row["score"]), float(row["max_score"])) for row in csv.DictReader(file)}
     assert scores == {"ann": (points, points), "ben": (points - cost, points)}
 

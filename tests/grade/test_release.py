@@ -60,14 +60,15 @@ def test_nbgrader_takes_the_metadata(file):
 def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):
     assert main(["release", "02", "03", "--out", str(tmp_path / "week2")]) == 0
     said = capsys.readouterr().out.splitlines()
-    assert said[:4] == ["02_topics.ipynb", "03_services.ipynb", "week2.zip", "page.html"] and "teachers.md" in said[4]
+    assert said[:4] == ["02_topics.ipynb", "03_services.ipynb", "week2.zip", "page.html"]
+    assert "--wheel ADDRESS" in said[4] and "teachers.md" in said[5]
     with zipfile.ZipFile(tmp_path / "week2" / "week2.zip") as packed:
         assert packed.namelist() == ["week2/02_topics.ipynb", "week2/03_services.ipynb"]
     assert "<td>02_topics</td><td>4</td><td>7</td>" in (tmp_path / "week2" / "page.html").read_text()
-    assert "pip install coursekit.whl" in (tmp_path / "week2" / "page.html").read_text()
+    assert "pip install ADDRESS-OF-THE-WHEEL" in (tmp_path / "week2" / "page.html").read_text()
     address = "https://uni.example/coursekit.whl?a=1&b=2"
     assert main(["release", "02", "--out", str(tmp_path / "week3"), "--wheel", address]) == 0
     page = (tmp_path / "week3" / "page.html").read_text()
-    assert page.count("pip install https://uni.example/coursekit.whl?a=1&amp;b=2") == 2 and "course\\Scripts\\pip" in page
+    assert page.count("pip install https://uni.example/coursekit.whl?a=1&amp;b=2") == 2 and "ros-env\\Scripts\\pip" in page
     with pytest.raises(SystemExit, match="No chapter begins with 77"):
         main(["release", "77", "--out", str(tmp_path)])

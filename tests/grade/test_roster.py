@@ -31,3 +31,23 @@ def test_no_names_and_equal_names_are_told(tmp_path):
 def test_a_student_is_known_by_the_name_of_what_was_handed_in(file):
     assert Roster(["Ann Lee", "Ben Ito"]).find(file) == "Ann Lee"
     assert Roster(["Ben Ito"]).find(file) == ""
+
+
+@pytest.mark.parametrize(
+    "headings",
+    [
+        "First name,Last name,ID number,Email address",
+        "Vorname,Nachname,ID-Nummer,E-Mail-Adresse",
+        "Prénom,Nom de famille,Numéro d’identification,Adresse de courriel",
+        "Nombre,Apellido(s),Número de ID,Dirección de correo",
+        "Nome,Cognome,Codice identificativo,Indirizzo email",
+    ],
+)
+def test_moodle_s_list_is_read_in_other_languages_and_it_is_said_how(tmp_path, headings):
+    file = tmp_path / "roster.csv"
+    file.write_text(f"{headings}\nAna,García López,a01,ana@uni.example\nAna,Ito,a02,ito@uni.example\n", encoding="utf-8")
+    roster = Roster.read(file)
+    first = roster.people[0]
+    assert (first.name, first.id, first.email) == ("Ana García López", "a01", "ana@uni.example")
+    assert roster.layout is not None and roster.layout.platform == "moodle"
+    assert roster.told().startswith("2 students; ") and roster.told().count("'") >= 8

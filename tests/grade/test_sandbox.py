@@ -180,3 +180,12 @@ def test_control_groups_are_used_where_the_system_lends_them(monkeypatch):
     assert {"MemoryMax=1073741824", "MemorySwapMax=0", "TasksMax=100"} <= set(words)
     monkeypatch.setattr("coursekit.grade.confined._works", lambda: False)
     assert confined(1 << 30, 100) == []
+
+
+def test_without_walls_its_temporary_files_are_its_own(tmp_path):
+    """numba unpickles what it has compiled: never from a folder in which others may write."""
+    code = "import os; e = os.environ; print(e['TMPDIR'], e['NUMBA_CACHE_DIR'], os.stat(e['TMPDIR']).st_mode & 0o77)"
+    running = sandbox.start([sys.executable, "-c", code], tmp_path, {}, sandbox.Limits(tier="limits"), writable=False)
+    scratch, numba, rights = running.answer(b"", 1000).decode().split()
+    running.end()
+    assert scratch != "/tmp" and numba == f"{scratch}/.numba" and rights == "0" and not os.path.exists(scratch)

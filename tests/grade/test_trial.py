@@ -90,6 +90,6 @@ def test_a_program_that_never_gives_way_fails_the_trial(tmp_path, monkeypatch):
     program.write_text("#!/usr/bin/env python3\nwhile True:\n    pass\n")
     program.chmod(0o755)
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
-    monkeypatch.setattr(trial, "PATIENCE", 1.0)
+    monkeypatch.setattr(trial, "GIVES_WAY", 1.0)
     with pytest.raises(TrialFailed, match="a loop that never waits"):
         try_out(Plan(run=[["run", "busy", "loop"]]))

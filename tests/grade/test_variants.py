@@ -19,8 +19,8 @@ from coursekit.grade.variants import Variants, declared, personal, told
 from coursekit.grade.verdict import CheckFailed
 from coursekit.grade.work import Work
 
-from .class_of_200 import solution_cells
 from .handed import rows
+from .kinds import solution_cells
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 SOURCES = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted(NOTEBOOKS.glob("*.ipynb"))}

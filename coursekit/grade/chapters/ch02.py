@@ -62,7 +62,7 @@ def full_name(work: Work) -> None:
 )
 def listener(work: Work) -> None:
     """The node hears what is said and logs it, each text once."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "py_subscriber_node")
     chance = work.dice("ch02.q2")
     words = [f"{_word(chance)} {number}" for number in range(3)]
     spoken = [(0.5 + index, "/py_str_topic", STRING, {"data": word}) for index, word in enumerate(words)]
@@ -93,7 +93,7 @@ def listener(work: Work) -> None:
 )
 def relay(work: Work) -> None:
     """Each message comes out in capitals, once and at once; also those that come in quick succession."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "py_relay_node")
     chance = work.dice("ch02.q3")
     texts = ["Vera is awake: 1", "grüß dich", *(f"{_word(chance)} MiXed {number}" for number in range(6))]
     times = [0.5 + 0.4 * index + chance.uniform(0.0, 0.3) for index in range(len(texts) - 2)]
@@ -127,7 +127,7 @@ def relay(work: Work) -> None:
 )
 def health(work: Work) -> None:
     """Two topics of different types, 1 to 20 Hz, values that change."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "py_health_node")
     seen = work.try_out(f"run {PACKAGE} health_exe", record=["*"], seconds=SECONDS)
     own = {name: types[0] for name, types in seen.topics.items() if name not in EVERY_NODE_S and seen.publishers.get(name)}
     if len(set(own.values())) < 2:

@@ -69,7 +69,7 @@ def _expect_lift(response: Any, after: Any, case: str, succeeds: bool, holds: bo
 )
 def client(work: Work) -> None:
     """What the service says about two numbers is logged; other counts give the usage line and exit status 1."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "client_main", "py_client_async_node", "running")
     for words in ("", "17", "1 2 3"):
         _expect_usage(work.try_out(f"run {PACKAGE} client_exe {words}", seconds=1.5), words)
     chance = work.dice("ch03.q2")
@@ -118,7 +118,7 @@ def _expect_usage(seen: Seen, words: str) -> None:
 )
 def gate(work: Work) -> None:
     """The gate's answer is the server's plus the boxes that stand there; the server does not say the sum."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "py_gate_node", "gate_main", "running")
     boxes, chance = work.variant("boxes", 10), work.dice("ch03.q3")
     more = chance.randint(20, 70)
     questions = [(chance.randint(-50, 99), chance.randint(-50, 99)) for _ in range(3)]
@@ -153,7 +153,7 @@ def gate(work: Work) -> None:
 )
 def switch(work: Work) -> None:
     """A SetBool service whose state can be seen on a topic."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "py_switch_node", "switch_main", "running")
     command = f"run {PACKAGE} switch_exe"
     first = work.try_out(command, seconds=1.0)
     services = [name for name, types in first.services.items() if SET in types]

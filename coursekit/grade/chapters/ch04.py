@@ -74,7 +74,7 @@ def sphere(work: Work) -> None:
 )
 def mechanic(work: Work) -> None:
     """Statuses and spheres are logged in the words that were asked for."""
-    work.built(APPS)
+    work.built(APPS, "py_subscriber_node", "mains", "running")
     chance = work.dice("ch04.q2")
     states = [(chance.randint(-20, 90), up) for up in (True, False, chance.random() < 0.5)]
     radii = [_radius(chance) for _ in range(3)]
@@ -126,7 +126,7 @@ def _expect_line(seen: Seen, line: str, what: str) -> None:
 )
 def fetch(work: Work) -> None:
     """Feedback box by box, a result at the end, and a cancelled goal that ends early."""
-    work.built(APPS)
+    work.built(APPS, "fetching", "py_fibonacci_node", "mains", "running")
     goal = f'action send_goal --feedback /fetch {TYPES}/action/Fetch "{{boxes: %d}}"'
     for boxes in (1, work.dice("ch04.q3").randint(3, 6)):
         _expect_fetched(work.try_out(f"run {APPS} fetch_exe", goal % boxes, seconds=4.5), boxes)
@@ -184,7 +184,7 @@ def report(work: Work) -> None:
     definition = _message(work, "Report")
     for missing in _missing(definition):
         raise Wrong(missing, gave=_told(definition.fields, len(definition.constants)), hint=0)
-    work.built(APPS)
+    work.built(APPS, "py_report_node", "mains", "running")
     seen = work.try_out(f"run {APPS} report_exe", record=["/vera_report"], seconds=4.0)
     types = seen.topics.get("/vera_report", [])
     if types != [f"{TYPES}/msg/Report"]:

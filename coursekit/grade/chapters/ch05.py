@@ -33,7 +33,7 @@ PICTURES = 12
 )
 def lamp(work: Work) -> None:
     """Range and callback refuse what they should, also as one of several, and what is taken takes effect."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "py_lamp_node", "lamp_settings")
     no_lamp = work.dice("ch05.q1").choice(("violet", "blue", "white", "Red", "pink"))
     asks: list[tuple[str, dict[str, Any], bool]] = [
         ("lamp.period 5.0", {"lamp.period": 5.0}, False),
@@ -154,7 +154,7 @@ def _expect_value(node: str, name: str, wanted: Any, got: dict[str, Any]) -> Non
 )
 def two_eyes(work: Work) -> None:
     """Two cameras in two namespaces, their width from the command line."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "two_cameras", "py_camera_node")
     other = 16 * work.dice("ch05.q3").randint(5, 18)
     for argument, width in (("", 320), (f" width:={other}", other)):
         command = f"launch {PACKAGE} two_cameras.launch.py{argument}"

@@ -156,7 +156,7 @@ def _arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[
 )
 def rolling(work: Work) -> None:
     """The way of each wheel's place over the floor is the way that its rim unrolls."""
-    work.built(PACKAGE)
+    work.built(PACKAGE, "rolling", "py_rolling_node")
     for radius in (1.0, work.dice("ch06.q3").uniform(0.3, 0.8), 0.05):
         command = f"run {PACKAGE} rolling_exe --ros-args -p radius:={radius:.3f}"
         seen = work.try_out(command, record=["/joint_states", "/tf"], seconds=1.5)

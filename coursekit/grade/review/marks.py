@@ -1,0 +1,95 @@
+"""What a teacher says of a piece of work: taken into the table and the records, and kept over every later run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from coursekit.grade.batch import Class
+from coursekit.grade.harmless import number
+from coursekit.grade.marks_table import COMMENT
+from coursekit.grade.outcome import Outcome
+from coursekit.grade.overview import write_overview
+from coursekit.grade.record import Record
+from coursekit.grade.report import ON_EXERCISE, write_reports
+
+LONGEST = 5000
+"""Letters of a comment."""
+
+
+class Marks:
+    """The class while it is marked by hand."""
+
+    def __init__(self, group: Class, outcome: Outcome) -> None:
+        self._group, self._outcome = group, outcome
+        self.folder = group.kept
+        self.records = {one.key: one for one in group.shown(outcome.records)}
+
+    def exercises(self, key: str) -> list[str]:
+        """The names of what a person was asked."""
+        return [one.name for verdicts in self.records[key].wanted.values() for one in verdicts]
+
+    def points(self, key: str, exercise: str, text: str) -> str:
+        """Give points by hand, or with an empty text have the grader's again; the total as it is now.
+
+        Raises:
+            ValueError: when it is no number; LookupError: when there is no such person or exercise.
+        """
+        record = self._record(key, exercise)
+        kept = self._group.table.by_hand.points.setdefault(key, {})
+        if not text.strip():
+            for one in (kept, record.by_hand):
+                one.pop(exercise, None)
+        else:
+            kept[exercise] = record.by_hand[exercise] = _points(text)
+        return self._write(record)
+
+    def comment(self, key: str, exercise: str, text: str) -> str:
+        """Say something of an exercise, or of all where it is empty; the total as it is now."""
+        record = self._record(key, exercise)
+        if len(text) > LONGEST:
+            raise ValueError(f"a comment has {LONGEST} letters at the most")
+        column = exercise + ON_EXERCISE if exercise else COMMENT
+        self._group.table.by_hand.extra.setdefault(key, {})[column] = text
+        record.extra[column] = text
+        return self._write(record)
+
+    def remark(self, key: str, exercise: str) -> str:
+        """What is odd about the points that were given: more than there are."""
+        record = self.records[key]
+        of = next((one.of for verdicts in record.wanted.values() for one in verdicts if one.name == exercise), 0.0)
+        given = record.by_hand.get(exercise, 0.0)
+        return f"Saved: {number(given)} of {number(of)}, a bonus" if given > of else ""
+
+    def refresh(self) -> None:
+        """Write the page of the class anew."""
+        write_overview(self.folder, list(self.records.values()), self._outcome)
+
+    def finish(self) -> None:
+        """Write all pages and tables anew."""
+        self._group.write(self._outcome)
+
+    def order(self) -> Sequence[str]:
+        """The keys of those who handed something in, as they stand in the table."""
+        return [key for key, one in self.records.items() if one.handed.entries]
+
+    def _record(self, key: str, exercise: str) -> Record:
+        if key not in self.records or (exercise and exercise not in self.exercises(key)):
+            raise LookupError(f"there is no {exercise or 'person'} of that name")
+        return self.records[key]
+
+    def _write(self, record: Record) -> str:
+        self._group.table.write(list(self.records.values()))
+        write_reports(self._group.kept, [record])
+        total = record.total()
+        return "no mark yet" if total is None else number(total)
+
+
+def _points(text: str) -> float:
+    try:
+        found = float(text.strip().replace(",", "."))
+    except ValueError:
+        found = math.nan
+    if not 0 <= found <= 1000:
+        raise ValueError("points are a number from 0 on, such as 1.5")
+    return found

@@ -1,0 +1,57 @@
+"""A student's page with fields beside each verdict; what is written there is saved at once."""
+
+from __future__ import annotations
+
+import html
+from pathlib import Path
+from urllib.parse import quote
+
+from coursekit.grade.harmless import number
+from coursekit.grade.marks_table import COMMENT
+from coursekit.grade.record import Record
+from coursekit.grade.report import ON_EXERCISE, page
+
+from .marks import Marks
+
+STATIC = Path(__file__).with_name("static")
+_HEAD = """<link rel="icon" href="data:,"><link rel="stylesheet" href="static/review.css">
+<script defer src="static/review.js"></script>"""
+_BAR = """<nav><a href="class.html">The class</a><span>{at} of {all}</span><a id="before" href="{before}">Before</a>
+<a id="next" href="{next}">Next</a><span id="saved" role="status"></span>
+<span class="keys"><kbd>j</kbd> <kbd>k</kbd> student <kbd>n</kbd> <kbd>p</kbd> exercise <kbd>c</kbd> comment
+<kbd>Enter</kbd> save, next <kbd>Esc</kbd> leave the field</span></nav>"""
+_FIELDS = """<form class="marks" data-exercise="{name}">
+<label>Points <input name="points" inputmode="decimal" autocomplete="off" value="{points}"
+placeholder="{given}"> of {of}</label>
+<label>Comment <textarea name="comment" rows="2">{comment}</textarea></label></form>"""
+_WHOLE = """<form class="marks" data-exercise="">
+<label>Comment on all of it <textarea name="comment" rows="3">{comment}</textarea></label></form>"""
+
+
+def marking_page(marks: Marks, key: str) -> str:
+    """The page of a person, to be marked."""
+    record, order = marks.records[key], list(marks.order())
+    at = order.index(key) if key in order else 0
+    made = page(record, lambda name: _fields(record, name))
+    before, after = order[at - 1] if at else "", order[at + 1] if at + 1 < len(order) else ""
+    links = {"before": f"{quote(before)}.html" if before else "#", "next": f"{quote(after)}.html" if after else "#"}
+    bar = _BAR.format(at=at + 1, all=len(order), **links)
+    whole = _WHOLE.format(comment=html.escape(record.extra.get(COMMENT, "")))
+    body = f'<body data-key="{html.escape(key)}">{bar}'
+    places = {"</head>": f"{_HEAD}</head>", "<body>": body, "</footer>": f"</footer>{whole}"}
+    for place, text in places.items():
+        made = made.replace(place, text, 1)
+    return made
+
+
+def _fields(record: Record, name: str) -> str:
+    """Points and comment for an exercise; the field is empty where the grader's points hold."""
+    verdict = next(one for one in record.marked().verdicts if one.name == name)
+    own = next((v.points for m in record.marks.values() for v in m.verdicts if v.name == name), 0.0)
+    return _FIELDS.format(
+        name=html.escape(name, quote=True),
+        points=number(record.by_hand[name]) if name in record.by_hand else "",
+        given=number(own),
+        of=number(verdict.of),
+        comment=html.escape(record.extra.get(name + ON_EXERCISE, "")),
+    )

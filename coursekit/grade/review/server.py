@@ -1,0 +1,112 @@
+"""Serves the pages to this computer's browser only: on loopback, under an address that nobody can guess."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import secrets
+from collections.abc import Callable
+from typing import Any
+
+from tornado.httpserver import HTTPServer
+from tornado.netutil import bind_sockets
+from tornado.web import Application, HTTPError, RequestHandler, StaticFileHandler
+
+from coursekit.files import read_bytes
+
+from .marks import Marks
+from .pages import STATIC, marking_page
+
+_HOSTS = ("127.0.0.1", "localhost")
+_POLICY = (
+    "default-src 'none'; img-src 'self' data:; style-src 'self' 'unsafe-inline'; script-src 'self'; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+_HEADERS = {
+    "Content-Security-Policy": _POLICY,
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-store",
+}
+_LONGEST = 64 << 10
+"""Bytes of what a page sends."""
+
+
+class _Safe(RequestHandler):
+    """Answers only to who asks for this computer by its own name: no page of elsewhere can ask under another."""
+
+    def initialize(self, marks: Marks) -> None:
+        self.marks = marks
+
+    def set_default_headers(self) -> None:
+        for name, value in _HEADERS.items():
+            self.set_header(name, value)
+
+    def prepare(self) -> None:
+        if self.request.host_name not in _HOSTS:
+            raise HTTPError(403)
+
+
+class _Pages(_Safe):
+    """A person's page, and what is written on it."""
+
+    def get(self, key: str) -> None:
+        if key not in self.marks.records:
+            raise HTTPError(404)
+        self.finish(marking_page(self.marks, key))
+
+    def post(self, key: str) -> None:
+        try:
+            said = json.loads(self.request.body)
+            exercise = str(said["exercise"])
+            write: Callable[[str, str, str], str] = self.marks.points if "points" in said else self.marks.comment
+            total = write(key, exercise, str(said["points" if "points" in said else "comment"]))
+        except (LookupError, TypeError, ValueError, RecursionError) as error:
+            self.finish({"error": f"It is not saved: {error}."})
+            return
+        self.finish({"total": total, "told": self.marks.remark(key, exercise)})
+
+
+class _Files(_Safe):
+    """The page of the class, and its picture."""
+
+    def get(self, name: str) -> None:
+        if name == "class.html":
+            self.marks.refresh()
+        try:
+            self.set_header("Content-Type", "image/png" if name.endswith(".png") else "text/html; charset=utf-8")
+            self.finish(read_bytes(self.marks.folder / name))
+        except OSError:
+            raise HTTPError(404) from None
+
+
+def application(marks: Marks, token: str) -> Application:
+    """The pages under `/TOKEN/`; nothing is found under another address."""
+    facts: dict[str, Any] = {"marks": marks}
+    return Application([
+        (rf"/{token}/(class\.html|histogram\.png)", _Files, facts),
+        (rf"/{token}/static/(review\.js|review\.css)", StaticFileHandler, {"path": str(STATIC)}),
+        (rf"/{token}/([\w-]+)\.html", _Pages, facts),
+    ], log_function=lambda handler: None)  # fmt: skip
+
+
+async def _serve(marks: Marks, ready: Callable[[str], None]) -> None:
+    token = secrets.token_urlsafe(24)
+    server = HTTPServer(application(marks, token), max_body_size=_LONGEST)
+    sockets = bind_sockets(0, "127.0.0.1")
+    server.add_sockets(sockets)
+    try:
+        ready(f"http://127.0.0.1:{sockets[0].getsockname()[1]}/{token}/class.html")
+        await asyncio.Event().wait()
+    finally:
+        server.stop()
+
+
+def serve(marks: Marks, ready: Callable[[str], None]) -> None:
+    """Serve until Ctrl-C, then write all pages and tables anew; `ready(address)` is called when it can be opened."""
+    try:
+        asyncio.run(_serve(marks, ready))
+    except KeyboardInterrupt:
+        pass
+    finally:
+        marks.finish()

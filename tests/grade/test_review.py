@@ -1,0 +1,96 @@
+"""Marking by hand: only this computer's browser is answered; what is written holds in table, pages and later runs."""
+
+import json
+import urllib.error
+import urllib.request
+
+import pytest
+
+from .handed import cheap_mark, grade, rows
+from .reviewing import make_class, reviewing
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A class of three."""
+    made = tmp_path_factory.mktemp("marking") / "class"
+    make_class(made)
+    return made
+
+
+@pytest.fixture(scope="module")
+def address(folder):
+    """Where it is marked; the folder of the pages."""
+    with reviewing(folder) as found:
+        yield found.removesuffix("class.html")
+
+
+def get(url, host=None):
+    request = urllib.request.Request(url, headers={"Host": host} if host else {})
+    try:
+        with urllib.request.urlopen(request) as answer:
+            return answer.status, answer.read().decode(), answer.headers
+    except urllib.error.HTTPError as error:
+        return error.code, "", error.headers
+
+
+def post(url, body):
+    data = body if isinstance(body, bytes) else json.dumps(body).encode()
+    with urllib.request.urlopen(urllib.request.Request(url, data=data, method="POST")) as answer:
+        return json.loads(answer.read())
+
+
+def keys(folder):
+    return {name: row["key"] for name, row in rows(folder.parent / "grades.csv").items()}
+
+
+def test_only_who_knows_the_address_is_answered(address):
+    assert address.startswith("http://127.0.0.1:")
+    status, page, headers = get(address + "class.html")
+    assert status == 200 and "Ann Lee" in page and "script-src 'self'" in headers["Content-Security-Policy"]
+    assert headers["X-Content-Type-Options"] == "nosniff" and headers["Referrer-Policy"] == "no-referrer"
+    other = address.rsplit("/", 2)[0]
+    for path in ("/", "/class.html", "/guess/class.html"):
+        assert get(other + path)[0] == 404
+    assert get(address + "../../etc/passwd")[0] == 404 and get(address + "static/marks.py")[0] == 404
+    assert get(address + "class.html", host="evil.example")[0] == 403
+
+
+def test_a_page_shows_the_work_the_evidence_and_fields(address, folder):
+    _, page, _ = get(address + keys(folder)["Ann Lee"] + ".html")
+    assert page.count("data:image/png;base64,") == 1 and 'data-exercise="ch02.q1"' in page
+    _, page, _ = get(address + keys(folder)["Cem <b>Kaya"] + ".html")
+    assert "Cem &lt;b&gt;Kaya" in page and "<script>document" not in page
+
+
+@pytest.mark.parametrize(
+    ("body", "why"),
+    [
+        (b"{", "Expecting"),
+        ([1], "list indices"),
+        ({"exercise": "ch02.q1", "points": "many"}, "points are a number from 0 on"),
+        ({"exercise": "ch02.q1", "points": "nan"}, "points are a number from 0 on"),
+        ({"exercise": "ch02.q9", "points": "1"}, "there is no ch02.q9"),
+        ({"exercise": "", "comment": "x" * 6000}, "5000 letters at the most"),
+    ],
+)
+def test_what_cannot_be_saved_is_said(address, folder, body, why):
+    assert why in post(address + keys(folder)["Ben Ito"] + ".html", body)["error"]
+
+
+def test_points_and_words_hold_in_table_pages_and_later_runs(address, folder, monkeypatch):
+    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
+    key = keys(folder)["Ben Ito"]
+    url = f"{address}{key}.html"
+    assert post(url, {"exercise": "ch02.q2", "points": "1,5"}) ["total"] == "2.5"
+    assert post(url, {"exercise": "ch02.q2", "comment": "Nearly.\n<b>The name</b>"}) ["total"] == "2.5"
+    assert post(url, {"exercise": "", "comment": "=Well done"}) ["total"] == "2.5"
+    assert post(url, {"exercise": "ch02.q1", "points": "20"})["told"] == "Saved: 20 of 1, a bonus"
+    assert post(url, {"exercise": "ch02.q1", "points": "0"}) ["total"] == "1.5"
+    assert post(url, {"exercise": "ch02.q1", "points": ""}) ["total"] == "2.5"
+    row = rows(folder.parent / "grades.csv")["Ben Ito"]
+    assert (row["total"], row["comment"]) == ("2.5", "'=Well done")
+    status, after = grade(folder, "--again")
+    assert status == 0 and after["Ben Ito"]["total"] == "2.5" and after["Ben Ito"]["comment"] == row["comment"]
+    page = (folder.parent / "grades" / f"{key}.html").read_text(encoding="utf-8")
+    assert "Nearly.<br>&lt;b&gt;The name&lt;/b&gt;" in page and "given by hand" in page

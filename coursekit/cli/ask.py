@@ -38,6 +38,14 @@ def command_node(name: str = "_ros2cli", **options: Any) -> Iterator[Any]:
         rclpy.try_shutdown()
 
 
+def on_clock(args: Any) -> dict[str, Any]:
+    """The options by which a command's node follows /clock, if `--use-sim-time` was given."""
+    from rclpy.parameter import Parameter
+
+    simulated = getattr(args, "use_sim_time", False)
+    return {"parameter_overrides": [Parameter("use_sim_time", value=True)]} if simulated else {}
+
+
 def graph() -> Graph:
     """The graph of this terminal's domain."""
     from .attach import domain_id

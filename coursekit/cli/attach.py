@@ -16,6 +16,11 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from coursekit.systems.children import apart
+from coursekit.systems.endings import endings
+from coursekit.systems.streams import use_utf8
+from coursekit.systems.waiting import lines
+
 from . import endpoint
 from .keyboard import Keyboard
 
@@ -40,7 +45,7 @@ def connect_or_start() -> socket.socket:
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
-        start_new_session=True,
+        **apart(),
     )
     give_up = time.monotonic() + START_SECONDS
     while time.monotonic() < give_up:
@@ -67,19 +72,29 @@ def answer(argv: Sequence[str]) -> list[str]:
         client = endpoint.connect(domain_id())
     except endpoint.NoSession:
         return []
-    with client, client.makefile("r", encoding="utf-8") as lines:
+    with client:
         _send(client, _wish(argv=list(argv)))
-        said = itertools.takewhile(lambda one: "exit" not in one, map(json.loads, lines))
+        said = itertools.takewhile(lambda one: "exit" not in one, map(json.loads, lines(client)))
         return "".join(one.get("stdout", "") for one in said).split()
 
 
 def who_answers() -> tuple[str, int]:
     """The notebook whose session this terminal speaks to, '' for none's, and how many sessions run; NoSession."""
-    client = endpoint.connect(domain_id())
-    with client, client.makefile("r", encoding="utf-8") as lines:
-        _send(client, {"token": endpoint.token(domain_id())})
-        name = str(json.loads(next(lines, "{}")).get("session", ""))
-    return name, endpoint.live_sessions(domain_id())
+    return _name_of(domain_id()), endpoint.live_sessions(domain_id())
+
+
+def holder(domain: int) -> str | None:
+    """The notebook or test that has the domain's terminals, '' for the session that commands start; None for nobody."""
+    with contextlib.suppress(endpoint.NoSession):
+        return _name_of(domain)
+    return None
+
+
+def _name_of(domain: int) -> str:
+    client = endpoint.connect(domain)
+    with client:
+        _send(client, {"token": endpoint.token(domain)})
+        return str(json.loads(next(lines(client), "{}")).get("session", ""))
 
 
 def attach_script(path: Path, argv: Sequence[str]) -> int | None:
@@ -91,6 +106,7 @@ def attach_script(path: Path, argv: Sequence[str]) -> int | None:
 
 
 def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
+    use_utf8()
     with client, _signals_to(client), Keyboard() as keyboard:
         try:
             _send(client, _wish(**wish))
@@ -117,9 +133,9 @@ def _signals_to(client: socket.socket) -> Iterator[None]:
 
     def forward(signum: int, _frame: object) -> None:
         with contextlib.suppress(OSError):
-            _send(client, {"signal": signum})
+            _send(client, {"signal": endings()[signum]})
 
-    previous = {number: signal.signal(number, forward) for number in (signal.SIGINT, signal.SIGTERM)}
+    previous = {number: signal.signal(number, forward) for number in endings()}
     try:
         yield
     finally:
@@ -144,8 +160,8 @@ def _say_which(notebook: str) -> None:
 def _show(client: socket.socket, keyboard: Keyboard) -> int:
     """Print what the process prints; returns when it ends. NoSession: the session ended before it took the command."""
     taken = False
-    with contextlib.suppress(ConnectionResetError), client.makefile("r", encoding="utf-8") as lines:
-        for line in lines:
+    with contextlib.suppress(ConnectionResetError):
+        for line in lines(client):
             message = json.loads(line)
             if not taken:  # what is typed goes to a session that has the command, not to one that is going
                 threading.Thread(target=_forward_stdin, args=(client, keyboard), daemon=True).start()

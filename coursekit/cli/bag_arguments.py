@@ -104,18 +104,19 @@ def qos_overrides(path: str | None) -> dict[str, Any]:
         loaded = load_settings(Path(path)) or {}
         if not isinstance(loaded, dict) or not all(isinstance(one, dict) for one in loaded.values()):
             raise ValueError(f"{path} should have topics with their policies, for example: /chatter: {{depth: 5}}")
-        return {str(topic): _profile(values) for topic, values in loaded.items()}
+        return {str(topic): profile_of(values) for topic, values in loaded.items()}
     except (InvalidQoSProfileException, ValueError, AssertionError, BagError) as error:
         raise refuse(str(error)) from None
 
 
-def _profile(values: dict[str, Any]) -> Any:
+def profile_of(values: dict[str, Any]) -> Any:
+    """The QoS profile of a dictionary of policies; ValueError for an unknown one."""
     from rclpy import qos
 
     policies: dict[str, Any] = {}
     for key, value in values.items():
         if key in _DURATIONS:
-            policies[key] = _duration(value)
+            policies[key] = duration_of(value)
         elif key in ("history", "reliability", "durability", "liveliness"):
             kind = getattr(qos, f"{key.capitalize()}Policy")
             if str(value) not in kind.short_keys():
@@ -130,7 +131,8 @@ def _profile(values: dict[str, Any]) -> Any:
     return qos.QoSProfile(**policies)
 
 
-def _duration(value: Any) -> Any:
+def duration_of(value: Any) -> Any:
+    """The duration of {sec: ..., nsec: ...}; ValueError when one is missing or it is negative."""
     from rclpy.duration import Duration
 
     if not value:

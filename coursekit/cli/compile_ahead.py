@@ -12,13 +12,15 @@ import subprocess
 import sys
 from collections.abc import Mapping
 
+from coursekit.systems.children import apart
+
 
 def start_in_background(env: Mapping[str, str]) -> None:
     """Begin it in a child that outlives this process and takes only time that nobody needs; harmless where it cannot."""
     nothing = subprocess.DEVNULL
     command = [sys.executable, "-m", __name__]
     with contextlib.suppress(OSError):
-        subprocess.Popen(command, env=dict(env), stdin=nothing, stdout=nothing, stderr=nothing, start_new_session=True)
+        subprocess.Popen(command, env=dict(env), stdin=nothing, stdout=nothing, stderr=nothing, **apart())
 
 
 def main() -> int:

@@ -12,10 +12,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from coursekit.cli import compile_ahead, grading, slam
+from coursekit.packages.folder_name import refusal
+from coursekit.systems.children import with_utf8
+from coursekit.systems.streams import use_utf8
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Entry point of the shell command."""
+    use_utf8()
     parser = argparse.ArgumentParser(prog="coursekit", description="A ROS 2 course that needs no ROS install.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     lab = commands.add_parser("lab", help="open the course in JupyterLab")
@@ -62,6 +66,8 @@ def update_course(args: argparse.Namespace) -> int:
     from coursekit.grade.copy import Course
 
     folder = Path(args.folder).resolve()
+    if why := refusal(folder):
+        raise SystemExit(f"{why} Or choose another: coursekit lab --folder ~/course")
     try:
         said = Course(folder).update(notebooks_folder(), args.language)
     except ValueError as error:
@@ -79,7 +85,7 @@ def lab_environment(folder: Path) -> dict[str, str]:
     from coursekit.cli.kernel import write_kernelspec
     from coursekit.packages.environment import source_underlay
 
-    env = dict(os.environ)
+    env = with_utf8(os.environ)
     source_underlay(env)
     env["COURSEKIT_COURSE"] = str(folder)
     env["COURSEKIT_WORKSPACE"] = str(folder / "ros2_ws")
@@ -130,7 +136,8 @@ def _settings_folder(folder: Path) -> Path:
     settings = folder / ".coursekit" / "lab"
     settings.mkdir(parents=True, exist_ok=True)
     (settings / "overrides.json").write_text(
-        '{"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": false}}'
+        '{"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": false}}',
+        encoding="utf-8",
     )
     return settings
 
@@ -154,7 +161,7 @@ def _terminal_settings(folder: Path) -> list[str]:
     file = folder / ".coursekit" / "terminal.bashrc"
     file.parent.mkdir(parents=True, exist_ok=True)
     quoted = {"bin": shlex.quote(str(Path(sys.executable).parent)), "folder": shlex.quote(str(folder))}
-    file.write_text(_BASHRC.format(**quoted))
+    file.write_text(_BASHRC.format(**quoted), encoding="utf-8")
     return [f"--ServerApp.terminado_settings={{'shell_command': [{bash!r}, '--rcfile', {str(file)!r}, '-i']}}"]
 
 

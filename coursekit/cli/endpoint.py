@@ -12,6 +12,7 @@ import os
 import secrets
 import socket
 from pathlib import Path
+from typing import Any
 
 from .runtime_folder import folder
 
@@ -47,7 +48,7 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
     else:
         server = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         server.bind(("127.0.0.1", 0))
-        path.write_text(json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}))
+        path.write_text(json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}), encoding="utf-8")
     server.listen(16)
     claim(domain_id)
     return server
@@ -67,7 +68,7 @@ def has_terminals(domain_id: int) -> bool:
     """Whether new commands of the domain's terminals come to this process."""
     current, own = address(domain_id), own_address(domain_id)
     with contextlib.suppress(OSError):
-        return os.readlink(current) == own.name if HAS_UNIX else current.read_text() == own.read_text()
+        return os.readlink(current) == own.name if HAS_UNIX else _said_at(current) == _said_at(own)
     return False
 
 
@@ -77,13 +78,18 @@ def _lead_to(own: Path, domain_id: int) -> None:
     if HAS_UNIX:
         fresh.symlink_to(own.name)
     else:
-        fresh.write_text(own.read_text())
+        fresh.write_text(json.dumps(_said_at(own)), encoding="utf-8")
     fresh.replace(address(domain_id))
+
+
+def _said_at(path: Path) -> dict[str, Any]:
+    """Where there are no Unix sockets: the port and the token that the file holds."""
+    return dict(json.loads(path.read_text(encoding="utf-8")))
 
 
 def token(domain_id: int) -> str:
     """What a client on a loopback port has to say first; empty for Unix sockets."""
-    return "" if HAS_UNIX else str(json.loads(address(domain_id).read_text())["token"])
+    return "" if HAS_UNIX else str(_said_at(address(domain_id))["token"])
 
 
 def connect(domain_id: int) -> socket.socket:
@@ -122,7 +128,7 @@ def _connect(path: Path) -> socket.socket:
             client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
             client.connect(str(path))
         else:
-            client = socket.create_connection(("127.0.0.1", json.loads(path.read_text())["port"]), timeout=5)
+            client = socket.create_connection(("127.0.0.1", _said_at(path)["port"]), timeout=5)
     except (OSError, ValueError, KeyError) as error:
         raise NoSession(f"no session listens at {path}") from error
     return client

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 
 from coursekit.core.session import current
+from coursekit.systems.streams import use_utf8
 
 from . import parser, ros2
 
@@ -25,6 +26,7 @@ def run_server(argv: Sequence[str]) -> int:
 
 def client() -> int:
     """`gzclient` in a shell: it says where to look."""
+    use_utf8()
     print(_NO_WINDOW)
     return 0
 

@@ -66,6 +66,7 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     add("--count", choices=("newest", "in-time"), help="which version counts: the newest, or the last before the deadline")
     add("--policy", type=Path, metavar="FILE", help="grace, percent per day and extensions (docs/teachers.md)")
     add("--for", dest="platform", choices=("moodle", "canvas", "blackboard"), help="write that platform's own columns, too")
+    add("--review", action="store_true", help="then mark by hand and write comments, in the browser")
     add("--anonymous", action="store_true", help="codes in the place of names; who is who lies in a file of its own")
     grade.set_defaults(main=run_grade)
 
@@ -110,7 +111,10 @@ def run_release(args: argparse.Namespace) -> int:
     out = args.out.resolve()
     for written in release(chosen, out, variants, personal=args.variants is not None, wheel=args.wheel or WHEEL):
         print(written.relative_to(out))
-    if names is not None:
+    if args.wheel is None:
+        print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")
+    if variants is not None and names is not None:
+        print(variants.roster.told())
         print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
     print(MORE)
     return 0
@@ -126,8 +130,8 @@ def run_new(args: argparse.Namespace) -> int:
         raise SystemExit(str(error)) from None
     print("\n".join(f"new: {file}" for file in written))
     print(f"Work on it:  coursekit lab --folder {args.folder}")
-    print(f"Hand it out: coursekit release --notebooks {args.folder}")
-    print(f"Mark it:     coursekit grade HANDED_IN --notebooks {args.folder}")
+    print(f"Hand it out: coursekit release {args.name} --notebooks {args.folder}")
+    print(f"Mark it:     coursekit grade HANDED_IN --chapters {args.name} --notebooks {args.folder}")
     print("How it is made up: docs/own_exercises.md, beside the course's README")
     return 0
 
@@ -170,7 +174,10 @@ def run_grade(args: argparse.Namespace) -> int:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:
         group = _class(args)
-        outcome = group.grade(args.jobs, Bar(), args.again)
+        with group.graded(args.jobs, Bar(), args.again) as outcome:
+            if args.review and not outcome.interrupted:
+                _review(group, outcome)
+            _tell(group, outcome, args)
     except GraderBroken as error:
         print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
         return 2
@@ -178,8 +185,21 @@ def run_grade(args: argparse.Namespace) -> int:
         raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None
     except (ValueError, OSError) as error:
         raise SystemExit(str(error)) from None
-    _tell(group, outcome, args)
     return outcome.exit_status()
+
+
+def _review(group: Class, outcome: Outcome) -> None:
+    """Mark by hand, until Ctrl-C."""
+    import webbrowser
+
+    from coursekit.grade.review.marks import Marks
+    from coursekit.grade.review.server import serve
+
+    def ready(address: str) -> None:
+        print(f"Mark by hand at {address}\nWhat you write is saved at once. End with Ctrl-C.", flush=True)
+        webbrowser.open(address)
+
+    serve(Marks(group, outcome), ready)
 
 
 def _class(args: argparse.Namespace) -> Class:

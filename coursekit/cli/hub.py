@@ -38,6 +38,7 @@ class Door:
         self.guests = 0
         self.last_left = time.monotonic()
         self._server = endpoint.listen(domain_id, take=take)
+        session.meet(domain_id)
         self._token = endpoint.token(domain_id)
         self._thread = threading.Thread(target=self._accept, name="coursekit-door", daemon=True)
         self._thread.start()

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from coursekit.core.session import Session
+from coursekit.systems.endings import endings
 
 from .parser import run
 
@@ -24,11 +25,11 @@ def run_in(session: Session, argv: Sequence[str]) -> int:
     process = session.start(lambda: run(argv), name="ros2", argv=list(argv), on_output=show)
 
     def forward(signum: int, _frame: Any) -> None:
-        process.send_signal(signum)
+        process.send_signal(endings()[signum])
         if session.clock.virtual:
             session.clock.wake()
 
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in endings():
         signal.signal(number, forward)
     code = process.wait()
     session.close()

@@ -14,16 +14,19 @@ from coursekit.core.modules import use_private_modules
 from coursekit.core.process import current_process
 
 from .ask import Unhappy
+from .settling import let_settle
 
 COMMANDS = (
     "action",
     "bag",
     "component",
+    "control",
     "daemon",
     "doctor",
     "interface",
     "launch",
     "lifecycle",
+    "multicast",
     "node",
     "param",
     "pkg",
@@ -32,13 +35,15 @@ COMMANDS = (
     "topic",
     "wtf",
 )
-_OF_THE_GRAPH = {"action", "component", "lifecycle", "node", "param", "service", "topic"}
+_OF_THE_GRAPH = {"action", "component", "control", "lifecycle", "node", "param", "service", "topic"}
 _STRATEGY = {
     ("--spin-time",): "Seconds to wait for discovery (here the graph is known at once)",
-    ("-s", "--use-sim-time"): "Enable ROS simulation time (here the session has one clock)",
+    ("-s", "--use-sim-time"): "Enable ROS simulation time: follow /clock",
     ("--no-daemon",): "Do not ask the daemon (here there is none)",
 }
 _MODULES = {"wtf": "doctor"}
+_HIDDEN = {"gz": "coursekit.cli.gz_commands"}
+"""Commands that are no `ros2` command of a robot's; other programs use them to reach the session."""
 
 
 def available() -> list[str]:
@@ -59,6 +64,9 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     subparsers = parser.add_subparsers(title="Commands", metavar="Call `ros2 <command> -h`", dest="_command")
+    if command in _HIDDEN:
+        importlib.import_module(_HIDDEN[command]).register(subparsers)
+        return parser
     wanted = [command] if command in available() else available()
     for module in dict.fromkeys(_module(str(name)) for name in wanted):
         importlib.import_module(module).register(subparsers)
@@ -91,6 +99,8 @@ def run(argv: Sequence[str]) -> int:
     if rest and not getattr(args, "takes_rest", False):
         parser.error(f"unrecognized arguments: {' '.join(rest)}")
     try:
+        if argv[0] in _OF_THE_GRAPH:
+            let_settle()
         return int(main(args) or 0)
     except KeyboardInterrupt:
         return 2

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from coursekit.systems.streams import use_utf8
 from coursekit.urdf import Robot, UrdfError, load, parse
 from coursekit.urdf.inertia import check
 from coursekit.urdf.texts import check_text, error_text, graphviz_text
@@ -26,6 +27,7 @@ def _read(path: str) -> Robot | None:
 
 def check_urdf(argv: Sequence[str] | None = None) -> int:
     """`check_urdf FILE`: the tree of links if the file is right, else what is wrong and where."""
+    use_utf8()
     words = list(sys.argv[1:] if argv is None else argv)
     if not words:
         print("Expect URDF xml file to parse. Use - for stdin", file=sys.stderr)
@@ -43,6 +45,7 @@ def check_urdf(argv: Sequence[str] | None = None) -> int:
 
 def urdf_to_graphviz(argv: Sequence[str] | None = None) -> int:
     """`urdf_to_graphviz FILE [OUTPUT]`: the tree as OUTPUT.gv (Graphviz text) and OUTPUT.pdf (picture)."""
+    use_utf8()
     words = list(sys.argv[1:] if argv is None else argv)
     if not 1 <= len(words) <= 2:
         usage = "Will create either $ROBOT_NAME.gv & $ROBOT_NAME.pdf in CWD  or OUTPUT.gv & OUTPUT.pdf."

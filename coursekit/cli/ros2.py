@@ -13,6 +13,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from coursekit.systems.streams import use_utf8
+
 
 def real_ros2() -> Path | None:
     """The `ros2` of a real ROS 2 that is sourced in this shell."""
@@ -39,6 +41,7 @@ def run_alone(argv: Sequence[str]) -> int:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Entry point of the shell command."""
+    use_utf8()  # now, while the streams are the system's own
     argv = sys.argv[1:] if argv is None else argv
     real = real_ros2()
     if real is not None:

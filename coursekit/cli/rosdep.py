@@ -18,6 +18,7 @@ from catkin_pkg.package import InvalidPackage, Package
 from catkin_pkg.packages import find_packages
 
 from coursekit.core.elsewhere import remark
+from coursekit.systems.streams import use_utf8
 
 _FOR_CPP = re.compile(
     r"ament_\w+|(rcl|rcutils|rmw|rosidl|class_loader|pluginlib|launch_testing_ament)\w*|lib\w[\w.+-]*|eigen\w*|boost|\w+-dev|qt\w*"
@@ -29,6 +30,7 @@ _DISTRIBUTIONS = {"opencv": "opencv-python-headless", "yaml": "pyyaml", "pil": "
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Carry out `rosdep init|update|check|install|keys ...`; 1 where something is missing."""
+    use_utf8()
     args = _parser().parse_args(argv)
     if args.verb in ("init", "update"):
         print(f"rosdep {args.verb}: nothing to do, coursekit knows what it has. Go on with: rosdep install --from-paths src")

@@ -10,8 +10,16 @@ from pathlib import Path
 
 
 def folder() -> Path:
-    """The folder; made on first use. PermissionError when every place for it can be opened by others."""
-    return choose()[0]
+    """The folder; made on first use. PermissionError when every place for it can be opened by others.
+
+    Tests that pytest-xdist runs side by side, and the programs that they start, have one for each worker.
+    """
+    path = choose()[0]
+    worker = os.environ.get("PYTEST_XDIST_WORKER")
+    if worker:
+        path /= worker
+        path.mkdir(mode=0o700, exist_ok=True)
+    return path
 
 
 def choose() -> tuple[Path, list[str]]:

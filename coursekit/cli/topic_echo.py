@@ -57,7 +57,7 @@ def main(args: Any) -> int:
         args.field = [part for part in args.field.split(".") if part]
         if not args.field:
             return _refuse("Invalid field value '.'")
-    with ask.command_node() as node:
+    with ask.command_node(**ask.on_clock(args)) as node:
         kind = _message_type(node, args)
         if kind is None:
             return _refuse("Could not determine the type for the passed topic")

@@ -6,6 +6,7 @@ from typing import Any
 
 import rclpy
 import yaml
+from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rosidl_runtime_py import set_message_fields
 from rosidl_runtime_py.utilities import get_message
@@ -13,6 +14,8 @@ from rosidl_runtime_py.utilities import get_message
 from coursekit.core.session import current
 
 from . import ask, topic_qos
+
+_LOOK_SECONDS = 0.1
 
 
 def register(verbs: Any) -> None:
@@ -55,7 +58,7 @@ def main(args: Any) -> int:
     if not isinstance(values, dict):
         raise ask.Unhappy("The passed value needs to be a dictionary in YAML format")
     options = {"name": args.node_name} if args.node_name else {}
-    with ask.command_node(**options) as node:
+    with ask.command_node(**options, **ask.on_clock(args)) as node:
         return _publish(node, kind, values, args)
 
 
@@ -76,9 +79,19 @@ def _publish(node: Any, kind: Any, values: dict[str, Any], args: Any) -> int:
             print(f"publishing #{count}: {msg!r}\n")
         publisher.publish(msg)
         if not times or count < times:
-            current().clock.sleep(1.0 / args.rate)
+            _pause(node, 1.0 / args.rate, args.use_sim_time)
     current().clock.sleep(args.keep_alive)
     return 0
+
+
+def _pause(node: Any, seconds: float, simulated: bool) -> None:
+    """Let so much time pass, on the node's clock if it follows /clock."""
+    if not simulated:
+        current().clock.sleep(seconds)
+        return
+    end = node.get_clock().now() + Duration(seconds=seconds)
+    while rclpy.ok() and node.get_clock().now() < end:
+        rclpy.spin_once(node, timeout_sec=_LOOK_SECONDS)
 
 
 def _wait_for_listeners(publisher: Any, args: Any, times: int) -> None:

@@ -12,6 +12,8 @@ from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
 from rosidl_runtime_py.utilities import get_message
 
+from coursekit.core.session import current
+
 from . import ask
 
 WINDOW = 10000
@@ -36,7 +38,7 @@ def register(verbs: Any) -> None:
 
 
 def _run(args: Any, make: Any) -> int:
-    with ask.command_node() as node:
+    with ask.command_node(**ask.on_clock(args)) as node:
         name = ask.full_name(args.topic_name)
         types = dict(node.get_topic_names_and_types()).get(name)
         if types is None:
@@ -77,7 +79,9 @@ class _Meter:
         self.reported = 0
 
     def now(self) -> float:
-        """Seconds on the node's clock."""
+        """Seconds on the node's clock, or on the session's where that was asked for."""
+        if getattr(self.args, "wall_time", False):
+            return float(current().clock.steady()) * 1e-9
         return float(self.node.get_clock().now().nanoseconds) * 1e-9
 
     def report(self) -> None:

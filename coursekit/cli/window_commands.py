@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from coursekit.core.elsewhere import remark
+from coursekit.systems.streams import use_utf8
 
 from . import parser, ros2
 
@@ -24,5 +25,6 @@ def rviz2_inside(argv: Sequence[str]) -> int:
 
 def explain() -> int:
     """`rqt`, `rqt_graph`, ... in a shell: why there is no such window, and what to type instead."""
+    use_utf8()
     print(remark(Path(sys.argv[0]).stem), file=sys.stderr)
     return 1

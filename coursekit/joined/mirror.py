@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from dataclasses import astuple
 from typing import Any
 
@@ -20,10 +21,16 @@ MOST = 20_000
 
 
 class Mirror:
-    """One side's view: `collect` gives the events for the other side, `apply` carries out the other side's."""
+    """One side's view: `collect` gives the events for the other side, `apply` carries out the other side's.
 
-    def __init__(self, graph: Graph) -> None:
+    `on_news()` is called, from any thread, when `collect` has something to give.
+    """
+
+    def __init__(self, graph: Graph, on_news: Callable[[], None] = lambda: None) -> None:
         self.graph = graph
+        self._on_news = on_news
+        self._lock = threading.RLock()
+        """Held for our own tables only, never while the graph is changed: who changes the graph may hold the graph's."""
         self._events: list[list[Any]] = []
         self._bodies: list[bytes] = []
         self._numbers: dict[Any, int] = {}
@@ -36,17 +43,27 @@ class Mirror:
 
     def post(self, event: list[Any], body: bytes = b"") -> None:
         """Send an event with the next exchange."""
-        self._events.append(event)
-        self._bodies.append(body)
+        with self._lock:
+            self._events.append(event)
+            self._bodies.append(body)
+        self._on_news()
 
     def collect(self) -> tuple[list[list[Any]], bytes]:
         """What the other side does not know yet."""
-        if self._stale:
-            self._stale = False
-            self._tell_changes()
-        events, body = self._events, b"".join(self._bodies)
-        self._events, self._bodies = [], []
+        with self._lock:
+            if self._stale:
+                self._stale = False
+                self._tell_changes()
+            events, body = self._events, b"".join(self._bodies)
+            self._events, self._bodies = [], []
         return events, body
+
+    def end(self) -> None:
+        """The other side is gone, and what it had in this graph with it."""
+        self.graph.unwatch(self._note_change)
+        for ghost in list(self._theirs.values()):
+            ghost.close()
+        self._theirs.clear()
 
     def apply(self, events: list[list[Any]], body: bytes) -> list[list[Any]]:
         """Carry out the other side's events; those that are not about the graph are returned.
@@ -73,14 +90,17 @@ class Mirror:
 
     def _note_change(self) -> None:
         self._stale = True
+        self._on_news()
 
     def _number_of(self, one: Any) -> int:
         """The number by which the other side knows one of ours; it is told of it first if it does not."""
-        number = self._numbers.get(one)
-        if number is None:
-            number = self._numbers[one] = next(self._count)
-            self._ours[number] = one
-            self.post(self._told(one, number))
+        with self._lock:
+            number = self._numbers.get(one)
+            if number is None:
+                self._stale = True  # it may have left the graph since: looked at with the next exchange
+                number = self._numbers[one] = next(self._count)
+                self._ours[number] = one
+                self.post(self._told(one, number))
         return number
 
     def _told(self, one: Any, number: int) -> list[Any]:

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import json
 import os
-import select
 import struct
 import time
 from typing import Any
+
+from coursekit.systems.pipes import readable
 
 _LENGTHS = struct.Struct("<II")
 HEADER, BODY = 16 << 20, 256 << 20
@@ -63,7 +64,7 @@ class Pipe:
     def _exactly(self, size: int, give_up: float | None) -> bytes:
         parts = bytearray()
         while len(parts) < size:
-            if give_up is not None and not select.select([self._read], [], [], max(0.0, give_up - _now()))[0]:
+            if give_up is not None and not readable(self._read, give_up - _now()):
                 raise Broken("it did not answer in time")
             part = os.read(self._read, min(1 << 20, size - len(parts)))
             if not part:

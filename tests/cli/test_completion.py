@@ -21,7 +21,9 @@ def tab(tmp_path):
             "_ARGCOMPLETE": "1", "_ARGCOMPLETE_STDOUT_FILENAME": str(answers), "_ARGCOMPLETE_IFS": "\v",
             "_ARGCOMPLETE_SUPPRESS_SPACE": "1", "COMP_LINE": line, "COMP_POINT": str(len(line)), "COMP_TYPE": "9",
         }  # fmt: skip
-        done = subprocess.run(ROS2, env=env | asked, capture_output=True, text=True, timeout=60, input="not to be read")
+        done = subprocess.run(
+            ROS2, env=env | asked, capture_output=True, encoding="utf-8", timeout=60, input="not to be read"
+        )
         assert "Traceback" not in done.stderr
         return [word.strip() for word in answers.read_text().split("\v")]
 
@@ -33,7 +35,11 @@ def tab(tmp_path):
 def talker(tab):
     """A talker in the session that the commands share."""
     process = subprocess.Popen(
-        [*ROS2, "run", "demo_nodes_py", "talker"], env=tab.env, stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*ROS2, "run", "demo_nodes_py", "talker"],
+        env=tab.env,
+        stdin=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
     )
     while "Publishing" not in process.stderr.readline():
         assert process.poll() is None

@@ -17,7 +17,7 @@ _become([sys.executable, "-c", "import os; print(os.getpid())"], dict(os.environ
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there it stays a parent")
 def test_who_ends_the_command_ends_the_server() -> None:
-    done = subprocess.run([sys.executable, "-c", BECOMES], capture_output=True, text=True, check=True)
+    done = subprocess.run([sys.executable, "-c", BECOMES], capture_output=True, encoding="utf-8", check=True)
     before, after = done.stdout.split()
     assert before == after
 

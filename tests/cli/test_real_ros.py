@@ -22,7 +22,7 @@ def sourced(tmp_path):
 
 
 def run(env, *words):
-    done = subprocess.run([sys.executable, *words], env=env, capture_output=True, text=True, timeout=60)
+    done = subprocess.run([sys.executable, *words], env=env, capture_output=True, encoding="utf-8", timeout=60)
     return done.stdout.strip()
 
 

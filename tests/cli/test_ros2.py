@@ -20,7 +20,7 @@ def environment(**more):
 def ros2(*words, stop_after=3, **more):
     """Run a command alone on the virtual clock."""
     env = environment(COURSEKIT_TIME="virtual", COURSEKIT_STOP_AFTER=str(stop_after), **more)
-    return subprocess.run([*ROS2, *words], env=env, capture_output=True, text=True, timeout=60)
+    return subprocess.run([*ROS2, *words], env=env, capture_output=True, encoding="utf-8", timeout=60)
 
 
 def test_a_node_runs_until_ctrl_c_and_two_runs_print_the_same_bytes():
@@ -87,7 +87,7 @@ def terminals(tmp_path):
 
     def start(*words):
         process = subprocess.Popen(
-            [*ROS2, *words], env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.PIPE, text=True
+            [*ROS2, *words], env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.PIPE, encoding="utf-8"
         )
         started.append(process)
         return process
@@ -146,7 +146,7 @@ def test_a_terminal_that_is_closed_takes_its_process_with_it(terminals):
 
 
 def test_help_lists_the_commands():
-    done = subprocess.run([*ROS2, "--help"], env=environment(), capture_output=True, text=True, timeout=60)
+    done = subprocess.run([*ROS2, "--help"], env=environment(), capture_output=True, encoding="utf-8", timeout=60)
     assert done.returncode == 0
     assert all(f"    {name} " in done.stdout for name in ("run", "launch", "topic", "doctor", "pkg"))
 

@@ -10,7 +10,7 @@ from coursekit.cli.runtime_folder import choose, folder
 
 @pytest.fixture
 def homes(tmp_path, monkeypatch):
-    for name in ("COURSEKIT_RUNTIME_DIR", "XDG_RUNTIME_DIR"):
+    for name in ("COURSEKIT_RUNTIME_DIR", "XDG_RUNTIME_DIR", "PYTEST_XDIST_WORKER"):
         monkeypatch.delenv(name, raising=False)
     (tmp_path / "tmp").mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))

@@ -36,7 +36,7 @@ def surroundings(tmp_path):
 
 def run(program, env):
     command = [sys.executable, program.name, "--flag"]
-    return subprocess.run(command, cwd=program.parent, env=env, capture_output=True, text=True, timeout=60)
+    return subprocess.run(command, cwd=program.parent, env=env, capture_output=True, encoding="utf-8", timeout=60)
 
 
 def test_without_a_session_it_has_one_of_its_own(program, surroundings):
@@ -47,7 +47,7 @@ def test_without_a_session_it_has_one_of_its_own(program, surroundings):
 @pytest.mark.slow
 def test_it_joins_the_session_of_the_user_and_keeps_its_words_and_exit_code(program, surroundings):
     ros2 = [sys.executable, "-m", "coursekit.cli.ros2", "topic", "echo", "/chatter", "std_msgs/msg/String", "--once"]
-    with subprocess.Popen(ros2, env=surroundings, stdout=subprocess.PIPE, text=True) as echo:
+    with subprocess.Popen(ros2, env=surroundings, stdout=subprocess.PIPE, encoding="utf-8") as echo:
         for _ in range(100):
             ended = run(program, surroundings)
             assert ended.returncode == 3, ended.stderr
@@ -69,6 +69,6 @@ def test_a_launch_file_runs_it_on_the_virtual_clock_in_the_session(program, surr
     )
     env = {**surroundings, "COURSEKIT_TIME": "virtual", "COURSEKIT_STOP_AFTER": "2"}
     command = [sys.executable, "-m", "coursekit.cli.ros2", "launch", str(program.parent / "both.launch.py")]
-    ended = subprocess.run(command, env=env, capture_output=True, text=True, timeout=60)
+    ended = subprocess.run(command, env=env, capture_output=True, encoding="utf-8", timeout=60)
     assert "I heard: [from a file]" in ended.stdout + ended.stderr
     assert "process has died [pid 1002, exit code 3" in ended.stdout + ended.stderr

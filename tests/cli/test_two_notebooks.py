@@ -49,7 +49,7 @@ def run(client, code):
 
 def ros2(*words):
     command = [sys.executable, "-m", "coursekit.cli.ros2", *words]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=True).stdout.split()
+    return subprocess.run(command, capture_output=True, encoding="utf-8", timeout=60, check=True).stdout.split()
 
 
 def nodes_in_terminal():

@@ -173,7 +173,8 @@ def show_types(args: Any) -> int:
     if args.package_name is not None:
         if args.package_name not in packages():
             raise ask.Unhappy(f"Unable to find package '{args.package_name}'")
-        print(*found.get(args.package_name, {}), sep="\n")
+        for name in found.get(args.package_name, {}):
+            print(name)
         return 0
     for package, types in found.items():
         print(package, *(f"  {name}" for name in types), sep="\n")

@@ -1,18 +1,35 @@
-"""`ros2 daemon status|start|stop`: here the session itself answers, there is no daemon to manage."""
+"""`ros2 daemon status|start|stop`."""
 
 from __future__ import annotations
 
 from typing import Any
+
+from coursekit.cli import ask, daemon
+from coursekit.cli.attach import domain_id
 
 
 def register(subparsers: Any) -> None:
     """Add the command."""
     parser = subparsers.add_parser("daemon", help="Various daemon related sub-commands")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
-    for name, text, answer in (
-        ("status", "Output the status of the daemon", "The daemon is running"),
-        ("start", "Start the daemon if it isn't running", "The daemon is already running"),
-        ("stop", "Stop the daemon if it is running", "The daemon is the session itself; it ends with its last process"),
+    for name, text, main in (
+        ("status", "Output the status of the daemon", show_status),
+        ("start", "Start the daemon if it isn't running", start),
+        ("stop", "Stop the daemon if it is running", stop),
     ):
-        verb = verbs.add_parser(name, help=text)
-        verb.set_defaults(main=lambda _args, answer=answer: print(answer))
+        verbs.add_parser(name, help=text).set_defaults(main=main)
+
+
+def show_status(_args: Any) -> None:
+    """Print whether it runs."""
+    print(f"The daemon is {'' if daemon.is_running(ask.graph()) else 'not '}running")
+
+
+def start(_args: Any) -> None:
+    """Start it."""
+    print("The daemon has been started" if daemon.start(ask.graph(), domain_id()) else "The daemon is already running")
+
+
+def stop(_args: Any) -> None:
+    """Stop it."""
+    print("The daemon has been stopped" if daemon.stop(ask.graph()) else "The daemon is not running")

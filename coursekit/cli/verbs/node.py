@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ros2node.api import INFO_NONUNIQUE_WARNING_TEMPLATE
+
 from coursekit.cli import ask
 from coursekit.core.graph import names_and_types
 from coursekit.core.names import is_hidden
@@ -48,10 +50,7 @@ def show_info(args: Any) -> int:
         print(f"Unable to find node '{args.node_name}'")
         return 1
     if count > 1:
-        ask.say_error(
-            f"There are {count} nodes in the graph with the exact name \"{name}\". "
-            "You are seeing information about only one of them."
-        )
+        ask.say_error(INFO_NONUNIQUE_WARNING_TEMPLATE.format(num_nodes=count, node_name=name))
     node = ask.find_node(name)
     print(name)
     for title, endpoints in (

@@ -9,6 +9,7 @@ from typing import Any
 import yaml
 
 from coursekit.cli import ask, param_text
+from coursekit.files import write_whole
 
 _SERVICES = "rcl_interfaces/srv/ListParameters"
 
@@ -150,6 +151,8 @@ def dump_parameters(args: Any) -> int:
     """Print, or save, a file from which the node could be started as it is now."""
     if args.output_dir is not None and not Path(args.output_dir).is_dir():
         raise ask.Unhappy(f"'{args.output_dir}' is not a valid directory.")
+    if args.print:
+        ask.say_error("WARNING: '--print' is deprecated; this utility prints to stdout by default")
     with ask.command_node() as node:
         asking = _Asking(node, args.node_name)
         names = asking.names()
@@ -159,7 +162,7 @@ def dump_parameters(args: Any) -> int:
         return 0
     file = Path(args.output_dir) / (asking.name.strip("/").replace("/", "__") + ".yaml")
     print("Saving to: ", file)
-    file.write_text(text, encoding="utf-8")
+    write_whole(file, text)
     return 0
 
 

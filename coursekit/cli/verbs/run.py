@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shlex
-import signal
 import sys
 from typing import Any
 
@@ -12,6 +10,8 @@ from coursekit.core.executables import ExecutableNotFound, PackageNotFound, exec
 from coursekit.core.prefixed import prefixed
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from coursekit.systems.signal_names import described
+from coursekit.systems.words import split_words
 
 PREFIX = "[ros2run]:"
 
@@ -46,7 +46,7 @@ def main(args: Any) -> int:
         print("No executable found")
         print(error.args[0], file=sys.stderr)
         return 1
-    command = prefixed([*shlex.split(args.prefix or ""), str(path)])
+    command = prefixed([*split_words(args.prefix or ""), str(path)])
     if len(command) > 1:
         return _run_with_prefix([*command, *args.argv])
     process = current().start_executable(path, args.argv, name=args.executable_name, on_output=_pass_on())
@@ -82,7 +82,7 @@ def _wait(process: Any) -> int:
 
 def _outcome(code: int) -> int:
     if code < 0:
-        print(PREFIX, signal.strsignal(-code))
+        print(PREFIX, described(-code))
     elif code:
         print(f"{PREFIX} Process exited with failure {code}")
     return code

@@ -17,7 +17,7 @@ def main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, list[str]]
         raise unittest.SkipTest("flake8 is not installed; `pip install flake8` to run this test")
     paths = list(sys.argv[1:] if argv is None else argv) or ["."]
     command = [sys.executable, "-m", "flake8", *_SETTINGS, *paths]
-    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     errors = [line for line in (result.stdout + result.stderr).splitlines() if line]
     return (1 if result.returncode else 0), errors
 

@@ -1,13 +1,24 @@
-"""The prefixes that are searched: sourced workspaces, then coursekit's underlay."""
+"""The prefixes that are searched: those of AMENT_PREFIX_PATH, which has coursekit's underlay from the start."""
 
 from __future__ import annotations
 
-from coursekit.interfaces.find import prefixes
+import os
+from pathlib import Path
+
+from ament_index_python.constants import AMENT_PREFIX_PATH_ENV_VAR
+from coursekit.interfaces.find import UNDERLAY, prefixes, with_underlay
+
+with_underlay(os.environ)  # a program that finds this module has, in a way, sourced ROS; what it sets later holds
 
 
 def get_search_paths() -> list[str]:
     """Return the existing prefixes, in the order of search.
 
-    In ROS 2 this raises an error when nothing is sourced; here the underlay is always there.
+    Raises:
+        OSError: when AMENT_PREFIX_PATH is empty.
     """
-    return [str(prefix) for prefix in prefixes() if prefix.exists()]
+    sourced = os.environ.get(AMENT_PREFIX_PATH_ENV_VAR)
+    if not sourced:
+        raise OSError(f"Environment variable '{AMENT_PREFIX_PATH_ENV_VAR}' is not set or empty: source a workspace first")
+    paths = [Path(one) for one in sourced.split(os.pathsep) if one]
+    return [str(path) for path in (prefixes() if UNDERLAY in paths else paths) if path.exists()]

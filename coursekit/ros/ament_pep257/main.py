@@ -17,6 +17,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         raise unittest.SkipTest("pydocstyle is not installed; `pip install pydocstyle` to run this test")
     paths = list(sys.argv[1:] if argv is None else argv) or ["."]
     command = [sys.executable, "-m", "pydocstyle", f"--ignore={_IGNORED}", *paths]
-    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     print(result.stdout + result.stderr, end="")
     return 1 if result.returncode else 0

@@ -12,7 +12,7 @@ from rclpy.node import Node
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
-from coursekit.files import read_text
+from coursekit.files import read_text, write_whole
 
 default_camera_info_url = "file://${ROS_HOME}/camera_info/${NAME}.yaml"
 """Where a calibration is kept that has no other place."""
@@ -80,7 +80,7 @@ def saveCalibrationFile(ci: CameraInfo, filename: str, cname: str) -> bool:
         told[name] = {"data": [float(one) for one in getattr(ci, field)], "rows": rows, "cols": columns}
     try:
         Path(filename).parent.mkdir(parents=True, exist_ok=True)
-        Path(filename).write_text(yaml.safe_dump(told, sort_keys=False), encoding="utf-8")
+        write_whole(filename, yaml.safe_dump(told, sort_keys=False))
     except OSError:
         return False
     return True

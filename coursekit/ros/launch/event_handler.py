@@ -89,7 +89,7 @@ class EventHandler(BaseEventHandler):
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """Return the entities to visit for `event`."""
         super().handle(event, context)
-        if callable(self.__entities) and not isinstance(self.__entities, LaunchDescriptionEntity):
+        if callable(self.__entities):
             entities: SomeEntitiesType | None = self.__entities(event, context)
             return entities
         return as_entities(self.__entities)
@@ -97,7 +97,7 @@ class EventHandler(BaseEventHandler):
 
 def as_entities(some: Any) -> list[Any]:
     """Return entities as a list; a function or None gives an empty one."""
-    if some is None or (callable(some) and not isinstance(some, LaunchDescriptionEntity)):
+    if some is None or callable(some):
         return []
     if isinstance(some, LaunchDescriptionEntity) or not isinstance(some, Iterable):
         return [some]

@@ -14,10 +14,10 @@ class InvalidLaunchFileError(Exception):
         super().__init__(self.__text())
 
     def __text(self) -> str:
-        kind = f"file of format [{self._extension}]" if self._extension else "launch file of unknown format"
-        if not self._likely_errors:
-            return f"Failed to load {kind}"
-        if len(self._likely_errors) == 1:
-            return f"Caught exception when trying to load {kind}: {self._likely_errors[0]}"
         lines = [f"\n - {type(error).__name__}: {error}" for error in self._likely_errors]
-        return f"Caught multiple exceptions when trying to load {kind}:" + "".join(lines)
+        if not self._extension or not lines:
+            return "The launch file may have a syntax error, or its format is unknown" + "".join(lines)
+        kind = f"when trying to load file of format [{self._extension}]:"
+        if len(lines) == 1:
+            return f"Caught exception {kind} {self._likely_errors[0]}"
+        return f"Caught multiple exceptions {kind}" + "".join(lines)

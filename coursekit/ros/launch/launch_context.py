@@ -69,8 +69,9 @@ class LaunchContext:
         return self.__asyncio_loop
 
     def add_completion_future(self, future: asyncio.Future[Any]) -> None:
-        """Have the launch wait for `future` before it ends."""
+        """Have the launch wait for `future` before it ends; an exception of its ends the launch."""
         self._completion_futures.append(future)
+        self._event_queue.stir()
 
     # -- locals
 

@@ -22,8 +22,12 @@ class LaunchDescriptionEntity:
         return None
 
     def describe(self) -> str:
-        """Return a short description of this entity."""
-        return repr(self)
+        """Return a short description of this entity; subclasses override this.
+
+        Raises:
+            NotImplementedError: when the subclass has none.
+        """
+        raise NotImplementedError(f"{type(self).__name__} has no describe()")
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities that are always visited with this one."""

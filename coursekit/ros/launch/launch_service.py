@@ -178,12 +178,11 @@ class LaunchService:
 
     def __watch_begun(self) -> None:
         """Look after work that has begun: its end stirs the launch, its failure ends the launch."""
-        for future in self.__begun:
-            future.add_done_callback(self.__report_failure)
         completions = self.__context._completion_futures
         for future in (*self.__begun, *completions):
             if future not in self.__watched:
                 self.__watched.add(future)
+                future.add_done_callback(self.__report_failure)
                 future.add_done_callback(self.__watched.discard)
                 future.add_done_callback(self.__context._event_queue.stir)
         self.__begun.clear()

@@ -16,21 +16,25 @@ from .logging import LaunchLogger
 from .process_output import ProcessOutput
 from .process_starter import start_process
 from .temporary_files import temporary_files
+from .utilities.futures import failed_future
 
 if TYPE_CHECKING:
     from .launch_context import LaunchContext
 
 
 class ProcessRun:
-    """Starts a command and follows it; `details` are the arguments of its events, pid included once known."""
+    """Starts a command and follows it; `details` are the arguments of its events, pid included once known.
+
+    `options` are `shell` and `tty`, as `start_process` takes them.
+    """
 
     def __init__(
-        self, context: LaunchContext, details: dict[str, Any], shell: bool, logger: LaunchLogger, lines: ProcessOutput
+        self, context: LaunchContext, details: dict[str, Any], lines: ProcessOutput, logger: LaunchLogger, **options: bool
     ) -> None:
         assert context.asyncio_loop is not None
         self.__context = context
         self.__details = details
-        self.__shell = shell
+        self.__options = options
         self.__logger = logger
         self.__lines = lines
         self.__here = contextvars.copy_context()  # the launch's, in which its output is printed
@@ -48,8 +52,8 @@ class ProcessRun:
                 self.__details["cmd"],
                 cwd=self.__details["cwd"],
                 env=self.__details["env"],
-                shell=self.__shell,
                 on_output=self.__on_output,
+                **self.__options,
             )
         except Exception:
             self.__logger.error(f"exception occurred while executing process:\n{traceback.format_exc()}")
@@ -75,10 +79,13 @@ class ProcessRun:
         for stream, group in groupby(pieces, itemgetter(0)):
             kind = ProcessStdout if stream == "stdout" else ProcessStderr
             text = "".join([piece for _, piece in group]).encode("utf-8", "replace")
-            if self.__is_only_logged(kind):
-                self.__lines.write(stream, text.decode())
-            else:
+            if not self.__is_only_logged(kind):
                 self.__context.emit_event_sync(kind(text=text, **self.__details))
+                continue
+            try:
+                self.__lines.write(stream, text.decode())
+            except Exception as error:  # a form of lines that nothing fills in, for example
+                self.__context.add_completion_future(failed_future(self.__loop, error))
 
     def __is_only_logged(self, kind: type[ProcessIO]) -> bool:
         """Whether nobody but the action itself wants such an event, and nobody would see it: then there need be none."""

@@ -25,12 +25,13 @@ def start_process(
     env: Mapping[str, str],
     shell: bool,
     on_output: OutputCallback,
+    tty: bool = False,
 ) -> Any:
     """Start a command and return its process.
 
     Executables of packages, `ros2` and Python programs that use rclpy run inside the session, where they share its
     graph and clock; everything else becomes a child process of the system. With `shell` the user's shell runs the text. A
-    terminal window before the command is left out.
+    terminal window before the command is left out. With `tty` what it writes to is a terminal.
 
     Raises:
         FileNotFoundError: when there is no such program.
@@ -41,20 +42,20 @@ def start_process(
     run = inside(os.path.basename(words[0])) if words and not is_package_executable(words[0]) else None
     if run is not None:
         name, argv = os.path.basename(words[0]), words[1:]
-        return current.start(lambda: run(argv), name=name, argv=argv, env=env, cwd=cwd, on_output=on_output)
+        return current.start(lambda: run(argv), name=name, argv=argv, env=env, cwd=cwd, on_output=on_output, tty=tty)
     program = script.of_command(words, cwd) if words else None
     if program is not None:
         path, argv = program
-        return current.start_executable(path, argv, env=env, cwd=cwd, on_output=on_output)
+        return current.start_executable(path, argv, env=env, cwd=cwd, on_output=on_output, tty=tty)
     if shell:
         cmd = [env.get("SHELL") or "/bin/sh", "-c", " ".join(cmd)]
     elif is_package_executable(cmd[0]):
-        return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output)
+        return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output, tty=tty)
     found = which(cmd[0], env.get("PATH"))
     if found is None:
         raise FileNotFoundError(2, "there is no such program", cmd[0])
     child = ChildProcess(current, [found, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
-    return current.launch(child, on_output)
+    return current.launch(child, on_output, tty)
 
 
 def without_terminal(cmd: Sequence[str]) -> Sequence[str]:

@@ -5,6 +5,7 @@ Every run of pytest loads this: the rest is imported when a test has the mark `l
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Generator
 from typing import Any
 
@@ -32,6 +33,10 @@ def pytest_configure(config: Any) -> None:
         "markers",
         "launch: mark the test as a launch test, it will be run using the specified launch_pad.",
     )
+    if config.pluginmanager.hasplugin("pytester"):
+        # tests of tests forget the modules that they imported, but these change the interpreter and are imported only once
+        importlib.import_module("coursekit.core.session")
+        importlib.import_module("launch")
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)

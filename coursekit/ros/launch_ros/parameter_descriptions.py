@@ -113,6 +113,7 @@ class ParameterFile:
         self.__param_file = normalize_to_list_of_substitutions(param_file)
         self.__allow_substs = normalize_typed_substitution(allow_substs, bool)
         self.__evaluated: Path | None = None
+        self.__is_copy = False
 
     @property
     def param_file(self) -> Any:
@@ -134,12 +135,15 @@ class ParameterFile:
             path = Path(perform_substitutions(context, self.__param_file))
             if perform_typed_substitution(context, self.__allow_substs, bool):
                 path = _substituted(context, path)
+                self.__is_copy = True
             self.__evaluated = path
         return self.__evaluated
 
     def cleanup(self) -> None:
-        """Forget the evaluated path."""
-        self.__evaluated = None
+        """Delete the copy that `evaluate` made, and forget it."""
+        if self.__is_copy and self.__evaluated is not None:
+            self.__evaluated.unlink(missing_ok=True)
+            self.__evaluated, self.__is_copy = None, False
 
     def __str__(self) -> str:
         return (

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from importlib.machinery import SourceFileLoader
 from types import ModuleType
 
+from coursekit.systems.streams import use_utf8
+
 from .junitxml import unittestResultsToXml
 from .loader import LoadTestsFromPythonModule
 from .print_arguments import print_arguments_of_launch_description
@@ -87,6 +89,7 @@ def _load(name: str, path: str) -> ModuleType:
 
 def main() -> None:
     """Entry point of the shell command."""
+    use_utf8()
     logging.basicConfig()
     parser, args = parse_arguments()
     if args.verbose:

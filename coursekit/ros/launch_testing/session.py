@@ -1,4 +1,4 @@
-"""Runs a launch test in the session, and lets programs that it starts outside of the session in."""
+"""Runs a launch test in the session, and lets programs that run outside of the session in."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from coursekit.core.commands import DOOR, load
+from coursekit.core.commands import DOOR, HOLDER, load
 from coursekit.core.session import current
 from coursekit.core.whose import current_process
 
 Result = TypeVar("Result")
-DOMAINS = range(1, 101)
+DOMAINS = range(101)
+NAME = "a launch test"
 
 
 def in_session(function: Callable[[], Result]) -> Result:
@@ -46,27 +47,32 @@ def in_session(function: Callable[[], Result]) -> Result:
 
 @contextmanager
 def own_domain() -> Iterator[None]:
-    """Let `ros2` and node programs that a test starts by `subprocess` or a shell join the session under test.
+    """Let `ros2` and node programs that run beside a test, or that it starts by `subprocess` or a shell, meet its nodes.
 
-    For this the test gets a ROS domain that no other session on this computer has, unless one is set. On the virtual clock
-    such programs have sessions of their own.
+    The test stays in its domain, unless a notebook or another test has that one's terminals: then it gets a domain that
+    nobody has. On the virtual clock such programs have sessions of their own.
     """
-    door = None if current().clock.virtual or current_process() is not None else _open_door()
+    if current().clock.virtual or current_process() is not None:
+        yield
+        return
     before = os.environ.get("ROS_DOMAIN_ID")
-    if door is not None:
-        os.environ["ROS_DOMAIN_ID"] = str(door.domain_id)
+    domain, door = _choose(before or "")
+    os.environ["ROS_DOMAIN_ID"] = str(domain)
     try:
         yield
     finally:
         if door is not None:
             door.close()
-            os.environ.pop("ROS_DOMAIN_ID")
-            if before is not None:
-                os.environ["ROS_DOMAIN_ID"] = before
+        os.environ.pop("ROS_DOMAIN_ID")
+        if before is not None:
+            os.environ["ROS_DOMAIN_ID"] = before
 
 
-def _open_door() -> Any:
-    wanted = os.environ.get("ROS_DOMAIN_ID", "")
-    domains = [int(wanted)] if wanted.isdecimal() else DOMAINS
-    doors = (load(DOOR)(current(), domain) for domain in domains)
-    return next((door for door in doors if door is not None), None)
+def _choose(wanted: str) -> tuple[int, Any]:
+    """A domain, and the door through which its terminals reach the test; None where the commands' own session has them."""
+    for domain in [int(wanted)] if wanted.isdecimal() else DOMAINS:
+        door = load(DOOR)(current(), domain, NAME)
+        if door is not None or wanted.isdecimal() or load(HOLDER)(domain) == "":
+            current().meet(domain)
+            return domain, door
+    return DOMAINS[0], None

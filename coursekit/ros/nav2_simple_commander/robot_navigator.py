@@ -28,6 +28,8 @@ from rclpy.qos import QoSDurabilityPolicy, QoSHistoryPolicy, QoSProfile, QoSReli
 from nav2_simple_commander.servers import Servers, place_of
 from nav2_simple_commander.task_result import TaskResult
 
+NavigationResult = TaskResult
+"""The name before Humble; programs and courses of that time have it."""
 _AMCL_QOS = QoSProfile(
     durability=QoSDurabilityPolicy.TRANSIENT_LOCAL,
     reliability=QoSReliabilityPolicy.RELIABLE,
@@ -233,4 +235,4 @@ class BasicNavigator(Servers):
         self._manage(ManageLifecycleNodes.Request.SHUTDOWN)
 
 
-__all__ = ["BasicNavigator", "TaskResult"]
+__all__ = ["BasicNavigator", "NavigationResult", "TaskResult"]

@@ -175,7 +175,7 @@ class Work:
                 task = self._next_task()
                 if task is not None:
                     return None, task
-            entity = queue.pop()
+            entity = queue.pop(deadline)
             if entity is not None:
                 work = self._begin(entity)
                 if work is not None:
@@ -204,6 +204,11 @@ class Work:
         sources = entity._sources()
         served = False
         for source in sources:
+            if source.yields:
+                source.yields = False
+                if self._queue.items:
+                    self._queue.put(entity)
+                    return None
             source.queued = False
             served = served or source.sink is self._queue
         if not served:

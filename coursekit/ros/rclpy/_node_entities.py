@@ -207,7 +207,9 @@ class NodeEntities:
         timer = Timer(
             callback, group, period_ns, clock or self._clock, context=self._context, autostart=autostart
         )
-        return self._own(self._timers, timer, group)
+        self._own(self._timers, timer, group)
+        timer._begin_period()
+        return timer
 
     def create_guard_condition(self, callback: Callable[[], Any], callback_group: Any = None) -> GuardCondition:
         """Make a guard condition; its callback runs when it is triggered."""

@@ -6,6 +6,7 @@ from typing import Any
 
 from rcl_interfaces.msg import (
     ParameterDescriptor,
+    ParameterValue,
 )
 
 from rclpy._parameter_checks import read_declaration
@@ -56,6 +57,11 @@ class NodeParameters(ParameterSetting):
             validate_parameter_name(full_name)
             if not ignore_override and full_name in self._parameter_overrides:
                 value = self._parameter_overrides[full_name].value
+            elif isinstance(value, ParameterValue):
+                raise ValueError(
+                    f"Cannot declare parameter {{{full_name}}} from a ParameterValue unless it has an override that is "
+                    "not ignored: give the value itself."
+                )
             declared.append(Parameter(full_name, value=value))
             descriptor.name = full_name
             descriptors[full_name] = descriptor

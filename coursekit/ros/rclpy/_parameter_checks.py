@@ -12,7 +12,10 @@ from rclpy.parameter import Parameter
 
 
 def read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterDescriptor]:
-    """(name, value, descriptor) of one tuple that was given to declare_parameters."""
+    """(name, value, descriptor) of one tuple that was given to declare_parameters.
+
+    A ParameterValue is left as it is: it stands for "there is an override", and the caller knows whether there is.
+    """
     if len(declaration) < 1 or len(declaration) > 3:
         raise TypeError(
             f"Invalid parameter tuple length at index {index} in parameters list: "
@@ -42,7 +45,7 @@ def read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterD
         descriptor.type = value.value
         return name, None, descriptor
     if isinstance(value, ParameterValue):
-        raise ValueError("Cannot declare a Parameter from a ParameterValue: give the value itself.")
+        return name, value, descriptor
     if not descriptor.dynamic_typing and value is not None:
         descriptor.type = Parameter.Type.from_parameter_value(value).value
     return name, value, descriptor

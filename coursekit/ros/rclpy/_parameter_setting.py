@@ -31,9 +31,12 @@ class ParameterSetting:
     _parameter_event_publisher: Any
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
-        """Set several, each by itself; undeclared ones are an error unless the node allows them."""
-        self._check_declared(parameter_list)
-        return [self._set([parameter]) for parameter in parameter_list]
+        """Set several, each by itself, up to the first undeclared one: an error, unless the node allows them."""
+        results = []
+        for parameter in parameter_list:
+            self._check_declared([parameter])
+            results.append(self._set([parameter]))
+        return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
         """Set all or none."""

@@ -96,6 +96,7 @@ class Context:
 
             configure(self._handle.arguments)
         self._handle.session.plan_stop()
+        self._handle.session.meet(self._handle.domain_id)
 
     def ok(self) -> bool:
         """Whether it is between init and shutdown."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from coursekit.core.arguments import RosArguments
@@ -77,5 +78,8 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Return where ROS would keep log files."""
-    return Path.home() / ".ros" / "log"
+    """Return where ROS would keep log files: ROS_LOG_DIR, else the folder log in ROS_HOME or ~/.ros."""
+    if named := os.environ.get("ROS_LOG_DIR"):
+        return Path(named).expanduser()
+    home = os.environ.get("ROS_HOME")
+    return (Path(home).expanduser() if home else Path.home() / ".ros") / "log"

@@ -89,7 +89,7 @@ def _declare_qos_parameters(
         name = f"qos_overrides.{topic_name}.{kind}{suffix}.{word}"
         descriptor = ParameterDescriptor(description=f"{word} {whose}", read_only=True)
         setattr(
-            qos, word, _from_parameter(policy, _declared(node, name, _to_parameter(qos, policy), descriptor))
+            qos, word, _from_parameter(policy, _declared(node, name, _get_qos_policy_parameter(qos, policy), descriptor))
         )
     if options.callback is not None:
         verdict = options.callback(qos)
@@ -115,7 +115,7 @@ def _declared(node: Any, name: str, value: Any, descriptor: ParameterDescriptor)
         return node.get_parameter(name).value
 
 
-def _to_parameter(qos: QoSProfile, policy: QoSPolicyKind) -> Any:
+def _get_qos_policy_parameter(qos: QoSProfile, policy: QoSPolicyKind) -> Any:
     value = getattr(qos, policy.name.lower())
     if policy in _DURATIONS:
         return value.nanoseconds

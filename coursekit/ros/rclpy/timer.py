@@ -104,6 +104,11 @@ class Timer:
         with self.__timer:
             return self.__timer.time_until_next_call()
 
+    def _begin_period(self) -> None:
+        """Count the first period from now, when whoever asked for the timer gets it, not from when it began to be made."""
+        if not self.__timer.is_timer_canceled():
+            self.__timer.reset_timer()
+
     def _sources(self) -> list[Any]:
         return self._sources_list
 

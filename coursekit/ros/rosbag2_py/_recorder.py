@@ -15,6 +15,7 @@ from rosbag2_interfaces.msg import WriteSplitEvent
 from rosbag2_interfaces.srv import Snapshot
 from rosidl_runtime_py.utilities import get_message
 
+from coursekit.bag.errors import BagError
 from coursekit.bag.metadata import TopicMetadata
 from coursekit.bag.storage import Message
 from coursekit.bag.writer import BagWriter, WriteSettings
@@ -57,6 +58,9 @@ class RecorderNode(Node):
             while not self._over and self.context.ok():
                 self._executor_here.spin_once()
             self._say_the_end()
+            self._close()
+        except (BagError, OSError) as error:
+            raise BagError(f"{error}{self._rescued()}") from None
         finally:
             self._keys.stop()
             self._close()
@@ -97,6 +101,13 @@ class RecorderNode(Node):
             get_logger("rosbag2_cpp").info(text)
         self.get_logger().info("Event publisher thread: Exiting")
         self.get_logger().info("Recording stopped")
+
+    def _rescued(self) -> str:
+        """Let go of a bag that cannot be written any more; what can be done with it."""
+        if self._bag is None:
+            return ""
+        self._bag.abandon()
+        return f". What was recorded before is kept. Make room, then: ros2 bag reindex {self._bag.folder}"
 
     def _close(self) -> None:
         if self._bag is not None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import datetime
-from collections.abc import Sequence
+import weakref
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -73,30 +75,58 @@ class RecordOptions:
 class _Runner:
     """A context of its own, as rclcpp has it: the program's rclpy is not touched."""
 
+    _made: weakref.WeakSet[Any]
+    """Those of the class that a program has made."""
+
     def __init__(self, log_level: str = "info") -> None:
         self._context = Context()
         self._context.init(["--ros-args", "--log-level", log_level])
+        self._process = current_process()
+        self._node: Any = None
+        self._cancelled = False
+        self._made.add(self)
+
+    def __init_subclass__(cls) -> None:
+        cls._made = weakref.WeakSet()
 
     def __del__(self) -> None:
         self._context.try_shutdown()
+
+    @classmethod
+    def cancel(cls) -> None:
+        """End what those of this class that the program made are doing, or are about to do in another thread."""
+        for one in list(cls._made):
+            if one._process is current_process():
+                one._cancelled = True
+                if one._node is not None:
+                    one._node.end()
+
+    @contextlib.contextmanager
+    def _running(self, node: Any) -> Iterator[None]:
+        self._node = node
+        if self._cancelled:
+            node.end()
+        try:
+            with until_told_to_end(node.end):
+                yield
+        finally:
+            self._node, self._cancelled = None, False
 
 
 class Player(_Runner):
     """Plays bags."""
 
     def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
-        """Play a bag to its end, or until Ctrl-C; RuntimeError when it cannot be read."""
+        """Play a bag to its end, or until Ctrl-C or `Player.cancel()`; RuntimeError when it cannot be read."""
         from rosbag2_py._player import PlayerNode
 
         node = PlayerNode(storage_options, play_options, self._context)
-        with until_told_to_end(node.end):
+        with self._running(node):
             node.play()
 
 
 class Recorder(_Runner):
     """Records bags."""
-
-    _running: list[tuple[Any, Any]] = []
 
     def record(self, storage_options: StorageOptions, record_options: RecordOptions) -> None:
         """Record until Ctrl-C or `Recorder.cancel()`; RuntimeError when the bag cannot be written."""
@@ -104,20 +134,8 @@ class Recorder(_Runner):
 
         settings = settings_of(storage_options, record_options.packing())
         node = RecorderNode(settings, record_options, self._context)
-        entry = (current_process(), node)
-        self._running.append(entry)
-        try:
-            with until_told_to_end(node.end):
-                node.record()
-        finally:
-            self._running.remove(entry)
-
-    @staticmethod
-    def cancel() -> None:
-        """End the recordings of this program."""
-        for process, node in list(Recorder._running):
-            if process is current_process():
-                node.end()
+        with self._running(node):
+            node.record()
 
 
 def bag_rewrite(input_options: Sequence[StorageOptions], output_config_file: str) -> None:

@@ -55,7 +55,7 @@ def message_to_ordereddict(
     if isinstance(msg, bytes):
         return OrderedDict(bytes=msg)
     options = {"truncate_length": truncate_length, "no_arr": no_arr, "no_str": no_str}
-    fields = zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True)
+    fields = zip(field_names(msg), msg.SLOT_TYPES, strict=True)
     return OrderedDict((name, _plain(getattr(msg, name), kind, options)) for name, kind in fields)
 
 
@@ -144,7 +144,7 @@ def message_to_csv(
     if isinstance(msg, bytes):
         return str(msg)
     options = {"truncate_length": truncate_length, "no_arr": no_arr, "no_str": no_str}
-    fields = zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True)
+    fields = zip(field_names(msg), msg.SLOT_TYPES, strict=True)
     return ",".join(_csv(getattr(msg, name), kind, options) for name, kind in fields)
 
 
@@ -162,6 +162,13 @@ def _csv(value: Any, kind: definition.AbstractType | None, options: Options) -> 
     return message_to_csv(value, **options) if hasattr(value, "SLOT_TYPES") else str(value)
 
 
+def field_names(msg: Any) -> list[str]:
+    """Return the names of a message's fields; of one that does not tell them, as programs' own classes may be, its slots."""
+    if hasattr(msg, "get_fields_and_field_types"):
+        return list(msg.get_fields_and_field_types())
+    return [slot.removeprefix("_") for slot in msg.__slots__]
+
+
 def get_message_slot_types(msg: Any) -> OrderedDict[str, definition.AbstractType]:
     """Return the type of each field."""
-    return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
+    return OrderedDict(zip(field_names(msg), msg.SLOT_TYPES, strict=True))

@@ -8,6 +8,8 @@ from pathlib import Path
 
 from ament_index_python import get_resource, get_resources, has_resource
 
+from coursekit.interfaces.idl import idl_file
+
 _SUFFIXES = {"msg": (".msg", ".idl"), "srv": (".srv", ".idl"), "action": (".action", ".idl")}
 
 
@@ -57,6 +59,13 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
     return _of(package_names, ("action",))
 
 
+def _as_idl(package: str, path: Path) -> Path | None:
+    """The IDL of a definition; ROS installs it beside the file, here it is written when it is asked for."""
+    definitions = [path.with_suffix(suffix) for suffix in (".msg", ".srv", ".action")]
+    found = next((one for one in definitions if one.exists()), None)
+    return idl_file(package, found) if path.suffix == ".idl" and found is not None else None
+
+
 def get_interface_path(interface_name: str) -> str:
     """Return the path of a definition file.
 
@@ -72,7 +81,7 @@ def get_interface_path(interface_name: str) -> str:
         raise LookupError(f"Unknown package '{parts[0]}'")
     path = Path(prefix, "share", *parts)
     if path.suffix:
-        found = path if path.exists() else None
+        found = path if path.exists() else _as_idl(parts[0], path)
     else:
         suffixes = _SUFFIXES.get(parts[-2], (".msg",))
         found = next((p for p in (path.with_suffix(s) for s in suffixes) if p.exists()), None)

@@ -89,7 +89,8 @@ def read_points_numpy(
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray[Any, Any]:
     """Return fields of one type as a plain array, one row a point; raises AssertionError for mixed types."""
-    assert all(cloud.fields[0].datatype == field.datatype for field in cloud.fields[1:]), (
+    kinds = {field.datatype for field in cloud.fields if field_names is None or field.name in field_names}
+    assert len(kinds) <= 1, (
         "All fields need to have the same datatype. Use `read_points()` otherwise."
     )
     points = read_points(cloud, field_names, skip_nans, uvs, reshape_organized_cloud)
@@ -117,16 +118,19 @@ def create_cloud(
 ) -> PointCloud2:
     """Return a cloud of points: a structured array, or rows of values in the order of the fields.
 
-    A two-dimensional array of records gives an organized cloud.
+    A two-dimensional array of records, or a three-dimensional one of values, gives an organized cloud.
     Raises AssertionError when the types do not match.
     """
     dtype = dtype_from_fields(fields, point_step if point_step is not None else step)
     if not (isinstance(points, np.ndarray) and points.dtype.names):
         rows = np.asarray(points, dtype=dtype[0])
-        points = unstructured_to_structured(rows.reshape(-1, len(dtype.names or ())), dtype=dtype)
+        points = unstructured_to_structured(rows.reshape(*rows.shape[:-1], len(dtype.names or ())), dtype=dtype)
     assert points.dtype == dtype or points.dtype.names == dtype.names, (
         "PointFields and structured NumPy array dtype do not match for all fields!"
     )
+    if points.dtype.itemsize > dtype.itemsize and points.dtype.fields == dtype.fields:
+        assert step is None and point_step is None, "The step is not the size of the records in the array!"
+        dtype = points.dtype  # records that are longer than their fields stay so
     points = np.ascontiguousarray(points.astype(dtype))
     height, width = (1, len(points)) if points.ndim == 1 else points.shape[::-1]
     return PointCloud2(

@@ -111,3 +111,34 @@ def get_msg_multi_nested() -> list[Any]:
         setattr(message, f"bounded_sequence_of_{kind}", made[:2])
         setattr(message, f"unbounded_sequence_of_{kind}", made)
     return [message]
+
+
+def get_msg_bounded_plain_sequences() -> list[Any]:
+    """Sequences with a bound, without texts: as many as is allowed, and none."""
+    source, full = get_msg_bounded_sequences()[0], types.BoundedPlainSequences(alignment_check=2)
+    for name in full.get_fields_and_field_types():
+        if name.endswith("_values"):
+            setattr(full, name, getattr(source, name))
+    return [full, types.BoundedPlainSequences(alignment_check=4)]
+
+
+def get_msg_wstrings() -> list[Any]:
+    """No text, and text beyond ASCII, alone and in arrays and sequences."""
+    many = types.WStrings(array_of_wstrings=["1", "two", "\u4e09"], bounded_sequence_of_wstrings=["one", "\u4e8c"])
+    many.unbounded_sequence_of_wstrings = [".", "..", "...", "\u56db"]
+    texts = ("ascii", "Hell\u00f6 w\u00f6rld!", "\u30cf\u30ed\u30fc\u30ef\u30fc\u30eb\u30c9")
+    return [many, *(types.WStrings(wstring_value=text) for text in texts)]
+
+
+def get_test_msg(message_name: str) -> list[Any]:
+    """The messages of the type of that name; ValueError for another.
+
+    >>> len(get_test_msg("Builtins"))
+    1
+    """
+    made = {name.replace("_", ""): make for name, make in globals().items() if name.startswith("get_msg_")}
+    make = made.get(f"getmsg{message_name.lower()}")
+    if make is None:
+        known = ", ".join(sorted(name for name in dir(types) if name[0].isupper()))
+        raise ValueError(f"There is no test message '{message_name}' (known: {known})")
+    return list(make())

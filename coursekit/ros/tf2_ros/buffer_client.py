@@ -52,6 +52,10 @@ class BufferClient(BufferInterface):
         self.check_frequency = check_frequency
         self.timeout_padding = timeout_padding
 
+    def destroy(self) -> None:
+        """Let go of the action client."""
+        self.action_client.destroy()
+
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()
     ) -> TransformStamped:

@@ -108,7 +108,7 @@ def test_it_offers_what_was_recorded(
 
 
 def test_qos_can_be_overridden(stage: Stage) -> None:
-    Path("qos.yaml").write_text("/chatter: {durability: transient_local, depth: 2, history: keep_last}")
+    Path("qos.yaml").write_text("/chatter: {durability: transient_local, depth: 2, history: keep_last}", encoding="utf-8")
     player = stage.ros2("bag play talk --qos-profile-overrides-path qos.yaml")
     stage.sleep_until(4.5)
     stage.listen("/chatter", qos=QoSProfile(depth=9, durability=DurabilityPolicy.TRANSIENT_LOCAL))

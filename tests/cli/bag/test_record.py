@@ -160,7 +160,7 @@ def test_a_bag_is_split_by_time_and_the_split_is_told(session: Session, ros2: Ca
         ("talk/talk_0.db3", "talk/talk_1.db3"),
         ("talk/talk_1.db3", "talk/talk_2.db3"),
     ]
-    files = yaml.safe_load(Path("talk/metadata.yaml").read_text())["rosbag2_bagfile_information"]["files"]
+    files = yaml.safe_load(Path("talk/metadata.yaml").read_text(encoding="utf-8"))["rosbag2_bagfile_information"]["files"]
     assert [one["message_count"] for one in files] == [3, 3, 1]
 
 
@@ -232,7 +232,7 @@ def test_without_a_name_the_folder_has_the_sessions_time(
 )
 def test_what_cannot_be_is_refused_in_humbles_words(ros2: Callable[[str], Any], line: str, text: str) -> None:
     Path("there").mkdir()
-    Path("bad.yaml").write_text("/chatter: {colour: red}")
+    Path("bad.yaml").write_text("/chatter: {colour: red}", encoding="utf-8")
     process = ros2(f"bag record {line}")
     assert process.wait(5) == 1
     last = process.output.splitlines()[-1]
@@ -248,7 +248,7 @@ def test_a_launch_file_records_until_its_ctrl_c(session: Session, ros2: Callable
         "def generate_launch_description():\n"
         "    return LaunchDescription([\n"
         "        Node(package='demo_nodes_py', executable='talker'),\n"
-        "        ExecuteProcess(cmd=['ros2', 'bag', 'record', '-a', '-o', 'talk'], output='screen')])\n"
+        "        ExecuteProcess(cmd=['ros2', 'bag', 'record', '-a', '-o', 'talk'], output='screen')])\n", encoding="utf-8"
     )
     launch = ros2("launch record.launch.py")
     session.clock.sleep(3.5)
@@ -256,3 +256,27 @@ def test_a_launch_file_records_until_its_ctrl_c(session: Session, ros2: Callable
     assert launch.wait(10) == 0
     assert "[rosbag2_recorder]: Recording stopped" in launch.output
     assert sum(message.topic == "/chatter" for message in all_of("talk")) == 3
+
+
+@pytest.mark.parametrize("storage", ["sqlite3", "mcap"])
+def test_a_disk_that_is_full_ends_the_recording_and_loses_nothing_before(
+    session: Session, ros2: Callable[[str], Any], node: Any, storage: str
+) -> None:
+    resource = pytest.importorskip("resource", reason="Windows has no limits on a file's size")
+    out = node.create_publisher(String, "chatter", 10)
+    recorder = ros2(f"bag record /chatter -o talk -s {storage}")
+    session.clock.sleep(0.1)
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2_000_000, before[1]))
+    try:
+        for number in range(80):
+            out.publish(String(data=f"{number:09}" + "x" * 50_000))
+            session.clock.sleep(0.1)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert recorder.wait(1) == 1
+    assert "' cannot be written: " in recorder.output and "Make room, then: ros2 bag reindex talk" in recorder.output
+    assert not Path("talk/metadata.yaml").exists()
+    assert ros2("bag reindex talk").wait(5) == 0
+    kept = [int(message.data[8:17]) for message in all_of("talk")]
+    assert kept == list(range(len(kept))) and len(kept) > 20

@@ -56,7 +56,8 @@ def test_a_publisher_that_comes_later_and_does_not_match_is_told(
 
 
 def test_qos_can_be_overridden(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
-    Path("qos.yaml").write_text("/topic: {reliability: best_effort, history: keep_all, deadline: {sec: 1, nsec: 5}}")
+    told = "/topic: {reliability: best_effort, history: keep_all, deadline: {sec: 1, nsec: 5}}"
+    Path("qos.yaml").write_text(told, encoding="utf-8")
     node.create_publisher(String, "topic", 10)
     recorder = ros2("bag record /topic -o talk --qos-profile-overrides-path qos.yaml")
     session.clock.sleep(0.5)

@@ -57,12 +57,12 @@ def test_a_bag_is_shown_in_humbles_layout(stage: Stage, monkeypatch: pytest.Monk
 
 
 def test_metadata_is_made_anew_and_bags_are_converted(stage: Stage) -> None:
-    before = Path("talk/metadata.yaml").read_text()
+    before = Path("talk/metadata.yaml").read_text(encoding="utf-8")
     Path("talk/metadata.yaml").unlink()
     said = stage.ask("bag reindex talk")
     assert "[rosbag2_cpp]: Beginning reindexing bag in directory: talk" in said and "Reindexing complete." in said
-    assert Path("talk/metadata.yaml").read_text() == before
-    Path("out.yaml").write_text("output_bags: [{uri: new, storage_id: mcap, all: true}]")
+    assert Path("talk/metadata.yaml").read_text(encoding="utf-8") == before
+    Path("out.yaml").write_text("output_bags: [{uri: new, storage_id: mcap, all: true}]", encoding="utf-8")
     stage.ask("bag convert -i talk sqlite3 -o out.yaml")
     assert all_of("new") == all_of("talk") and Path("new/new_0.mcap").exists()
 

@@ -45,12 +45,12 @@ def test_lines_can_go_to_standard_output(capsys):
     assert shown(capsys, RCUTILS_LOGGING_USE_STDOUT="1")[1].endswith("hello\n")
 
 
-def test_unsetting_the_default_goes_back_to_info():
+def test_unsetting_the_default_lets_everything_through():
     state = LoggingState({})
     state.set_level("", 40)
     assert state.effective_level("a") == 40
     state.set_level("", 0)
-    assert state.effective_level("a") == 20
+    assert state.effective_level("a") == state.effective_level("") == 0
 
 
 def test_every_process_has_its_own_levels():

@@ -156,10 +156,43 @@ def test_a_program_that_only_plays_joins_the_session_that_runs(tmp_path: Path) -
         "rosbag2_py.Player().play(rosbag2_py.StorageOptions('bag'), rosbag2_py.PlayOptions())\n"
     )
     echo = [sys.executable, "-m", "coursekit.cli.ros2", "topic", "echo", "/a", "std_msgs/msg/String", "--once"]
-    with subprocess.Popen(echo, env=env, stdout=subprocess.PIPE, text=True) as ear:
+    with subprocess.Popen(echo, env=env, stdout=subprocess.PIPE, encoding="utf-8") as ear:
         for _ in range(100):  # until it listens
             played = subprocess.run([sys.executable, "play.py"], cwd=tmp_path, env=env, capture_output=True, timeout=60)
             assert played.returncode == 0, played.stderr
             if ear.poll() is not None:
                 break
         assert ear.communicate(timeout=30)[0] == "data: from a bag\n---\n"
+
+
+@pytest.mark.parametrize("wait", [0.0, 0.5])
+def test_a_cancel_is_heard_also_before_the_recording_has_begun(session: Session, tmp_path: Path, wait: float) -> None:
+    import time
+
+    def main() -> None:
+        rclpy.init()
+        recorder = rosbag2_py.Recorder()
+        options = rosbag2_py.StorageOptions("bag", "sqlite3")
+        thread = threading.Thread(target=recorder.record, args=(options, all_topics()), daemon=True)
+        thread.start()
+        time.sleep(wait)
+        recorder.cancel()
+        thread.join()
+
+    assert session.start(main, name="main").wait(5.0) == 0
+    assert {path.name for path in (tmp_path / "bag").iterdir()} == {"metadata.yaml", "bag_0.db3"}
+
+
+def test_a_player_is_cancelled(session: Session, tmp_path: Path) -> None:
+    def main() -> None:
+        recorder = rosbag2_py.Recorder()
+        recorder.cancel()
+        recorder.record(rosbag2_py.StorageOptions("bag", "sqlite3"), all_topics())
+        player, options = rosbag2_py.Player(), rosbag2_py.PlayOptions()
+        options.loop = options.start_paused = True
+        thread = threading.Thread(target=player.play, args=(rosbag2_py.StorageOptions("bag"), options), daemon=True)
+        thread.start()
+        player.cancel()
+        thread.join()
+
+    assert session.start(main, name="main").wait(5.0) == 0

@@ -12,6 +12,8 @@ from rclpy.time import Time
 from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, LookupException, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 
+from coursekit.core.session import Session
+
 
 def stamped(parent, child, time, x=42.0):
     msg = TransformStamped(child_frame_id=child)
@@ -239,3 +241,16 @@ def test_the_names_that_tutorials_take_from_them_are_there(module, names):
 
     found = importlib.import_module(module)
     assert [name for name in names.split() if not hasattr(found, name)] == []
+
+
+def test_a_destroyed_buffer_client_leaves_the_graph():
+    with Session(virtual=True).use() as session:
+        context = rclpy.context.Context()
+        rclpy.init(context=context)
+        node = rclpy.create_node("asker", context=context)
+        before = session.graph(0).services()
+        client = tf2_ros.BufferClient(node, "lookup_transform")
+        assert session.graph(0).services() != before
+        client.destroy()
+        assert session.graph(0).services() == before
+        rclpy.shutdown(context=context)

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from ..launch_description_entity import LaunchDescriptionEntity
 
 
+class InvalidChoicesError(RuntimeError, ValueError):
+    """Raised when an argument has an empty list of choices, or a default that is none of them."""
+
+
 @expose_action("arg")
 class DeclareLaunchArgument(Action):
     """Declares that a launch file takes an argument, with a default, a description and choices.
@@ -37,20 +41,18 @@ class DeclareLaunchArgument(Action):
         self.__name = name
         self.__choices = None if choices is None else list(choices)
         if self.__choices is not None and not self.__choices:
-            raise ValueError(
-                "provided choices arg is not supposed to be an empty list; leave it out for any value"
-            )
+            raise InvalidChoicesError("Provided choices arg is empty. Use None to ignore the choice list.")
         if self.__choices and isinstance(default_value, str) and default_value not in self.__choices:
-            raise ValueError(
+            raise InvalidChoicesError(
                 f'Provided default_value "{default_value}" is not in provided choices "{self.__choices}".'
             )
         self.__logger_name = "launch.actions.declare_launch_argument"
         self.__default = None if default_value is None else normalize_to_list_of_substitutions(default_value)
         self.__description = description if description is not None else "no description given"
         if self.__choices and description is None:
-            self.__description = f"one of: {self.__choices}"
+            self.__description = f"One of: {self.__choices}"
         elif self.__choices:
-            self.__description += f". Valid choices are: {self.__choices}"
+            self.__description = f"{self.__description.removesuffix('.')}. Valid choices are: {self.__choices}"
         self._conditionally_included = False
 
     @classmethod
@@ -66,7 +68,7 @@ class DeclareLaunchArgument(Action):
             kwargs["description"] = parser.escape_characters(description)
         choices = entity.get_attr("choice", data_type=list[Entity], optional=True)
         if choices is not None:
-            kwargs["choices"] = [choice.get_attr("value") for choice in choices]
+            kwargs["choices"] = [parser.escape_characters(choice.get_attr("value")) for choice in choices]
         return cls, kwargs
 
     @property

@@ -12,7 +12,7 @@ from ..conditions import evaluate_condition_expression
 from ..descriptions import Executable
 from ..event import Event
 from ..event_handler import EventHandler
-from ..event_handlers import OnProcessExit, OnProcessIO, OnShutdown
+from ..event_handlers import OnProcessExit, OnProcessIO, OnProcessStart, OnShutdown
 from ..events import Shutdown, matches_action
 from ..events.process import (
     ProcessIO,
@@ -97,7 +97,7 @@ class ExecuteLocal(Action):
 
     @property
     def emulate_tty(self) -> bool:
-        """Whether a terminal was asked for; output is never buffered here, so it makes no difference."""
+        """Whether the process is to write to a terminal; the launch configuration of that name goes before it."""
         return self.__emulate_tty
 
     @property
@@ -148,6 +148,7 @@ class ExecuteLocal(Action):
     def prepare(self, context: LaunchContext) -> None:
         """Perform the substitutions of the description."""
         self.__description.prepare(context, self)
+        self.__respawn = perform_typed_substitution(context, self.__respawn, bool)  # now: later the scope has gone
         self.__details = {
             "action": self,
             "name": self.__description.final_name,
@@ -207,6 +208,9 @@ class ExecuteLocal(Action):
         try:
             while await self.__run_once(context) and await self.__to_respawn(context):
                 pass
+        except Exception as error:
+            assert self.__completed is not None
+            self.__completed.set_exception(error)  # for the launch to tell
         finally:
             if self.__escalation is not None:
                 self.__escalation.cancel()
@@ -218,19 +222,22 @@ class ExecuteLocal(Action):
         assert self.__details is not None and self.__shutdown is not None and self.__lines is not None
         if self.__shutdown.done():
             return False
-        self.__log_details(context)
-        run = ProcessRun(context, self.__details, self.__shell, self.__logger, self.__lines)
+        self.__log_details()
+        tty = self.__wants_tty(context)
+        run = ProcessRun(context, self.__details, self.__lines, self.__logger, shell=self.__shell, tty=tty)
         if not run.start():
             return False
         self.__process = run.process
         await run.to_end()
         return True
 
-    def __log_details(self, context: LaunchContext) -> None:
-        if "emulate_tty" in context.launch_configurations:
-            evaluate_condition_expression(
-                context, normalize_to_list_of_substitutions(context.launch_configurations["emulate_tty"])
-            )
+    def __wants_tty(self, context: LaunchContext) -> bool:
+        setting = context.launch_configurations.get("emulate_tty")
+        if setting is None:
+            return self.__emulate_tty
+        return evaluate_condition_expression(context, normalize_to_list_of_substitutions(setting))
+
+    def __log_details(self) -> None:
         if self.__log_cmd:
             custom = self.__description.env is not None or self.__description.additional_env is not None
             self.__logger.info(
@@ -241,8 +248,7 @@ class ExecuteLocal(Action):
     async def __to_respawn(self, context: LaunchContext) -> bool:
         """Wait the respawn delay; return whether the process is to be started again."""
         assert self.__shutdown is not None
-        wanted = perform_typed_substitution(context, self.__respawn, bool)
-        if not wanted or context.is_shutdown or self.__shutdown.done() or self.__retries_left == 0:
+        if not self.__respawn or context.is_shutdown or self.__shutdown.done() or self.__retries_left == 0:
             return False
         self.__retries_left -= 1
         if self.__respawn_delay:
@@ -271,6 +277,9 @@ class ExecuteLocal(Action):
         """Begin to end the process; return the timers that make it sure, and the first signal."""
         if self.__shutdown is None or self.__shutdown.done():
             return None
+        if self.__process is None and self.__completed is not None and not self.__completed.done():
+            self.__shut_down_once_started(context)
+            return None
         self.__shutdown.set_result(None)
         if not self.__is_running():
             return None
@@ -281,6 +290,16 @@ class ExecuteLocal(Action):
                 EmitEvent(event=SignalProcess(signal_number="SIGINT", process_matcher=matches_action(self)))
             )
         return actions
+
+    def __shut_down_once_started(self, context: LaunchContext) -> None:
+        """The process is about to start: end it then."""
+        context.register_event_handler(
+            OnProcessStart(
+                target_action=self,
+                on_start=lambda event, context: self._shutdown_process(context, send_sigint=True),
+                handle_once=True,
+            )
+        )
 
     def __on_signal(self, event: Event, context: LaunchContext) -> None:
         signal_event = cast(SignalProcess, event)

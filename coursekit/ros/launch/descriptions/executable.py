@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-import shlex
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
+
+from coursekit.systems.words import split_words
 
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -112,7 +113,7 @@ class Executable:
         name = (
             os.path.basename(cmd[0]) if self.__name is None else perform_substitutions(context, self.__name)
         )
-        prefix = shlex.split(perform_substitutions(context, self.__prefix))
+        prefix = split_words(perform_substitutions(context, self.__prefix))
         wanted = perform_substitutions(context, self.__prefix_filter)
         if prefix and re.match(wanted, os.path.basename(cmd[0])):
             cmd = [*prefix, *cmd]

@@ -47,9 +47,8 @@ class OnActionEventBase(BaseEventHandler):
         if not callable(on_event):
             _check_entities(type(self).__name__, as_entities(on_event))
         self.__target = action_matcher
-        is_action = isinstance(action_matcher, LaunchDescriptionEntity)
-        self.__wants_action: Any = None if is_action else action_matcher
-        self._action = action_matcher if is_action else None
+        self.__wants_action: Any = action_matcher if callable(action_matcher) else None
+        self._action = None if callable(action_matcher) else action_matcher
         self.__on_event: Any = on_event
         self.__target_event_cls = self._event_class = target_event_cls
         super().__init__(matcher=self.matches, **kwargs)
@@ -59,14 +58,14 @@ class OnActionEventBase(BaseEventHandler):
         if not isinstance(event, self.__target_event_cls):
             return False
         action = getattr(event, "action", None)
-        if self.__target is None or action is self.__target:
-            return True
-        return self.__wants_action is not None and bool(self.__wants_action(action))
+        if self.__wants_action is not None:
+            return bool(self.__wants_action(action))
+        return self.__target is None or action is self.__target
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """Return what is to be done now."""
         super().handle(event, context)
-        if callable(self.__on_event) and not isinstance(self.__on_event, LaunchDescriptionEntity):
+        if callable(self.__on_event):
             entities: SomeEntitiesType | None = self.__on_event(event, context)
             return entities
         return as_entities(self.__on_event)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from ..event import Event
 from ..event_handler import BaseEventHandler, as_entities
 from ..events import Shutdown
-from ..launch_description_entity import LaunchDescriptionEntity
 from ..some_entities_type import SomeEntitiesType
 
 if TYPE_CHECKING:
@@ -32,7 +31,7 @@ class OnShutdown(BaseEventHandler):
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """Return what is to be done now."""
         super().handle(event, context)
-        if callable(self.__on_shutdown) and not isinstance(self.__on_shutdown, LaunchDescriptionEntity):
+        if callable(self.__on_shutdown):
             entities: SomeEntitiesType | None = self.__on_shutdown(event, context)
             return entities
         return as_entities(self.__on_shutdown)

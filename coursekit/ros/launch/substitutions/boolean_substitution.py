@@ -154,7 +154,8 @@ class AnySubstitution(_ManySubstitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
-        return str(any(_truth(context, value) for value in self._values)).lower()
+        values = [_truth(context, value) for value in self._values]  # all, so that none that is no truth value passes
+        return str(any(values)).lower()
 
 
 @expose_substitution("all")
@@ -163,7 +164,8 @@ class AllSubstitution(_ManySubstitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
-        return str(all(_truth(context, value) for value in self._values)).lower()
+        values = [_truth(context, value) for value in self._values]
+        return str(all(values)).lower()
 
 
 def _text(value: Any) -> Any:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-import shlex
+import re
 import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from coursekit.systems.words import split_words
 
 from ..frontend.expose import expose_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -20,6 +22,8 @@ from .substitution_failure import SubstitutionFailure
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
+_PLACE = re.compile("\ue000([0-9]+)\ue001")
+"""Stands for a path while the command is divided into words: a folder such as `José Luis` is no two of them."""
 ON_STDERR = ("fail", "ignore", "warn", "capture")
 
 
@@ -66,13 +70,20 @@ class Command(Substitution):
         Raises:
             SubstitutionFailure: when it cannot be run, fails, or prints errors and that is to fail.
         """
-        text = perform_substitutions(context, self.__command)
+        pieces = [perform_substitutions(context, [piece]) for piece in self.__command]
+        text = "".join(pieces)
         on_stderr = perform_substitutions(context, self.__on_stderr)
         if on_stderr not in ON_STDERR:
             raise SubstitutionFailure(
                 f"expected 'on_stderr' to be one of {list(ON_STDERR)}, got '{on_stderr}'"
             )
-        done = _run(text, dict(context.environment), merge=on_stderr == "capture")
+        try:
+            done = _run(pieces, dict(context.environment), merge=on_stderr == "capture")
+        except ValueError as error:
+            raise SubstitutionFailure(
+                f"the command cannot be divided into words: {error}. Command: {text}\n"
+                "Give a path as an item of its own: Command(['xacro ', path])"
+            ) from None
         if done.returncode != 0:
             raise SubstitutionFailure(
                 f"executed command failed. Command: {text}\n"
@@ -83,10 +94,14 @@ class Command(Substitution):
         return done.stdout
 
 
-def _run(text: str, environment: dict[str, str], merge: bool) -> subprocess.CompletedProcess[str]:
-    words = shlex.split(text, posix=os.name != "nt")
+def _run(pieces: Sequence[str], environment: dict[str, str], merge: bool) -> subprocess.CompletedProcess[str]:
+    paths = [piece for piece in pieces if os.path.isabs(piece) and os.path.exists(piece)]
+    text = "".join(f"\ue000{paths.index(piece)}\ue001" if piece in paths else piece for piece in pieces)
+
+    words = split_words(text)
     if not words:
         raise SubstitutionFailure("command substitution got an empty command")
+    words = [_PLACE.sub(lambda found: paths[int(found[1])], word) for word in words]
     program = which(words[0], environment.get("PATH"))
     if program is None:
         raise SubstitutionFailure(
@@ -95,7 +110,8 @@ def _run(text: str, environment: dict[str, str], merge: bool) -> subprocess.Comp
     return subprocess.run(
         [*_started(program), *words[1:]],
         env=environment,
-        text=True,
+        encoding="utf-8",
+        errors="replace",
         check=False,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,

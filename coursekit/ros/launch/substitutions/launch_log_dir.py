@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..frontend.expose import expose_substitution
-from ..substitution import Substitution
+from .text_substitution import TextSubstitution
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
@@ -13,8 +13,18 @@ if TYPE_CHECKING:
 
 @expose_substitution("launch_log_dir")
 @expose_substitution("log_dir")
-class LaunchLogDir(Substitution):
-    """The absolute folder of this launch's log files."""
+class LaunchLogDir(TextSubstitution):
+    """The absolute folder of this launch's log files; in Humble `$(log_dir)` is known as a text already when it is read."""
+
+    def __init__(self) -> None:
+        super().__init__(text="")
+
+    @property
+    def text(self) -> str:
+        """The folder."""
+        from ..logging import launch_config
+
+        return str(launch_config.log_dir)
 
     def describe(self) -> str:
         """Return the substitution's name."""
@@ -22,6 +32,4 @@ class LaunchLogDir(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return the folder."""
-        from ..logging import launch_config
-
-        return str(launch_config.log_dir)
+        return self.text

@@ -18,7 +18,10 @@ def ensure_argument_type(
     Traceback (most recent call last):
     TypeError: Node 'name' expected to be '<class 'str'>', but got '1' of type '<class 'int'>'
     """
-    wanted = list(types) if isinstance(types, Iterable) else [types]
+    wanted = list(types) if isinstance(types, Iterable) and not isinstance(types, type) else [types]
+    if not all(isinstance(one, type) for one in wanted):
+        expected = "type, collections.abc.Iterable of type"
+        raise TypeError(f"'ensure_argument_type()' expected 'types' to be one of [{expected}], but got '{types}'")
     if isinstance(argument, tuple(wanted)):
         return
     phrase = f"one of {wanted}" if len(wanted) > 1 else f"'{wanted[0]}'"

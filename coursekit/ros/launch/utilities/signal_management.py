@@ -9,6 +9,8 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
+from coursekit.systems.signal_names import signal_called
+
 Handler = Callable[[int], Any]
 
 
@@ -20,7 +22,7 @@ class AsyncSafeSignalManager:
 
     >>> import signal
     >>> manager = AsyncSafeSignalManager(asyncio.new_event_loop())
-    >>> manager.handle(signal.SIGUSR1, print) is None
+    >>> manager.handle(signal.SIGTERM, print) is None
     True
     """
 
@@ -69,4 +71,4 @@ class AsyncSafeSignalManager:
     def __on_signal(self, signum: int, frame: Any) -> None:
         handler = self.__handlers.get(signum)
         if handler is not None:
-            self.__loop.call_soon_threadsafe(handler, signal.Signals(signum))
+            self.__loop.call_soon_threadsafe(handler, signal_called(signum))

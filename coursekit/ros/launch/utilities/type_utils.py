@@ -85,7 +85,7 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
     """
     if not isinstance(value, str):
         raise TypeError(f"Got '{value}' of type '{type(value).__name__}' where a text was expected")
-    if data_type is str:
+    if data_type is str or (data_type is None and not value):
         return value
     try:
         read = yaml.safe_load(value)

@@ -92,15 +92,30 @@ def _asserted(validate: Validate, text: Callable[[], str]) -> Condition:
     return holds
 
 
+def _value(validate: Validate, text: Callable[[], str]) -> Condition:
+    def value() -> Any:
+        try:
+            return validate(text())
+        except AssertionError:
+            return False
+
+    return value
+
+
 async def wait_for_output(
     launch_context: LaunchContext,
     execute_process_action: ExecuteLocal,
     validate_output: Validate,
     timeout: float | None = None,
 ) -> Any:
-    """Wait until `validate_output(stdout)` is true; return its last value. The action needs `cached_output=True`."""
+    """Wait until `validate_output(stdout)` is true; return its last value. The action needs `cached_output=True`.
+
+    Raises:
+        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+    """
     action = execute_process_action
-    return await _wait(launch_context, action, _on_stdout, lambda: validate_output(action.get_stdout()), timeout)
+    value = await _wait(launch_context, action, _on_stdout, _value(validate_output, action.get_stdout), timeout)
+    return value or validate_output(action.get_stdout())
 
 
 def wait_for_output_sync(
@@ -109,9 +124,14 @@ def wait_for_output_sync(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> Any:
-    """Wait until `validate_output(stdout)` is true; return its last value. The action needs `cached_output=True`."""
+    """Wait until `validate_output(stdout)` is true; return its last value. The action needs `cached_output=True`.
+
+    Raises:
+        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+    """
     action = execute_process_action
-    return _wait_sync(launch_context, action, _on_stdout, lambda: validate_output(action.get_stdout()), timeout)
+    value = _wait_sync(launch_context, action, _on_stdout, _value(validate_output, action.get_stdout), timeout)
+    return value or validate_output(action.get_stdout())
 
 
 async def assert_output(
@@ -144,9 +164,14 @@ async def wait_for_stderr(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> Any:
-    """Wait until `validate_output(stderr)` is true; return its last value. The action needs `cached_output=True`."""
+    """Wait until `validate_output(stderr)` is true; return its last value. The action needs `cached_output=True`.
+
+    Raises:
+        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+    """
     action = execute_process_action
-    return await _wait(launch_context, action, _on_stderr, lambda: validate_output(action.get_stderr()), timeout)
+    value = await _wait(launch_context, action, _on_stderr, _value(validate_output, action.get_stderr), timeout)
+    return value or validate_output(action.get_stderr())
 
 
 def wait_for_stderr_sync(
@@ -155,9 +180,14 @@ def wait_for_stderr_sync(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> Any:
-    """Wait until `validate_output(stderr)` is true; return its last value. The action needs `cached_output=True`."""
+    """Wait until `validate_output(stderr)` is true; return its last value. The action needs `cached_output=True`.
+
+    Raises:
+        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+    """
     action = execute_process_action
-    return _wait_sync(launch_context, action, _on_stderr, lambda: validate_output(action.get_stderr()), timeout)
+    value = _wait_sync(launch_context, action, _on_stderr, _value(validate_output, action.get_stderr), timeout)
+    return value or validate_output(action.get_stderr())
 
 
 async def assert_stderr(

@@ -28,7 +28,7 @@ class ComposableNodeContainer(Node):
         **kwargs: Any,
     ) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
-        self.__descriptions = list(composable_node_descriptions or [])
+        self.__composable_node_descriptions = list(composable_node_descriptions or [])
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Node], dict[str, Any]]:  # type: ignore[override]
@@ -42,8 +42,8 @@ class ComposableNodeContainer(Node):
         from .load_composable_nodes import LoadComposableNodes
 
         entities = list(super().execute(context) or [])
-        if self.__descriptions:
+        if self.__composable_node_descriptions:
             entities.append(
-                LoadComposableNodes(composable_node_descriptions=self.__descriptions, target_container=self)
+                LoadComposableNodes(composable_node_descriptions=self.__composable_node_descriptions, target_container=self)
             )
         return entities

@@ -40,8 +40,10 @@ class LoadComposableNodes(Action):
         kinds = (*SomeSubstitutionsType_types_tuple, ComposableNodeContainer)
         ensure_argument_type(target_container, kinds, "target_container", "LoadComposableNodes")
         super().__init__(**kwargs)
-        self.__descriptions = list(composable_node_descriptions)
-        self.__target = target_container
+        self.__composable_node_descriptions = list(composable_node_descriptions)
+        self.__target_container: Any = target_container
+        if not isinstance(target_container, ComposableNodeContainer):
+            self.__target_container = normalize_to_list_of_substitutions(target_container)
         self.__container_name = ""
         self.__client: Any = None
         self.__logger = get_logger(__name__)
@@ -61,7 +63,7 @@ class LoadComposableNodes(Action):
         self.__container_name = self.__name_of_container(context)
         service = f"{self.__container_name}/_container/load_node"
         self.__client = get_ros_node(context).create_client(LoadNode, service)
-        made = [get_composable_node_load_request(one, context) for one in self.__descriptions]
+        made = [get_composable_node_load_request(one, context) for one in self.__composable_node_descriptions]
         requests = [request for request in made if request is not None]
         if requests:
             assert context.asyncio_loop is not None
@@ -70,9 +72,9 @@ class LoadComposableNodes(Action):
         return None
 
     def __name_of_container(self, context: LaunchContext) -> str:
-        if isinstance(self.__target, ComposableNodeContainer):
-            return self.__target.node_name
-        return perform_substitutions(context, normalize_to_list_of_substitutions(self.__target))
+        if isinstance(self.__target_container, ComposableNodeContainer):
+            return self.__target_container.node_name
+        return perform_substitutions(context, self.__target_container)
 
     def __load_all(self, requests: list[Any], context: LaunchContext) -> None:
         for request in requests:

@@ -68,7 +68,8 @@ class Node(ExecuteProcess):
         program = (
             executable if package is None else ExecutableInPackage(package=package, executable=executable)
         )
-        cmd: list[Any] = [program, *(arguments or [])]
+        arguments = list(arguments or [])
+        cmd: list[Any] = [program, *arguments]
         if ros_arguments is not None:
             cmd += ["--ros-args", *ros_arguments]
         cmd.append("--ros-args")
@@ -78,13 +79,14 @@ class Node(ExecuteProcess):
             ensure_argument_type(parameters, (list,), "parameters", "Node")
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self.__package = package
-        self.__executable = executable
-        self.__name = name
-        self.__namespace = namespace
+        self.__node_executable = executable
+        self.__node_name = name
+        self.__node_namespace = namespace
+        self.__arguments = arguments
         self.__parameters = normalize_parameters(parameters or [])
         self.__remappings = list(normalize_remap_rules(remappings or []))
-        self.__expanded_name = self.UNSPECIFIED_NODE_NAME
-        self.__expanded_namespace = self.UNSPECIFIED_NODE_NAMESPACE
+        self.__expanded_node_name = self.UNSPECIFIED_NODE_NAME
+        self.__expanded_node_namespace = self.UNSPECIFIED_NODE_NAMESPACE
         self.__final_node_name: str | None = None
         self.__expanded_remappings: list[tuple[str, str]] | None = None
         self.__expanded_parameter_arguments: list[tuple[str, bool]] = []
@@ -105,7 +107,7 @@ class Node(ExecuteProcess):
     @property
     def node_executable(self) -> SomeSubstitutionsType:
         """The executable."""
-        return self.__executable
+        return self.__node_executable
 
     @property
     def node_name(self) -> str:
@@ -117,12 +119,12 @@ class Node(ExecuteProcess):
     @property
     def expanded_node_name(self) -> str:
         """The node's name without its namespace."""
-        return self.__expanded_name
+        return self.__expanded_node_name
 
     @property
     def expanded_node_namespace(self) -> str:
         """The node's namespace."""
-        return self.__expanded_namespace
+        return self.__expanded_node_namespace
 
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]] | None:
@@ -138,7 +140,7 @@ class Node(ExecuteProcess):
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Start the node; warn when another one of the same name was started."""
         self._perform_substitutions(context)
-        arguments = {"name": f"__node:={self.__expanded_name}", "ns": f"__ns:={self.__expanded_namespace}"}
+        arguments = {"name": f"__node:={self.__expanded_node_name}", "ns": f"__ns:={self.__expanded_node_namespace}"}
         context.extend_locals({"ros_specific_arguments": arguments})
         result = super().execute(context)
         if self.is_node_name_fully_specified():
@@ -156,7 +158,7 @@ class Node(ExecuteProcess):
         if self.__final_node_name is not None:
             return
         self.__expand_names(context)
-        self.__final_node_name = prefix_namespace(self.__expanded_namespace, self.__expanded_name)
+        self.__final_node_name = prefix_namespace(self.__expanded_node_namespace, self.__expanded_node_name)
         for arguments in (
             self.__global_parameters(context),
             self.__own_parameters(context),
@@ -169,22 +171,22 @@ class Node(ExecuteProcess):
         from rclpy.validate_node_name import validate_node_name
 
         try:
-            if self.__name is not None:
-                self.__expanded_name = _perform(context, self.__name).lstrip("/")
-                validate_node_name(self.__expanded_name)
-            own = None if self.__namespace is None else _perform(context, self.__namespace)
+            if self.__node_name is not None:
+                self.__expanded_node_name = _perform(context, self.__node_name).lstrip("/")
+                validate_node_name(self.__expanded_node_name)
+            own = None if self.__node_namespace is None else _perform(context, self.__node_namespace)
             namespace = make_namespace_absolute(
                 prefix_namespace(context.launch_configurations.get("ros_namespace"), own)
             )
             if namespace is not None:
-                self.__expanded_namespace = namespace
+                self.__expanded_node_namespace = namespace
                 argument = LocalSubstitution("ros_specific_arguments['ns']", description="node namespace")
                 self.cmd.extend([normalize_to_list_of_substitutions("-r"), [argument]])
                 validate_namespace(namespace)
         except Exception:
             get_logger("launch_ros.actions.node").error(
                 f"Error while expanding or validating node name or namespace for 'package={self.__package}, "
-                f"executable={self.__executable}, name={self.__name}, namespace={self.__namespace}':"
+                f"executable={self.__node_executable}, name={self.__node_name}, namespace={self.__node_namespace}':"
             )
             raise
 
@@ -229,10 +231,9 @@ class Node(ExecuteProcess):
     def _create_params_file_from_dict(self, params: dict[str, Any]) -> str:
         """Write a parameter file for this node, or for all when its name is not known; return its path."""
         key = self.node_name if self.is_node_name_fully_specified() else "/**"
-        values = {name: list(value) if isinstance(value, tuple) else value for name, value in params.items()}
         path = temporary_files.new_path("launch_params_")
         with open(path, "w", encoding="utf-8") as file:
-            yaml.safe_dump({key: {"ros__parameters": values}}, file, default_flow_style=False)
+            yaml.dump({key: {"ros__parameters": params}}, file, default_flow_style=False)
         return path
 
     def __remap_arguments(self, context: LaunchContext) -> list[str]:

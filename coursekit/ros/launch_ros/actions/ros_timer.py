@@ -29,16 +29,22 @@ class ROSTimer(TimerAction):
     ) -> None:
         super().__init__(period=period, actions=actions, **kwargs)
         self.__ros_timer: Any = None
+        self.__cancelled = False
 
     def _start(self, context: LaunchContext) -> None:
+        assert context.asyncio_loop is not None
+        period = perform_typed_substitution(context, self.period, float)
+        simulated = _wants_sim_time(context)
+        # in the next round: what is set after this action, but outside of groups, holds as well
+        context.asyncio_loop.call_soon(lambda: self.__begin(context, period, simulated or _wants_sim_time(context)))
+
+    def __begin(self, context: LaunchContext, period: float, simulated: bool) -> None:
         from rclpy.parameter import Parameter
 
+        if self.__cancelled:
+            return
         node = get_ros_node(context)
-        settings: Any = context.launch_configurations.get("global_params", [])
-        given: dict[str, Any] = dict(item for item in settings if isinstance(item, tuple))
-        wanted = given.get("use_sim_time", False)
-        node.set_parameters([Parameter("use_sim_time", value=bool(wanted))])
-        period = perform_typed_substitution(context, self.period, float)
+        node.set_parameters([Parameter("use_sim_time", value=simulated)])
         self.__ros_timer = node.create_timer(period, lambda: self.__on_timer(context), clock=node.get_clock())
 
     def __on_timer(self, context: LaunchContext) -> None:
@@ -49,9 +55,16 @@ class ROSTimer(TimerAction):
 
     def cancel(self) -> None:
         """Do not do it."""
+        self.__cancelled = True
         if self.__ros_timer is not None:
             self.__ros_timer.cancel()
         super().cancel()
+
+
+def _wants_sim_time(context: LaunchContext) -> bool:
+    settings: Any = context.launch_configurations.get("global_params", [])
+    given: dict[str, Any] = dict(item for item in settings if isinstance(item, tuple))
+    return bool(given.get("use_sim_time", False))
 
 
 RosTimer = ROSTimer

@@ -46,9 +46,6 @@ class SetParameter(Action):
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the parameter."""
         configurations: dict[str, Any] = context.launch_configurations
-        settings = list(configurations.get("global_params", []))
-        for name, value in evaluate_parameter_dict(context, self.__given).items():
-            settings = [item for item in settings if not isinstance(item, tuple) or item[0] != name]
-            settings.append((name, value))
-        configurations["global_params"] = settings
+        given = evaluate_parameter_dict(context, self.__given).items()
+        configurations["global_params"] = [*configurations.get("global_params", []), *given]
         return None

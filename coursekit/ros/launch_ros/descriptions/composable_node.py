@@ -32,9 +32,9 @@ class ComposableNode:
         condition: Condition | None = None,
     ) -> None:
         self.__package = normalize_to_list_of_substitutions(package)
-        self.__plugin = normalize_to_list_of_substitutions(plugin)
-        self.__name = None if name is None else normalize_to_list_of_substitutions(name)
-        self.__namespace = None if namespace is None else normalize_to_list_of_substitutions(namespace)
+        self.__node_plugin = normalize_to_list_of_substitutions(plugin)
+        self.__node_name = None if name is None else normalize_to_list_of_substitutions(name)
+        self.__node_namespace = None if namespace is None else normalize_to_list_of_substitutions(namespace)
         self.__parameters = None if parameters is None else normalize_parameters(parameters)
         self.__remappings = list(normalize_remap_rules(remappings)) if remappings else None
         self.__extra_arguments = normalize_parameters(extra_arguments) if extra_arguments else None
@@ -53,17 +53,17 @@ class ComposableNode:
     @property
     def node_plugin(self) -> list[Substitution]:
         """The plugin, as substitutions."""
-        return self.__plugin
+        return self.__node_plugin
 
     @property
     def node_name(self) -> list[Substitution] | None:
         """The node's name, as substitutions."""
-        return self.__name
+        return self.__node_name
 
     @property
     def node_namespace(self) -> list[Substitution] | None:
         """The node's namespace, as substitutions."""
-        return self.__namespace
+        return self.__node_namespace
 
     @property
     def parameters(self) -> Parameters | None:

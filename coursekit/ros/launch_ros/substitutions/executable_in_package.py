@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from launch.frontend import expose_substitution
@@ -14,6 +15,7 @@ from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 from coursekit.core.executables import why_missing
+from coursekit.systems.layout import executable_files, is_executables_part
 
 from .find_package import FindPackagePrefix
 
@@ -54,14 +56,18 @@ class ExecutableInPackage(FindPackagePrefix):
         executable = perform_substitutions(context, self.__executable)
         package = perform_substitutions(context, self.package)
         folder = os.path.join(super().perform(context), "lib", package)
-        path = os.path.join(folder, executable)
-        if os.path.isfile(path):
-            return path
+        for path in executable_files(Path(folder), executable):
+            if path.is_file():
+                return str(path)
         known = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
-        known = [name for name in known if os.path.isfile(os.path.join(folder, name))]
+        known = [name for name in known if _is_program(Path(folder, name))]
         why = why_missing(package, executable)
         raise SubstitutionFailure(
             f"executable '{executable}' not found on the libexec directory '{folder}'"
             f"{'; the package has: ' + ', '.join(known) if known else '; the package has no executables'}"
             f"{why and '; ' + why}"
         )
+
+
+def _is_program(path: Path) -> bool:
+    return path.is_file() and not is_executables_part(path)

@@ -14,28 +14,27 @@ from ..parameters_type import EvaluatedParameters
 def to_parameters_list(
     context: LaunchContext, node_name: str | None, namespace: str | None, evaluated_parameters: EvaluatedParameters
 ) -> list[Any]:
-    """Return evaluated parameters as rclpy.parameter.Parameter objects.
+    """Return evaluated parameters as rclpy.parameter.Parameter objects, in order: of two with one name the later holds.
 
     Files are read with their wildcards and node names, as a node reads them.
     """
     import rclpy.parameter
 
-    values: dict[str, Any] = {}
+    values: list[tuple[str, Any]] = []
     for parameter in evaluated_parameters:
         if isinstance(parameter, Parameter):
-            name, value = parameter.evaluate(context)
-            values[name] = value
+            values.append(parameter.evaluate(context))
         elif isinstance(parameter, dict):
-            values.update(parameter)
+            values += parameter.items()
         else:
             from coursekit.core.arguments import parse_ros_arguments
 
             full_name = f"{(namespace or '').rstrip('/')}/{node_name or ''}"
             arguments = parse_ros_arguments(["--ros-args", "--params-file", str(parameter)])
-            values.update(arguments.parameters_for(full_name))
+            values += arguments.parameters_for(full_name).items()
     return [
         rclpy.parameter.Parameter(name, value=list(value) if isinstance(value, tuple) else value)
-        for name, value in values.items()
+        for name, value in values
     ]
 
 

@@ -40,7 +40,7 @@ def basic_output_filter(
     return lambda output: "".join(line for line in output.splitlines(keepends=True) if kept(line))
 
 
-def expected_output_from_file(path: str) -> list[Any]:
+def expected_output_from_file(path: str, encoding: str = "utf-8") -> list[Any]:
     """Return the lines of `path`.txt, or of `path`.regex as compiled expressions.
 
     Raises:
@@ -48,7 +48,7 @@ def expected_output_from_file(path: str) -> list[Any]:
     """
     for ending, read in ((".txt", str), (".regex", re.compile)):
         if os.path.isfile(path + ending):
-            with open(path + ending, encoding="utf-8") as file:
+            with open(path + ending, encoding=encoding) as file:
                 return [read(line) for line in file.read().splitlines()]  # type: ignore[operator]
     raise RuntimeError(f"could not find output check file: {path}")
 

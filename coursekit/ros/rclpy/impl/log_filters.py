@@ -36,7 +36,10 @@ class SkipFirst:
 
 
 class Throttle:
-    """Lets a message through when the last one is `throttle_duration_sec` seconds ago or more."""
+    """Lets a message through when the last one is `throttle_duration_sec` seconds ago or more.
+
+    On simulated time, which begins at 0, the first one comes after that long, as in ROS.
+    """
 
     def __init__(self, options: dict[str, Any]) -> None:
         self._seconds = options["throttle_duration_sec"]
@@ -55,6 +58,8 @@ class Throttle:
 
     def lets_through(self) -> bool:
         now = self._now()
+        if self._last is None and getattr(self._clock, "ros_time_is_active", False):
+            self._last = 0
         if self._last is not None and now < self._last + int(self._seconds * 1e9):
             return False
         self._last = now

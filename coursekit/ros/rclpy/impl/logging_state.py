@@ -52,14 +52,15 @@ class LoggingState:
         self._format = _unescaped(environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
 
     def set_level(self, name: str, level: int) -> None:
-        """Set the level of a logger and of those below it that have none; '' is all of them."""
+        """Set the level of a logger and of those below it that have none; '' is all of them.
+
+        UNSET takes the level back; for '' it lets everything through.
+        """
         self._effective.clear()
-        if level:
+        if level or not name:
             self._levels[name] = level
-        elif name:
-            self._levels.pop(name, None)
         else:
-            self._levels[""] = LoggingSeverity.INFO.value
+            self._levels.pop(name, None)
 
     def level(self, name: str) -> int:
         """Return the level set for the logger itself, UNSET when there is none."""

@@ -113,6 +113,8 @@ class RcutilsLogger:
         return self._log(message, 50, kwargs)
 
     def _log(self, message: str, severity: int, options: dict[str, Any]) -> bool:
+        if "severity" in options:
+            raise TypeError("RcutilsLogger.log() got multiple values for argument 'severity'")
         state = logging_state()
         name = options.pop("name", self.name) if options else self.name
         if severity < state.effective_level(name) or not severity:

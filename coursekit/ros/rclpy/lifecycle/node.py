@@ -37,7 +37,7 @@ class LifecycleNodeMixin(ManagedEntity):
         self._state_machine = StateMachine(self._tell)
         group = callback_group or node.default_callback_group
         if enable_communication_interface:
-            LifecycleServices(self, self._state_machine, self._change_state, group)
+            LifecycleServices(self, self._state_machine, self._change_if_possible, group)
 
     def _tell(self, start: int, goal: int) -> None:
         self._transition_event_publisher.publish(event_of(start, goal))
@@ -120,19 +120,27 @@ class LifecycleNodeMixin(ManagedEntity):
         return TransitionCallbackReturn.SUCCESS
 
     def _change_state(self, transition_id: int) -> TransitionCallbackReturn:
-        """Go through a transition: its callback, and on_error when that ends with an error."""
+        """Go through a transition: its callback, and on_error when that ends with an error.
+
+        Raises:
+            RCLError: when the state has no such transition.
+        """
         state_id, label = self._state_machine.current_state
         before = LifecycleState(label, state_id)
-        try:
-            self._state_machine.trigger_transition_by_id(transition_id)
-        except RCLError as error:
-            what = f"Unable to start transition {transition_id} from current state {(state_id, label)}"
-            self._logger_of().error(f"{what}: {error}")
-            return TransitionCallbackReturn.ERROR
+        self._state_machine.trigger_transition_by_id(transition_id)
         answer = self._call_back(before)
         if answer == TransitionCallbackReturn.ERROR:
             self._call_back(before)
         return answer
+
+    def _change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
+        """What the service does: a client that asks for what cannot be is told so, and the node lives on."""
+        state = self._state_machine.current_state
+        try:
+            return self._change_state(transition_id)
+        except RCLError as error:
+            self._logger_of().error(f"Unable to start transition {transition_id} from current state {state}: {error}")
+            return TransitionCallbackReturn.ERROR
 
     def _call_back(self, before: LifecycleState) -> TransitionCallbackReturn:
         """Call the callback of the state that the node passes through, and leave that state as it says."""

@@ -6,6 +6,8 @@ import signal
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from coursekit.systems.signal_names import signal_called
+
 from ...utilities import ensure_argument_type
 from .process_targeted_event import ProcessTargetedEvent
 
@@ -30,10 +32,7 @@ class SignalProcess(ProcessTargetedEvent):
     ) -> None:
         ensure_argument_type(signal_number, (str, int, signal.Signals), "signal_number", "SignalProcess")
         super().__init__(process_matcher=process_matcher)
-        if isinstance(signal_number, str):
-            self.__signal = signal.Signals[signal_number]
-        else:
-            self.__signal = signal.Signals(signal_number)
+        self.__signal = signal_called(signal_number)
 
     @property
     def signal(self) -> signal.Signals:

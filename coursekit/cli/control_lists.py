@@ -1,0 +1,58 @@
+"""What `ros2 control list_...` prints."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from controller_manager_msgs.srv import ListControllerTypes, ListHardwareComponents, ListHardwareInterfaces
+
+from coursekit.nodes.control.asking import Asker
+
+
+def list_controllers(asker: Asker, args: Any) -> None:
+    """The loaded controllers, and what they claim."""
+    for one in asker.controllers():
+        print(f"{one.name:20s}[{one.type:20s}] {one.state:10s}")
+        for title, flag, names in (
+            ("claimed interfaces", args.claimed_interfaces, one.claimed_interfaces),
+            ("required command interfaces", args.required_command_interfaces, one.required_command_interfaces),
+            ("required state interfaces", args.required_state_interfaces, one.required_state_interfaces),
+        ):
+            if flag or args.verbose:
+                print(f"\t{title}:")
+                for name in names:
+                    print(f"\t\t{name}")
+
+
+def list_types(asker: Asker, _args: Any) -> None:
+    """The controllers that can be loaded."""
+    answer = asker.ask(ListControllerTypes, "list_controller_types")
+    for name, base in zip(answer.types, answer.base_classes, strict=True):
+        print(f"{name:70s} {base}")
+
+
+def list_interfaces(asker: Asker, _args: Any) -> None:
+    """What can be written and read."""
+    answer = asker.ask(ListHardwareInterfaces, "list_hardware_interfaces")
+    print("command interfaces")
+    for one in sorted(answer.command_interfaces, key=lambda one: str(one.name)):
+        claimed = "claimed" if one.is_claimed else "unclaimed"
+        print(f"\t{one.name} [{'available' if one.is_available else 'unavailable'}] [{claimed}]")
+    print("state interfaces")
+    for one in sorted(answer.state_interfaces, key=lambda one: str(one.name)):
+        print(f"\t{one.name}")
+
+
+def list_components(asker: Asker, args: Any) -> None:
+    """The pieces of hardware."""
+    answer = asker.ask(ListHardwareComponents, "list_hardware_components")
+    for number, one in enumerate(answer.component, 1):
+        print(f"Hardware Component {number}\n\tname: {one.name}\n\ttype: {one.type}\n\tplugin name: {one.class_type}")
+        print(f"\tstate: id={one.state.id} label={one.state.label}\n\tcommand interfaces")
+        for each in one.command_interfaces:
+            words = "available" if each.is_available else "unavailable", "claimed" if each.is_claimed else "unclaimed"
+            print(f"\t\t{each.name} [{words[0]}] [{words[1]}]")
+        if args.verbose:
+            print("\tstate interfaces")
+            for each in one.state_interfaces:
+                print(f"\t\t{each.name} [{'available' if each.is_available else 'unavailable'}]")

@@ -1,0 +1,44 @@
+"""The commands `gz` and `ign`: `gz sim WORLD`, `gz topic -l`, `gz topic -e -t TOPIC`, `gz model --list`, `gz service`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from . import parser, ros2
+
+_KNOWN = "gz sim WORLD [-r], gz topic -l | -i -t TOPIC | -e -t TOPIC, gz service -l"
+
+
+def main() -> int:
+    """`gz ...` or `ign ...` in a shell: carried out as `ros2 gz`, in the session that runs."""
+    return ros2.main(["gz", *sys.argv[1:]])
+
+
+def run_inside(argv: Sequence[str]) -> int:
+    """The same inside of a session."""
+    return parser.run(["gz", *argv])
+
+
+def carry_out(words: Sequence[str]) -> int:
+    """Do what the words after `gz` say; the exit code."""
+    command, rest = (words[0], list(words[1:])) if words else ("", [])
+    if command in ("sim", "gazebo"):
+        from coursekit.nodes.gz.server import main as simulate
+
+        return int(simulate(rest) or 0)
+    if command in ("topic", "service"):
+        from .gz_topics import carry_out as look
+
+        return look(command, rest)
+    print(f"gz {command}: not part of coursekit. There are: {_KNOWN}", file=sys.stderr)
+    return 255
+
+
+def register(subparsers: Any) -> None:
+    """Add the hidden command `ros2 gz`, by which terminals reach the session."""
+    added = subparsers.add_parser("gz", add_help=False)
+    added.add_argument("words", nargs=argparse.REMAINDER)
+    added.set_defaults(main=lambda args: carry_out(args.words))

@@ -1,0 +1,1 @@
+"""What programs and tests import of ROS 2's command line."""

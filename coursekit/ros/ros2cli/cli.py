@@ -1,0 +1,16 @@
+"""The command `ros2`, to be called from Python."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from coursekit.cli.parser import run
+
+
+def main(
+    *, script_name: str = "ros2", argv: Sequence[str] | None = None, description: str | None = None, extension: Any = None
+) -> int:
+    """Carry out `ros2 ARGV` (the interpreter's own words by default) in this program; its exit code."""
+    return run(sys.argv[1:] if argv is None else list(argv))

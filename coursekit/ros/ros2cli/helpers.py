@@ -1,0 +1,60 @@
+"""Small helpers of the commands."""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Callable
+from typing import Any
+
+from rclpy.utilities import timeout_sec_to_nsec
+
+from coursekit.core.session import current
+
+
+def get_ros_domain_id() -> int:
+    """The domain that ROS_DOMAIN_ID names, 0 without one."""
+    return int(os.environ.get("ROS_DOMAIN_ID") or 0)
+
+
+def get_rmw_additional_env(rmw_implementation: str) -> dict[str, str]:
+    """The variables by which a child gets that middleware."""
+    return {"RMW_IMPLEMENTATION": rmw_implementation}
+
+
+def wait_for(predicate: Callable[[], bool], timeout: float | None, period: float = 0.1) -> bool:
+    """Ask every `period` seconds until `predicate()` holds; False when `timeout` seconds were not enough.
+
+    >>> wait_for(lambda: True, timeout=0.0)
+    True
+    """
+    clock = current().clock
+    nanoseconds = timeout_sec_to_nsec(timeout)
+    deadline = clock.steady() + nanoseconds
+    while not predicate():
+        if nanoseconds >= 0 and deadline <= clock.steady():
+            return predicate()
+        clock.sleep(period)
+    return True
+
+
+def pretty_print_call(func: Callable[..., Any], *args: Any, **kwargs: Any) -> None:
+    """Print a call as it would be typed.
+
+    >>> pretty_print_call(max, 1, default=2)
+    max(1, default=2)
+    """
+    name = getattr(func, "__name__", str(func))
+    words = [*map(str, args), *(f"{key}={value}" for key, value in kwargs.items())]
+    print(f"{name}({', '.join(words)})")
+
+
+def before_invocation(func: Callable[..., Any], hook: Callable[..., Any]) -> Callable[..., Any]:
+    """`func`, but `hook(func, *arguments)` is called first."""
+
+    @functools.wraps(func)
+    def wrapper(*args: Any, **kwargs: Any) -> Any:
+        hook(getattr(func, "__wrapped__", func), *args, **kwargs)
+        return func(*args, **kwargs)
+
+    return wrapper

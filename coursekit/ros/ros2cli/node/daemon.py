@@ -1,0 +1,92 @@
+"""What the daemon knows of the graph."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+from rclpy._node_graph import NodeGraph
+from rclpy.action import graph as action_graph
+
+from coursekit.cli import ask, daemon
+from ros2cli.helpers import get_ros_domain_id
+
+_METHODS = [
+    *(name for name in vars(NodeGraph) if name.startswith(("get_", "count_"))),
+    *(name for name in vars(action_graph) if name.startswith("get_")),
+    "get_name",
+    "get_namespace",
+]
+
+
+class _View(NodeGraph):
+    """Looks at the graph without being in it."""
+
+    def __init__(self) -> None:
+        graph: Any = ask.graph()
+        self._graph_node = SimpleNamespace(graph=graph)
+        self.handle = SimpleNamespace(check=lambda: None, resolve=lambda name, _kind: name)
+
+    def get_name(self) -> str:
+        """The daemon's name."""
+        return f"_ros2cli_daemon_{get_ros_domain_id()}"
+
+    def get_namespace(self) -> str:
+        """Its namespace."""
+        return "/"
+
+
+class DaemonNode:
+    """Answers as the daemon does: lists where a node gives tuples."""
+
+    def __init__(self, args: Any) -> None:
+        self._args = args
+        self._view = _View()
+        self.system = SimpleNamespace(shutdown=lambda: shutdown_daemon(args), list_methods=lambda: self.methods)
+
+    @property
+    def connected(self) -> bool:
+        """Whether it runs."""
+        return is_daemon_running(self._args)
+
+    @property
+    def methods(self) -> list[str]:
+        """What it can be asked."""
+        return list(_METHODS)
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in _METHODS:
+            raise AttributeError(f"the daemon has no '{name}'; it has {', '.join(_METHODS)}")
+        if hasattr(action_graph, name):
+            return lambda *words: _lists(getattr(action_graph, name)(self._view, *words))
+        return lambda *words: _lists(getattr(self._view, name)(*words))
+
+    def __enter__(self) -> DaemonNode:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        """Nothing is held."""
+
+
+def _lists(answer: Any) -> Any:
+    return [_lists(each) for each in answer] if isinstance(answer, (list, tuple)) else answer
+
+
+def is_daemon_running(args: Any) -> bool:
+    """Whether the daemon runs."""
+    return daemon.is_running(ask.graph())
+
+
+def spawn_daemon(args: Any, timeout: float | None = None, debug: bool = False) -> bool:
+    """Start the daemon; False when it runs already."""
+    return daemon.start(ask.graph(), get_ros_domain_id())
+
+
+def shutdown_daemon(args: Any, timeout: float | None = None) -> bool:
+    """Stop the daemon; False when it does not run."""
+    return daemon.stop(ask.graph())
+
+
+def add_arguments(parser: Any) -> None:
+    """`--no-daemon`."""
+    parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")

@@ -1,0 +1,58 @@
+"""A hidden node of one's own, for the time of a command."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import rclpy
+from rclpy.parameter import Parameter
+
+from . import NODE_NAME_PREFIX
+
+DEFAULT_TIMEOUT = 0.5
+"""Seconds for discovery on a robot; here the graph is known at once."""
+
+
+class DirectNode:
+    """Stands for a node `_ros2cli_PID` inside `with`; what it does not know itself, the node is asked.
+
+    `args.spin_time` [s] is how long it spins first, `args.use_sim_time` has it follow /clock.
+    """
+
+    def __init__(self, args: Any, *, node_name: str | None = None) -> None:
+        self._owns_context = not rclpy.ok()
+        if self._owns_context:
+            rclpy.init(args=getattr(args, "argv", []))
+        simulated = bool(getattr(args, "use_sim_time", False))
+        self.node = rclpy.create_node(
+            node_name or NODE_NAME_PREFIX + f"_{os.getpid()}",
+            start_parameter_services=getattr(args, "start_parameter_services", False),
+            parameter_overrides=[Parameter("use_sim_time", value=simulated)],
+            automatically_declare_parameters_from_overrides=True,
+            use_global_arguments=False,
+        )
+        seconds = getattr(args, "spin_time", None)
+        if seconds:
+            rclpy.spin_until_future_complete(self.node, rclpy.Future(), timeout_sec=seconds)
+
+    def __enter__(self) -> DirectNode:
+        return self
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "node" or (name.startswith("__") and name.endswith("__")):
+            raise AttributeError(name)
+        return getattr(self.node, name)
+
+    def __exit__(self, *_error: object) -> None:
+        self.node.destroy_node()
+        if self._owns_context:
+            rclpy.try_shutdown()
+
+
+def add_arguments(parser: Any) -> None:
+    """`--spin-time` and `--use-sim-time`."""
+    parser.add_argument(
+        "--spin-time", type=float, default=DEFAULT_TIMEOUT, help="Spin time in seconds to wait for discovery"
+    )
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Enable ROS simulation time")

@@ -1,0 +1,82 @@
+"""Managed nodes: their states, and the transitions between them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import rclpy
+from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
+from ros2cli.node.strategy import NodeStrategy
+from ros2node.api import NodeName
+from ros2node.api import get_node_names as get_all_node_names
+from ros2service.api import get_service_names_and_types
+
+_SERVICE = "get_state"
+
+
+def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
+    """The nodes that serve their state."""
+    services = get_service_names_and_types(node=node, include_hidden_services=include_hidden_nodes)
+    serving = {name for name, types in services if "lifecycle_msgs/srv/GetState" in types}
+    nodes = get_all_node_names(node=node, include_hidden_nodes=include_hidden_nodes)
+    return [one for one in nodes if f"{one.full_name}/{_SERVICE}" in serving]
+
+
+def _call_all(node: Any, kind: Any, service: str, requests: dict[str, Any]) -> dict[str, Any]:
+    """By node, the response or the exception of each request; None from those that are gone."""
+    target = getattr(node, "node", node)
+    clients = {name: target.create_client(kind, f"{name}/{service}") for name in requests}
+    futures = {
+        name: client.call_async(requests[name]) if client.wait_for_service(timeout_sec=0.0) else None
+        for name, client in clients.items()
+    }
+    answers: dict[str, Any] = {}
+    for name, future in futures.items():
+        if future is not None:
+            rclpy.spin_until_future_complete(target, future)
+        answers[name] = None if future is None else future.exception() or future.result()
+        target.destroy_client(clients[name])
+    return answers
+
+
+def call_get_states(*, node: Any, node_names: list[str]) -> dict[str, Any]:
+    """By node, its State, or the exception that asking for it raised."""
+    answers = _call_all(node, GetState, _SERVICE, {name: GetState.Request() for name in node_names})
+    return {name: getattr(answer, "current_state", answer) for name, answer in answers.items()}
+
+
+def _call_transitions(node: Any, names: list[str], service: str) -> dict[str, Any]:
+    requests = {name: GetAvailableTransitions.Request() for name in names}
+    answers = _call_all(node, GetAvailableTransitions, service, requests)
+    return {name: getattr(answer, "available_transitions", answer) for name, answer in answers.items()}
+
+
+def call_get_available_transitions(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
+    """By node, the transitions that are possible now, or an exception."""
+    return _call_transitions(node, list(states), "get_available_transitions")
+
+
+def call_get_transition_graph(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
+    """By node, all transitions, or an exception."""
+    return _call_transitions(node, list(states), "get_transition_graph")
+
+
+def call_change_states(*, node: Any, transitions: dict[str, Any]) -> dict[str, Any]:
+    """Have nodes make transitions; by node, whether it did, or an exception."""
+    requests = {name: ChangeState.Request(transition=transition) for name, transition in transitions.items()}
+    answers = _call_all(node, ChangeState, "change_state", requests)
+    return {name: getattr(answer, "success", answer) for name, answer in answers.items()}
+
+
+class LifecycleNodeNameCompleter:
+    """Full names of managed nodes, for argcomplete."""
+
+    def __init__(self, *, include_hidden_nodes_key: str | None = None) -> None:
+        self.include_hidden_nodes_key = include_hidden_nodes_key
+
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+        """The names there are."""
+        key = self.include_hidden_nodes_key
+        hidden = bool(key and getattr(parsed_args, key))
+        with NodeStrategy(parsed_args) as node:
+            return [one.full_name for one in get_node_names(node=node, include_hidden_nodes=hidden)]

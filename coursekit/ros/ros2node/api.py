@@ -1,0 +1,132 @@
+"""Nodes, and what they publish, subscribe to, serve and call."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+from rclpy.action.graph import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
+from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
+from ros2cli.node.strategy import NodeStrategy
+
+HIDDEN_NODE_PREFIX = "_"
+INFO_NONUNIQUE_WARNING_TEMPLATE = (
+    'There are {num_nodes} nodes in the graph with the exact name "{node_name}". '
+    "You are seeing information about only one of them."
+)
+
+
+class NodeName(NamedTuple):
+    """A node's name, its namespace, and both as one."""
+
+    name: str
+    namespace: str
+    full_name: str
+
+
+class TopicInfo(NamedTuple):
+    """A topic, service or action and its types."""
+
+    name: str
+    types: list[str]
+
+
+def get_absolute_node_name(node_name: str) -> str | None:
+    """A name with the leading slash that may be left out; None for no name.
+
+    >>> get_absolute_node_name("talker")
+    '/talker'
+    """
+    if not node_name:
+        return None
+    return node_name if node_name.startswith("/") else f"/{node_name}"
+
+
+def parse_node_name(node_name: str) -> NodeName:
+    """The parts of a full name.
+
+    >>> parse_node_name("robot1/camera")
+    NodeName(name='camera', namespace='/robot1', full_name='/robot1/camera')
+    """
+    full_name = node_name if node_name.startswith("/") else f"/{node_name}"
+    namespace, _, name = full_name.rpartition("/")
+    return NodeName(name, namespace or "/", full_name)
+
+
+def has_duplicates(values: Iterable[Any]) -> bool:
+    """Whether a value is there twice."""
+    return any(count > 1 for count in Counter(values).values())
+
+
+def _is_hidden_name(name: str) -> bool:
+    return any(part.startswith(HIDDEN_NODE_PREFIX) for part in name.split("/"))
+
+
+def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
+    """The nodes of the graph."""
+    found = [
+        NodeName(name, namespace, f"{namespace.rstrip('/')}/{name}")
+        for name, namespace, *_ in node.get_node_names_and_namespaces()
+    ]
+    return [one for one in found if include_hidden_nodes or not _is_hidden_name(one.full_name)]
+
+
+def get_topics(remote_node_name: str, func: Any, *, include_hidden_topics: bool = False) -> list[TopicInfo]:
+    """What `func(name, namespace)` gives for a node, as TopicInfo."""
+    remote = parse_node_name(remote_node_name)
+    found = [TopicInfo(name, types) for name, types in func(remote.name, remote.namespace)]
+    return [one for one in found if include_hidden_topics or not topic_or_service_is_hidden(one.name)]
+
+
+def get_subscriber_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
+    """Topics that a node subscribes to."""
+    ask = node.get_subscriber_names_and_types_by_node
+    return get_topics(remote_node_name, ask, include_hidden_topics=include_hidden)
+
+
+def get_publisher_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
+    """Topics that a node publishes."""
+    return get_topics(remote_node_name, node.get_publisher_names_and_types_by_node, include_hidden_topics=include_hidden)
+
+
+def get_service_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
+    """Services that a node calls."""
+    return get_topics(remote_node_name, node.get_client_names_and_types_by_node, include_hidden_topics=include_hidden)
+
+
+def get_service_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
+    """Services that a node serves."""
+    return get_topics(remote_node_name, node.get_service_names_and_types_by_node, include_hidden_topics=include_hidden)
+
+
+def get_action_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
+    """Actions that a node serves."""
+
+    def ask(name: str, namespace: str) -> Any:
+        return get_action_server_names_and_types_by_node(node, name, namespace)
+
+    return get_topics(remote_node_name, ask, include_hidden_topics=include_hidden)
+
+
+def get_action_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
+    """Actions that a node is a client of."""
+
+    def ask(name: str, namespace: str) -> Any:
+        return get_action_client_names_and_types_by_node(node, name, namespace)
+
+    return get_topics(remote_node_name, ask, include_hidden_topics=include_hidden)
+
+
+class NodeNameCompleter:
+    """Full names of nodes, for argcomplete."""
+
+    def __init__(self, *, include_hidden_nodes_key: str | None = None) -> None:
+        self.include_hidden_nodes_key = include_hidden_nodes_key
+
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+        """The names there are."""
+        key = self.include_hidden_nodes_key
+        hidden = bool(key and getattr(parsed_args, key))
+        with NodeStrategy(parsed_args) as node:
+            return [one.full_name for one in get_node_names(node=node, include_hidden_nodes=hidden)]

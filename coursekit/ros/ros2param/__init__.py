@@ -1,0 +1,1 @@
+"""What programs and tests import of `ros2 param`."""

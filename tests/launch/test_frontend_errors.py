@@ -93,5 +93,5 @@ def test_errors_name_file_line_and_element(tmp_path: Path, name: str, text: str,
 def test_a_file_of_no_known_format_says_what_was_tried(tmp_path: Path) -> None:
     path = tmp_path / "a.launch"
     path.write_text("neither: [this\nnor that")
-    with pytest.raises(InvalidFrontendLaunchFileError, match="Caught multiple exceptions"):
+    with pytest.raises(InvalidFrontendLaunchFileError, match="its format is unknown"):
         Parser.load(str(path))

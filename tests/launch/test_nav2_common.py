@@ -28,14 +28,14 @@ def source(tmp_path: Path) -> str:
 def rewritten(source: str, **arguments: Any) -> Any:
     context = LaunchContext()
     context.launch_configurations["map"] = "office.yaml"
-    return yaml.safe_load(Path(RewrittenYaml(source, **arguments).perform(context)).read_text())
+    return yaml.safe_load(Path(RewrittenYaml(source, **arguments).perform(context)).read_text(encoding="utf-8"))
 
 
 def test_a_key_is_rewritten_wherever_it_stands_and_only_there(source: str) -> None:
     made = rewritten(source, param_rewrites={"use_sim_time": "True", "yaml_filename": LaunchConfiguration("map")})
     assert made["amcl"]["ros__parameters"] == {"use_sim_time": True, "alpha1": 0.2, "frame": "<robot>/odom"}
     assert made["map_server"]["ros__parameters"]["yaml_filename"] == "office.yaml"
-    assert yaml.safe_load(Path(source).read_text()) == yaml.safe_load(SOURCE)
+    assert yaml.safe_load(Path(source).read_text(encoding="utf-8")) == yaml.safe_load(SOURCE)
 
 
 def test_a_path_names_one_key(source: str) -> None:
@@ -65,7 +65,7 @@ def test_a_root_key_and_renamed_keys(source: str) -> None:
 def test_words_are_replaced_while_the_condition_holds(source: str) -> None:
     context = LaunchContext()
     made = ReplaceString(source, {"<robot>": "robot1"}).perform(context)
-    assert "robot1/odom" in Path(made).read_text()
+    assert "robot1/odom" in Path(made).read_text(encoding="utf-8")
     assert ReplaceString(source, {"<robot>": "x"}, IfCondition("false")).perform(context) == source
 
 

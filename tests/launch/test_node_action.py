@@ -15,6 +15,8 @@ from launch_ros.actions import (
 from launch_ros.descriptions import ParameterValue
 from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix, FindPackageShare
 
+from coursekit.systems import which
+
 SHOW = """
 import os
 import sys
@@ -131,6 +133,16 @@ def test_what_is_not_found_is_an_error_that_names_the_alternatives(launch, works
     text = launch([Node(package="demo", executable="sho")]).text
     assert "executable 'sho' not found on the libexec directory" in text
     assert "the package has: show" in text
+
+
+def test_a_package_of_windows_runs_inside_by_its_script(launch, workspace, monkeypatch) -> None:
+    """setuptools writes NAME.exe and NAME-script.py there; the first is what a launch starts, and what it names."""
+    monkeypatch.setattr(which, "WINDOWS", True)
+    workspace.executable("demo", "show-script.py", SHOW)
+    workspace.executable("demo", "show.exe", "MZ: no program for Linux")
+    result = launch([node()])
+    assert "[INFO] [show.exe-1]: process has finished cleanly [pid 1001]" in result.lines
+    assert "the package has: show.exe\n" in launch([Node(package="demo", executable="sho")]).text + "\n"
 
 
 def test_two_nodes_of_one_name_are_warned_of(launch, workspace) -> None:

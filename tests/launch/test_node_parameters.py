@@ -51,7 +51,7 @@ def node(**kwargs: Any) -> Node:
 
 
 def file_of(arguments: str) -> Any:
-    return yaml.safe_load(Path(arguments.split("--params-file ")[1].split()[0]).read_text())
+    return yaml.load(Path(arguments.split("--params-file ")[1].split()[0]).read_text(encoding="utf-8"), yaml.FullLoader)
 
 
 def test_parameters_are_written_to_a_file_for_the_node(show: Arguments) -> None:
@@ -88,12 +88,12 @@ def test_parameters_are_written_to_a_file_for_the_node(show: Arguments) -> None:
         "d": "text",
         "e": "off",
         "f": False,
-        "g": [1.0, 2.5],
+        "g": (1.0, 2.5),
         "h.i.j": "x",
         "koff": 3,
-        "l": ["a", "b"],
+        "l": ("a", "b"),
         "m": "off",
-        "n": ["offa", "b"],
+        "n": ("offa", "b"),
         "o": "xoff",
         "p": "1",
     }
@@ -198,7 +198,7 @@ def test_parameters_can_be_set_for_all_nodes_of_a_group(show: Arguments, tmp_pat
     )
     # argv is shown without quotes around the parts that hold spaces
     assert inside == (
-        f"--ros-args -p speed:=2.5 -p words:=[a, b] -p text:='1' -p use_sim_time:=true "
+        f"--ros-args -p speed:=1 -p speed:=2.5 -p words:=[a, b] -p text:='1' -p use_sim_time:=true "
         f"--params-file {tmp_path}/p.yaml -r a:=b -r c:=d"
     )
     assert outside == "--ros-args"

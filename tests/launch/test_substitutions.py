@@ -35,6 +35,8 @@ from launch.substitutions import (
 )
 from launch.utilities import perform_substitutions
 
+from tests.paths.workspace import HOSTILE
+
 
 def test_text_stands_for_itself_and_must_be_text(context: LaunchContext) -> None:
     assert TextSubstitution(text="a").perform(context) == "a"
@@ -264,3 +266,19 @@ def test_any_text_is_parsed_or_refused_with_a_known_error(text: str) -> None:
         parse_substitution(text)
     except (InvalidSubstitution, RuntimeError, TypeError, AttributeError, ValueError):
         pass
+
+
+def test_a_path_that_is_an_item_of_a_command_is_one_word_whatever_is_in_its_name(context, tmp_path):
+    folder = tmp_path / HOSTILE
+    folder.mkdir()
+    (folder / "a b.txt").write_text("here", encoding="utf-8")
+    whole = ["cat ", str(folder / "a b.txt")]
+    bare, quoted = ["cat ", str(folder), "'/a b.txt'"], ['cat "', str(folder), '/a b.txt"']
+    for command in (whole, bare, quoted):
+        assert Command(command).perform(context) == "here"
+    assert not list(tmp_path.glob("PWNED*"))
+
+
+def test_a_command_whose_quotes_do_not_end_says_how_to_give_a_path(context):
+    with pytest.raises(SubstitutionFailure, match=r"No closing quotation.*\n.*Command\(\['xacro ', path\]\)"):
+        Command("xacro /home/it's/robot.urdf").perform(context)

@@ -37,7 +37,8 @@ def test_a_node_keeps_what_its_parameters_became(context: LaunchContext, tmp_pat
     action._perform_substitutions(context)
     (first, second, third) = action._Node__expanded_parameter_arguments  # type: ignore[attr-defined]
     assert first == (str(file), True)
-    assert second[1] and yaml.safe_load(Path(second[0]).read_text()) == {"/ns/n": {"ros__parameters": {"b": 2}}}
+    told = Path(second[0]).read_text(encoding="utf-8")
+    assert second[1] and yaml.safe_load(told) == {"/ns/n": {"ros__parameters": {"b": 2}}}
     assert third == ("c:=[1.5]", False)
 
 

@@ -101,6 +101,6 @@ def run_pytest(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]
             (tmp_path / name).write_text(HEAD + text)
         command = [sys.executable, "-m", "pytest", "-v", "-p", "no:cacheprovider", *argv]
         env = {**os.environ, "COURSEKIT_TIME": clock}
-        return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+        return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, encoding="utf-8", check=False)
 
     return carry_out

@@ -129,5 +129,5 @@ def test_without_an_action_that_says_ready_there_is_an_error(launch_test) -> Non
 
 def test_the_command_says_what_is_wrong_with_code_2(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "launch_testing.launch_test", str(tmp_path / "no_file.py")]
-    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    result = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
     assert result.returncode == 2 and f"error: Test file '{tmp_path}/no_file.py' does not exist" in result.stderr

@@ -14,6 +14,8 @@ import time
 from collections.abc import Callable
 from typing import Any, Protocol
 
+from coursekit.systems import waiting
+
 from .lane import thread_lane
 
 _monotonic_ns = time.monotonic_ns
@@ -137,10 +139,7 @@ class WallWaiter:
         try:
             if lane.pending:
                 lane.run_pending()
-            if deadline is None:
-                got = self._lock.acquire()
-            else:
-                got = self._lock.acquire(timeout=max(0.0, (deadline - _monotonic_ns()) * 1e-9))
+            got = waiting.acquire(self._lock, None if deadline is None else (deadline - _monotonic_ns()) * 1e-9)
         finally:
             lane.blocked_on = None
         if lane.pending:

@@ -14,6 +14,8 @@ INSIDE = {
     "gazebo": "coursekit.cli.gazebo_commands:run_server",
     "gzserver": "coursekit.cli.gazebo_commands:run_server",
     "gzclient": "coursekit.cli.gazebo_commands:run_client",
+    "gz": "coursekit.cli.gz_commands:run_inside",
+    "ign": "coursekit.cli.gz_commands:run_inside",
     "rviz2": "coursekit.cli.window_commands:rviz2_inside",
 }
 """Command: the function that takes its words and returns its exit code."""
@@ -23,6 +25,12 @@ JOIN = "coursekit.cli.attach:attach_script"
 
 DOOR = "coursekit.cli.hub:open_door"
 """The function that lets commands of a domain's terminals into a session; None where another session has the domain."""
+
+HOLDER = "coursekit.cli.attach:holder"
+"""The function that tells which notebook or test has a domain's terminals: '' for none of them, None for nobody."""
+
+MEET = "coursekit.cli.neighbours:meet"
+"""The function that has the interpreter's own nodes meet those of other programs of the same user and domain."""
 
 
 def load(place: str) -> Callable[..., Any]:

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from coursekit.files import read_text
 from coursekit.interfaces.find import prefixes
+from coursekit.systems.layout import executable_files
 
 from .executables import PackageNotFound, prefix_of
 from .process import current_process
@@ -31,7 +33,7 @@ def registered() -> dict[str, dict[str, Path]]:
 
 
 def _listed(prefix: Path, entry: Path) -> dict[str, Path]:
-    parts = [line.partition(";") for line in entry.read_text(encoding="utf-8").splitlines() if line.strip()]
+    parts = [line.partition(";") for line in read_text(entry).splitlines() if line.strip()]
     return {plugin: prefix / path for plugin, _, path in parts}
 
 
@@ -57,10 +59,14 @@ def find_component(package: str, plugin: str) -> Path:
     except PackageNotFound as error:
         raise ComponentNotFound(f"Could not find requested resource in ament index: {error}") from None
     listed = registered().get(package, {})
-    for path in [*filter(None, [listed.get(plugin)]), *(folder / name for name in candidate_names(plugin))]:
+    for path in [*filter(None, [listed.get(plugin)]), *_by_name(folder, plugin)]:
         if path.is_file() and path.suffix != ".so":
             return path
     raise ComponentNotFound(f"Failed to find class with the requested plugin name: {_reason(package, plugin, listed)}")
+
+
+def _by_name(folder: Path, plugin: str) -> list[Path]:
+    return [path for name in candidate_names(plugin) for path in executable_files(folder, name)]
 
 
 def _reason(package: str, plugin: str, listed: dict[str, Path]) -> str:

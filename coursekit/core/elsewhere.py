@@ -7,19 +7,38 @@ import re
 _DRIVER = "is the driver of a device"
 _SENSORS = "the simulator's sensors stand in: `ros2 launch gazebo_ros gazebo.launch.py`, then spawn a robot"
 _CPP = "is written in C++, which is not compiled here"
-_GAZEBO = "belongs to the newer Gazebo; coursekit has Gazebo Classic's names"
+_GAZEBO = "belongs to a part of the newer Gazebo that is not simulated"
 _SLAM = "to make a map: `ros2 launch slam_toolbox online_async_launch.py use_sim_time:=true`"
 _DRIVE = "to drive: `ros2 run teleop_twist_keyboard teleop_twist_keyboard`, or pad() in a notebook"
 
+_REPOSITORIES = {
+    "create3_sim of iRobotEducation": r"irobot_create_\w+",
+    "turtlebot4 and turtlebot4_simulator of turtlebot": r"turtlebot4_(?!node$|base$)\w+",
+    "turtlebot3 and turtlebot3_simulations of ROBOTIS-GIT": r"turtlebot3_(?!node$|manipulation)\w+",
+    "turtlebot3_manipulation of ROBOTIS-GIT": r"turtlebot3_manipulation\w*|open_manipulator\w*",
+    "Universal_Robots_ROS2_Description of UniversalRobots": r"ur_description",
+    "moveit_resources of moveit": r"moveit_resources\w*",
+    "realsense-ros of IntelRealSense": r"realsense2_description",
+    "andino of Ekumen-OS": r"andino_\w+",
+    "linorobot2 of linorobot": r"linorobot2_\w+",
+    "rosbot_ros of husarion": r"rosbot_\w+",
+    "aws-robomaker-small-house-world of aws-robotics": r"aws_robomaker_small_house_world",
+    "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
+}
+"""Where on GitHub packages are that many build upon and that hold no C++, or need none of it."""
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
+    (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
+     "`colcon build`"),
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "
      "then `colcon build`"),
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
-    (r"imu_\w+|robot_pose_ekf", _CPP, "robot_localization's ekf_node takes an IMU's messages as they are"),
+    (r"imu_(?!sensor_broadcaster$)\w+|robot_pose_ekf", _CPP,
+     "robot_localization's ekf_node takes an IMU's messages as they are"),
     (r"joy_linux|joy_teleop|spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
-    (r"moveit\w*|pymoveit2", _CPP, "to move joints by hand: `ros2 run joint_state_publisher_gui joint_state_publisher_gui`"),
-    (r"ros_gz\w*|ros_ign\w*|gz_\w+|ign_\w+", _GAZEBO, "`ros2 launch gazebo_ros gazebo.launch.py world:=FILE` and "
-     "`ros2 run gazebo_ros spawn_entity.py`"),
+    (r"moveit\w*|pymoveit2", "belongs to MoveIt, whose planners are C++, which is not compiled here",
+     "to move an arm: goals for its joint_trajectory_controller, or the sliders of joint_state_publisher_gui"),
+    (r"ros_gz_(sim_demos|point_cloud)|ros_ign_(gazebo_demos|point_cloud)|(gz|ign)_(?!ros2_control$)\w+", _GAZEBO,
+     "there are ros_gz_sim, ros_gz_bridge, ros_gz_image, ros_gz_interfaces and gz_ros2_control"),
     (r"webots_ros2\w*|ignition\w*|isaac\w*|carla\w*|stage_ros2", "needs a simulator of its own",
      "`ros2 launch gazebo_ros gazebo.launch.py`"),
     (r"rplidar_ros|sllidar_ros2|ydlidar\w*|ldlidar\w*|ld08_driver|hls_lfcd_lds_driver|urg_node|velodyne\w*|lslidar\w*",
@@ -44,10 +63,16 @@ def remark(package: str) -> str:
     """Why a package is not here and what to type instead; empty for a package of which nothing is known.
 
     >>> remark("moveit")
-    'moveit is not part of coursekit: it is written in C++, which is not compiled here; to move joints by hand: ...'
+    'moveit is not part of coursekit: it belongs to MoveIt, whose planners are C++, which is not compiled here; to move ...'
     >>> remark("my_package")
     ''
+    >>> remark("irobot_create_description")
+    'irobot_create_description is not part of coursekit, but builds here: clone create3_sim of iRobotEducation into ...'
     """
+    for repository, pattern in _REPOSITORIES.items():
+        if re.fullmatch(pattern, package):
+            where = f"clone {repository} into the src folder of your workspace, then `colcon build`"
+            return f"{package} is not part of coursekit, but builds here: {where}"
     for pattern, why, instead in _FAMILIES:
         if re.fullmatch(pattern, package):
             return f"{package} is not part of coursekit: it {why}; {instead}"
@@ -56,16 +81,13 @@ def remark(package: str) -> str:
 
 _EXECUTABLES = {
     ("demo_nodes_cpp", "allocator_tutorial"): "it counts what C++ allocates, and Python programs do not choose their memory",
-    ("controller_manager", "ros2_control_node"): "it loads the C++ drivers of a robot's hardware; in simulation the robot's "
-    "<gazebo> plugin libgazebo_ros2_control.so is the controller manager: spawn the robot with `ros2 run gazebo_ros "
-    "spawn_entity.py -topic robot_description -entity ROBOT`",
 }
 
 
 def remark_on_executable(package: str, executable: str) -> str:
     """Why a package of coursekit lacks an executable, and what to type instead; empty when nothing is known.
 
-    >>> remark_on_executable("controller_manager", "ros2_control_node")
-    "it loads the C++ drivers of a robot's hardware; in simulation ..."
+    >>> remark_on_executable("demo_nodes_cpp", "allocator_tutorial")
+    'it counts what C++ allocates, and Python programs do not choose their memory'
     """
     return _EXECUTABLES.get((package, executable), "")

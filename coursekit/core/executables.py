@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import difflib
 import os
-import shlex
 import subprocess
-import sys
 import sysconfig
 import threading
 from collections.abc import Callable, Mapping, Sequence
@@ -15,11 +12,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from coursekit.files import read_text
 from coursekit.interfaces.find import UNDERLAY, prefixes
+from coursekit.systems import children, layout
+from coursekit.systems.words import join_words
 
 from .elsewhere import remark, remark_on_executable
 from .modules import use_private_modules
 from .process import Output, Process, current_process
+from .terminal import open_terminal
 
 if TYPE_CHECKING:
     from .session import Session
@@ -51,7 +52,7 @@ def why_missing(package: str, executable: str) -> str:
     """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
     for prefix in prefixes():
         listed = _index(prefix).parent / "coursekit_skipped" / package
-        if listed.is_file() and executable in listed.read_text(encoding="utf-8").splitlines():
+        if listed.is_file() and executable in read_text(listed).splitlines():
             return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
     return remark_on_executable(package, executable)
 
@@ -93,7 +94,7 @@ def executables_of(package: str) -> list[Path]:
 
 
 def _runs(path: Path, prefix: Path) -> bool:
-    if path.name.startswith((".", "__")):
+    if path.name.startswith((".", "__")) or layout.is_executables_part(path):
         return False
     return prefix == UNDERLAY or os.access(path, os.X_OK) or path.suffix == ".exe"
 
@@ -108,13 +109,14 @@ def find(package: str, executable: str) -> Path:
     """
     known = executables_of(package)
     for path in known:
-        if executable == (path.stem if path.suffix == ".exe" else path.name):
+        if executable in (path.name, layout.executable_name(path)):
             return path
     raise ExecutableNotFound(package, executable, [path.name for path in known])
 
 
 def is_python(path: Path) -> bool:
-    """Whether a file is a Python program."""
+    """Whether a file is a Python program, or what setuptools makes of one on Windows."""
+    path = layout.python_script(path)
     if path.suffix == ".py" or UNDERLAY in path.parents:
         return True
     with open(path, "rb") as file:
@@ -125,10 +127,9 @@ def is_python(path: Path) -> bool:
 def python_folders(env: Mapping[str, str]) -> list[str]:
     """The folders that PYTHONPATH and the prefixes of `env` add to Python's path, without those of the interpreter."""
     folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]
-    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
     for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         if prefix and Path(prefix) != UNDERLAY:
-            folders += [str(Path(prefix, "lib", version, "site-packages"))]
+            folders.append(str(layout.site_packages(Path(prefix))))
     ours = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), str(UNDERLAY / "ros"), str(UNDERLAY.parent)}
     return [one for one in dict.fromkeys(folders) if one not in ours and Path(one).is_dir()]
 
@@ -148,6 +149,7 @@ def make_process(
         raise FileNotFoundError(f"'{path}' does not exist, so it cannot be run. Was its package built?")
     if not is_python(path):
         return ChildProcess(session, [str(path), *argv], name=name, env=env, cwd=cwd)
+    path = layout.python_script(path)
     parent = current_process()
     process = Process(
         session, _program(path), name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=parent
@@ -174,7 +176,8 @@ class ChildProcess:
     """A real child process behind the interface of `Process`.
 
     On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all. With
-    `one_stream` its errors come among its other output in the order in which it wrote them, as in a terminal.
+    `one_stream` its errors come among its other output in the order in which it wrote them, as in a terminal. With
+    `tty` set before it begins, it writes to terminals.
     """
 
     def __init__(
@@ -198,7 +201,8 @@ class ChildProcess:
         self.exit_code: int | None = None
         self.abandoned = False
         self.out = Output()
-        self.env = dict(os.environ if env is None else env)
+        self.tty = False
+        self.env = children.with_utf8(os.environ if env is None else env)
         self.cwd = None if cwd is None else os.fspath(cwd)
         self._ended = session.clock.new_event()
         self._exit_listeners: list[Callable[[Any], None]] = []
@@ -215,22 +219,30 @@ class ChildProcess:
 
     def begin(self) -> None:
         """Start it, and threads that read what it writes."""
-        self._child = subprocess.Popen(
-            self.argv,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT if self._one_stream else subprocess.PIPE,
-            text=True,
-            errors="replace",
-            bufsize=1,
-            env=self.env,
-            cwd=self.cwd,
-            start_new_session=True,
-        )
+        terminals = [open_terminal() if self.tty else None for _ in ("stdout", "stderr")]
+        ends = [one[1] if one else subprocess.PIPE for one in terminals]
+        try:
+            self._child = subprocess.Popen(
+                self.argv,
+                stdin=subprocess.PIPE,
+                stdout=ends[0],
+                stderr=subprocess.STDOUT if self._one_stream else ends[1],
+                encoding="utf-8",
+                errors="replace",
+                bufsize=1,
+                env=self.env,
+                cwd=self.cwd,
+                **children.apart(),
+            )
+        finally:
+            for one in terminals:
+                if one:
+                    os.close(one[1])
         self._count_child(1)
+        pipes = [one[0] if one else pipe for one, pipe in zip(terminals, _outputs(self._child), strict=True)]
         readers = [
             threading.Thread(target=self._read, args=(stream, pipe), daemon=True)
-            for stream, pipe in (("stdout", self._child.stdout), ("stderr", self._child.stderr))
+            for stream, pipe in zip(("stdout", "stderr"), pipes, strict=True)
             if pipe is not None
         ]
         for thread in readers:
@@ -279,15 +291,15 @@ class ChildProcess:
     def send_signal(self, signum: int) -> None:
         """Deliver a signal to it."""
         if self._child is not None and self.exit_code is None:
-            if hasattr(os, "killpg"):  # to what it started too, as a terminal's Ctrl-C goes
-                with contextlib.suppress(ProcessLookupError):
-                    os.killpg(self._child.pid, signum)
-            else:
-                self._child.send_signal(signum)
+            children.send_signal(self._child, signum)  # to what it started too, as a terminal's Ctrl-C goes
 
     def command_line(self) -> str:
         """What one would type."""
-        return shlex.join(self.argv)
+        return join_words(self.argv)
+
+
+def _outputs(child: subprocess.Popen[str]) -> tuple[Any, Any]:
+    return child.stdout, child.stderr
 
 
 def _start_outside(thread: threading.Thread) -> None:

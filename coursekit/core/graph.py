@@ -22,6 +22,8 @@ class GraphNode:
         self.name = name
         self.namespace = namespace
         self.process = process
+        self.deaf_to_itself = False
+        """Whether it does not hear what it publishes itself: a bridge in both directions would go in circles."""
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
         self.servers: list[Server] = []
@@ -177,6 +179,13 @@ class Graph:
         """Take everything out."""
         for node in list(self.nodes):
             node.close()
+
+    def abandon(self) -> None:
+        """Be empty, without a word to anybody and without a lock: for a forked child, whose parent has what was here."""
+        for ends in (self.publishers, self.subscriptions, self.servers, self.clients):
+            ends.clear()  # type: ignore[attr-defined]
+        self.nodes.clear()
+        self._watchers.clear()
 
     # -- watch
 

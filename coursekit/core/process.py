@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
+from coursekit.interfaces.find import with_underlay
+
 from .interrupting import Interruptible, raise_killed
 from .lane import Lane, ProcessKilled, thread_lane
 from .output import Input, Output
@@ -56,14 +58,18 @@ class Process(Interruptible):
         self.parent = parent
         inherited = parent.env if parent is not None else dict(session.environ)
         self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
+        with_underlay(self.env)
         above = os.getcwd() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)
+        self.started = session.clock.steady()
         self.exit_code: int | None = None
         self.locals: dict[Any, Any] = {}
         """What other rooms keep per process: the default rclpy context, log levels, ..."""
         self.cleanups: list[Callable[[], None]] = []
         self.at_exit: list[functools.partial[Any]] = []
         self.out = Output()
+        self.tty = False
+        """Whether its streams say that they are a terminal's."""
         self.stdin = Input(session)
         self.on_wants_keys: Callable[[], None] | None = None
         """Called when it wants each key as it is typed, not whole lines; set by who types."""

@@ -18,14 +18,16 @@ class Source:
 
     `sink` is the queue of the executor that serves it, `item` what the executor finds there.
     `queued` says that it stands in the queue already: a source stands there once, however much it holds.
+    With `yields` it lets those that are ready with it go first, once.
     """
 
-    __slots__ = ("item", "queued", "sink")
+    __slots__ = ("item", "queued", "sink", "yields")
 
     def __init__(self) -> None:
         self.sink: ReadyQueue | None = None
         self.item: Any = self
         self.queued = False
+        self.yields = False
 
     def signal(self) -> None:
         """Stand in the queue."""
@@ -73,10 +75,14 @@ class ReadyQueue:
         if self._sleeping:
             self._waiter.notify()
 
-    def pop(self) -> Any:
-        """The next ready item, None when there is none."""
-        if self._timers and self._timers[0][0] <= self.clock.steady():
-            self._ring()
+    def pop(self, until: int | None = None) -> Any:
+        """The next ready item, None when there is none; timers that are due after `until` (steady) are not."""
+        if self._timers:
+            now = self.clock.steady()
+            if until is not None and until < now:
+                now = until
+            if self._timers[0][0] <= now:
+                self._ring(now)
         try:
             return self.items.popleft() if self.items else None
         except IndexError:  # another thread was faster
@@ -96,8 +102,7 @@ class ReadyQueue:
         finally:
             self._sleeping = False
 
-    def _ring(self) -> None:
-        now = self.clock.steady()
+    def _ring(self, now: int) -> None:
         timers = self._timers
         while timers and timers[0][0] <= now:
             _, _, timer, generation = heapq.heappop(timers)

@@ -1,7 +1,8 @@
 """Python programs that are started by path: `python3 node.py` in a terminal or a launch file.
 
 They join the session that runs for the same user and ROS domain, so that they share its graph, as on a robot every
-program does. Where none runs, or under pytest, a debugger or `python -m`, a program has a session of its own.
+program does. Where none runs, or under pytest, a debugger or `python -m`, a program has a session of its own, and its
+nodes meet those of the other programs (`coursekit.cli.neighbours`).
 """
 
 from __future__ import annotations

@@ -47,7 +47,11 @@ class Server(Endpoint):
         self.signal()
 
     def respond(self, request_id: RequestId, response: Any) -> None:
-        """Send a copy of `response` to the client that asked."""
+        """Send a copy of `response` to the client that asked.
+
+        A client that the same executor serves hears it after what the callback published: topics come before responses.
+        """
+        request_id.client.yields = request_id.client.sink is self.sink
         request_id.client.push(request_id.sequence_number, response._clone())
 
     def close(self) -> None:

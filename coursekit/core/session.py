@@ -18,8 +18,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from coursekit.systems.children import interrupt_self
+
 from . import on_import, present, streams, threads
 from .clock import Clock, WallClock
+from .commands import MEET, load
 from .graph import Graph
 from .lane import Lane, ProcessKilled, thread_lane
 from .process import Process, current_process
@@ -29,6 +32,9 @@ _making = threading.RLock()
 
 SWITCH_INTERVAL = 0.0005
 """Seconds a thread keeps the interpreter: with Python's 5 ms a busy cell makes every hand-off between threads slow."""
+
+ALONE = ("COURSEKIT_ALONE", "COURSEKIT_STOP_AFTER")
+"""Variables of the environment that have an interpreter's nodes meet nobody."""
 
 
 class Session:
@@ -48,6 +54,8 @@ class Session:
         self.embedded = False
         """Set where the interpreter is a Jupyter kernel: then only cells and processes run on the virtual clock."""
         self.in_cell = False
+        self.meets = False
+        """Set where its nodes meet those of other programs on this computer: in a plain interpreter on the wall clock."""
         self.graphs: dict[int, Graph] = {}
         self.on_start: list[Callable[[Process], None]] = []
         self._pids = itertools.count(1000)
@@ -67,19 +75,22 @@ class Session:
         env: Mapping[str, str] | None = None,
         cwd: str | os.PathLike[str] | None = None,
         on_output: Callable[[str, str], None] | None = None,
+        tty: bool = False,
     ) -> Process:
         """Run `main()` as a process of its own.
 
         Its sys.argv is `[name, *argv]`; `env` replaces its environment, `cwd` its working folder; `on_output(stream,
-        text)` is called with all that it prints. What `main` returns, or gives to `sys.exit`, is its exit code.
+        text)` is called with all that it prints; with `tty` its streams say that they are a terminal's. What `main`
+        returns, or gives to `sys.exit`, is its exit code.
         """
         process = Process(
             self, main, name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=current_process()
         )
-        return self.launch(process, on_output)
+        return self.launch(process, on_output, tty)
 
-    def launch(self, process: Any, on_output: Callable[[str, str], None] | None = None) -> Any:
+    def launch(self, process: Any, on_output: Callable[[str, str], None] | None = None, tty: bool = False) -> Any:
         """Register a process that was made and begin it."""
+        process.tty = tty
         streams.install()
         self.plan_stop()
         self.processes.append(process)
@@ -99,12 +110,13 @@ class Session:
         env: Mapping[str, str] | None = None,
         cwd: str | os.PathLike[str] | None = None,
         on_output: Callable[[str, str], None] | None = None,
+        tty: bool = False,
     ) -> Any:
         """Run an executable of a package: Python ones in this interpreter, others as a child of the system."""
         from .executables import make_process
 
         process = make_process(self, Path(path), argv, name=name, env=env, cwd=cwd)
-        return self.launch(process, on_output)
+        return self.launch(process, on_output, tty)
 
     def forget(self, process: Any) -> None:
         """Called by a process that ended."""
@@ -139,7 +151,7 @@ class Session:
         if self.clock.virtual:
             self.clock.main.post(lambda: signal.raise_signal(signal.SIGINT))
         else:
-            os.kill(os.getpid(), signal.SIGINT)
+            interrupt_self()
 
     def close(self, grace_sec: float = 2.0) -> None:
         """End every process: Ctrl-C, then, for those that ignore it, kill."""
@@ -155,6 +167,11 @@ class Session:
         self.clock.close()
 
     # -- shared things
+
+    def meet(self, domain_id: int) -> None:
+        """Have the interpreter's own nodes and those of other programs in the domain see each other."""
+        if self.meets and not self.embedded and current_process() is None:
+            load(MEET)(self.graph(domain_id), domain_id)
 
     def graph(self, domain_id: int = 0) -> Graph:
         """The graph of a domain."""
@@ -210,6 +227,7 @@ def _make() -> Session:
     if kind not in ("wall", "virtual"):
         raise ValueError(f"COURSEKIT_TIME is '{kind}', which is no clock. Set it to 'wall' or 'virtual'.")
     session = Session(virtual=kind == "virtual")
+    session.meets = kind == "wall" and not any(os.environ.get(name) for name in ALONE)
     on_import.watch()
     if sys.getswitchinterval() > SWITCH_INTERVAL:
         sys.setswitchinterval(SWITCH_INTERVAL)

@@ -102,7 +102,7 @@ class ProcessStream:
         """Buffering options make no difference here."""
 
     def isatty(self) -> bool:
-        return False
+        return self._process.tty
 
     def readable(self) -> bool:
         return False

@@ -212,6 +212,8 @@ def match(publisher: Publisher, subscription: Subscription) -> bool:
     """Connect the two if they fit; count the mismatch on both sides if they do not."""
     if publisher.type_name != subscription.type_name:
         return False
+    if publisher.node is subscription.node and publisher.node.deaf_to_itself:
+        return False
     policy = publisher.qos.incompatible_with(subscription.qos)
     if policy is not None:
         publisher.status(INCOMPATIBLE).add(policy=policy)

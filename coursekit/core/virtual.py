@@ -17,6 +17,8 @@ from typing import Any
 
 from greenlet import getcurrent, greenlet
 
+from coursekit.systems import waiting
+
 from .clock import Alarm, Event, WallWaiter
 from .lane import Lane
 
@@ -278,7 +280,7 @@ class VirtualClock:
         """Nothing can happen inside: wait for a thread, a child process or the keyboard."""
         if self._posted:
             return True
-        return self._outside._lock.acquire(timeout=-1 if seconds is None else max(0.0, seconds))
+        return waiting.acquire(self._outside._lock, seconds)
 
 
 def _is_over(entry: tuple[int, int, Any, int]) -> bool:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import MutableMapping
 from pathlib import Path
 
-from coursekit.files import is_file
+from coursekit.files import is_file, read_text
 from coursekit.interfaces.errors import UnknownInterface
 
 UNDERLAY = Path(__file__).resolve().parent.parent
@@ -17,6 +18,19 @@ def prefixes() -> list[Path]:
     """Return the ament prefixes in the order of search: AMENT_PREFIX_PATH, then the underlay."""
     sourced = [Path(p) for p in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
     return list(dict.fromkeys([*sourced, *_remembered, UNDERLAY]))
+
+
+def with_underlay(environ: MutableMapping[str, str]) -> None:
+    """Put the underlay behind the prefixes of an environment, as sourcing ROS does.
+
+    >>> environ = {"AMENT_PREFIX_PATH": "/ws/install"}
+    >>> with_underlay(environ)
+    >>> environ["AMENT_PREFIX_PATH"].split(os.pathsep) == ["/ws/install", str(UNDERLAY)]
+    True
+    """
+    sourced = [one for one in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    if str(UNDERLAY) not in sourced:
+        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*sourced, str(UNDERLAY)])
 
 
 def remember(prefix: Path) -> None:
@@ -54,7 +68,7 @@ def find_definition(name: str) -> Path:
 
 def definition_text(name: str) -> str:
     """Return the text of a definition file, comments and spacing kept."""
-    return find_definition(name).read_text(encoding="utf-8")
+    return read_text(find_definition(name))
 
 
 def known_packages() -> list[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shlex
 import shutil
 import sysconfig
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from IPython.core.magic import Magics, cell_magic, magics_class
 
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
+from coursekit.systems.words import split_words
 
 from .bundle import with_text
 from .errors import BadArgument, NotThere
@@ -56,7 +56,7 @@ def read_rows(text: str) -> list[Row]:
 
 def start(command: str, magics: CourseMagics) -> Terminal:
     """Start a command line in a terminal of its own; LookupError when there is no such program."""
-    words = shlex.split(command)
+    words = split_words(command)
     if words[:1] in (["ros2"], ["colcon"]):
         shown = getattr(magics, words[0])(command.split(None, 1)[1] + " &" if len(words) > 1 else "-h &")
         assert isinstance(shown, Terminal)

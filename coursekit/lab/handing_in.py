@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.core.session import current
+from coursekit.files import write_whole
 from coursekit.grade import events
 from coursekit.grade.handing_in import make_parcel, who_and_where
 from coursekit.grade.mark import Marked
@@ -40,7 +41,7 @@ def student(name: str = "") -> str:
     if len(found.split()) < 2:
         raise BadArgument('Whose is it? Say it once, in the brackets: by="Firstname Lastname"')
     file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(json.dumps(found), encoding="utf-8")
+    write_whole(file, json.dumps(found))
     return found
 
 
@@ -75,7 +76,7 @@ def evidence(name: str, *things: Any, by: str = "") -> Evidence | None:
     file.parent.mkdir(parents=True, exist_ok=True)
     picture = page(heading, things, "png")
     written = page(heading, things, "pdf") if kind == "pdf" else picture
-    file.write_bytes(written)
+    write_whole(file, written)
     events.note(course_folder() / ".coursekit" / EVENTS, "evidence", picture=file.name, sha256=digest_of(written))
     return Evidence(file, picture)
 

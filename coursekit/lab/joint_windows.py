@@ -42,7 +42,7 @@ def _open(board: Board) -> None:
     from .joint_panel import JointPanel
     from .panel import open_panels
 
-    if board.running and not any(isinstance(one, JointPanel) and one.board is board for one in open_panels()):
+    if board.running and not any(isinstance(one, JointPanel) and one.shows(board) for one in open_panels()):
         made = _shown[id(board)] = JointPanel(board.full_name)
         made.of_cell = False
         display(made)

@@ -5,18 +5,19 @@ from __future__ import annotations
 import contextvars
 import os
 import re
-import shlex
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
+from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
 from coursekit.core.executables import ChildProcess
 from coursekit.core.session import current
+from coursekit.systems.words import split_words
 
 from .errors import NotThere
+from .expanding import Values
 from .kernel import adopt
 from .terminal import Terminal, Terminals
 from .waiting import until_said
@@ -59,6 +60,7 @@ def edit(path: str, old: str, new: str) -> None:
 class CourseMagics(Magics):
     """The magics of the course."""
 
+    @no_var_expand
     @line_magic
     def ros2(self, line: str) -> Terminal | None:
         """Run a `ros2` command; with `&` at the end it goes on in a terminal of its own.
@@ -70,7 +72,7 @@ class CourseMagics(Magics):
         """
         from coursekit.cli.parser import run
 
-        options, argv, background = _read(self._expanded(line))
+        options, argv, background = self._words(line)
         env = workspace_environment(options.pop("workspace", None))
 
         def begin() -> Any:
@@ -79,10 +81,11 @@ class CourseMagics(Magics):
 
         return _attend(begin, options.get("name") or _title(argv), options, background)
 
+    @no_var_expand
     @line_magic
     def colcon(self, line: str) -> Terminal | None:
         """Run colcon, in the folder of `--workspace` or the current one."""
-        options, argv, background = _read(self._expanded(line))
+        options, argv, background = self._words(line)
         folder = Path(options.get("workspace") or workspace())
         folder.mkdir(parents=True, exist_ok=True)
         command = [sys.executable, "-m", "colcon", *argv]
@@ -123,13 +126,17 @@ class CourseMagics(Magics):
         else:
             print(f"There is no {line.strip()} in {workspace().name}/. Is the name right, was the cell above run?")
 
-    def _expanded(self, line: str) -> str:
-        return line if self.shell is None or "{" in line else str(self.shell.var_expand(line))
+    def _words(self, line: str) -> tuple[dict[str, str], list[str], bool]:
+        """What `_read` finds in a line, with the values of names in braces and after `$`."""
+        values = Values()
+        options, argv, background = _read(values.expanded(self.shell, line))
+        told = {name: values.restored(value) for name, value in options.items()}
+        return told, [values.restored(word) for word in argv], background
 
 
 def _read(line: str) -> tuple[dict[str, str], list[str], bool]:
     """Our own options (before the command), the command, and whether it ends with `&`."""
-    words = shlex.split(line)
+    words = split_words(line)
     background = bool(words) and words[-1] == "&"
     words = words[:-1] if background else words
     options: dict[str, str] = {}

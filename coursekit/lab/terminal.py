@@ -12,6 +12,7 @@ import traitlets
 from .bundle import with_text
 from .errors import NotNow
 from .script import script, style
+from .waiting import PATIENCE_SECONDS, until_said
 
 LINES = 500
 """Lines that the browser keeps; the process remembers more."""
@@ -64,9 +65,13 @@ class Terminal(anywidget.AnyWidget):
         """Type a line and press Enter."""
         self.process.write_stdin(line + "\n")
 
-    def wait(self, timeout_sec: float | None = None) -> int | None:
-        """Wait until the process ends; its exit code, None if it still runs."""
-        return self.process.wait(timeout_sec)
+    def wait(self, timeout_sec: float | None = None, until: str = "") -> int | None:
+        """Wait until the process ends, or has printed `until`; its exit code, None if it still runs."""
+        if not until:
+            return self.process.wait(timeout_sec)
+        until_said(self.process, until, most=PATIENCE_SECONDS if timeout_sec is None else timeout_sec)
+        code: int | None = self.process.exit_code
+        return code
 
     def restart(self) -> None:
         """Run the same command line anew, in this terminal; what still runs is ended first."""

@@ -23,6 +23,8 @@ NEAR = 0.3
 """So close [m] counts as reached."""
 PATIENCE_SECONDS = 6.0
 """Without coming nearer for so long, something is in the way."""
+TURNING_SECONDS = 60.0
+"""Nor does anybody turn for so long."""
 TURN = 1.5
 """The fastest turn [rad/s]."""
 _BELIEFS = {"odometry": "odom", "SLAM": "map"}
@@ -128,12 +130,28 @@ def drive_along(
 
 def _go(tour: Tour, driver: Driver, buffer: Any, x: float, y: float) -> None:
     clock = current().clock
-    best, since = math.inf, clock.steady()
+    looked = began = since = clock.steady()
+    best = math.inf
     while (gap := math.hypot(x - (here := tour.look(buffer)).x, y - here.y)) > NEAR:
+        now = clock.steady()
         off = wrap(math.atan2(y - here.y, x - here.x) - here.theta)
-        driver.drive(max(0.0, math.cos(off)) ** 3, 0.0, max(-1.0, min(1.0, 2 * off / TURN)))
-        if gap < best - 0.05 or abs(off) > 0.5:
-            best, since = min(gap, best), clock.steady()
-        elif clock.steady() - since > PATIENCE_SECONDS * 1e9:
+        _steer(driver, gap, off, max(BEAT_SECONDS, (now - looked) * 1e-9))
+        looked = now
+        if gap < best - 0.05:
+            best, since, began = gap, now, now
+        elif abs(off) > 0.5:
+            since = now
+        if now - since > PATIENCE_SECONDS * 1e9:
             raise NotNow(f"stuck at ({here.x:.1f}, {here.y:.1f}) on the way to ({x:g}, {y:g}): what is in the way?")
+        if now - began > TURNING_SECONDS * 1e9:
+            where = f"at ({here.x:.1f}, {here.y:.1f}) it turns and comes no nearer to ({x:g}, {y:g})"
+            raise NotNow(f"{where}: is the computer busy with something else?")
         clock.sleep(BEAT_SECONDS)
+
+
+def _steer(driver: Driver, gap: float, off: float, lag: float) -> None:
+    """Turn and drive towards a point, by no more than what is missing until the next look, `lag` seconds from now."""
+    most = min(TURN, abs(off) / lag)
+    turn = max(-most, min(most, 2 * off))
+    forward = max(0.0, math.cos(off)) ** 3
+    driver.drive(min(forward, gap / (lag * driver.linear)), 0.0, turn / TURN)

@@ -47,14 +47,14 @@ def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:
     return bool(heard)
 
 
-def until_said(process: Any, text: str, least: float) -> None:
-    """Wait `least` seconds, and on until a process has printed `text` or ended; at most PATIENCE_SECONDS."""
+def until_said(process: Any, text: str, least: float = 0.0, most: float = PATIENCE_SECONDS) -> None:
+    """Wait `least` seconds, and on until a process has printed `text` or ended; then at most `most` more."""
     clock = process.session.clock
     said = clock.new_event()
     process.on_output(lambda _stream, _text: said.set() if text in process.output else None)
     process.on_exit(lambda _process: said.set())
     if process.wait(least) is None and text not in process.output:
-        said.wait(PATIENCE_SECONDS)
+        said.wait(most)
         process.wait(4 * LOOK_SECONDS)  # the rest of what it says at once
 
 

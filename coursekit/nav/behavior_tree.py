@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 IDLE, RUNNING, SUCCESS, FAILURE = "idle", "running", "success", "failure"
-DEEPEST = 100
-"""Levels of a tree, at the most: one whose subtrees contain each other has no end."""
+DEEPEST, MOST_NODES = 100, 5000
+"""Levels and nodes of a tree, at the most: one whose subtrees contain each other has no end."""
 
 
 class TreeError(ValueError):
@@ -78,37 +78,47 @@ def read_tree(text: str, kinds: Kinds, board: dict[str, Any]) -> TreeNode:
     """The main tree of an XML text; TreeError when it is none, or has nodes that are not among `kinds`."""
     try:
         root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as fault:
+    except (ElementTree.ParseError, ValueError) as fault:
         raise TreeError(f"is no XML: {fault}") from None
     trees = {tree.get("ID", ""): tree for tree in root.iter("BehaviorTree")}
     main = root.get("main_tree_to_execute") or next(iter(trees), "")
     if root.tag != "root" or main not in trees:
         raise TreeError(f"has no <BehaviorTree ID='{main}'>; it has: {', '.join(trees) or 'none'}")
-    return _tree(trees, main, kinds, board, 0)
+    return _Reader(trees, kinds, board).tree(main, 0)
 
 
-def _tree(trees: Mapping[str, ElementTree.Element], name: str, kinds: Kinds, board: dict[str, Any], depth: int) -> TreeNode:
-    if name not in trees:
-        raise TreeError(f"names a subtree '{name}', which it does not have; it has: {', '.join(trees)}")
-    if len(trees[name]) != 1:
-        raise TreeError(f"tree '{name}' has {len(trees[name])} nodes at its top; it should have one")
-    return _node(trees[name][0], trees, kinds, board, depth + 1)
+class _Reader:
+    """Makes nodes of elements; each mention of a subtree makes its nodes anew."""
 
+    def __init__(self, trees: Mapping[str, ElementTree.Element], kinds: Kinds, board: dict[str, Any]) -> None:
+        self._trees, self._kinds, self._board = trees, kinds, board
+        self._made = 0
 
-def _node(
-    element: ElementTree.Element, trees: Mapping[str, ElementTree.Element], kinds: Kinds, board: dict[str, Any], depth: int
-) -> TreeNode:
-    if depth > DEEPEST:
-        raise TreeError(f"is more than {DEEPEST} levels deep: does a subtree contain itself?")
-    ports = dict(element.attrib)
-    kind = ports.pop("ID", "") if element.tag in ("Action", "Condition", "Control", "Decorator") else element.tag
-    if kind in ("SubTree", "SubTreePlus"):
-        return _tree(trees, ports.get("ID", ""), kinds, board, depth)
-    if kind not in kinds:
-        raise TreeError(f"has a node '{kind}', which is not known here; known are: {', '.join(sorted(kinds))}")
-    children = [_node(one, trees, kinds, board, depth + 1) for one in element]
-    made = kinds[kind](ports.pop("name", kind), ports, children, board)
-    low, high = made.arity
-    if not low <= len(children) <= high:
-        raise TreeError(f"'{kind}' has {len(children)} children; it should have {low if low == high else f'{low} or more'}")
-    return made
+    def tree(self, name: str, depth: int) -> TreeNode:
+        if name not in self._trees:
+            raise TreeError(f"names a subtree '{name}', which it does not have; it has: {', '.join(self._trees)}")
+        found = self._trees[name]
+        if len(found) != 1:
+            raise TreeError(f"tree '{name}' has {len(found)} nodes at its top; it should have one")
+        return self._node(found[0], depth + 1)
+
+    def _node(self, element: ElementTree.Element, depth: int) -> TreeNode:
+        self._made += 1
+        if depth > DEEPEST:
+            raise TreeError(f"is more than {DEEPEST} levels deep: does a subtree contain itself?")
+        if self._made > MOST_NODES:
+            raise TreeError(f"has more than {MOST_NODES} nodes, its subtrees counted as often as they are named")
+        ports = dict(element.attrib)
+        kind = ports.pop("ID", "") if element.tag in ("Action", "Condition", "Control", "Decorator") else element.tag
+        if kind in ("SubTree", "SubTreePlus"):
+            return self.tree(ports.get("ID", ""), depth)
+        if kind not in self._kinds:
+            known = ", ".join(sorted(self._kinds))
+            raise TreeError(f"has a node '{kind}', which is not known here; known are: {known}")
+        children = [self._node(one, depth + 1) for one in element]
+        made = self._kinds[kind](ports.pop("name", kind), ports, children, self._board)
+        low, high = made.arity
+        if not low <= len(children) <= high:
+            wanted = low if low == high else f"{low} or more"
+            raise TreeError(f"'{kind}' has {len(children)} children; it should have {wanted}")
+        return made

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+import io
 import json
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from coursekit.files import write_whole
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.pose import Pose2
@@ -21,6 +24,9 @@ FORMAT = 1
 LARGEST = 2 << 30
 """Bytes that a session may have when unpacked."""
 _ENDINGS = (".npz", ".posegraph")
+_FAULTS: tuple[type[Exception], ...] = (OSError, EOFError, LookupError, RuntimeError, TypeError, ArithmeticError, ValueError)
+_FAULTS += (zipfile.BadZipFile, zlib.error)
+"""What a damaged archive, or arrays of other shapes, make the readers raise."""
 
 
 def save(slam: Slam, path: str | Path) -> Path:
@@ -52,8 +58,9 @@ def save(slam: Slam, path: str | Path) -> Path:
     }
     file = Path(path)
     file = file if file.suffix in _ENDINGS else file.with_name(file.name + ".npz")
-    with file.open("wb") as stream:
-        np.savez_compressed(stream, **arrays)
+    packed = io.BytesIO()
+    np.savez_compressed(packed, **arrays)
+    write_whole(file, packed.getvalue())
     return file.resolve()
 
 
@@ -74,7 +81,7 @@ def load(path: str | Path, at: Pose2 | None = None) -> Slam:
         with np.load(file, allow_pickle=False) as archive:
             data = {name: archive[name] for name in archive.files}
         return _restore(data, at)
-    except (OSError, EOFError, KeyError, IndexError, TypeError, ValueError, zipfile.BadZipFile) as fault:
+    except _FAULTS as fault:
         raise ValueError(f"{file} is no saved SLAM session, or is damaged: {fault}") from fault
 
 

@@ -17,7 +17,7 @@ def measure(python: str | Path, script: str, *args: str) -> str:
     env = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "COURSEKIT"))}
     env["COURSEKIT_ALONE"] = "1"  # a session that happens to run shall not be measured
     done = subprocess.run(
-        [str(python), str(HERE / script), *args], env=env, cwd="/", capture_output=True, text=True, check=True
+        [str(python), str(HERE / script), *args], env=env, cwd="/", capture_output=True, encoding="utf-8", check=True
     )
     return done.stdout.strip().splitlines()[-1]
 

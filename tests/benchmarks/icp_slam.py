@@ -59,7 +59,7 @@ def icp_slam(log: Path, relations: Path) -> float | None:
     with tempfile.TemporaryDirectory() as scratch:
         text = lzma.decompress(log.read_bytes())
         Path(scratch, "log.log").write_bytes(text)
-        Path(scratch, "slam.ini").write_text(CONFIG)
+        Path(scratch, "slam.ini").write_text(CONFIG, encoding="utf-8")
         for command in (["carmen2rawlog", "-q", "-w", "-i", "log.log", "-o", "log.rawlog"], ["icp-slam", "slam.ini"]):
             subprocess.run(command, cwd=scratch, capture_output=True, check=True)
         poses = np.loadtxt(Path(scratch, "out", "log_estimated_path.txt"))

@@ -76,7 +76,7 @@ def theirs(depth: int) -> dict[str, float] | None:
     job = json.dumps({"data": chain(depth), "questions": questions})
     try:
         done = subprocess.run(
-            ["/usr/bin/python3", str(CPP), "time"], input=job, capture_output=True, text=True, env={}, cwd="/"
+            ["/usr/bin/python3", str(CPP), "time"], input=job, capture_output=True, encoding="utf-8", env={}, cwd="/"
         )
     except OSError:
         return None

@@ -237,3 +237,22 @@ def test_the_server_knows_its_type(setup):
 def test_a_bad_name_is_refused(world, name):
     with pytest.raises(ValueError, match="Failed to create action server due to invalid topic name"):
         ActionServer(world.node(), Fibonacci, name, succeed)
+
+
+def test_feedback_of_a_goal_that_ends_at_once_is_heard_before_the_answer(world):
+    """Server and client of one executor: topics come before responses."""
+
+    def execute(handle):
+        handle.publish_feedback(Fibonacci.Feedback(sequence=[1, 1]))
+        return succeed(handle)
+
+    heard = []
+    node = world.node("n")
+    server = ActionServer(node, Fibonacci, "f", execute)
+    node.create_subscription(Fibonacci.Impl.FeedbackMessage, "f/_action/feedback", heard.append, 1)
+    client = node.create_client(Fibonacci.Impl.SendGoalService, "f/_action/send_goal")
+    assert client.wait_for_service(timeout_sec=8.0)
+    request = Fibonacci.Impl.SendGoalService.Request(goal_id=UUID(uuid=[1] * 16))
+    world.executor.spin_until_future_complete(client.call_async(request), timeout_sec=8.0)
+    assert [list(message.feedback.sequence) for message in heard] == [[1, 1]]
+    server.destroy()

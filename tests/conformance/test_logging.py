@@ -193,3 +193,29 @@ def test_the_command_line_sets_levels(make_world, words):
     make_world(args=["--ros-args", *words])
     name = words[1].partition(":=")[0]
     assert rclpy.logging.get_logger_effective_level(name) == LoggingSeverity.DEBUG
+
+
+def test_throttle_by_simulated_time_counts_from_zero(logger):
+    clock = Clock(clock_type=ClockType.ROS_TIME)
+    clock._set_ros_time_is_active(True)
+    shown = []
+    for second in (0, 1, 2, 3, 4):
+        clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
+        shown.append(logger.info("text", throttle_duration_sec=2, throttle_time_source_type=clock))
+    assert shown == [False, False, True, False, True]
+
+
+def test_a_severity_is_no_option(logger):
+    with pytest.raises(TypeError, match="got multiple values for argument 'severity'"):
+        logger.fatal("text", severity=LoggingSeverity.DEBUG)
+
+
+def test_the_logging_directory_is_named_by_the_environment(monkeypatch, tmp_path):
+    for name in ("ROS_LOG_DIR", "ROS_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert rclpy.logging.get_logging_directory() == tmp_path / ".ros" / "log"
+    monkeypatch.setenv("ROS_HOME", str(tmp_path / "ros"))
+    assert rclpy.logging.get_logging_directory() == tmp_path / "ros" / "log"
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "logs"))
+    assert rclpy.logging.get_logging_directory() == tmp_path / "logs"

@@ -4,6 +4,7 @@ from rcl_interfaces.msg import (
     IntegerRange,
     ParameterDescriptor,
     ParameterType,
+    ParameterValue,
     SetParametersResult,
 )
 from rclpy.exceptions import (
@@ -230,3 +231,19 @@ def test_a_dynamic_parameter_that_loses_its_value_is_undeclared(node):
     node.declare_parameter("loose", "value", ParameterDescriptor(dynamic_typing=True))
     assert node.set_parameters([Parameter("loose", Type.NOT_SET, None)])[0].successful
     assert not node.has_parameter("loose")
+
+
+def test_a_parameter_value_stands_for_an_override(world):
+    overrides = [Parameter("given", Parameter.Type.INTEGER, 7)]
+    node = world.node(parameter_overrides=overrides)
+    assert node.declare_parameter("given", ParameterValue(), ParameterDescriptor()).value == 7
+    with pytest.raises(ValueError, match="ParameterValue"):
+        node.declare_parameter("absent", ParameterValue(), ParameterDescriptor())
+
+
+def test_setting_several_goes_up_to_the_first_undeclared_one(node):
+    node.declare_parameters("", [("a", 1), ("b", 2)])
+    wanted = [Parameter(name, value=9) for name in ("a", "unknown", "b")]
+    with pytest.raises(ParameterNotDeclaredException):
+        node.set_parameters(wanted)
+    assert [node.get_parameter(name).value for name in ("a", "b")] == [9, 2]

@@ -131,3 +131,10 @@ def test_a_coroutine_may_be_a_timer_callback(world):
 
     world.node().create_timer(0.01, callback)
     world.spin_until(lambda: len(calls) >= 2)
+
+
+def test_a_spin_does_not_run_what_is_due_after_its_timeout(world):
+    calls = []
+    world.node().create_timer(0.2, lambda: calls.append(True))
+    world.executor.spin_once(timeout_sec=0.05)
+    assert calls == []

@@ -5,8 +5,17 @@ import sys
 
 import pytest
 
-from coursekit.core.executables import ExecutableNotFound, PackageNotFound, executables_of, find, packages
+from coursekit.core.executables import (
+    ChildProcess,
+    ExecutableNotFound,
+    PackageNotFound,
+    executables_of,
+    find,
+    is_python,
+    packages,
+)
 from coursekit.core.session import Session
+from coursekit.systems import which
 
 
 @pytest.fixture
@@ -158,3 +167,41 @@ def test_errors_of_a_child_stand_where_it_wrote_them(tmp_path):
 def test_a_package_without_executables_says_what_makes_one():
     text = str(ExecutableNotFound("cpp_talker", "talker", []))
     assert "console_scripts" in text and "C++ is not compiled here" in text
+
+
+@pytest.fixture
+def as_on_windows(prefix, monkeypatch):
+    """A package as setuptools installs it there: NAME.exe, a program for Windows, starts NAME-script.py beside it."""
+    monkeypatch.setattr(which, "WINDOWS", True)
+    text = "#!C:\\venv\\python.exe\nimport sys, beside\nprint(beside.NAME, sys.argv[1:])\n"
+    prefix("talker-script.py", text)
+    prefix("talker.exe", "MZ: no program for Linux")
+    return prefix
+
+
+def test_an_exe_of_setuptools_runs_inside_by_its_script(as_on_windows, session, tmp_path):
+    """Not as a child of the system: it would be in no graph, and not on the virtual clock."""
+    (tmp_path / "Lib" / "site-packages").mkdir(parents=True)
+    (tmp_path / "Lib" / "site-packages" / "beside.py").write_text("NAME = 'mine'\n")
+    process = session.start_executable(find("mine", "talker"), ["--x"])
+    assert process.wait(10) == 0, process.output
+    assert process.output == "mine ['--x']\n"
+    assert not isinstance(process, ChildProcess)
+
+
+def test_a_script_is_no_second_executable_and_an_exe_goes_by_both_of_its_names(as_on_windows):
+    assert [path.name for path in executables_of("mine")] == ["talker.exe"]
+    assert find("mine", "talker") == find("mine", "talker.exe")
+
+
+def test_an_exe_without_a_script_is_a_program_of_the_system(as_on_windows):
+    assert not is_python(as_on_windows("native.exe", "MZ"))
+    assert is_python(find("mine", "talker"))
+
+
+def test_a_childs_command_line_is_shown_as_the_system_writes_it(session, monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", False)
+    child = ChildProcess(session, ["C:\\tools\\x.exe", "a b"], name="x")
+    assert child.command_line() == "'C:\\tools\\x.exe' 'a b'"
+    monkeypatch.setattr(which, "WINDOWS", True)
+    assert child.command_line() == 'C:\\tools\\x.exe "a b"'

@@ -43,7 +43,7 @@ print("imports go on")
 @pytest.mark.parametrize("importing", ["_find_spec('sys', None)", "_get_module_lock('x')"])
 def test_the_import_lock_is_free_after_an_import_was_interrupted(importing):
     program = PROGRAM % f"importlib._bootstrap.{importing}; sum(range(50))"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, encoding="utf-8", timeout=60, check=False)
     assert done.stdout == "imports go on\n", done.stderr
 
 

@@ -24,5 +24,5 @@ with Session(virtual=True).use():
 )
 def test_a_hand_is_lent_whichever_comes_first(helper: str, library: str, function: str) -> None:
     code = FIRST.format(helper=helper, library=library, function=function)
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8")
     assert done.stdout.startswith("coursekit.view."), done.stderr

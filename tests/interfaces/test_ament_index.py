@@ -1,5 +1,8 @@
 """ament_index_python: what is installed, read anew at each call."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -7,7 +10,6 @@ from ament_index_python import (
     PackageNotFoundError,
     get_package_prefix,
     get_package_share_directory,
-    get_package_share_path,
     get_packages_with_prefixes,
     get_resource,
     get_resource_types,
@@ -26,14 +28,36 @@ def prefix(tmp_path, monkeypatch):
     for name in ("packages/mine", "packages/std_msgs", "colours/red"):
         (index / name).parent.mkdir(parents=True, exist_ok=True)
         (index / name).write_text("content")
-    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    monkeypatch.setenv("AMENT_PREFIX_PATH", os.pathsep.join([str(tmp_path), str(UNDERLAY)]))
     return tmp_path
 
 
-def test_the_underlay_is_searched_when_nothing_is_sourced(monkeypatch):
-    monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
-    assert get_search_paths() == [str(UNDERLAY)]
-    assert get_package_share_path("std_msgs") == UNDERLAY / "share" / "std_msgs"
+def test_the_underlay_is_searched_when_nothing_is_sourced(tmp_path):
+    """Also behind a workspace that was sourced before: a program finds what a sourced ROS gives."""
+    shows = "import ament_index_python as a; print(*a.get_search_paths(), a.get_package_share_path('std_msgs'))"
+    for sourced, searched in ((None, [UNDERLAY]), (tmp_path, [tmp_path, UNDERLAY])):
+        environ = {key: value for key, value in os.environ.items() if key != "AMENT_PREFIX_PATH"}
+        environ.update({} if sourced is None else {"AMENT_PREFIX_PATH": str(sourced)})
+        out = subprocess.run([sys.executable, "-c", shows], env=environ, capture_output=True, encoding="utf-8", check=True)
+        assert out.stdout.split() == [*map(str, searched), str(UNDERLAY / "share" / "std_msgs")]
+
+
+def test_what_a_program_sets_itself_is_all_that_is_searched(tmp_path, monkeypatch):
+    monkeypatch.setenv("AMENT_PREFIX_PATH", os.pathsep.join([str(tmp_path), "/not/there"]))
+    assert get_search_paths() == [str(tmp_path)]
+    assert get_packages_with_prefixes() == {}
+
+
+@pytest.mark.parametrize("value", ["", None])
+def test_no_prefix_at_all_is_an_error(value, monkeypatch):
+    if value is None:
+        monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
+    else:
+        monkeypatch.setenv("AMENT_PREFIX_PATH", value)
+    with pytest.raises(OSError, match="'AMENT_PREFIX_PATH' is not set or empty"):
+        get_search_paths()
+    with pytest.raises(OSError, match="'AMENT_PREFIX_PATH' is not set or empty"):
+        get_resource_types()
 
 
 def test_a_sourced_prefix_comes_first(prefix):

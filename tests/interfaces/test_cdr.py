@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 from std_msgs.msg import String
+from test_msgs.message_fixtures import get_test_msg
 from test_msgs.msg import BoundedSequences, Empty, MultiNested, Strings, UnboundedSequences, WStrings
 
 from coursekit.interfaces import CdrError, load
@@ -116,3 +117,9 @@ def test_a_list_that_grew_beyond_its_bound_is_not_written():
     message.bool_values.extend([True] * 9)
     with pytest.raises(CdrError, match="'bool_values' has 9 elements; at most 3"):
         serialize(message)
+
+
+@pytest.mark.parametrize("name", [name for name in ALL if name.startswith("test_msgs/")])
+def test_every_test_message_survives(name):
+    for message in get_test_msg(name.rpartition("/")[2]):
+        assert deserialize(serialize(message), type(message)) == message

@@ -259,7 +259,7 @@ def test_the_modules_of_single_interfaces_can_be_imported():
 def test_numpy_is_imported_only_for_messages_that_need_it():
     code = "import sys; from geometry_msgs.msg import Twist; Twist(); print('numpy' in sys.modules)"
     assert (
-        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+        subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True).stdout
         == "False\n"
     )
 

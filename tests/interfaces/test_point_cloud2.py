@@ -50,3 +50,30 @@ def test_a_wrong_argument_is_refused(cloud):
         point_cloud2.read_points("cloud")
     with pytest.raises(AssertionError):
         point_cloud2.read_points(cloud, ["w"])
+
+
+def test_fields_of_one_type_are_read_as_numbers_beside_others():
+    fields = [
+        PointField(name="x", offset=0, datatype=PointField.FLOAT32, count=1),
+        PointField(name="id", offset=4, datatype=PointField.UINT8, count=1),
+    ]
+    cloud = point_cloud2.create_cloud(Header(), fields, np.array([(1.5, 2)], dtype=point_cloud2.dtype_from_fields(fields)))
+    assert point_cloud2.read_points_numpy(cloud, ["x"]).tolist() == [[1.5]]
+    with pytest.raises(AssertionError, match="same datatype"):
+        point_cloud2.read_points_numpy(cloud)
+
+
+def test_a_cube_of_numbers_is_an_organized_cloud(cloud):
+    cube = np.arange(18, dtype=np.float32).reshape(2, 3, 3)
+    organized = point_cloud2.create_cloud_xyz32(Header(), cube)
+    assert (organized.height, organized.width, organized.row_step) == (3, 2, 24)
+    assert np.array_equal(point_cloud2.read_points_numpy(organized), cube.reshape(-1, 3))
+
+
+def test_longer_records_stay_long_unless_a_step_says_otherwise(cloud):
+    layout = {"names": ["x", "y", "z"], "formats": ["f4"] * 3, "offsets": [0, 4, 8], "itemsize": 20}
+    records = np.array([(1.0, 2.0, 3.0)], dtype=np.dtype(layout))
+    assert point_cloud2.create_cloud(Header(), cloud.fields, records).point_step == 20
+    assert point_cloud2.create_cloud(Header(), cloud.fields, records, 20).point_step == 20
+    with pytest.raises(AssertionError):
+        point_cloud2.create_cloud(Header(), cloud.fields, records, 12)

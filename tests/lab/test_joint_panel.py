@@ -6,7 +6,7 @@ from coursekit.core import streams
 from coursekit.core.executables import find
 from coursekit.core.session import Session
 from coursekit.lab.joint_panel import joint_sliders
-from coursekit.lab.panel import end_panels
+from coursekit.lab.panel import end_panels, open_panels
 from tests.urdf.oracle import ROBOTS
 
 
@@ -88,3 +88,18 @@ def test_the_browser_sees_what_moves(session, gui, monkeypatch):
     session.clock.sleep(0.5)
     assert sent[-1]["running"] is False
     assert "ended" in panel.text()
+
+
+def test_a_panel_that_waits_for_its_node_shows_none_yet(session):
+    """A window that opens meanwhile asks every panel what it shows."""
+    asked = []
+
+    def meanwhile():
+        session.clock.sleep(0.1)
+        path = find("joint_state_publisher_gui", "joint_state_publisher_gui")
+        asked.extend(one.shows(object()) for one in open_panels())
+        session.start_executable(path, [str(ROBOTS / "r2d2_2.urdf")], name="gui")
+
+    session.spawn(meanwhile)
+    panel = joint_sliders()
+    assert asked == [False] and panel.shows(panel.board)

@@ -93,3 +93,10 @@ def test_a_typed_line_reaches_the_program(session, monkeypatch):
     says(terminal, type="line", text="hi")
     terminal.wait()
     assert terminal.tail(1) == "you said hi"
+
+
+def test_a_terminal_is_waited_for_until_it_says_something(session, monkeypatch):
+    shown, _ = opened(session, chatty(session, 9, 1.0), monkeypatch)
+    assert shown.wait(until="line 3") is None and shown.text.splitlines()[-1] == "line 3"
+    assert shown.wait(1.0, until="line 8") is None and shown.wait() == 0
+    assert shown.wait(until="line 99") == 0, "it has ended: nothing more is said"

@@ -73,3 +73,13 @@ def test_a_map_file_is_shown_without_any_node(session, tmp_path):
     assert repr(map_view(file)) == "map of 5 x 4 cells of 0.1 m: 1 walls, 2 free, 17 unknown"
     with pytest.raises(LookupError, match="There is no topic /mpa in the graph"):
         map_view("/mpa")
+
+
+@pytest.mark.parametrize("lag", [0.4, 0.8, 2.0])
+def test_a_slow_computer_drives_as_far_and_does_not_turn_for_ever(session, cart, monkeypatch, lag):
+    """Who looks up seldom turns by no more than what was missing at the last look."""
+    monkeypatch.setattr("coursekit.lab.tour.BEAT_SECONDS", lag)
+    monkeypatch.setattr("coursekit.lab.drive.SILENCE_SECONDS", 2 * lag)  # the stop comes late, too
+    tour = drive_along([(2.2, 0.3), (2.4, -0.5), (0.5, -0.3)], speed=0.5)
+    x, y, _ = tour.tracks["truth"][-1]
+    assert math.hypot(x, y + 0.3) < 0.6 and tour.length < 7.0 and tour.seconds < 120

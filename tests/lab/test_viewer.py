@@ -184,6 +184,24 @@ def test_a_bad_description_is_told(session, talker):
     assert viewer(displays=["RobotModel"]).status("RobotModel").startswith("Error: URDF:")
 
 
+def test_a_mesh_without_its_texture_is_drawn_plain_and_told_in_one_line(session, talker, tmp_path):
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+    from std_msgs.msg import String
+
+    from tests.urdf.test_mesh_files import DAE, PLAIN
+
+    (tmp_path / "crate.dae").write_text(DAE.format(texture="../materials/textures/none.png", emission=PLAIN))
+    geometry = f"<geometry><mesh filename='file://{tmp_path}/crate.dae'/></geometry>"
+    text = f"<robot name='x'><link name='base'><visual>{geometry}</visual></link></robot>"
+    lasting = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    talker.create_publisher(String, "/robot_description", lasting).publish(String(data=text))
+    frame(talker, "map", "base")
+    panel = viewer(fixed_frame="map", displays=["RobotModel"])
+    status = panel.status("RobotModel")
+    assert "texture '../materials/textures/none.png' is not found" in status and status.startswith("Warn")
+    assert shapes(panel, "RobotModel")
+
+
 def test_a_topic_that_cannot_be_is_told_and_may_be_mended(session, talker):
     panel = viewer(fixed_frame="map", displays=["LaserScan /front scan"])
     panel._hear(panel, {"type": "topic", "row": 0, "topic": "/front-scan"}, [])

@@ -11,6 +11,7 @@ from geometry_msgs.msg import (
     PointStamped,
     PolygonStamped,
     PoseWithCovarianceStamped,
+    TransformStamped,
     TwistStamped,
     WrenchStamped,
 )
@@ -19,6 +20,7 @@ from nav2_msgs.msg import Particle, ParticleCloud
 from nav_msgs.msg import GridCells, OccupancyGrid, Odometry
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
+from tf2_msgs.msg import TFMessage
 
 from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
@@ -230,3 +232,27 @@ def test_what_changes_in_a_map_is_painted(session, talker):
     ((picture,),) = [thing.shapes for thing in panel.stage.scene.things.values()]
     assert picture.image[0, :, 0].tolist() == [255, 0, 128], "the upper row"
     assert picture.image[1, :, 0].tolist() == [255, 255, 255]
+
+
+def test_a_map_stands_where_its_frame_is_now(session, talker):
+    """As in RViz, where the fixed frame is the robot's: the map goes with tf, whatever its stamp."""
+    lasting = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    frames = talker.create_publisher(TFMessage, "/tf", 10)
+    panel = viewer(fixed_frame="odom", displays=["Map"])
+
+    def places():
+        grid = OccupancyGrid(data=[0] * 4)
+        grid.header.frame_id, grid.info.width, grid.info.height, grid.info.resolution = "map", 2, 2, 0.5
+        grid.header.stamp.sec = 1  # long before the first transform
+        talker.create_publisher(OccupancyGrid, "/map", lasting).publish(grid)
+        for x in (1.0, 3.0):
+            moved = TransformStamped(child_frame_id="odom")
+            moved.header.frame_id, moved.header.stamp = "map", talker.get_clock().now().to_msg()
+            moved.transform.translation.x = x
+            frames.publish(TFMessage(transforms=[moved]))
+            session.clock.sleep(0.5)
+            panel.stage.update()
+            (thing,) = [one for (key, name), one in panel.stage.scene.things.items() if name == "map"]
+            yield round(thing.pose[0], 3)
+
+    assert list(places()) == [-1.0, -3.0]

@@ -120,7 +120,7 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_what_to_do(desk, monkeyp
     written(desk, "A", desk.name, "a\n")
 
     def full(path, *_args, **_options):
-        open(path, "w").write("a half")  # noqa: SIM115
+        open(path, "w", encoding="utf-8").write("a half")  # noqa: SIM115
         raise OSError(errno.ENOSPC, "No space left on device", str(path))
 
     monkeypatch.setattr(type(desk.file), "write_text", full)

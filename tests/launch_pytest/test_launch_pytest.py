@@ -38,7 +38,7 @@ def run(tmp_path: Path) -> Callable[..., str]:
         (tmp_path / "test_it.py").write_text(HEAD + text)
         command = [sys.executable, "-m", "pytest", "-v", "-p", "no:cacheprovider", *argv]
         env = {**os.environ, "COURSEKIT_TIME": clock, "ROS_LOG_DIR": str(tmp_path / "log")}
-        return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False).stdout
+        return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, encoding="utf-8", check=False).stdout
 
     return carry_out
 
@@ -279,6 +279,6 @@ def test_join(talker, launch_context):
     import os, subprocess, sys
     assert process.wait_for_stderr_sync(launch_context, talker, lambda text: "World: 0" in text, timeout=10)
     command = [os.path.dirname(sys.executable) + "/ros2", "node", "list"]
-    assert subprocess.run(command, capture_output=True, text=True).stdout == "/talker\\n"
+    assert subprocess.run(command, capture_output=True, encoding="utf-8").stdout == "/talker\\n"
 """
     assert outcomes(run(text, clock="")) == {"test_join": "PASSED"}

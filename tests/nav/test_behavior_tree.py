@@ -83,6 +83,13 @@ def test_subtrees_and_explicit_kinds_are_read():
     assert ticked(inside, 1, more) == ([SUCCESS], ["b", "a"])
 
 
+DOUBLING = "".join(
+    f'<BehaviorTree ID="t{n}"><Sequence><SubTree ID="t{n + 1}"/><SubTree ID="t{n + 1}"/></Sequence></BehaviorTree>'
+    for n in range(30)
+)
+DOUBLING = f'<root>{DOUBLING}<BehaviorTree ID="t30"><AlwaysSuccess/></BehaviorTree></root>'
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [
@@ -93,6 +100,7 @@ def test_subtrees_and_explicit_kinds_are_read():
         ('<root><BehaviorTree ID="M"><Inverter/></BehaviorTree></root>', "'Inverter' has 0 children; it should have 1"),
         ('<root><BehaviorTree ID="M"/></root>', "has 0 nodes at its top"),
         ('<root><BehaviorTree ID="M"><SubTree ID="M"/></BehaviorTree></root>', "does a subtree contain itself"),
+        (DOUBLING, "has more than 5000 nodes"),
         ('<root><BehaviorTree ID="M"><SubTree ID="N"/></BehaviorTree></root>', "a subtree 'N', which it does not have"),
     ],
 )

@@ -42,7 +42,8 @@ def ours(data, questions):
 
 def theirs(jobs):
     lines = "\n".join(json.dumps(job) for job in jobs)
-    done = subprocess.run([PYTHON, str(SCRIPT)], input=lines, capture_output=True, text=True, env={}, cwd="/", timeout=100)
+    command = [PYTHON, str(SCRIPT)]
+    done = subprocess.run(command, input=lines, capture_output=True, encoding="utf-8", env={}, cwd="/", timeout=100)
     assert done.returncode == 0, done.stderr
     return [json.loads(line) for line in done.stdout.splitlines()]
 

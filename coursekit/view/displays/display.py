@@ -178,7 +178,7 @@ class StampedDisplay(Display):
         for index in range(len(messages) - 1, -1, -1):
             msg = messages[index]
             try:
-                pose = stage.pose_at(msg.header)
+                pose = self.pose_of(msg, stage)
             except NoTransform as error:
                 if index == len(messages) - 1:
                     self.say("Transform", "Error", str(error))
@@ -196,9 +196,13 @@ class StampedDisplay(Display):
         if self.shown is None:
             return
         try:
-            self.move(stage.pose_at(self.shown.header), scene)
+            self.move(self.pose_of(self.shown, stage), scene)
         except NoTransform:
             return
+
+    def pose_of(self, msg: Any, stage: Stage) -> Pose:
+        """Where the frame of a message is: at the message's time. Raises NoTransform."""
+        return stage.pose_at(msg.header)
 
     def move(self, pose: Pose, scene: Scene) -> None:
         """Put what is shown to the pose of its frame."""

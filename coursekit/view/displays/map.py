@@ -13,7 +13,7 @@ from coursekit.tf import compose
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Picture
 
-from .display import StampedDisplay
+from .display import NoTransform, StampedDisplay
 from .poses import numbers
 
 if TYPE_CHECKING:
@@ -116,6 +116,13 @@ class Map(StampedDisplay):
         size = info.width * info.resolution, info.height * info.resolution
         image = painted(cells, self.options["color_scheme"])
         scene.put(self.key, "map", Picture(image, *size, self.options["alpha"]))
+
+    def pose_of(self, msg: Any, stage: Stage) -> Pose:
+        """Where the map's frame is now, else where it was last: a map holds for longer than its time, as in RViz."""
+        try:
+            return stage.pose(msg.header.frame_id, stage.now())
+        except NoTransform:
+            return stage.pose(msg.header.frame_id)
 
     def move(self, pose: Pose, scene: Scene) -> None:
         """A little below the floor, so that the grid is seen."""

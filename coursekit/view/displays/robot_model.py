@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.urdf import MeshError, Robot, UrdfError, parse
-from coursekit.urdf.shapes import link_surfaces
+from coursekit.urdf.shapes import link_surfaces, notes_of
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Triangles, simpler
 
@@ -61,6 +61,14 @@ class RobotModel(Display):
         faults = [fault for link in self.robot.links if (fault := self._shape(link, scene))]
         if faults:
             self.say("URDF", "Error", faults[0])
+        elif plain := self._plain():
+            self.say("URDF", "Warn", plain[0] + (f" (and {len(plain) - 1} more)" if len(plain) > 1 else ""))
+
+    def _plain(self) -> list[str]:
+        """What of the meshes is drawn without its texture."""
+        assert self.robot is not None
+        shapes = [visual.geometry for link in self.robot.links.values() for visual in link.visuals]
+        return [note for shape in dict.fromkeys(shapes) for note in notes_of(shape, self.robot.file)]
 
     def _shape(self, link: str, scene: Scene) -> str:
         assert self.robot is not None

@@ -1,0 +1,68 @@
+"""Python's values in the line of a magic: `%ros2 run nav2_map_server map_saver_cli -f {workspace()}/room`.
+
+IPython puts them in before the line is divided into words, and a folder such as `José Luis` would become two.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from pathlib import PurePath
+from typing import Any
+
+from IPython.utils.text import DollarFormatter
+
+_PLACE = re.compile("\ue000([0-9]+)\ue001")
+"""Stands for a path until the line is divided; of letters that nobody types."""
+_NOWHERE = 100_000
+"""Further than any caller is: only names of the notebook are known."""
+
+
+class Values(DollarFormatter):
+    """Puts values in; a path stays part of one word, whatever is in its name, and other values may be several words.
+
+    >>> values = Values()
+    >>> line = values.vformat("run a b {folder}/x {more}", (), {"folder": PurePath("/my ws"), "more": "-r c:=d"})
+    >>> [values.restored(word) for word in line.split()]
+    ['run', 'a', 'b', '/my ws/x', '-r', 'c:=d']
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._paths: list[str] = []
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """The text of a value, or what stands for it."""
+        if not _is_path(value):
+            return str(super().format_field(value, format_spec))
+        self._paths.append(str(value))
+        return f"\ue000{len(self._paths) - 1}\ue001"
+
+    def restored(self, word: str) -> str:
+        """A word with its paths."""
+        return _PLACE.sub(lambda found: self._paths[int(found[1])], word)
+
+    def expanded(self, shell: Any, line: str) -> str:
+        """The line of a magic with values of the cell or the function that called it."""
+        depth = _frames_to_caller()
+        if shell is None or (depth is None and "{" in line):  # called by a program, whose braces are YAML's
+            return line
+        return str(shell.var_expand(line, depth=_NOWHERE if depth is None else depth, formatter=self))
+
+
+def _is_path(value: Any) -> bool:
+    return isinstance(value, PurePath) or (isinstance(value, str) and os.path.isabs(value) and os.path.exists(value))
+
+
+def _frames_to_caller() -> int | None:
+    """How many frames above `expanded` the code is that calls the magic; None where IPython did not call it."""
+    frame, depth = sys._getframe(1), 0
+    while frame is not None:
+        if frame.f_code.co_name == "run_line_magic":
+            return depth + 1
+        frame, depth = frame.f_back, depth + 1  # type: ignore[assignment]
+    return None
+
+
+__all__ = ["Values"]

@@ -1,0 +1,47 @@
+"""Values in the lines of magics: a path is part of one word, other values are as many as they hold."""
+
+from pathlib import Path
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+
+from coursekit.lab import magics
+from tests.paths.workspace import HOSTILE
+
+
+@pytest.fixture
+def words(monkeypatch):
+    """words("line") gives what `%ros2 line` is divided into, in a cell that knows some names."""
+    shell, found = InteractiveShell(), []
+    shell.register_magics(magics.CourseMagics(shell))
+    monkeypatch.setattr(magics, "_attend", lambda begin, title, options, background: found.append(title))
+    monkeypatch.setattr(magics, "_title", lambda argv: argv)
+    here = str(Path(__file__).parent)
+    shell.user_ns |= {"place": Path("/home") / HOSTILE, "more": "-r a:=b", "real": here, "pair": ["x y"]}
+
+    def run(line):
+        shell.run_cell(line).raise_error()
+        return found.pop()
+
+    return run
+
+
+def test_a_path_is_one_word_with_what_stands_beside_it(words):
+    assert words("%ros2 run p e {place}/map -p f:={place} {real}/x") == [
+        "run", "p", "e", f"/home/{HOSTILE}/map", "-p", f"f:=/home/{HOSTILE}", f"{Path(__file__).parent}/x"
+    ]  # fmt: skip
+    assert words("%ros2 service call /s t \"{{filename: {place}/graph}}\"")[-1] == f"{{filename: /home/{HOSTILE}/graph}}"
+    assert words("%ros2 run p e $place {place}")[2:] == ["e", f"/home/{HOSTILE}", f"/home/{HOSTILE}"]
+
+
+def test_other_values_are_as_many_words_as_they_hold(words):
+    assert words("%ros2 run p e --ros-args {more} $more {pair[0]}")[4:] == ["-r", "a:=b", "-r", "a:=b", "x", "y"]
+
+
+def test_braces_of_yaml_stay_as_they_are(words):
+    assert words("%ros2 topic pub /t T \"{linear: {x: 1.0}}\"")[-1] == "{linear: {x: 1.0}}"
+
+
+def test_names_of_a_loop_and_of_a_function_are_known(words):
+    program = "def f(inner):\n    get_ipython().run_line_magic('ros2', 'run {inner}')\nf('talk')"
+    assert words(program) == ["run", "talk"]

@@ -72,7 +72,7 @@ class Record:
 
     def _by_hand(self, verdict: Verdict) -> Verdict:
         points = self.by_hand.get(verdict.name)
-        return verdict if points is None else replace(verdict, points=points)
+        return verdict if points is None else replace(verdict, points=points, fault="")
 
     def points(self) -> float:
         """Before anything is taken off for being late."""
@@ -124,7 +124,7 @@ class Record:
 
 def _together(statuses: Sequence[str]) -> str:
     """The one that needs a look most; empty only if all are."""
-    for one in ("error", "unreadable", "timed out"):
+    for one in ("error", "unreadable"):
         if one in statuses:
             return one
     return "empty" if statuses and all(one == "empty" for one in statuses) else "graded"

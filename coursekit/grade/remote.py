@@ -215,9 +215,9 @@ class RemoteWork(Work):
                 os.close(one)
             there = back = (-1, -1)
             out = started[0].answer(question(plan), self._limits.output)
-            for one in reversed(started):
-                if one.stopped:
-                    raise TrialFailed(one.stopped, timed_out=one.timed_out)
+            for running in reversed(started):
+                if running.stopped:
+                    raise TrialFailed(running.stopped, timed_out=running.timed_out)
             return answered(out)
         finally:
             for running in started:

@@ -159,10 +159,17 @@ class Roster:
         return self.label(found.people[0]) if len(found.people) == 1 else ""
 
     def of(self, label: str) -> Person | None:
-        """The person of that label, id, e-mail or name; None when it is nobody's or not one person's."""
+        """The person of that label, id, e-mail or name; of a part of the name, too, where only one has it; else None.
+
+        >>> group = Roster(["Ann Lee", "Ann Ito"])
+        >>> group.of("ito").name, group.of("Ann")
+        ('Ann Ito', None)
+        """
         exact = [one for one in self.people if label in (self.label(one), one.id, one.email, one.login)]
         named = exact or [one for one in self.people if plain(label) in {plain(name) for name in one.names()}]
-        return named[0] if len(named) == 1 else None
+        wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}
+        found = named or [one for one in self.people if wanted and wanted <= _words_of(one)]
+        return found[0] if len(found) == 1 else None
 
 
 def _person(layout: Layout, row: Sequence[str], at: int) -> Person:
@@ -176,6 +183,10 @@ def _person(layout: Layout, row: Sequence[str], at: int) -> Person:
     facts["number"] = re.sub(r"\D", "", facts["number"])
     name = shown(name or facts["email"] or facts["id"])
     return Person(name, family=shown(family), given=shown(given), row=at, **facts)
+
+
+def _words_of(person: Person) -> set[str]:
+    return {plain(word) for name in person.names() for word in re.split(r"[\W_]+", name)}
 
 
 def _expect_different(people: Sequence[Person]) -> None:

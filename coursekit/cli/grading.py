@@ -235,9 +235,9 @@ def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
 
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
-    from coursekit.grade import statuses
     from coursekit.grade.handing_back import hand_back
-    from coursekit.grade.harmless import shown
+    from coursekit.grade.harmless import counted, shown
+    from coursekit.grade.statistics import average
 
     for line in outcome.told:
         print(f"! {shown(line, 400)}")
@@ -245,12 +245,11 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
         print(f"? {shown(question.text)} {shown(question.about, 300)}")
     if outcome.collection.unanswered:
         where = group.out.with_name("questions.csv")
-        print(f"Fill in the column 'answer' of {where}, and run this again: those who are asked about have no mark yet.")
-    marks = [one.total() or 0.0 for one in outcome.records if one.counts()]
-    average = sum(marks) / len(marks) if marks else 0
+        asked = counted(len(outcome.collection.unanswered), "question is", "questions are")
+        print(f"{asked} open: fill in the column 'answer' of {where}, and run this again.")
+        print("Who is asked about has no mark until then.")
     tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
-    counts = statuses.told(outcome.statuses()) or "nothing was handed in"
-    print(f"{counts}; {average:.2f} points on average of {len(marks)}; run in the sandbox {tiers}: {args.out}")
+    print(f"{outcome.line()}; {average(outcome.records)}; run in the sandbox {tiers}: {args.out}")
     if args.platform:
         for file in hand_back(args.platform, outcome.records, group.roster, group.out):
             print(f"To hand back: {file}")
@@ -265,7 +264,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
 def run_verify(args: argparse.Namespace) -> int:
     """Say what is wrong with files that were handed in; 1 when something is."""
     from coursekit.grade.handing_in import same_in, verify
-    from coursekit.grade.harmless import shown
+    from coursekit.grade.harmless import counted, shown
 
     folder, variants, count = _notebooks(args), _variants(args.variants), 0
     for file in args.file:
@@ -279,7 +278,7 @@ def run_verify(args: argparse.Namespace) -> int:
             print(f"✘ {shown(fault, 400)}")
         if marked is not None:
             print(f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points in a clean run")
-        print("✔ Nothing was changed." if not faults else f"{len(faults)} fault(s)")
+        print("✔ Nothing was changed." if not faults else counted(len(faults), "fault"))
         count += len(faults)
     for said in same_in({file.name: file for file in args.file}) if len(args.file) > 1 else ():
         print(f"✘ {shown(said, 400)}")

@@ -133,7 +133,7 @@ class Class:
         if self.anonymity is None:
             before, now = now, before
         self.table.by_hand.move(before, now)
-        made.by_hand = dict(self.table.by_hand.points.get(now, {}))
+        made.by_hand = self.table.by_hand.points_of(now, list(wanted))
         made.extra = dict(self.table.by_hand.extra.get(now, {}))
         return made
 
@@ -192,7 +192,7 @@ class Class:
         marks = [one.marked() for one in shown if one.counts()]
         write_reports(self.kept, shown)
         write_similar(self.kept / "similar.csv", marks)
-        write_statistics(self.kept, marks, outcome.statuses())
+        write_statistics(self.kept, shown, outcome.statuses())
         write_overview(self.kept, shown, outcome)
         write_gradebook(self.kept / "gradebook.csv", shown, records, self.results)
 

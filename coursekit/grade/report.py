@@ -29,7 +29,7 @@ h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}} .comment{{border
 .evidence{{display:flex;flex-wrap:wrap;gap:1rem}} figure{{margin:0;max-width:36rem}} figure img{{max-width:100%}}
 figcaption{{color:#5c686f;font-size:.8rem}}
 pre{{background:#f5f7f8;padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
-<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points{off}</p>{comments}{notes}
+<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{off}</p>{comments}{notes}
 {verdicts}{evidence}<footer>{status}{late}; run in the sandbox <code>{tier}</code></footer></body></html>
 """
 
@@ -46,14 +46,15 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
     if fields is not None:
         parts = [_beside(one, record, code, fields(one.name)) for one in marked.verdicts]
     notes = "".join(f"<li>{_text(note)}</li>" for note in [*record.handed.open, *marked.notes])
-    off = max((one.percent_off for one in record.late.values()), default=0.0)
+    off = record.told_off()
     written = [(name, text) for name, text in record.extra.items() if text and not name.endswith(ON_EXERCISE)]
     said = "".join(f"<p class='comment'><b>{_text(name)}</b>: {_paragraphs(text)}</p>" for name, text in written)
     return _PAGE.format(
         student=_text(record.label),
         points="no mark yet" if total is None else number(total),
         of=number(record.of()),
-        off=f" ({number(off)} % off for being late)" if off else "",
+        chapters=_text(record.told_chapters()),
+        off=f", after {off} taken off for being late" if off else "",
         comments=said,
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),

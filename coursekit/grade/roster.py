@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .harmless import shown
+from .harmless import counted, shown
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
 from .tables import Table, decoded, read_table
 
@@ -103,9 +103,10 @@ class Roster:
     def told(self) -> str:
         """How many people there are, and in which columns what was found."""
         if self.layout is None or self.table is None:
-            return f"{len(self.people)} students"
+            return counted(len(self.people), "student")
         named = ((what, self.table.headings[at]) for what, at in self.layout.places.items())
-        return f"{len(self.people)} students; " + ", ".join(f"{what}: '{shown(heading)}'" for what, heading in named)
+        columns = ", ".join(f"{what}: '{shown(heading)}'" for what, heading in named)
+        return f"{counted(len(self.people), 'student')}; {columns}"
 
     @classmethod
     def read(cls, file: Path) -> Roster:

@@ -40,10 +40,14 @@ def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: boo
     return LATE if late else GRADED
 
 
-def counted(statuses: Iterable[str]) -> dict[str, int]:
+_WORDS = {QUESTION: "with an open question", NOTHING: "without anything handed in"}
+"""What a number of students is told with, where that is not the status itself."""
+
+
+def by_status(statuses: Iterable[str]) -> dict[str, int]:
     """How many there are of each, in a fixed order.
 
-    >>> counted(["graded", "late", "graded"])
+    >>> by_status(["graded", "late", "graded"])
     {'late': 1, 'graded': 2}
     """
     found: Sequence[str] = list(statuses)
@@ -51,5 +55,9 @@ def counted(statuses: Iterable[str]) -> dict[str, int]:
 
 
 def told(counts: dict[str, int]) -> str:
-    """The counts in words: `31 graded, 2 late`."""
-    return ", ".join(f"{number} {status}" for status, number in reversed(list(counts.items())))
+    """The counts in words.
+
+    >>> told({"question": 1, "nothing handed in": 2, "graded": 31})
+    '31 graded, 2 without anything handed in, 1 with an open question'
+    """
+    return ", ".join(f"{number} {_WORDS.get(status, status)}" for status, number in reversed(list(counts.items())))

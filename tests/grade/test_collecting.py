@@ -162,7 +162,7 @@ def test_a_student_called_class_and_those_with_names_of_results(folder):
     found = grade(folder)[1]
     assert len(found) == 7 and len({row["key"].casefold() for row in found.values()}) == 7
     kept = folder.parent / "grades"
-    assert "<h1>The class</h1>" in (kept / "class.html").read_text()
+    assert "<h1>The class: 02_topics</h1>" in (kept / "class.html").read_text()
     assert all((kept / f"{row['key']}.html").is_file() for row in found.values())
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from coursekit.grade.mark import Marked
-from coursekit.grade.statuses import LOOK, STATUSES, counted, status_of, told
+from coursekit.grade.statuses import LOOK, STATUSES, by_status, status_of, told
 from coursekit.grade.verdict import Verdict
 
 OVER = Verdict("q", "t", 0, 1, got="it did not come to an end", timed_out=True)
@@ -40,4 +40,5 @@ def test_words_of_a_student_s_are_no_status():
 
 
 def test_counts_are_told_in_a_fixed_order():
-    assert told(counted(["question", "graded", "late", "graded", "empty"])) == "2 graded, 1 late, 1 empty, 1 question"
+    said = "2 graded, 1 late, 1 empty, 1 with an open question"
+    assert told(by_status(["question", "graded", "late", "graded", "empty"])) == said

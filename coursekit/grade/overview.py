@@ -13,6 +13,7 @@ from coursekit.files import write_whole
 from .collector import Collection
 from .harmless import number, shown
 from .outcome import Outcome
+from .page_style import STYLE
 from .record import Record
 from .similar import similar
 from .statistics import average, shares
@@ -21,16 +22,18 @@ from .verdict import Verdict
 
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>The class: {chapters}</title><link rel="icon" href="data:,">
-<style>body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
+<style>{style}
+body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem}}
 h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:2rem}} img{{max-width:100%}} table{{border-collapse:collapse}}
-td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid #e3e8ea;vertical-align:top;font-weight:400}}
-th{{color:#5c686f;position:sticky;top:0;background:#fff}} td:first-child,th:first-child,.words{{text-align:left}}
-.all{{background:#e3f2e9}} .some{{background:#fbf3dc}} .none{{color:#b3392f}} .eye{{color:#b3392f}}
+td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid var(--line);vertical-align:top;font-weight:400}}
+th{{color:var(--soft);position:sticky;top:0;background:var(--paper)}} td:first-child,th:first-child,.words{{text-align:left}}
+.all{{background:var(--all)}} .some{{background:var(--some)}} .none,.eye{{color:var(--wrong)}}
 .words{{font-size:.88rem}} td:first-child{{white-space:nowrap}} .wrap td:first-child{{white-space:normal}}</style>
 </head><body><h1>The class: {chapters}</h1>
 <p>{counts}; {average}; run in the sandbox <code>{tier}</code></p>
 {look}{hardest}<h2>Everybody</h2><p><img src="histogram.png" alt="How many students have how many points"></p>
-<table><tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
+<table id="everybody">
+<tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
 {rows}</table>{alike}</body></html>
 """
 _MOST = 200
@@ -43,6 +46,7 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
     outcome = outcome or Outcome(list(records), Collection([], [], []))
     tiers = sorted({one.marked().tier for one in records} - {""})
     return _PAGE.format(
+        style=STYLE,
         chapters=_text(records[0].told_chapters() if records else ""),
         counts=html.escape(outcome.line()),
         average=html.escape(average(records)),

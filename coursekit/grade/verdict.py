@@ -91,7 +91,7 @@ class Verdict:
 
     def html(self) -> str:
         """For the notebook."""
-        colour, mark = ("#1a7f4b", "✔") if self.passed else ("#b3392f", "✘")
+        colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         rows = "".join(
             f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
             f"{label}</td>"

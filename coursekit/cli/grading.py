@@ -34,6 +34,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("--roster", type=Path, metavar="FILE", help=f"a marked copy for each student. {_ROSTER}")
     release.add_argument("--wheel", metavar="ADDRESS", help="what students install: where the wheel is (docs/teachers.md)")
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
+    how = "put the copies into a zip that Moodle gives to each student (docs/teachers.md)"
+    release.add_argument("--for", dest="platform", choices=("moodle",), help=how)
     release.set_defaults(main=run_release)
     _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
     new = commands.add_parser("new", help="begin a chapter of your own: a notebook with an exercise, and its check")
@@ -108,16 +110,31 @@ def run_release(args: argparse.Namespace) -> int:
     chosen = _chosen(known, args.chapters)
     names = args.variants or args.roster
     variants = _variants(names, new=True)
-    out = args.out.resolve()
-    for written in release(chosen, out, variants, personal=args.variants is not None, wheel=args.wheel or WHEEL):
+    out, moodle = args.out.resolve(), args.platform is not None
+    if moodle:
+        _expect_numbers(variants)
+    personal, wheel = args.variants is not None, args.wheel or WHEEL
+    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle):
         print(written.relative_to(out))
     if args.wheel is None:
         print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")
     if variants is not None and names is not None:
         print(variants.roster.told())
         print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
+        print("How each student gets their zip: docs/teachers.md, 'A zip for each student'; copies.csv says whose is which.")
     print(MORE)
     return 0
+
+
+def _expect_numbers(variants: Variants | None) -> None:
+    from coursekit.grade.handing_out import expect_numbers
+
+    if variants is None:
+        raise SystemExit("--for moodle hands out a copy for each student: give the class as --roster, too.")
+    try:
+        expect_numbers(variants.roster)
+    except ValueError as error:
+        raise SystemExit(str(error)) from None
 
 
 def run_new(args: argparse.Namespace) -> int:

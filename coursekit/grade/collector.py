@@ -56,6 +56,7 @@ class Collector:
         self._recogniser = Recogniser(sources)
         self._roster = roster
         self._identifier = Identifier(roster, copies) if roster else None
+        self._knows_marks = bool(copies)
         self._policy = policy or Policy()
         self._answers = answers or {}
         self._people: dict[str, Handed] = {}
@@ -75,6 +76,7 @@ class Collector:
             self._look_for_other_s_copies(handed)
         self._made.handed = sorted(self._people.values(), key=lambda one: (plain(one.label), one.key))
         self._look_alike()
+        self._look_for_marks()
         self._made.unanswered += [one for _, one in self._made.whose]
         return self._made
 
@@ -158,6 +160,13 @@ class Collector:
             owner = self._identifier.owner(piece.known.copy) if self._identifier is not None else None
             if owner is not None and owner != handed.person and self._roster is not None:
                 handed.concerns.append(f"{shown(piece.where)}: the copy was made for {self._roster.label(owner)}")
+
+    def _look_for_marks(self) -> None:
+        """Copies carry marks that nobody can read where the secret of the release is missing: then only names decide."""
+        marked = any(piece.known.copy for handed in self._people.values() for piece in handed.pieces())
+        if self._roster is not None and not self._knows_marks and marked:
+            missing = "the .secret of the list that they were released with is not beside this list"
+            self._made.told.append(f"There are copies with a mark, but {missing}: only names tell whose they are.")
 
     def _choose(self, handed: Handed) -> None:
         """The file that counts for each chapter."""

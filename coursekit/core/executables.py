@@ -47,11 +47,15 @@ class ExecutableNotFound(LookupError):
 
 def why_missing(package: str, executable: str) -> str:
     """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
-    for prefix in prefixes():
-        listed = _index(prefix).parent / "coursekit_skipped" / package
-        if listed.is_file() and executable in read_text(listed).splitlines():
-            return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
+    if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
+        return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
     return remark_on_executable(package, executable)
+
+
+def skipped_of(package: str, prefix: Path) -> list[str]:
+    """The targets in C++ that `colcon build` passed over when it installed the package into `prefix`."""
+    listed = _index(prefix).parent / "coursekit_skipped" / package
+    return read_text(listed).splitlines() if listed.is_file() else []
 
 
 def _hint(name: str, known: Sequence[str]) -> str:
@@ -82,12 +86,24 @@ def prefix_of(package: str) -> Path:
 
 
 def executables_of(package: str) -> list[Path]:
-    """The executables of a package, sorted; raises PackageNotFound."""
+    """The executables of a package, sorted; raises PackageNotFound.
+
+    Where C++ was passed over, coursekit's programs of that package answer under its names.
+    """
     prefix = prefix_of(package)
+    found = {path.name: path for path in stand_ins(package)} if skipped_of(package, prefix) else {}
+    found |= {path.name: path for path in _programs(package, prefix)}
+    return [found[name] for name in sorted(found)]
+
+
+def stand_ins(package: str) -> list[Path]:
+    """The programs that coursekit has of a package itself."""
+    return _programs(package, UNDERLAY)
+
+
+def _programs(package: str, prefix: Path) -> list[Path]:
     folder = prefix / "lib" / package
-    if not folder.is_dir():
-        return []
-    return [entry for entry in sorted(folder.iterdir()) if entry.is_file() and _runs(entry, prefix)]
+    return [one for one in folder.iterdir() if one.is_file() and _runs(one, prefix)] if folder.is_dir() else []
 
 
 def _runs(path: Path, prefix: Path) -> bool:

@@ -34,7 +34,7 @@ figcaption{{color:var(--soft);font-size:.8rem}}
 pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
 <body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{off}</p>{comments}{notes}
 {verdicts}{evidence}<footer>
-<span class="status">{status}</span>{late}; run in the sandbox <code>{tier}</code></footer></body></html>
+<span class="status">{status}</span>{late}{tier}</footer></body></html>
 """
 
 
@@ -65,7 +65,7 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
         verdicts="\n".join(part for part in parts if part),
         evidence=as_html(record.handed.parcels()),
         status=_text(record.status().capitalize()),
-        tier=_text(marked.tier or "none"),
+        tier=f"; run in the sandbox <code>{_text(marked.tier)}</code>" if marked.tier else "",
         late=f"; {number(marked.minutes_late)} minutes late by {_text(record.time_from())}" if marked.minutes_late else "",
     )
 

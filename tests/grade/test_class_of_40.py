@@ -9,8 +9,8 @@ import pytest
 from coursekit.grade import batch, sandbox
 from coursekit.grade.mark import mark
 
-from .class_of_40 import PEOPLE, make_class, roster
-from .handed import cheap_mark, grade, write
+from .class_of_40 import PEOPLE, make_class
+from .handed import cheap_mark, grade
 
 SOLVED = ("Cem O'Neill", "Gil van den Berg")
 """Who handed in the course's own solutions: these can be marked in the sandbox, too; the others' marks are cheap."""
@@ -22,8 +22,8 @@ def group(tmp_path, monkeypatch):
     monkeypatch.setattr(batch, "mark", cheap_mark)
     monkeypatch.setattr("coursekit.grade.sandbox.tier", lambda: "bubblewrap")
     (tmp_path / "class").mkdir()
-    write(tmp_path / "roster.csv", roster().encode("utf-16"))
-    return tmp_path / "class", ("--roster", tmp_path / "roster.csv"), make_class(tmp_path / "class")
+    deserved = make_class(tmp_path / "class", tmp_path / "roster.csv")
+    return tmp_path / "class", ("--roster", tmp_path / "roster.csv"), deserved
 
 
 def marks(found):

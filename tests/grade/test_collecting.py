@@ -211,3 +211,13 @@ def test_collecting_is_the_same_each_time(folder, tmp_path):
     assert (
         found[0] == found[1] == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
     )
+
+
+@pytest.mark.parametrize(("content", "why"), [
+    (b"", "the file is empty"), ("<html>Please log in</html>", "it begins with '<html>Please log in</html>'"),
+    (text("q1")[:4000], "it breaks off, or is not whole, in line"), (b'{"cells": "\xff\xfe"}', "it is not text in UTF-8"),
+])  # fmt: skip
+def test_why_a_file_is_no_notebook_is_said_without_a_parser_s_words(folder, content, why):
+    write(folder / "Ann Lee" / TOPICS, content)
+    one, where = only(folder)
+    assert where is None and f"is no notebook: {why}" in one.notes[0]

@@ -2,6 +2,9 @@
 
 import csv
 import json
+import os
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
@@ -35,7 +38,7 @@ def grip(work):
 def handed_in(folder, name, answer):
     """A student's notebook with an answer."""
     made = json.loads((folder / "gripper.ipynb").read_text())
-    made["cells"][2]["source"] = answer
+    made["cells"][3]["source"] = answer
     target = folder.parent / "handed_in" / name
     target.mkdir(parents=True)
     (target / "gripper.ipynb").write_text(json.dumps(student_notebook(made)))
@@ -136,3 +139,24 @@ def test_a_check_s_own_fault_costs_nobody_points_and_the_teacher_is_told(tmp_pat
     assert "The check of ch02.q2 has a fault: TypeError: no (c.py, line 7). No mark yet: Ann." in said
     monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
     assert grade(handed)[1]["Ann"]["total"] == "3", "nothing is kept of what a faulty check said"
+
+
+PLAIN_SHELL = """
+import json, sys
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+for cell in json.load(open("claw.ipynb"))["cells"]:
+    if cell["cell_type"] == "code":
+        done = shell.run_cell("".join(cell["source"]))
+        done.raise_error()
+"""
+
+
+def test_the_notebook_runs_in_a_kernel_that_is_not_ours(tmp_path):
+    write_template(tmp_path, "claw")
+    made = json.loads((tmp_path / "claw.ipynb").read_text())
+    assert len({cell["id"] for cell in made["cells"]}) == len(made["cells"])
+    env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT")}
+    done = subprocess.run([sys.executable, "-c", PLAIN_SHELL], cwd=tmp_path, env=env | {"COURSEKIT_TIME": "virtual"},
+                          capture_output=True, encoding="utf-8")  # fmt: skip
+    assert done.returncode == 0 and "2 of 2 points" in done.stdout, done.stdout + done.stderr

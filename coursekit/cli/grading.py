@@ -196,7 +196,7 @@ def run_grade(args: argparse.Namespace) -> int:
                 _review(group, outcome)
             _tell(group, outcome, args)
     except GraderBroken as error:
-        print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
+        print(f"The grader is broken: {error}\nNobody was marked. {error.cure}")
         return 2
     except BadArchive as error:
         raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None

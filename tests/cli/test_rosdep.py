@@ -39,10 +39,10 @@ def test_all_is_there_in_the_words_of_the_tutorial(workspace, capsys, line):
 
 def test_the_keys_of_the_official_tutorials_packages_are_there(workspace, capsys):
     """What turtlesim, demos, examples, image_tools and geometry_tutorials name."""
-    compiling = "qt5-qmake qtbase5-dev libqt5-core rosidl_default_generators rmw_implementation_cmake python_cmake_module urdf"
+    compiling = "qt5-qmake qtbase5-dev libqt5-core rosidl_default_generators rmw_implementation_cmake urdf"
     checking = "ament_lint_auto ament_lint_common launch_testing_ament_cmake ros_testing osrf_testing_tools_cpp"
     drawing = "rviz_common rviz_default_plugins rviz_rendering rosbag2_cpp rosbag2_storage"
-    workspace(mine=f"{compiling} {checking} {drawing} desktop ros_base example_interfaces tf2_geometry_msgs")
+    workspace(mine=f"{compiling} {checking} {drawing} python_cmake_module desktop ros_base example_interfaces tf2_geometry_msgs")
     assert main(shlex.split(TUTORIAL)) == 0, capsys.readouterr().err
 
 

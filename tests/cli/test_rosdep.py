@@ -42,7 +42,8 @@ def test_the_keys_of_the_official_tutorials_packages_are_there(workspace, capsys
     compiling = "qt5-qmake qtbase5-dev libqt5-core rosidl_default_generators rmw_implementation_cmake urdf"
     checking = "ament_lint_auto ament_lint_common launch_testing_ament_cmake ros_testing osrf_testing_tools_cpp"
     drawing = "rviz_common rviz_default_plugins rviz_rendering rosbag2_cpp rosbag2_storage"
-    workspace(mine=f"{compiling} {checking} {drawing} python_cmake_module desktop ros_base example_interfaces tf2_geometry_msgs")
+    collections = "desktop ros_base python3-colcon-common-extensions"
+    workspace(mine=f"{compiling} {checking} {drawing} {collections} python_cmake_module example_interfaces")
     assert main(shlex.split(TUTORIAL)) == 0, capsys.readouterr().err
 
 

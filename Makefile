@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class conformance notebooks wheel clean
+.PHONY: lab test check bench class conformance notebooks wheel windows clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -35,6 +35,9 @@ bench: $(VENV)/.test
 
 class: $(VENV)/.test
 	$(BIN)/python -m tests.grade
+
+windows: $(VENV)/.test
+	$(BIN)/python -m tests.windows
 
 wheel: $(VENV)/.lab
 	$(BIN)/python -m pip wheel -q --disable-pip-version-check --no-deps -w dist .

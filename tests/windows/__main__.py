@@ -1,7 +1,7 @@
 """python -m tests.windows [fast | all | setup | run PROGRAM WORD...]: tests and chapters on Windows' Python under Wine.
 
-`fast` runs what knows of systems, and five chapters; `all`, which is the default, every test and every chapter. COURSEKIT_WINE
-names the folder of the set-up (about 2 GB), JOBS how many tests run side by side.
+`fast` runs what knows of systems, and five chapters; `all`, which is the default, every test and every chapter.
+COURSEKIT_WINE names the folder of the set-up (about 2 GB), JOBS how many tests run side by side.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ def tests(*paths: str, extra: tuple[str, ...] = ()) -> int:
 
 def chapters(*starts: str) -> int:
     """The exit code of the chapters whose names begin so: their outputs are compared, on the virtual clock."""
-    names = [f"notebooks/{one.name}" for one in sorted((wine.ROOT / "notebooks").glob("*.ipynb")) if one.name.startswith(starts)]
+    files = sorted((wine.ROOT / "notebooks").glob("*.ipynb"))
+    names = [f"notebooks/{one.name}" for one in files if one.name.startswith(starts)]
     nbval = ["-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", "120"]
     jobs = ["-n", os.environ.get("JOBS", "2"), "--dist", "loadfile"]
     return wine.run(wine.PYTHON, "-m", "pytest", *jobs, *nbval, *names, extra={"COURSEKIT_TIME": "virtual"})

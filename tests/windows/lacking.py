@@ -13,8 +13,8 @@ HERE = Path(__file__).parent
 MATHS = b"api-ms-win-crt-math-l1-1-0.dll"
 OURS = b"ckw-ms-win-crt-math-l1-1-0.dll"
 """By what name the modules import C's maths, and the name as long that they get instead."""
-STEMS = "abs arg cos cosh exp imag log log10 pow proj real sin sinh sqrt tan tanh".split()
-COMPLEX = {f"c{stem}{end}" for stem in STEMS for end in ("", "f")} | {"conj", "conjf"}
+_DOUBLE = "cabs carg ccos ccosh cexp cimag clog clog10 conj cpow cproj creal csin csinh csqrt ctan ctanh"
+COMPLEX = {name + end for name in _DOUBLE.split() for end in ("", "f")}
 """What complex_functions.c computes."""
 _IMPORTS = """
 import sys, pefile
@@ -42,7 +42,7 @@ def add_random_bytes() -> None:
 
 
 def add_complex_functions() -> None:
-    """Complex maths for numpy and scipy: their modules are pointed to a library of ours that has it, and the rest from Wine."""
+    """Complex maths for numpy and scipy: their modules are pointed to a library of ours that has it, the rest is Wine's."""
     wanted: set[str] = set()
     for file, names in _imports_of_maths().items():
         if names & COMPLEX:
@@ -66,8 +66,8 @@ def _imports_of_maths() -> dict[Path, set[str]]:
     site = VENV / "Lib" / "site-packages"
     files = [file for end in ("*.pyd", "*.dll") for file in site.rglob(end) if {MATHS, OURS} & _named(file)]
     names = f"{MATHS.decode()} {OURS.decode()}"
-    said = subprocess.run([_tools, "-c", _IMPORTS, names, *files], check=True, capture_output=True, text=True, encoding="utf-8")
-    found = (line.split("|") for line in said.stdout.splitlines())
+    said = subprocess.run([_tools, "-c", _IMPORTS, names, *files], check=True, stdout=subprocess.PIPE).stdout
+    found = (line.split("|") for line in said.decode().splitlines())
     return {Path(file): set(functions) for file, *functions in found}
 
 

@@ -13,7 +13,7 @@ else:
     import tomli as tomllib
 
 ONLY_OUTSIDE = ("playwright", "nbgrader", "robot-properties", "pin>", "ruff", "mypy", "types-")
-"""Of the test's packages, those that are not used inside of Wine: browsers, lint and types, what has no wheel for Windows."""
+"""Of the test's packages, those that are of no use in Wine: browsers, lint, types, what has no wheel for Windows."""
 _stamp = wine.HOME / "stamp"
 
 
@@ -46,5 +46,7 @@ def _test_packages() -> list[str]:
 
 def _state(version: str) -> str:
     here = wine.ROOT / "tests" / "windows"
-    files = [wine.ROOT / "pyproject.toml", wine.ROOT / "requirements.lock", *sorted([*here.glob("*.py"), *here.glob("*.c")])]
-    return hashlib.sha256(b"".join([version.encode(), str(wine.ROOT).encode(), *(one.read_bytes() for one in files)])).hexdigest()
+    makers = [*here.glob("*.c"), here / "lacking.py", here / "setup.py", here / "windows_python.py"]
+    files = [wine.ROOT / "pyproject.toml", wine.ROOT / "requirements.lock", *sorted(makers)]
+    said = [version.encode(), str(wine.ROOT).encode(), *(one.read_bytes() for one in files)]
+    return hashlib.sha256(b"".join(said)).hexdigest()

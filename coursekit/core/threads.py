@@ -255,6 +255,10 @@ class LaneRLock:
         self.release()
 
 
+_COUNTS_ITS_OWN_TIME = "numba."
+"""Whose questions are no loop that waits: while numba compiles, once on a machine, it asks thousands of times."""
+
+
 def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
     real = (_real_clocks if unit != 1 else _real_clocks_ns)[name]
 
@@ -263,7 +267,8 @@ def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
         if process is None or not process.session.clock.virtual:
             return real()
         clock = process.session.clock
-        clock.poll()
+        if not sys._getframe(1).f_globals.get("__name__", "").startswith(_COUNTS_ITS_OWN_TIME):
+            clock.poll()
         nanoseconds = clock.now() if name == "time" else clock.steady()
         return nanoseconds if unit == 1 else nanoseconds / unit
 

@@ -16,6 +16,9 @@ from coursekit.core.executables import (
 )
 from coursekit.core.session import Session
 from coursekit.systems import which
+from tests.needs import posix
+
+shell_program = posix("a program of /bin/sh is none")
 
 
 @pytest.fixture
@@ -47,6 +50,7 @@ def test_unknown_names_are_refused_with_the_known_ones(prefix):
         find("mine", "talk")
 
 
+@posix("every file may be run")
 def test_files_that_may_not_be_run_are_no_executables(prefix):
     prefix("run_me", "#!/usr/bin/env python3\n")
     prefix("data", "text").chmod(0o644)
@@ -78,6 +82,7 @@ def test_two_runs_share_no_globals_and_an_edited_module_is_read_anew(prefix, ses
     assert "counting" not in sys.modules
 
 
+@shell_program
 def test_other_programs_run_as_children_with_their_output_and_exit_code(prefix, session):
     path = prefix("shell", "#!/bin/sh\necho out $1\necho err >&2\nexit 3\n")
     process = session.start_executable(path, ["word"])
@@ -85,6 +90,7 @@ def test_other_programs_run_as_children_with_their_output_and_exit_code(prefix, 
     assert process.out.text("stdout") == "out word\n" and process.out.text("stderr") == "err\n"
 
 
+@shell_program
 def test_a_child_can_be_typed_to_and_interrupted(prefix, session):
     process = session.start_executable(prefix("cat", "#!/bin/sh\nread line; echo got $line; exec sleep 1000\n"))
     heard = session.clock.new_event()
@@ -93,6 +99,19 @@ def test_a_child_can_be_typed_to_and_interrupted(prefix, session):
     assert heard.wait(20) and process.output == "got hello\n"
     process.interrupt()
     assert process.wait(20) == -2
+
+
+@shell_program
+def test_time_stands_still_until_all_know_that_a_child_has_ended(prefix):
+    path = prefix("short", "#!/bin/sh\nread line\n")
+    with Session(virtual=True).use() as session:
+        child = session.launch(ChildProcess(session, [str(path)], name="short", takes_time=False))
+        frozen, tell = [], child._ended.set
+        child._ended.set = lambda: (frozen.append(session.clock.frozen), tell())
+        child.on_exit(lambda _: frozen.append(session.clock.frozen))
+        child.close_stdin()
+        child.wait()
+    assert frozen == [1, 1]
 
 
 def test_a_missing_file_is_said_to_be_missing(session, tmp_path):
@@ -111,6 +130,7 @@ def test_the_working_folder_of_a_program_is_its_own(prefix, tmp_path):
     assert process.output == f"{tmp_path}\n" and os.getcwd() == before
 
 
+@shell_program
 def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(prefix):
     from coursekit.core.executables import ChildProcess
 
@@ -131,6 +151,7 @@ def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(prefi
         assert len(ticks) == 10
 
 
+@shell_program
 def test_time_passes_for_a_process_that_waits_beside_a_child_that_writes(prefix):
     from coursekit.core.executables import ChildProcess
 

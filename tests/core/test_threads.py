@@ -41,3 +41,18 @@ def test_a_wait_in_vain_takes_as_long_as_was_asked_for_on_the_virtual_clock(wait
     with Session(virtual=True).use() as session:
         process = session.start(main, name="waiter")
         assert process.wait() == 0 and process.output == "3.0\n"
+
+
+def test_numba_compiles_in_no_time_of_the_session() -> None:
+    """It looks at the clock thousands of times for its own statistics, which are no loop that waits."""
+    asking = {"__name__": "numba.core.event", "time": time}
+    exec("def ask():\n    for _ in range(5000):\n        time.perf_counter()\n", asking)
+
+    def main() -> None:
+        before = time.monotonic()
+        asking["ask"]()
+        print(time.monotonic() - before)
+
+    with Session(virtual=True).use() as session:
+        process = session.start(main, name="compiler")
+        assert process.wait() == 0 and process.output == "0.0\n"

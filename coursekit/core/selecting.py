@@ -5,6 +5,7 @@ from __future__ import annotations
 import selectors
 from typing import Any
 
+from .clock import waited_ns
 from .whose import current_process
 
 STEP = 0.02
@@ -18,7 +19,7 @@ def _select(self: Any, timeout: float | None = None) -> Any:
     if process is None or (timeout is not None and timeout <= 0):
         return _real_select(self, timeout)
     clock = process.session.clock
-    end = None if timeout is None else clock.steady() + round(timeout * 1e9)
+    end = None if timeout is None else clock.steady() + waited_ns(timeout)
     while True:
         left = STEP if end is None else min(STEP, (end - clock.steady()) / 1e9)
         ready = _real_select(self, 0 if clock.virtual else max(0.0, left))

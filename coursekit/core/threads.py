@@ -16,6 +16,7 @@ import traceback
 from collections.abc import Callable
 from typing import Any
 
+from .clock import waited_ns
 from .lane import ProcessKilled
 from .present import virtual_session_here
 from .process import Process, current_process
@@ -148,7 +149,7 @@ def condition_wait(self: threading.Condition, timeout: float | None = None) -> b
     saved = self._release_save()  # type: ignore[attr-defined]
     notified = False
     try:
-        notified = waiter.wait(None if timeout is None else clock.steady() + max(0, round(timeout * 1e9)))
+        notified = waiter.wait(None if timeout is None else clock.steady() + waited_ns(timeout))
         return notified
     finally:
         self._acquire_restore(saved)  # type: ignore[attr-defined]
@@ -169,7 +170,7 @@ class LaneLock:
         session = _waiting_session()
         if session is None:
             return self._lock.acquire(blocking, timeout)
-        deadline = None if timeout < 0 else session.clock.steady() + round(timeout * 1e9)
+        deadline = None if timeout < 0 else session.clock.steady() + waited_ns(timeout)
         while not self._lock.acquire(False):
             if not blocking or (deadline is not None and session.clock.steady() >= deadline):
                 return False

@@ -56,3 +56,18 @@ def test_numba_compiles_in_no_time_of_the_session() -> None:
     with Session(virtual=True).use() as session:
         process = session.start(main, name="compiler")
         assert process.wait() == 0 and process.output == "0.0\n"
+
+
+@pytest.mark.timeout(30)
+def test_a_wait_in_vain_ends_whenever_it_begins() -> None:
+    """What is left of a wait may be less than a nanosecond, as seconds are floats: time goes on all the same."""
+
+    def main() -> None:
+        condition = threading.Condition()
+        with condition:
+            for _ in range(500):
+                time.sleep(0.012345679)
+                assert not condition.wait_for(lambda: False, timeout=0.3)
+
+    with Session(virtual=True).use() as session:
+        assert session.start(main, name="waiter").wait() == 0

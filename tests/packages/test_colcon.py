@@ -37,6 +37,11 @@ def sourced(folder, command):
     return result.stdout
 
 
+PACKAGE = """<package format="3"><name>{name}</name><version>0.0.0</version><description>d</description>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license>
+<buildtool_depend>ament_cmake</buildtool_depend><export><build_type>ament_cmake</build_type></export></package>"""
+
+
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
     """The fixture workspace, built with --symlink-install; its output in `.output`."""
@@ -70,6 +75,23 @@ def test_cpp_is_skipped_in_one_line(built):
 def test_an_executable_in_cpp_is_told_as_such(built, command):
     said = sourced(built, f'COURSEKIT_TIME=virtual "{BIN}/ros2" {command} 2>&1 || true')
     assert "'publisher_exe' is written in C++, which is not compiled here" in said
+
+
+def test_coursekits_own_programs_answer_for_those_of_a_clone_that_are_written_in_cpp(tmp_path):
+    """Whoever clones turtlesim, as the tutorials say, still has a turtle."""
+    folder = tmp_path / "src" / "turtlesim"
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text(PACKAGE.format(name="turtlesim"))
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.8)\nproject(turtlesim)\nfind_package(ament_cmake REQUIRED)\n"
+        "add_executable(turtlesim_node a.cpp)\n"
+        "install(TARGETS turtlesim_node DESTINATION lib/turtlesim)\nament_package()\n"
+    )
+    (folder / "a.cpp").write_text("int main() {}\n")
+    said = colcon(tmp_path, "build").stdout
+    assert "coursekit's own draw_square, mimic, turtle_teleop_key, turtlesim_node answer in their place" in said
+    listed = sourced(tmp_path, f'"{BIN}/ros2" pkg executables turtlesim; "{BIN}/ros2" pkg prefix turtlesim').splitlines()
+    assert "turtlesim turtlesim_node" in listed and listed[-1] == str(tmp_path / "install" / "turtlesim")
 
 
 def test_interfaces_can_be_imported_after_sourcing(built):

@@ -50,11 +50,16 @@ class ExecutableNotFound(LookupError):
 
 def why_missing(package: str, executable: str) -> str:
     """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
+    return why_skipped(package, executable) or remark_on_executable(package, executable)
+
+
+def why_skipped(package: str, executable: str) -> str:
+    """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
     for prefix in prefixes():
         listed = _index(prefix).parent / "coursekit_skipped" / package
         if listed.is_file() and executable in read_text(listed).splitlines():
             return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
-    return remark_on_executable(package, executable)
+    return ""
 
 
 def _hint(name: str, known: Sequence[str]) -> str:

@@ -5,8 +5,8 @@ import pytest
 from coursekit.nodes.gazebo.sdf_world import load_sdf, read_entity
 from coursekit.nodes.gz.create import arguments
 
-MODEL = """<sdf version="1.8"><model name="cart"><link name="body"><collision name="c"><geometry><box><size>0.4 0.2 0.2</size>
-</box></geometry></collision></link></model></sdf>"""
+MODEL = """<sdf version="1.8"><model name="cart"><link name="body"><collision name="c"><geometry><box>
+<size>0.4 0.2 0.2</size></box></geometry></collision></link></model></sdf>"""
 WORLD = """<sdf version="1.8"><world name="w"><plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
 <model name="spot"><include merge="true"><uri>package://depot/models/cart</uri></include></model></world></sdf>"""
 

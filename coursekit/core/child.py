@@ -114,11 +114,11 @@ class ChildProcess:
         for thread in readers:
             threading.Thread.join(thread, 1.0)
         self.exit_code = code
-        self._count_child(-1)
         self.session.forget(self)
         for listener in self._exit_listeners:
             listener(self)
         self._ended.set()
+        self._count_child(-1)  # last: from here on virtual time may run, and whoever waits has been woken
 
     def write_stdin(self, text: str) -> None:
         """Type `text` into its standard input."""

@@ -26,10 +26,12 @@ from .whose import owner
 if TYPE_CHECKING:
     from .session import Session
 
-DISTRIBUTION = {"ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
-"""What sourcing ROS says of itself; launch files and nodes ask for it."""
 _numbers = itertools.count(1)
 _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
+DISTRIBUTION = {
+    "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
+}  # fmt: skip
+"""What sourcing ROS says of itself; launch files and nodes ask for it."""
 
 
 class Process(Interruptible):

@@ -74,3 +74,12 @@ def test_a_released_chapter_in_the_course_s_folder_does_not_stop_its_updates(tmp
     address, there = opened(tmp_path / "course")
     assert address.endswith("00_start_here.ipynb") and "03_services.ipynb" in there
     assert "02_topics.new.ipynb" not in there
+
+
+def test_a_tilde_is_home_where_no_shell_has_made_it_so(tmp_path, monkeypatch, capsys) -> None:
+    for name in ("HOME", "USERPROFILE"):
+        monkeypatch.setenv(name, str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    assert main(["course", "--folder", "~/course"]) == 0
+    assert (tmp_path / "course" / "00_start_here.ipynb").is_file()
+    assert not (tmp_path / "~").exists()

@@ -7,6 +7,9 @@ import pytest
 from coursekit.core.child import ChildProcess
 from coursekit.core.session import Session
 from coursekit.systems import which
+from tests.needs import posix
+
+shell_program = posix("a program of /bin/sh is none")
 
 
 @pytest.fixture
@@ -22,6 +25,7 @@ def program(tmp_path):
     return add
 
 
+@shell_program
 def test_other_programs_run_as_children_with_their_output_and_exit_code(program, session):
     path = program("shell", "#!/bin/sh\necho out $1\necho err >&2\nexit 3\n")
     process = session.start_executable(path, ["word"])
@@ -29,6 +33,7 @@ def test_other_programs_run_as_children_with_their_output_and_exit_code(program,
     assert process.out.text("stdout") == "out word\n" and process.out.text("stderr") == "err\n"
 
 
+@shell_program
 def test_a_child_can_be_typed_to_and_interrupted(program, session):
     process = session.start_executable(program("cat", "#!/bin/sh\nread line; echo got $line; exec sleep 1000\n"))
     heard = session.clock.new_event()
@@ -39,6 +44,20 @@ def test_a_child_can_be_typed_to_and_interrupted(program, session):
     assert process.wait(20) == -2
 
 
+@shell_program
+def test_time_stands_still_until_all_know_that_a_child_has_ended(program):
+    path = program("short", "#!/bin/sh\nread line\n")
+    with Session(virtual=True).use() as session:
+        child = session.launch(ChildProcess(session, [str(path)], name="short", takes_time=False))
+        frozen, tell = [], child._ended.set
+        child._ended.set = lambda: (frozen.append(session.clock.frozen), tell())
+        child.on_exit(lambda _: frozen.append(session.clock.frozen))
+        child.close_stdin()
+        child.wait()
+    assert frozen == [1, 1]
+
+
+@shell_program
 def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(program):
     path = program("slow", "#!/bin/sh\nsleep 0.3\n")
     with Session(virtual=True).use() as session:
@@ -57,6 +76,7 @@ def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(progr
         assert len(ticks) == 10
 
 
+@shell_program
 def test_time_passes_for_a_process_that_waits_beside_a_child_that_writes(program):
     path = program("slow", "#!/bin/sh\nfor i in 1 2 3 4 5 6 7 8 9; do echo $i; sleep 0.2; done\n")
     with Session(virtual=True).use() as session:

@@ -9,6 +9,7 @@ from coursekit.core.child import ChildProcess
 from coursekit.core.executables import ExecutableNotFound, PackageNotFound, executables_of, find, is_python, packages
 from coursekit.core.session import Session
 from coursekit.systems import which
+from tests.needs import posix
 
 
 @pytest.fixture
@@ -40,6 +41,7 @@ def test_unknown_names_are_refused_with_the_known_ones(prefix):
         find("mine", "talk")
 
 
+@posix("every file may be run")
 def test_files_that_may_not_be_run_are_no_executables(prefix):
     prefix("run_me", "#!/usr/bin/env python3\n")
     prefix("data", "text").chmod(0o644)

@@ -68,9 +68,10 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
 
 
 def find_model(uri: str, near: Path | None = None) -> Path:
-    """The SDF file of a `model://NAME` (or a folder or file); MeshError names the folders that were searched."""
-    name = unquote(uri.removeprefix("model://").removeprefix("file://"))
-    folders = model_paths(near)
+    """The SDF file of a `model://NAME` or `package://NAME` (or a folder or file); MeshError names what was searched."""
+    of_package = uri.startswith("package://")
+    name = unquote(uri.removeprefix("model://").removeprefix("package://").removeprefix("file://"))
+    folders = [*model_paths(near), *(package_paths() if of_package else ())]
     for place in [folder / name for folder in folders] if not Path(name).is_absolute() else [Path(name)]:
         if is_file(place):
             return place

@@ -27,7 +27,8 @@ from .articulated import Articulated
 from .assembly import Assembly
 from .controlled import ControlOutlet
 from .depth import DepthOutlet
-from .devices import CameraDevice, ControlDevice, DepthDevice, Device, OdometryDevice, PoseDevice, TouchDevice
+from .devices import CameraDevice, ControlDevice, DepthDevice, Device, EarthDevice, OdometryDevice, PoseDevice, TouchDevice
+from .earth_outlets import EarthOutlet
 from .forces import Forces
 from .newer_outlets import PoseOutlet, TouchOutlet
 from .outlets import OUTLETS, Outlet, stamp_of
@@ -42,7 +43,7 @@ from .world_of import open_world
 
 FURTHER: dict[type, type[Outlet]] = {
     CameraDevice: CameraOutlet, DepthDevice: DepthOutlet, ControlDevice: ControlOutlet,
-    PoseDevice: PoseOutlet, TouchDevice: TouchOutlet,
+    PoseDevice: PoseOutlet, TouchDevice: TouchOutlet, EarthDevice: EarthOutlet,
 }  # fmt: skip
 
 

@@ -19,7 +19,7 @@ QUIET = {
     "material", "mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "fdir1", "selfCollide", "turnGravityOff", "gravity",
     "dampingFactor", "maxContacts", "laserRetro", "visual", "self_collide", "max_contacts", "min_depth", "max_vel",
     "disableFixedJointLumping", "preserveFixedJoint", "implicitSpringDamper", "provideFeedback", "stopCfm", "stopErp",
-    "springStiffness", "springReference", "kinematic",
+    "springStiffness", "springReference", "kinematic", "collision", "inertial", "velocity_decay", "enable_wind",
 }  # fmt: skip
 """Children that say how Gazebo's engine shall reckon and draw; a world seen from above needs none of them."""
 

@@ -17,7 +17,7 @@ from tf2_msgs.msg import TFMessage
 from coursekit.core.process import current_process
 from coursekit.core.session import current
 from coursekit.nodes.gazebo.assembly import Assembly
-from coursekit.nodes.gazebo.devices import CameraDevice, Device, ImuDevice, RayDevice
+from coursekit.nodes.gazebo.devices import CameraDevice, Device, EarthDevice, ImuDevice, RayDevice
 from coursekit.nodes.gazebo.server import Gazebo
 from coursekit.nodes.running import to_the_end
 from coursekit.sim import WorldError
@@ -26,8 +26,23 @@ from coursekit.urdf import UrdfError
 from .services import GzServices
 from .transport import APART, gz_domain
 
-NEEDS: tuple[tuple[str, tuple[type, ...]], ...] = (("sensors", (RayDevice, CameraDevice)), ("imu", (ImuDevice,)))
-"""Systems, and the devices that publish nothing without them."""
+CLASSES = {
+    "sensors": "Sensors", "imu": "Imu", "navsat": "NavSat", "altimeter": "Altimeter", "magnetometer": "Magnetometer",
+    "air-pressure": "AirPressure",
+}  # fmt: skip
+"""Systems without which sensors publish nothing, and their classes."""
+
+
+def system_for(device: Device) -> str:
+    """The system that a device needs; '' for none.
+
+    >>> from coursekit.nodes.gazebo.devices import EarthDevice
+    >>> system_for(EarthDevice("/air", "", 1.0, quantity="air_pressure"))
+    'air-pressure'
+    """
+    if isinstance(device, EarthDevice):
+        return device.quantity.replace("_", "-")
+    return "imu" if isinstance(device, ImuDevice) else "sensors" if isinstance(device, (RayDevice, CameraDevice)) else ""
 
 
 class GzSim(Gazebo):
@@ -47,19 +62,17 @@ class GzSim(Gazebo):
 
     def working(self, model: Assembly) -> list[Device]:
         """Without its system in the world or in the model, a sensor publishes nothing: it is told which one is missing."""
-        devices = list(model.devices)
-        for system, kinds in NEEDS:
-            if self.systems is None or system in self.systems | model.systems:
-                continue
-            idle = [one for one in devices if isinstance(one, kinds)]
-            if idle:
-                word = {"sensors": "Sensors", "imu": "Imu"}[system]
-                self.get_logger().warning(
-                    f"{model.name}: {len(idle)} sensors publish nothing, as in Gazebo: add to the <world> "
-                    f'<plugin filename="gz-sim-{system}-system" name="gz::sim::systems::{word}"/>'
-                )
-            devices = [one for one in devices if one not in idle]
-        return devices
+        if self.systems is None:
+            return list(model.devices)
+        there = self.systems | model.systems | {""}
+        working = [one for one in model.devices if system_for(one) in there]
+        idle = [system_for(one) for one in model.devices if system_for(one) not in there]
+        for system in dict.fromkeys(idle):
+            self.get_logger().warning(
+                f"{model.name}: {idle.count(system)} sensors publish nothing, as in Gazebo: add to the <world> "
+                f'<plugin filename="gz-sim-{system}-system" name="gz::sim::systems::{CLASSES[system]}"/>'
+            )
+        return working
 
     def ros_context(self) -> Any:
         """A context in ROS: Gazebo's own is beside it."""

@@ -144,6 +144,12 @@ def test_cameras_publish_where_gazebo_s_do(put, friend, run):
     assert [heard[0][-1].encoding, heard[1][-1].encoding] == ["rgb8", "32FC1"]
 
 
+def test_the_optical_frame_that_a_camera_names_is_that_of_its_pictures():
+    told = "<gz_frame_id>laser</gz_frame_id><camera><optical_frame_id>eye_optical</optical_frame_id></camera>"
+    made = read_entity(CART.format(blocks=SENSOR.format("camera", told) + SENSOR.format("imu", told)), "", None, "yard", "c")
+    assert [one.frame for one in made.devices] == ["eye_optical", "laser"]
+
+
 def test_a_contact_sensor_tells_what_is_touched(put, friend):
     touch = SENSOR.format("contact", "<contact><collision>c</collision><topic>bump</topic></contact>")
     bridge = "/bump@ros_gz_interfaces/msg/Contacts[gz.msgs.Contacts", "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"

@@ -9,6 +9,7 @@ import ipywidgets
 
 from coursekit.nodes.rqt import windows
 from coursekit.nodes.rqt.windows import RqtWindow
+from coursekit.view import highgui
 
 from .graph_panel import GraphPanel
 from .log_console import LogConsole
@@ -16,6 +17,7 @@ from .node_windows import NodeWindows
 from .panel import Panel
 from .service_panel import ServiceCaller
 from .topic_panel import TopicPanel
+from .windows import WindowPicture
 
 _TABS: dict[str, Callable[[], Panel]] = {
     "Service Caller": ServiceCaller,
@@ -42,12 +44,30 @@ class RqtTabs(ipywidgets.Tab):
         super().close()
 
 
-_KINDS: dict[str, Callable[[], Any]] = {
-    "rqt_graph": _TABS["Node Graph"],
-    "rqt_console": LogConsole,
-    "rqt_gui": RqtTabs,
+class PlotPicture(WindowPicture):
+    """What `rqt_plot` draws."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(highgui.desk(), highgui.desk().window(name))
+        highgui.watch(self._newer)
+
+    def _newer(self, window: highgui.Window) -> None:
+        if window is self.window:
+            self.news()
+
+    def close(self) -> None:
+        """Hear of it no more."""
+        highgui.unwatch(self._newer)
+        super().close()
+
+
+_KINDS: dict[str, Callable[[RqtWindow], Any]] = {
+    "rqt_graph": lambda _: GraphPanel("active"),
+    "rqt_console": lambda _: LogConsole(),
+    "rqt_plot": lambda window: PlotPicture(window.picture),
+    "rqt_gui": lambda _: RqtTabs(),
 }
-_windows = NodeWindows(lambda window: _KINDS[window.kind]())
+_windows = NodeWindows(lambda window: _KINDS[window.kind](window))
 
 
 def show_rqt_windows() -> None:

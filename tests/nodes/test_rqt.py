@@ -10,6 +10,7 @@ from turtlesim.msg import Pose
 from coursekit.nodes.rqt import windows
 from coursekit.nodes.rqt.plot import Plot, numbers, part, paths
 from coursekit.view import highgui
+from coursekit.view.graph_facts import take
 
 
 @pytest.fixture
@@ -30,6 +31,17 @@ def test_a_notebook_hears_of_a_window_s_start_and_end(kind, seen, run, session):
     assert seen == [(kind, True)] and [name for name in names if name.startswith("rqt_gui_py_node_")]
     window.interrupt()
     assert window.wait(2.0) == 0 and seen == [(kind, True), (kind, False)]
+
+
+def test_the_graph_shows_rqt_s_own_nodes_only_when_asked(run, session):
+    run("demo_nodes_py", "talker")
+    watching = lambda window: True  # noqa: E731
+    windows.watch(watching)
+    run("rqt_graph", "rqt_graph")
+    session.clock.sleep(0.5)
+    windows.unwatch(watching)
+    assert take(session.graph(0)).nodes == ("/talker",)
+    assert len(take(session.graph(0), debug=True).nodes) == 2
 
 
 @pytest.fixture
@@ -64,12 +76,14 @@ def test_numbers_of_topics_are_kept_by_their_paths(session, sources):
 def test_a_window_shows_them_until_the_end(session, sources, run):
     window = run("rqt_plot", "rqt_plot", "/turtle1/pose")
     session.clock.sleep(1.0)
-    before = highgui.desk().windows["rqt_plot"].image
+    ((title, picture),) = highgui.desk().windows.items()
+    before = picture.image
     session.clock.sleep(2.0)
-    after = highgui.desk().windows["rqt_plot"].image
+    after = highgui.desk().windows[title].image
+    assert title == f"rqt_plot_{window.pid}"
     assert before.shape == after.shape == (360, 720, 3) and (before != after).any()
     window.interrupt()
-    assert window.wait(2.0) == 0 and "rqt_plot" not in highgui.desk().windows
+    assert window.wait(2.0) == 0 and not highgui.desk().windows
 
 
 def test_without_a_path_it_says_how(run, session):

@@ -10,20 +10,18 @@ from typing import Any
 import cv2
 import numpy as np
 import rclpy
-from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from rclpy.utilities import remove_ros_args
 
 from coursekit.interfaces import load
 from coursekit.nodes.running import spin_to_the_end
 
-from .rqt import name_of_process
+from .rqt import Rqt, name_of_process
 
 SECONDS = 20.0
 """What is shown of the past."""
 KEPT = 4000
 """Points of a curve."""
-WINDOW = "rqt_plot"
 
 
 def paths(words: Sequence[str]) -> list[str]:
@@ -62,11 +60,12 @@ def part(message: Any, fields: str) -> Any:
     return found
 
 
-class Plot(Node):
+class Plot(Rqt):
     """Subscribes to the topics of its paths as soon as they are there, and draws twice a second."""
 
     def __init__(self, wanted: Sequence[str]) -> None:
-        super().__init__(name_of_process())
+        self.title = name_of_process().replace("rqt_gui_py_node", "rqt_plot")
+        super().__init__("rqt_plot", self.title)
         self.curves: dict[str, deque[tuple[float, float]]] = {}
         """By path: seconds and values."""
         self._waiting = [one if one.startswith("/") else f"/{one}" for one in wanted]
@@ -107,12 +106,12 @@ class Plot(Node):
             axes.legend(loc="upper left")
         canvas: Any = FigureCanvasAgg(figure)
         canvas.draw()
-        cv2.imshow(WINDOW, np.ascontiguousarray(np.asarray(canvas.buffer_rgba())[..., 2::-1]))
+        cv2.imshow(self.title, np.ascontiguousarray(np.asarray(canvas.buffer_rgba())[..., 2::-1]))
 
     def destroy_node(self) -> None:
         """Close the window."""
-        if cv2.getWindowProperty(WINDOW, cv2.WND_PROP_VISIBLE) > 0:
-            cv2.destroyWindow(WINDOW)
+        if cv2.getWindowProperty(self.title, cv2.WND_PROP_VISIBLE) > 0:
+            cv2.destroyWindow(self.title)
         super().destroy_node()
 
 

@@ -32,9 +32,9 @@ def name_of_process() -> str:
 class Rqt(Node):
     """A window's node."""
 
-    def __init__(self, kind: str) -> None:
+    def __init__(self, kind: str, picture: str = "") -> None:
         super().__init__(name_of_process())
-        self.window = RqtWindow(kind, current())
+        self.window = RqtWindow(kind, current(), picture)
         self.drawn = windows.tell(self.window)
 
     def destroy_node(self) -> None:

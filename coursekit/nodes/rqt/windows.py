@@ -12,8 +12,10 @@ class RqtWindow:
     """A running window."""
 
     kind: str
-    """`rqt_graph`, `rqt_console` or `rqt_gui`."""
+    """`rqt_graph`, `rqt_console`, `rqt_plot` or `rqt_gui`."""
     session: Any
+    picture: str = ""
+    """The name of the OpenCV window in which it draws; empty where it is a panel."""
     running: bool = True
 
 

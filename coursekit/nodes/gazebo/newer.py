@@ -181,7 +181,8 @@ def _poses(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | N
     rate, seldom = (number(plugin, key, 60.0) for key in ("update_frequency", "static_update_frequency"))
     made: list[Device] = [PoseDevice(topic, "", min(rate, 100.0) if rate > 0 else 60.0, NODE, model.name, world, moving)]
     if still:
-        made.append(PoseDevice(f"{topic}_static", "", min(seldom, 100.0) if seldom > 0 else 60.0, NODE, model.name, "", still))
+        rate = min(seldom, 100.0) if seldom > 0 else 60.0
+        made.append(PoseDevice(f"{topic}_static", "", rate, NODE, model.name, "", still))
     return None, made
 
 

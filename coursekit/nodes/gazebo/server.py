@@ -27,7 +27,17 @@ from .articulated import Articulated
 from .assembly import Assembly
 from .controlled import ControlOutlet
 from .depth import DepthOutlet
-from .devices import CameraDevice, ControlDevice, DepthDevice, Device, EarthDevice, OdometryDevice, PoseDevice, TouchDevice
+from .devices import (
+    CameraDevice,
+    ControlDevice,
+    DepthDevice,
+    Device,
+    EarthDevice,
+    OdometryDevice,
+    PoseDevice,
+    TouchDevice,
+    WheelDevice,
+)
 from .earth_outlets import EarthOutlet
 from .forces import Forces
 from .newer_outlets import PoseOutlet, TouchOutlet
@@ -38,12 +48,14 @@ from .settle import settled
 from .sim_time import SimTime
 from .states import States
 from .warm_up import warm_up
+from .wheel_frames import WheelOutlet
 from .whereabouts import Whereabouts
 from .world_of import open_world
 
 FURTHER: dict[type, type[Outlet]] = {
     CameraDevice: CameraOutlet, DepthDevice: DepthOutlet, ControlDevice: ControlOutlet,
     PoseDevice: PoseOutlet, TouchDevice: TouchOutlet, EarthDevice: EarthOutlet,
+    WheelDevice: WheelOutlet,
 }  # fmt: skip
 
 

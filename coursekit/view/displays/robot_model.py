@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.nodes.gazebo.sdf_description import described
+from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.urdf import MeshError, Robot, UrdfError
 from coursekit.urdf.shapes import link_surfaces, notes_of
 from coursekit.view.scene import Pose, Scene

@@ -25,7 +25,8 @@ CART = """<sdf version='1.8'><model name='cart'><link name='chassis'><pose>-0.2 
 <axis><xyz>0 0 1</xyz><limit><lower>0</lower><upper>0.4</upper></limit></axis></joint>
 <link name='caster'/><joint name='ball' type='ball'><parent>chassis</parent><child>caster</child></joint>
 <link name='lidar'><pose relative_to='chassis'>0 0 0.5 0 0 0</pose></link>
-<joint name='lidar_joint' type='fixed'><parent>chassis</parent><child>lidar</child></joint>{more}</model></sdf>"""  # fmt: skip
+<joint name='lidar_joint' type='fixed'><parent>chassis</parent><child>lidar</child></joint>{more}
+</model></sdf>"""  # fmt: skip
 
 
 @pytest.fixture

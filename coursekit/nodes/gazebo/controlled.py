@@ -18,7 +18,8 @@ from coursekit.sim.robot import GRAVITY, Drive, Robot
 from coursekit.sim.simulation import Simulation
 
 from .devices import ControlDevice, OdometryDevice
-from .outlets import OdometryOutlet, Outlet, heading
+from .odometry_outlets import OdometryOutlet
+from .outlets import Outlet, heading
 
 
 class SimulatedHardware(Hardware):

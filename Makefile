@@ -1,26 +1,22 @@
-# make lab: open the course.  make test: prove that it works.  Both set up all they need in .venv.
+# make lab: open the course.  make test: prove that it works.  Both set up all they need in .venv: start.py, for every system.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class conformance notebooks wheel clean
+.PHONY: lab test check bench class conformance notebooks wheel windows clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install -q --disable-pip-version-check -c requirements.lock -e .
-	@touch $@
+	$(PYTHON) start.py setup
 
-$(VENV)/.test: $(VENV)/.lab
-	$(BIN)/python -m pip install -q --disable-pip-version-check -c requirements.lock -e '.[test]'
-	@touch $@
+$(VENV)/.test: pyproject.toml requirements.lock
+	$(PYTHON) start.py setup test
 
-lab: $(VENV)/.lab
-	$(BIN)/coursekit lab
+lab:
+	$(PYTHON) start.py lab
 
-test: $(VENV)/.test
-	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile
-	COURSEKIT_TIME=virtual $(BIN)/python -m pytest -n $(JOBS) --dist loadfile -p tests.notebooks.own_course --nbval --nbval-cell-timeout 120 notebooks
+test:
+	JOBS=$(JOBS) $(PYTHON) start.py test
 
 notebooks: $(VENV)/.test
 	$(BIN)/python -m tests.notebooks.store
@@ -35,6 +31,9 @@ bench: $(VENV)/.test
 
 class: $(VENV)/.test
 	$(BIN)/python -m tests.grade
+
+windows: $(VENV)/.test
+	$(BIN)/python -m tests.windows
 
 wheel: $(VENV)/.lab
 	$(BIN)/python -m pip wheel -q --disable-pip-version-check --no-deps -w dist .

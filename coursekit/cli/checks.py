@@ -8,22 +8,13 @@ import os
 import platform
 import shutil
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from socket import if_nameindex
 
 from coursekit.interfaces.find import UNDERLAY
 
-
-@dataclass(frozen=True)
-class Check:
-    """The outcome of one check; no fault means that all is well."""
-
-    name: str
-    finding: str
-    fault: str = ""
-    cure: str = ""
-    only_warning: bool = False
+from .check import Check
+from .system_checks import run_system_checks
 
 
 def python_version() -> Check:
@@ -124,7 +115,7 @@ CHECKS: tuple[Callable[[], Check], ...] = (
 
 def run_all() -> list[Check]:
     """All checks, in order."""
-    return [check() for check in CHECKS]
+    return [*(check() for check in CHECKS), *run_system_checks()]
 
 
 def report() -> Iterator[tuple[str, list[tuple[str, str]]]]:

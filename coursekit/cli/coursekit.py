@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import argparse
 import os
-import shlex
-import shutil
 import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from urllib.parse import quote
 
 from coursekit.cli import compile_ahead, grading, slam
+from coursekit.cli.terminal_settings import terminal_settings
 from coursekit.packages.folder_name import refusal
 from coursekit.systems.children import with_utf8
 from coursekit.systems.streams import use_utf8
@@ -43,6 +43,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     return int(args.main(args) or 0)
 
 
+def _folder_of(args: argparse.Namespace) -> Path:
+    """The student's copy of the course; `~` is home also where no shell says so, as on Windows."""
+    return Path(args.folder).expanduser().resolve()
+
+
 def _not_written(folder: Path, error: OSError) -> SystemExit:
     """What to say where a copy of the course cannot be written."""
     name = f" ('{error.filename}')" if error.filename else ""
@@ -65,7 +70,7 @@ def update_course(args: argparse.Namespace) -> int:
     """Make or update the student's copy."""
     from coursekit.grade.copy import Course
 
-    folder = Path(args.folder).resolve()
+    folder = _folder_of(args)
     if why := refusal(folder):
         raise SystemExit(f"{why} Or choose another: coursekit lab --folder ~/course")
     try:
@@ -95,18 +100,20 @@ def lab_environment(folder: Path) -> dict[str, str]:
 
 def open_lab(args: argparse.Namespace) -> int:
     """Open JupyterLab on the student's copy."""
+    from coursekit.grade.copy import Course
+
     update_course(args)
-    folder = Path(args.folder).resolve()
+    folder = _folder_of(args)
     try:
         env, settings = lab_environment(folder), [f"--LabServerApp.app_settings_dir={_settings_folder(folder)}"]
-        settings += _terminal_settings(folder)
+        settings += terminal_settings(folder)
     except OSError as error:
         raise _not_written(folder, error) from None
     command = [
         sys.executable, "-m", "jupyter", "lab",
         f"--ServerApp.root_dir={folder}",
         "--ServerApp.ip=127.0.0.1",
-        "--LabApp.default_url=/lab/tree/00_start_here.ipynb",
+        f"--LabApp.default_url=/lab/tree/{quote(Course(folder).first())}",
         *settings,
     ]  # fmt: skip
     if hasattr(os, "getuid") and os.getuid() == 0:
@@ -142,29 +149,6 @@ def _settings_folder(folder: Path) -> Path:
     return settings
 
 
-_BASHRC = """\
-# Terminals of the course: your own settings, then ROS sourced, and completion by Tab.
-[ -f ~/.bashrc ] && . ~/.bashrc
-export PATH={bin}:"$PATH"
-export PS1='\\W$ '
-eval "$(register-python-argcomplete ros2 2>/dev/null)"
-eval "$(register-python-argcomplete colcon 2>/dev/null)"
-cd {folder}
-"""
-
-
-def _terminal_settings(folder: Path) -> list[str]:
-    """Options that make JupyterLab's terminals know `ros2`: login shells forget the PATH that they are given."""
-    bash = shutil.which("bash")
-    if bash is None or sys.platform == "win32":
-        return []
-    file = folder / ".coursekit" / "terminal.bashrc"
-    file.parent.mkdir(parents=True, exist_ok=True)
-    quoted = {"bin": shlex.quote(str(Path(sys.executable).parent)), "folder": shlex.quote(str(folder))}
-    file.write_text(_BASHRC.format(**quoted), encoding="utf-8")
-    return [f"--ServerApp.terminado_settings={{'shell_command': [{bash!r}, '--rcfile', {str(file)!r}, '-i']}}"]
-
-
 def _has_browser() -> bool:
     import webbrowser
 
@@ -179,6 +163,8 @@ def _has_browser() -> bool:
 
 def run_doctor(args: argparse.Namespace) -> int:
     """Print every check, and the cure for each fault."""
+    from coursekit.grade.harmless import counted
+
     from .checks import run_all
 
     faults = 0
@@ -188,13 +174,14 @@ def run_doctor(args: argparse.Namespace) -> int:
         if check.fault:
             print(f"  → {check.cure}")
             faults += not check.only_warning
-    print("All is well." if not faults else f"{faults} fault(s): do what stands after the arrows, then run this again.")
+    cure = "do what stands after the arrows, then run this again."
+    print(f"{counted(faults, 'fault')}: {cure}" if faults else "All is well.")
     return 1 if faults else 0
 
 
 def show_progress(args: argparse.Namespace) -> int:
     """Print the points."""
-    os.environ["COURSEKIT_COURSE"] = str(Path(args.folder).resolve())
+    os.environ["COURSEKIT_COURSE"] = str(_folder_of(args))
     from coursekit.grade.progress import progress
 
     print(progress())

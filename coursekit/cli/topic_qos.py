@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Any
 
-from rclpy.duration import Duration
-from rclpy.qos import (
-    DurabilityPolicy,
-    HistoryPolicy,
-    LivelinessPolicy,
-    QoSPresetProfiles,
-    QoSProfile,
-    ReliabilityPolicy,
-)
-
-_POLICIES = (
-    ("history", HistoryPolicy),
-    ("reliability", ReliabilityPolicy),
-    ("durability", DurabilityPolicy),
-    ("liveliness", LivelinessPolicy),
-)
+from rclpy.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
+from ros2topic.api import POLICIES, profile_configure_short_keys
 
 
 def add_arguments(parser: Any, default_profile: str) -> None:
@@ -30,7 +17,7 @@ def add_arguments(parser: Any, default_profile: str) -> None:
         help=f"Quality of service preset profile (default: {default_profile})",
     )
     parser.add_argument("--qos-depth", metavar="N", type=int, help="Queue size setting")
-    for name, policy in _POLICIES:
+    for name, policy in POLICIES:
         parser.add_argument(f"--qos-{name}", choices=policy.short_keys(), help=f"Quality of service {name} setting")
     parser.add_argument("--qos-liveliness-lease-duration-seconds", type=float, help="Lease duration")
 
@@ -39,24 +26,16 @@ def chosen(args: Any, base: QoSProfile) -> QoSProfile:
     """`base`, or the preset that was named, with the single settings that were named."""
     if args.qos_profile:
         base = QoSPresetProfiles.get_from_short_key(args.qos_profile)
-    values = {name: getattr(base, name) for name in ("history", "depth", "reliability", "durability", "liveliness")}
-    for name, policy in _POLICIES:
-        word = getattr(args, f"qos_{name}")
-        if word:
-            values[name] = policy.get_from_short_key(word)
-    if args.qos_depth is not None:
-        values["depth"] = args.qos_depth
-    elif values["durability"] == DurabilityPolicy.TRANSIENT_LOCAL and not values["depth"]:
-        values["depth"] = 1
+    profile = copy.deepcopy(base)
+    words = {name: getattr(args, f"qos_{name}") for name, _ in POLICIES}
     lease = args.qos_liveliness_lease_duration_seconds
-    if lease is not None:
-        values["liveliness_lease_duration"] = Duration(seconds=lease)
-    return QoSProfile(**values)
+    profile_configure_short_keys(profile, depth=args.qos_depth, liveliness_lease_duration_s=lease, **words)
+    return profile
 
 
 def is_chosen(args: Any) -> bool:
     """Whether any QoS option was given."""
-    names = ["profile", "depth", *(name for name, _ in _POLICIES)]
+    names = ["profile", "depth", *(name for name, _ in POLICIES)]
     return any(getattr(args, f"qos_{name}") is not None for name in names)
 
 

@@ -24,6 +24,17 @@ _Thread_start = threading.Thread.start
 _allocate_lock = threading.Lock
 
 
+def waited_ns(seconds: float) -> int:
+    """How long a wait for so many seconds takes [ns]: none for 0 or less, else at least one.
+
+    Seconds are floats: the rest of a wait may be 1e-17 s, and a loop that waits for the rest must end.
+
+    >>> waited_ns(0.25), waited_ns(1e-17), waited_ns(-1.0)
+    (250000000, 1, 0)
+    """
+    return max(round(seconds * 1e9), 1) if seconds > 0 else 0
+
+
 class Waiter(Protocol):
     """A one-lane wake-up: `notify` is remembered until the next `wait`."""
 
@@ -103,7 +114,7 @@ class Event:
         """Wait until `set`, at most `timeout_sec` seconds; returns whether it is set."""
         if self._flag:
             return True
-        deadline = None if timeout_sec is None else self._clock.steady() + round(timeout_sec * 1e9)
+        deadline = None if timeout_sec is None else self._clock.steady() + waited_ns(timeout_sec)
         waiter = self._clock.new_waiter()
         self._waiters.append(waiter)
         try:

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
-import subprocess
 import sysconfig
-import threading
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
@@ -14,13 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.files import read_text
 from coursekit.interfaces.find import UNDERLAY, prefixes
-from coursekit.systems import children, layout
-from coursekit.systems.words import join_words
+from coursekit.systems import layout
 
+from .child import ChildProcess
 from .elsewhere import remark, remark_on_executable
 from .modules import use_private_modules
-from .process import Output, Process, current_process
-from .terminal import open_terminal
+from .process import Process, current_process
 
 if TYPE_CHECKING:
     from .session import Session
@@ -55,11 +52,15 @@ def why_missing(package: str, executable: str) -> str:
 
 def why_skipped(package: str, executable: str) -> str:
     """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
-    for prefix in prefixes():
-        listed = _index(prefix).parent / "coursekit_skipped" / package
-        if listed.is_file() and executable in read_text(listed).splitlines():
-            return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
+    if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
+        return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
     return ""
+
+
+def skipped_of(package: str, prefix: Path) -> list[str]:
+    """The targets in C++ that `colcon build` passed over when it installed the package into `prefix`."""
+    listed = _index(prefix).parent / "coursekit_skipped" / package
+    return read_text(listed).splitlines() if listed.is_file() else []
 
 
 def _hint(name: str, known: Sequence[str]) -> str:
@@ -90,12 +91,24 @@ def prefix_of(package: str) -> Path:
 
 
 def executables_of(package: str) -> list[Path]:
-    """The executables of a package, sorted; raises PackageNotFound."""
+    """The executables of a package, sorted; raises PackageNotFound.
+
+    Where C++ was passed over, coursekit's programs of that package answer under its names.
+    """
     prefix = prefix_of(package)
+    found = {path.name: path for path in stand_ins(package)} if skipped_of(package, prefix) else {}
+    found |= {path.name: path for path in _programs(package, prefix)}
+    return [found[name] for name in sorted(found)]
+
+
+def stand_ins(package: str) -> list[Path]:
+    """The programs that coursekit has of a package itself."""
+    return _programs(package, UNDERLAY)
+
+
+def _programs(package: str, prefix: Path) -> list[Path]:
     folder = prefix / "lib" / package
-    if not folder.is_dir():
-        return []
-    return [entry for entry in sorted(folder.iterdir()) if entry.is_file() and _runs(entry, prefix)]
+    return [one for one in folder.iterdir() if one.is_file() and _runs(one, prefix)] if folder.is_dir() else []
 
 
 def _runs(path: Path, prefix: Path) -> bool:
@@ -175,140 +188,3 @@ def _program(path: Path) -> Callable[[], Any]:
         exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
 
     return main
-
-
-class ChildProcess:
-    """A real child process behind the interface of `Process`.
-
-    On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all. With
-    `one_stream` its errors come among its other output in the order in which it wrote them, as in a terminal. With
-    `tty` set before it begins, it writes to terminals.
-    """
-
-    def __init__(
-        self,
-        session: Session,
-        command: Sequence[str],
-        *,
-        name: str,
-        env: Mapping[str, str] | None = None,
-        cwd: str | os.PathLike[str] | None = None,
-        takes_time: bool = True,
-        one_stream: bool = False,
-    ) -> None:
-        self.session = session
-        self.name = name
-        self._one_stream = one_stream
-        self.takes_time = takes_time
-        self.argv = list(command)
-        self.pid = session.new_pid()
-        self.parent = current_process()
-        self.exit_code: int | None = None
-        self.abandoned = False
-        self.out = Output()
-        self.tty = False
-        self.env = children.with_utf8(os.environ if env is None else env)
-        self.cwd = None if cwd is None else os.fspath(cwd)
-        self._ended = session.clock.new_event()
-        self._exit_listeners: list[Callable[[Any], None]] = []
-        self._child: subprocess.Popen[str] | None = None
-
-    state = Process.state
-    output = Process.output
-    on_output = Process.on_output
-    on_exit = Process.on_exit
-    wait = Process.wait
-    interrupt = Process.interrupt
-    terminate = Process.terminate
-    __repr__ = Process.__repr__
-
-    def begin(self) -> None:
-        """Start it, and threads that read what it writes."""
-        terminals = [open_terminal() if self.tty else None for _ in ("stdout", "stderr")]
-        ends = [one[1] if one else subprocess.PIPE for one in terminals]
-        try:
-            self._child = subprocess.Popen(
-                self.argv,
-                stdin=subprocess.PIPE,
-                stdout=ends[0],
-                stderr=subprocess.STDOUT if self._one_stream else ends[1],
-                encoding="utf-8",
-                errors="replace",
-                bufsize=1,
-                env=self.env,
-                cwd=self.cwd,
-                **children.apart(),
-            )
-        finally:
-            for one in terminals:
-                if one:
-                    os.close(one[1])
-        self._count_child(1)
-        pipes = [one[0] if one else pipe for one, pipe in zip(terminals, _outputs(self._child), strict=True)]
-        readers = [
-            threading.Thread(target=self._read, args=(stream, pipe), daemon=True)
-            for stream, pipe in zip(("stdout", "stderr"), pipes, strict=True)
-            if pipe is not None
-        ]
-        for thread in readers:
-            _start_outside(thread)
-        _start_outside(threading.Thread(target=self._watch, args=(readers,), daemon=True))
-
-    def _count_child(self, change: int) -> None:
-        clock = self.session.clock
-        if clock.virtual and self.takes_time:
-            clock.children += change
-        elif clock.virtual:
-            clock.frozen += change
-            clock.wake()
-
-    def _read(self, stream: str, pipe: Any) -> None:
-        for line in pipe:
-            self.out.write(stream, line)
-
-    def _watch(self, readers: list[threading.Thread]) -> None:
-        assert self._child is not None
-        code = self._child.wait()
-        for thread in readers:
-            threading.Thread.join(thread, 1.0)
-        self.exit_code = code
-        self._count_child(-1)
-        self.session.forget(self)
-        for listener in self._exit_listeners:
-            listener(self)
-        self._ended.set()
-
-    def write_stdin(self, text: str) -> None:
-        """Type `text` into its standard input."""
-        if self._child is not None and self._child.stdin is not None:
-            self._child.stdin.write(text)
-            self._child.stdin.flush()
-
-    def close_stdin(self) -> None:
-        """End its standard input."""
-        if self._child is not None and self._child.stdin is not None:
-            self._child.stdin.close()
-
-    def kill(self) -> None:
-        """End it at once."""
-        self.send_signal(9)
-
-    def send_signal(self, signum: int) -> None:
-        """Deliver a signal to it."""
-        if self._child is not None and self.exit_code is None:
-            children.send_signal(self._child, signum)  # to what it started too, as a terminal's Ctrl-C goes
-
-    def command_line(self) -> str:
-        """What one would type."""
-        return join_words(self.argv)
-
-
-def _outputs(child: subprocess.Popen[str]) -> tuple[Any, Any]:
-    return child.stdout, child.stderr
-
-
-def _start_outside(thread: threading.Thread) -> None:
-    """Start a real thread, also where threads are lanes of the virtual clock."""
-    from .clock import _Thread_start
-
-    _Thread_start(thread)

@@ -2,32 +2,50 @@
 
 from __future__ import annotations
 
+import importlib
 import selectors
+from collections.abc import Callable
 from typing import Any
 
+from coursekit.systems import which
+
+from .clock import waited_ns
 from .whose import current_process
 
 STEP = 0.02
 """Seconds between two looks at the files."""
-_real_select: Any = selectors.DefaultSelector.select
 
 
-def _select(self: Any, timeout: float | None = None) -> Any:
-    """Like `select`, for a process of a session: on the virtual clock the others go on while it waits."""
-    process = current_process()
-    if process is None or (timeout is not None and timeout <= 0):
-        return _real_select(self, timeout)
-    clock = process.session.clock
-    end = None if timeout is None else clock.steady() + round(timeout * 1e9)
-    while True:
-        left = STEP if end is None else min(STEP, (end - clock.steady()) / 1e9)
-        ready = _real_select(self, 0 if clock.virtual else max(0.0, left))
-        if ready or left <= 0:
-            return ready
-        if clock.virtual:
-            clock.sleep(left)
+def _patient(real: Callable[..., Any]) -> Callable[..., Any]:
+    """Such a `select` for a process of a session: on the virtual clock the others go on while it waits."""
+
+    def select(self: Any, timeout: float | None = None) -> Any:
+        process = current_process()
+        if process is None or (timeout is not None and timeout <= 0):
+            return real(self, timeout)
+        clock = process.session.clock
+        end = None if timeout is None else clock.steady() + waited_ns(timeout)
+        while True:
+            left = STEP if end is None else min(STEP, (end - clock.steady()) / 1e9)
+            ready = real(self, 0 if clock.virtual else max(0.0, left))
+            if ready or left <= 0:
+                return ready
+            if clock.virtual:
+                clock.sleep(left)
+
+    return select
+
+
+def _kinds() -> list[Any]:
+    """What asyncio's loops wait with; on Windows they have one more, of that system's own."""
+    windows = [importlib.import_module("asyncio.windows_events").IocpProactor] if which.WINDOWS else []
+    return [selectors.DefaultSelector, *windows]
+
+
+_PATIENT = [(kind, _patient(kind.select)) for kind in _kinds()]
 
 
 def install() -> None:
     """Put it in place; harmless when it is there already."""
-    selectors.DefaultSelector.select = _select  # type: ignore[method-assign]
+    for kind, select in _PATIENT:
+        kind.select = select

@@ -16,6 +16,7 @@ import traceback
 from collections.abc import Callable
 from typing import Any
 
+from .clock import waited_ns
 from .lane import ProcessKilled
 from .present import virtual_session_here
 from .process import Process, current_process
@@ -31,6 +32,8 @@ _real_clocks_ns = {name: getattr(time, f"{name}_ns") for name in ("time", "monot
 
 
 _OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywidgets", "tornado", "traitlets", "zmq")
+_COMPILER = "numba"
+"""It reads the time to measure itself, thousands of times for each function: no loop that waits."""
 _OF_PYTHON = ("concurrent", "coursekit", "queue", "threading")
 
 
@@ -148,7 +151,7 @@ def condition_wait(self: threading.Condition, timeout: float | None = None) -> b
     saved = self._release_save()  # type: ignore[attr-defined]
     notified = False
     try:
-        notified = waiter.wait(None if timeout is None else clock.steady() + max(0, round(timeout * 1e9)))
+        notified = waiter.wait(None if timeout is None else clock.steady() + waited_ns(timeout))
         return notified
     finally:
         self._acquire_restore(saved)  # type: ignore[attr-defined]
@@ -169,7 +172,7 @@ class LaneLock:
         session = _waiting_session()
         if session is None:
             return self._lock.acquire(blocking, timeout)
-        deadline = None if timeout < 0 else session.clock.steady() + round(timeout * 1e9)
+        deadline = None if timeout < 0 else session.clock.steady() + waited_ns(timeout)
         while not self._lock.acquire(False):
             if not blocking or (deadline is not None and session.clock.steady() >= deadline):
                 return False
@@ -263,7 +266,8 @@ def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
         if process is None or not process.session.clock.virtual:
             return real()
         clock = process.session.clock
-        clock.poll()
+        if sys._getframe(1).f_globals.get("__name__", "").partition(".")[0] != _COMPILER:
+            clock.poll()
         nanoseconds = clock.now() if name == "time" else clock.steady()
         return nanoseconds if unit == 1 else nanoseconds / unit
 

@@ -19,7 +19,7 @@ from greenlet import getcurrent, greenlet
 
 from coursekit.systems import waiting
 
-from .clock import Alarm, Event, WallWaiter
+from .clock import Alarm, Event, WallWaiter, waited_ns
 from .lane import Lane
 
 START_NS = 1_700_000_000_000_000_000
@@ -142,7 +142,7 @@ class VirtualClock:
 
     def sleep(self, seconds: float) -> None:
         """Let the other lanes run for `seconds` of virtual time."""
-        deadline = self._elapsed + max(0, round(seconds * 1e9))
+        deadline = self._elapsed + waited_ns(seconds)
         waiter = VirtualWaiter(self)
         while waiter.wait(deadline) or self._elapsed < deadline:
             pass  # notified, or woken by a signal whose handler has returned

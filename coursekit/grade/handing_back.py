@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 
 from .harmless import cell, number, shown
-from .platform_names import platform_name
+from .platform_names import moodle_folder, platform_name
 from .record import Record
 from .report import page
 from .roster import Person, Roster
@@ -116,7 +116,8 @@ def _feedback(records: Sequence[Record], file: Path) -> list[Path]:
     fresh = file.with_suffix(".new")
     with zipfile.ZipFile(fresh, "w", zipfile.ZIP_DEFLATED) as packed:
         for name, one in folders.items():
-            folder = name.split("_assignsubmission_", 1)[0] + "_assignsubmission_file_"
+            told = platform_name(name)
+            folder = moodle_folder(told.name, told.number) if told else name
             packed.writestr(f"{shown(folder, 250)}/feedback.html", page(one))
     fresh.replace(file)
     return [file]

@@ -11,7 +11,7 @@ from typing import Any
 import ipywidgets
 from IPython.core.magic import Magics, cell_magic, magics_class
 
-from coursekit.core.executables import ChildProcess
+from coursekit.core.child import ChildProcess
 from coursekit.core.session import current
 from coursekit.systems.words import split_words
 

@@ -47,10 +47,6 @@ class JointPanel(Panel):
             self._board = self._find() or self._board
             self.changed()
 
-    def shows(self, board: Board) -> bool:
-        """Whether these are a node's sliders; not yet while it waits for its node."""
-        return self._board is board
-
     @property
     def board(self) -> Board:
         """The node whose joints are shown."""

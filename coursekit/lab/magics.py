@@ -12,7 +12,7 @@ from typing import Any
 
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
-from coursekit.core.executables import ChildProcess
+from coursekit.core.child import ChildProcess
 from coursekit.core.session import current
 from coursekit.systems.words import split_words
 

@@ -9,8 +9,16 @@ from coursekit.nodes.rviz import windows
 from coursekit.nodes.rviz.config import Config
 from coursekit.nodes.rviz.windows import RvizWindow
 
-_shown: dict[int, Any] = {}
-"""The viewers by the number of their window"""
+from .node_windows import NodeWindows
+
+
+def _make(window: RvizWindow) -> Any:
+    from .viewer import Viewer
+
+    return Viewer(window.config)
+
+
+_windows = NodeWindows(_make)
 
 
 def newest() -> Config | None:
@@ -30,25 +38,11 @@ def _hear(window: RvizWindow) -> bool:
     if not session.embedded:
         return False
     if not session.clock.virtual:
-        session.spawn(_open if window.running else _close, window)
+        if window.running:
+            _windows.show(window)
+        else:
+            session.spawn(_windows.forget, window)
     return True
-
-
-def _open(window: RvizWindow) -> None:
-    from IPython.display import display
-
-    from .viewer import Viewer
-
-    if window.running:
-        made = _shown[id(window)] = Viewer(window.config)
-        made.of_cell = False
-        display(made)
-
-
-def _close(window: RvizWindow) -> None:
-    panel = _shown.pop(id(window), None)
-    if panel is not None:
-        panel.close()
 
 
 __all__ = ["newest", "show_rviz_windows"]

@@ -15,6 +15,7 @@ from colcon_core.python_install_path import get_python_install_path
 from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
+from coursekit.core.executables import stand_ins
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
@@ -110,11 +111,11 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         )
         create_environment_scripts(self.context.pkg, args, additional_hooks=hooks)
         if reading.targets:
+            ours = [one.name for one in stand_ins(package)]
+            instead = f"; coursekit's own {', '.join(sorted(ours))} answer in their place" if ours else ""
             names = ", ".join(reading.targets)
-            print(
-                f"Skipped C++ of {package}: {names} (there is no compiler here; the rest is installed)",
-                flush=True,
-            )
+            why = f"there is no compiler here; the rest is installed{instead}"
+            print(f"Skipped C++ of {package}: {names} ({why})", flush=True)
 
     def _forget_old(self) -> None:
         """Remove what the last build installed and this one did not."""

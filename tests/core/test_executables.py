@@ -1,21 +1,15 @@
-"""Executables of packages: found by name, run with fresh modules, real programs as children."""
+"""Executables of packages: found by name, run with fresh modules."""
 
 import os
 import sys
 
 import pytest
 
-from coursekit.core.executables import (
-    ChildProcess,
-    ExecutableNotFound,
-    PackageNotFound,
-    executables_of,
-    find,
-    is_python,
-    packages,
-)
+from coursekit.core.child import ChildProcess
+from coursekit.core.executables import ExecutableNotFound, PackageNotFound, executables_of, find, is_python, packages
 from coursekit.core.session import Session
 from coursekit.systems import which
+from tests.needs import posix
 
 
 @pytest.fixture
@@ -47,6 +41,7 @@ def test_unknown_names_are_refused_with_the_known_ones(prefix):
         find("mine", "talk")
 
 
+@posix("every file may be run")
 def test_files_that_may_not_be_run_are_no_executables(prefix):
     prefix("run_me", "#!/usr/bin/env python3\n")
     prefix("data", "text").chmod(0o644)
@@ -78,23 +73,6 @@ def test_two_runs_share_no_globals_and_an_edited_module_is_read_anew(prefix, ses
     assert "counting" not in sys.modules
 
 
-def test_other_programs_run_as_children_with_their_output_and_exit_code(prefix, session):
-    path = prefix("shell", "#!/bin/sh\necho out $1\necho err >&2\nexit 3\n")
-    process = session.start_executable(path, ["word"])
-    assert process.wait(20) == 3
-    assert process.out.text("stdout") == "out word\n" and process.out.text("stderr") == "err\n"
-
-
-def test_a_child_can_be_typed_to_and_interrupted(prefix, session):
-    process = session.start_executable(prefix("cat", "#!/bin/sh\nread line; echo got $line; exec sleep 1000\n"))
-    heard = session.clock.new_event()
-    process.on_output(lambda _stream, _text: heard.set())
-    process.write_stdin("hello\n")
-    assert heard.wait(20) and process.output == "got hello\n"
-    process.interrupt()
-    assert process.wait(20) == -2
-
-
 def test_a_missing_file_is_said_to_be_missing(session, tmp_path):
     with pytest.raises(FileNotFoundError, match="Was its package built"):
         session.start_executable(tmp_path / "nothing")
@@ -109,59 +87,6 @@ def test_the_working_folder_of_a_program_is_its_own(prefix, tmp_path):
         process = session.start_executable(path, cwd=tmp_path)
         process.wait(10)
     assert process.output == f"{tmp_path}\n" and os.getcwd() == before
-
-
-def test_a_child_that_takes_no_time_stops_the_virtual_clock_while_it_lives(prefix):
-    from coursekit.core.executables import ChildProcess
-
-    path = prefix("slow", "#!/bin/sh\nsleep 0.3\n")
-    with Session(virtual=True).use() as session:
-        ticks = []
-
-        def tick():
-            while True:
-                session.clock.sleep(0.001)
-                ticks.append(1)
-
-        session.start(tick, name="ticker")
-        child = session.launch(ChildProcess(session, [str(path)], name="slow", takes_time=False))
-        child.wait()
-        assert len(ticks) == 0
-        session.clock.sleep(0.0105)
-        assert len(ticks) == 10
-
-
-def test_time_passes_for_a_process_that_waits_beside_a_child_that_writes(prefix):
-    from coursekit.core.executables import ChildProcess
-
-    path = prefix("slow", "#!/bin/sh\nfor i in 1 2 3 4 5 6 7 8 9; do echo $i; sleep 0.2; done\n")
-    with Session(virtual=True).use() as session:
-        child = session.launch(ChildProcess(session, [str(path)], name="slow"))
-        ended = []
-
-        def main():
-            woken = session.clock.new_event()
-            child.on_output(lambda _stream, _text: woken.set())
-            give_up = session.clock.steady() + 500_000_000
-            while session.clock.steady() < give_up:
-                woken.wait(0.3)
-                woken.clear()
-            ended.append(child.exit_code)
-
-        assert session.start(main, name="waiting").wait(10) == 0
-        assert ended == [None], "the child still lives"
-        child.kill()
-        child.wait()
-
-
-def test_errors_of_a_child_stand_where_it_wrote_them(tmp_path):
-    from coursekit.core.executables import ChildProcess
-
-    code = "import sys\nfor i in range(300): print(i, file=(sys.stdout, sys.stderr)[i % 2], flush=True)"
-    with Session(virtual=True).use() as session:
-        child = session.launch(ChildProcess(session, [sys.executable, "-c", code], name="both", one_stream=True))
-        assert child.wait(60) == 0
-        assert child.output == "".join(f"{i}\n" for i in range(300))
 
 
 def test_a_package_without_executables_says_what_makes_one():
@@ -197,11 +122,3 @@ def test_a_script_is_no_second_executable_and_an_exe_goes_by_both_of_its_names(a
 def test_an_exe_without_a_script_is_a_program_of_the_system(as_on_windows):
     assert not is_python(as_on_windows("native.exe", "MZ"))
     assert is_python(find("mine", "talker"))
-
-
-def test_a_childs_command_line_is_shown_as_the_system_writes_it(session, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
-    child = ChildProcess(session, ["C:\\tools\\x.exe", "a b"], name="x")
-    assert child.command_line() == "'C:\\tools\\x.exe' 'a b'"
-    monkeypatch.setattr(which, "WINDOWS", True)
-    assert child.command_line() == 'C:\\tools\\x.exe "a b"'

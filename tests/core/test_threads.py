@@ -41,3 +41,33 @@ def test_a_wait_in_vain_takes_as_long_as_was_asked_for_on_the_virtual_clock(wait
     with Session(virtual=True).use() as session:
         process = session.start(main, name="waiter")
         assert process.wait() == 0 and process.output == "3.0\n"
+
+
+@pytest.mark.timeout(30)
+def test_a_wait_in_vain_ends_whenever_it_begins() -> None:
+    """What is left of a wait may be less than a nanosecond, as seconds are floats: time goes on all the same."""
+
+    def main() -> None:
+        condition = threading.Condition()
+        with condition:
+            for _ in range(500):
+                time.sleep(0.012345679)
+                assert not condition.wait_for(lambda: False, timeout=0.3)
+
+    with Session(virtual=True).use() as session:
+        assert session.start(main, name="waiter").wait() == 0
+
+
+def test_a_compiler_that_measures_its_own_time_takes_none_on_the_virtual_clock() -> None:
+    """Else a course that has just been installed, whose loops are not compiled yet, would give other results."""
+
+    def main() -> None:
+        import numba
+
+        before = time.monotonic_ns()
+        assert numba.njit(lambda x: [x, x + 1])(1)[1] == 2
+        print(time.monotonic_ns() - before)
+
+    with Session(virtual=True).use() as session:
+        process = session.start(main, name="compiling")
+        assert process.wait() == 0 and process.output == "0\n"

@@ -162,7 +162,7 @@ def test_a_student_called_class_and_those_with_names_of_results(folder):
     found = grade(folder)[1]
     assert len(found) == 7 and len({row["key"].casefold() for row in found.values()}) == 7
     kept = folder.parent / "grades"
-    assert "<h1>The class</h1>" in (kept / "class.html").read_text()
+    assert "<h1>The class: 02_topics</h1>" in (kept / "class.html").read_text()
     assert all((kept / f"{row['key']}.html").is_file() for row in found.values())
 
 
@@ -211,3 +211,13 @@ def test_collecting_is_the_same_each_time(folder, tmp_path):
     assert (
         found[0] == found[1] == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
     )
+
+
+@pytest.mark.parametrize(("content", "why"), [
+    (b"", "the file is empty"), ("<html>Please log in</html>", "it begins with '<html>Please log in</html>'"),
+    (text("q1")[:4000], "it breaks off, or is not whole, in line"), (b'{"cells": "\xff\xfe"}', "it is not text in UTF-8"),
+])  # fmt: skip
+def test_why_a_file_is_no_notebook_is_said_without_a_parser_s_words(folder, content, why):
+    write(folder / "Ann Lee" / TOPICS, content)
+    one, where = only(folder)
+    assert where is None and f"is no notebook: {why}" in one.notes[0]

@@ -5,8 +5,10 @@ import pytest
 from coursekit.core import streams
 from coursekit.core.executables import find
 from coursekit.core.session import Session
+from coursekit.lab import joint_windows
 from coursekit.lab.joint_panel import joint_sliders
 from coursekit.lab.panel import end_panels, open_panels
+from coursekit.nodes.robots import boards
 from tests.urdf.oracle import ROBOTS
 
 
@@ -90,16 +92,15 @@ def test_the_browser_sees_what_moves(session, gui, monkeypatch):
     assert "ended" in panel.text()
 
 
-def test_a_panel_that_waits_for_its_node_shows_none_yet(session):
-    """A window that opens meanwhile asks every panel what it shows."""
-    asked = []
-
-    def meanwhile():
-        session.clock.sleep(0.1)
-        path = find("joint_state_publisher_gui", "joint_state_publisher_gui")
-        asked.extend(one.shows(object()) for one in open_panels())
-        session.start_executable(path, [str(ROBOTS / "r2d2_2.urdf")], name="gui")
-
-    session.spawn(meanwhile)
-    panel = joint_sliders()
-    assert asked == [False] and panel.shows(panel.board)
+def test_a_window_that_opens_while_a_cell_takes_over_does_not_stay(session):
+    """The window waits for the robot's description; a cell shows the sliders before it comes."""
+    session.start_executable(find("joint_state_publisher_gui", "joint_state_publisher_gui"), [], name="gui")
+    session.clock.sleep(0.2)
+    (board,) = boards.running(session)
+    joint_windows._windows.show(board)
+    session.clock.sleep(0.1)
+    joint_windows.take_over(board)
+    path = find("robot_state_publisher", "robot_state_publisher")
+    session.start_executable(path, [str(ROBOTS / "r2d2_2.urdf")], name="robot")
+    session.clock.sleep(4.0)
+    assert open_panels() == []

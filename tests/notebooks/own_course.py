@@ -4,6 +4,9 @@ import os
 import tempfile
 from pathlib import Path
 
+from tests.needs import ON_WINDOWS
+
+from .alike import compare_alike
 from .running import name_student
 
 _folder = tempfile.TemporaryDirectory(prefix="course-")
@@ -13,6 +16,8 @@ def pytest_configure(config):
     course = Path(_folder.name).resolve()
     (course / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
     name_student(course)
+    if ON_WINDOWS:
+        compare_alike()
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws")}
     os.environ |= {"COLUMNS": "120", "TZ": "UTC"}
     os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions

@@ -49,6 +49,11 @@ def test_a_chapter_runs_twice_in_one_kernel_earns_full_points_and_leaves_nothing
     assert {name: progress[name]["points"] for name in wanted} == wanted
 
 
+def test_a_chapter_begins_with_what_every_kernel_of_the_lab_has_anyway(chapter):
+    """So nothing is missing after a restart, whichever cell is run first."""
+    assert code_cells(read(chapter))[0].source == "from coursekit.lab import *\n\nreset()"
+
+
 def test_a_chapter_is_short_to_read_and_every_section_is_compared(chapter):
     notebook = read(chapter)
     section, compared = "", {}

@@ -20,7 +20,7 @@ def project(tmp_path):
             (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / name).write_text("")
         reading = read_project(tmp_path)
-        return {c.target: str(c.source.relative_to(tmp_path)) for c in copies(reading, "pkg", "site")}
+        return {c.target: c.source.relative_to(tmp_path).as_posix() for c in copies(reading, "pkg", "site")}
 
     return read
 

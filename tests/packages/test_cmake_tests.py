@@ -44,7 +44,8 @@ def test_a_function_of_the_file_passes_its_words_on(package, tmp_path):
     launch, python = commands(reading, tmp_path)
     assert (launch.name, python.name, left_out(reading)) == ("named", "math", ["in_cpp"])
     assert launch.command[3:] == [
-        str(folder / "test/test_it.py"), f"--junit-xml={tmp_path}/app/named.xunit.xml", "--package-name=app", "speed:=2",
+        str(folder / "test/test_it.py"), f"--junit-xml={tmp_path / 'app' / 'named.xunit.xml'}",
+        "--package-name=app", "speed:=2",
     ]  # fmt: skip
     assert python.command[1:4] == ["-m", "pytest", str(folder / "test/test_math.py")]
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.packages.colcon_links import COPIES
+from coursekit.systems.links import can_link
 
 SOURCES = Path(__file__).parent.parent / "fixtures" / "ros2_ws" / "src"
 COLCON = [sys.executable, "-m", "colcon", "--log-base", "log", "build", "--executor", "sequential"]
@@ -58,6 +59,8 @@ def test_it_builds_copies_and_says_in_one_line_when_to_build_again(build):
 
 
 def test_where_links_can_be_made_nothing_is_said(build):
+    if not can_link(build.folder):
+        pytest.skip("this account may not make links")
     assert COPIES not in build("--symlink-install", refuse=False)
     assert links_under(build.folder / "build")
 

@@ -10,6 +10,7 @@ from catkin_pkg.package import parse_package
 
 from coursekit.cli.verbs import pkg
 from coursekit.core.executables import executables_of, packages
+from tests.needs import slashed
 
 
 @pytest.fixture
@@ -23,7 +24,7 @@ def ros2_pkg(tmp_path, monkeypatch, capsys):
         args = parser.parse_args(["pkg", *words])
         code = args.main(args)
         captured = capsys.readouterr()
-        return code, captured.out, captured.err
+        return code, slashed(captured.out), slashed(captured.err)
 
     return run
 
@@ -40,7 +41,7 @@ def test_a_python_package_is_made_step_by_step(ros2_pkg, tmp_path):
     assert out.splitlines() == [
         "going to create a new package",
         "package name: p",
-        f"destination directory: {tmp_path}",
+        f"destination directory: {slashed(tmp_path)}",
         "package format: 3",
         "version: 0.0.0",
         "description: about",

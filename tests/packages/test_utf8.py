@@ -25,7 +25,8 @@ def begun(monkeypatch):
     return commands
 
 
-def test_elsewhere_it_goes_on_as_it_is(begun):
+def test_elsewhere_it_goes_on_as_it_is(begun, monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", False)
     assert colcon_utf8.InUtf8().decorate_argument_parser(parser="parser") == "parser"
     assert begun == []
 

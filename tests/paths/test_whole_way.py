@@ -12,7 +12,8 @@ from typing import Any
 import pytest
 from jupyter_client.manager import KernelManager
 
-from coursekit.cli.coursekit import _terminal_settings, lab_environment, main
+from coursekit.cli.coursekit import lab_environment, main
+from coursekit.cli.terminal_settings import terminal_settings
 from tests.grade.test_attacks import RIGHT, cells
 from tests.paths import workspace
 from tests.paths.workspace import HOSTILE, type_in
@@ -143,7 +144,7 @@ def test_a_course_is_worked_in_and_handed_in(course: Path, kernel: Callable[[str
 
 
 def test_terminals_of_the_course_begin_in_its_folder_with_its_commands(course: Path) -> None:
-    (setting,) = _terminal_settings(course)
+    (setting,) = terminal_settings(course)
     words = ast.literal_eval(setting.partition("=")[2])["shell_command"]
     said = subprocess.run(
         [*words[:-1], "-i", "-c", "pwd; command -v ros2"],

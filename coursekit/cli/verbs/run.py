@@ -89,7 +89,7 @@ def _outcome(code: int) -> int:
 
 
 def _run_with_prefix(command: list[str]) -> int:
-    from coursekit.core.executables import ChildProcess
+    from coursekit.core.child import ChildProcess
 
     process = ChildProcess(current(), command, name=command[0])
     return _outcome(_wait(current().launch(process, _pass_on())))

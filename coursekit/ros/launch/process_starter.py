@@ -8,8 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from coursekit.core import script, session
+from coursekit.core.child import ChildProcess
 from coursekit.core.commands import inside
-from coursekit.core.executables import ChildProcess
 from coursekit.core.prefixed import is_package_executable, prefixed
 
 from .substitutions.find_executable import which

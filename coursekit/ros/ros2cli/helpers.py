@@ -7,9 +7,12 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+import rclpy
 from rclpy.utilities import timeout_sec_to_nsec
 
 from coursekit.core.session import current
+
+_WAIT_SECONDS = 5.0
 
 
 def get_ros_domain_id() -> int:
@@ -36,6 +39,26 @@ def wait_for(predicate: Callable[[], bool], timeout: float | None, period: float
             return predicate()
         clock.sleep(period)
     return True
+
+
+def call_service(node: Any, kind: Any, name: str, request: Any, absent: str) -> Any:
+    """The response of a service, which is waited for.
+
+    Raises:
+        RuntimeError: with the text `absent` when nobody serves it within 5 s; when the call itself failed.
+    """
+    target = getattr(node, "node", node)
+    client = target.create_client(kind, name)
+    try:
+        if not client.wait_for_service(timeout_sec=_WAIT_SECONDS):
+            raise RuntimeError(absent)
+        future = client.call_async(request)
+        rclpy.spin_until_future_complete(target, future)
+        if future.result() is None:
+            raise RuntimeError(f"Exception while calling service '{name}': {future.exception()}")
+        return future.result()
+    finally:
+        target.destroy_client(client)
 
 
 def pretty_print_call(func: Callable[..., Any], *args: Any, **kwargs: Any) -> None:

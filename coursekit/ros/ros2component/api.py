@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
-import rclpy
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rcl_interfaces.msg import Parameter
+from ros2cli.helpers import call_service
 from ros2cli.node.strategy import NodeStrategy
 from ros2node.api import NodeName, get_node_names, get_service_server_info
 from ros2param.api import get_parameter_value
@@ -54,18 +54,8 @@ def get_container_names(*, node: Any) -> list[NodeName]:
 
 
 def _call(node: Any, container: str, service: str, request: Any) -> Any:
-    target = getattr(node, "node", node)
-    client = target.create_client(_SERVICES[service], f"{container}/_container/{service}")
-    try:
-        if not client.wait_for_service(timeout_sec=5.0):
-            raise RuntimeError(f"No '{service}' service found for '{container}' container")
-        future = client.call_async(request)
-        rclpy.spin_until_future_complete(target, future)
-        if future.result() is None:
-            raise RuntimeError(f"Failed to call '{service}' service of '{container}': {future.exception()}")
-        return future.result()
-    finally:
-        target.destroy_client(client)
+    absent = f"No '{service}' service found for '{container}' container"
+    return call_service(node, _SERVICES[service], f"{container}/_container/{service}", request, absent)
 
 
 def get_components_in_container(*, node: Any, remote_container_node_name: str) -> tuple[bool, Any]:

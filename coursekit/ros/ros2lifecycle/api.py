@@ -6,8 +6,7 @@ from typing import Any
 
 import rclpy
 from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
-from ros2cli.node.strategy import NodeStrategy
-from ros2node.api import NodeName
+from ros2node.api import NodeName, NodeNameCompleter
 from ros2node.api import get_node_names as get_all_node_names
 from ros2service.api import get_service_names_and_types
 
@@ -68,15 +67,9 @@ def call_change_states(*, node: Any, transitions: dict[str, Any]) -> dict[str, A
     return {name: getattr(answer, "success", answer) for name, answer in answers.items()}
 
 
-class LifecycleNodeNameCompleter:
+class LifecycleNodeNameCompleter(NodeNameCompleter):
     """Full names of managed nodes, for argcomplete."""
 
-    def __init__(self, *, include_hidden_nodes_key: str | None = None) -> None:
-        self.include_hidden_nodes_key = include_hidden_nodes_key
-
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The names there are."""
-        key = self.include_hidden_nodes_key
-        hidden = bool(key and getattr(parsed_args, key))
-        with NodeStrategy(parsed_args) as node:
-            return [one.full_name for one in get_node_names(node=node, include_hidden_nodes=hidden)]
+    @staticmethod
+    def _names(node: Any, hidden: bool) -> list[NodeName]:
+        return get_node_names(node=node, include_hidden_nodes=hidden)

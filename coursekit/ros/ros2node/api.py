@@ -129,4 +129,8 @@ class NodeNameCompleter:
         key = self.include_hidden_nodes_key
         hidden = bool(key and getattr(parsed_args, key))
         with NodeStrategy(parsed_args) as node:
-            return [one.full_name for one in get_node_names(node=node, include_hidden_nodes=hidden)]
+            return [one.full_name for one in self._names(node, hidden)]
+
+    @staticmethod
+    def _names(node: Any, hidden: bool) -> list[NodeName]:
+        return get_node_names(node=node, include_hidden_nodes=hidden)

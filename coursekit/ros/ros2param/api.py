@@ -5,16 +5,14 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-import rclpy
 from rcl_interfaces.msg import Parameter, ParameterValue
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, parameter_dict_from_yaml_file
 from rclpy.parameter import get_parameter_value as _from_text
+from ros2cli.helpers import call_service
 from ros2cli.node.direct import DirectNode
 
 from coursekit.cli import param_text
-
-WAIT_SECONDS = 5.0
 
 
 def get_value(*, parameter_value: ParameterValue) -> Any:
@@ -58,18 +56,7 @@ def parse_parameter_dict(*, namespace: str, parameter_dict: dict[str, Any]) -> l
 
 
 def _call(node: Any, kind: Any, name: str, request: Any) -> Any:
-    target = getattr(node, "node", node)
-    client = target.create_client(kind, name)
-    try:
-        if not client.wait_for_service(timeout_sec=WAIT_SECONDS):
-            raise RuntimeError("Wait for service timed out")
-        future = client.call_async(request)
-        rclpy.spin_until_future_complete(target, future)
-        if future.result() is None:
-            raise RuntimeError(f"Exception while calling service '{name}': {future.exception()}")
-        return future.result()
-    finally:
-        target.destroy_client(client)
+    return call_service(node, kind, name, request, absent="Wait for service timed out")
 
 
 def call_describe_parameters(*, node: Any, node_name: str, parameter_names: list[str] | None = None) -> Any:

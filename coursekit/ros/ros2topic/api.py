@@ -26,7 +26,7 @@ from rosidl_runtime_py.utilities import get_message
 from coursekit.core.session import current
 
 POLL_SECONDS = 0.1
-_POLICIES = (
+POLICIES = (
     ("history", HistoryPolicy),
     ("reliability", ReliabilityPolicy),
     ("durability", DurabilityPolicy),
@@ -123,7 +123,7 @@ def profile_configure_short_keys(
 ) -> None:
     """Set the policies of a profile by their words; None leaves one as it is."""
     words = {"history": history, "durability": durability, "reliability": reliability, "liveliness": liveliness}
-    for name, policy in _POLICIES:
+    for name, policy in POLICIES:
         word = words[name]
         if word:
             setattr(profile, name, policy.get_from_short_key(word))
@@ -159,7 +159,7 @@ def add_qos_arguments(
         help=f"Preset of quality of service to {entity_type} with (default: {default_profile_str})",
     )
     parser.add_argument("--qos-depth", metavar="N", type=int, help=f"Queue size (default: {base.depth})")
-    for name, policy in _POLICIES:
+    for name, policy in POLICIES:
         default = f"{getattr(base, name).short_key} {extra_message}".strip()
         parser.add_argument(f"--qos-{name}", choices=policy.short_keys(), help=f"The {name} (default: {default})")
     parser.add_argument("--qos-liveliness-lease-duration-seconds", type=float, help="The liveliness lease duration [s]")

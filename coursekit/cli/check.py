@@ -1,0 +1,20 @@
+"""What one check of `coursekit doctor` found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Check:
+    """The outcome of one check; no fault means that all is well.
+
+    >>> Check("python", "3.11.2").fault
+    ''
+    """
+
+    name: str
+    finding: str
+    fault: str = ""
+    cure: str = ""
+    only_warning: bool = False

@@ -1,0 +1,69 @@
+"""Checks of `coursekit doctor` that some computers need: each is silent where all is as it should be."""
+
+from __future__ import annotations
+
+import platform
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from coursekit.systems import computer
+
+from .check import Check
+
+NEWEST = (3, 14)
+"""The newest Python for which all that the course needs has packages."""
+MOST_CHARACTERS = 120
+"""How long a folder's path may be where Windows takes 260 characters: a build goes this much deeper."""
+ARM = (
+    "OpenCV has no package for Python on ARM",
+    "Install 'Windows installer (64-bit)' from https://www.python.org/downloads/, which runs on ARM too; then delete .venv.",
+)
+
+
+def interpreter() -> Check | None:
+    """A Python for which packages exist."""
+    found = platform.python_version()
+    if computer.bits() == 32:
+        cure = "Install 'Windows installer (64-bit)' from https://www.python.org/downloads/; then delete .venv."
+        return Check("packages", found, "this Python has 32 bits; NumPy and OpenCV have packages for 64", cure)
+    if computer.is_arm_python_on_windows():
+        return Check("packages", found, *ARM)
+    if sys.version_info[:2] > NEWEST:
+        fault = f"Python {found} is newer than the packages that the course needs"
+        return Check("packages", found, fault, "Install Python 3.13 beside it, and make .venv with that.", only_warning=True)
+    if computer.is_from_the_store():
+        fault = "this Python is the Store's: programs see other folders than it writes to"
+        return Check("packages", found, fault, "Install one from https://www.python.org/downloads/.", only_warning=True)
+    return None
+
+
+def folder_of_the_course() -> Check | None:
+    """A folder in which many small files can be written and replaced."""
+    folder = Path.cwd()
+    by = computer.synchronised_by(folder)
+    if by:
+        fault = f"{by} copies this folder while you build in it, which makes builds slow, and some fail"
+        cure = "Work in a folder outside of it: coursekit lab --folder ~/course"
+        return Check("folder", str(folder), fault, cure, only_warning=True)
+    if not computer.has_long_paths() and len(str(folder)) > MOST_CHARACTERS:
+        fault = f"this folder's path has {len(str(folder))} characters, and Windows takes 260 for a file"
+        cure = r"Work in a shorter one, such as C:\course; or switch on 'long paths' in Windows' settings for developers."
+        return Check("folder", str(folder), fault, cure, only_warning=True)
+    return None
+
+
+def scripts() -> Check | None:
+    """PowerShell runs what colcon writes."""
+    if computer.runs_scripts():
+        return None
+    cure = "Type: Set-ExecutionPolicy -Scope CurrentUser RemoteSigned"
+    return Check("PowerShell", "", r"it refuses scripts, and so . install\setup.ps1", cure, only_warning=True)
+
+
+SYSTEM_CHECKS: tuple[Callable[[], Check | None], ...] = (interpreter, folder_of_the_course, scripts)
+
+
+def run_system_checks() -> list[Check]:
+    """What is to be said of this computer; nothing where all is well."""
+    return [found for check in SYSTEM_CHECKS if (found := check()) is not None]

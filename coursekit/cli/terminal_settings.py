@@ -1,0 +1,78 @@
+"""JupyterLab's terminals: they begin in the course's folder and know `ros2`, with completion by Tab."""
+
+from __future__ import annotations
+
+import shlex
+import shutil
+import sys
+from pathlib import Path
+
+from coursekit.systems import which
+
+_BASHRC = """\
+# Terminals of the course: your own settings, then ROS sourced, and completion by Tab.
+[ -f ~/.bashrc ] && . ~/.bashrc
+export PATH={bin}:"$PATH"
+export PS1='\\W$ '
+eval "$(register-python-argcomplete ros2 2>/dev/null)"
+eval "$(register-python-argcomplete colcon 2>/dev/null)"
+cd {folder}
+"""
+
+_PROFILE = """\
+# Terminals of the course: ROS sourced, and completion by Tab.
+$env:PATH = {bin} + [IO.Path]::PathSeparator + $env:PATH
+foreach ($command in 'ros2', 'colcon') {{
+    register-python-argcomplete --shell powershell $command 2>$null | Out-String | Invoke-Expression
+}}
+function prompt {{ (Split-Path -Leaf (Get-Location)) + '> ' }}
+Set-Location -LiteralPath {folder}
+"""
+_POWERSHELL = ("pwsh", "powershell")
+"""The newer one, which one installs, then Windows' own."""
+_QUOTES = "'\u2018\u2019\u201a\u201b"
+
+
+def terminal_settings(folder: Path) -> list[str]:
+    """Options of JupyterLab for the terminals of the course in that folder; none where there is no shell that we know."""
+    command = _for_powershell(folder) if which.WINDOWS else _for_bash(folder)
+    return [f"--ServerApp.terminado_settings={{'shell_command': {command!r}}}"] if command else []
+
+
+def _for_bash(folder: Path) -> list[str]:
+    """Login shells forget the PATH that they are given: a file of settings has it."""
+    bash = shutil.which("bash")
+    if bash is None:
+        return []
+    quoted = {"bin": shlex.quote(str(_bin())), "folder": shlex.quote(str(folder))}
+    return [bash, "--rcfile", str(_write(folder, "terminal.bashrc", _BASHRC.format(**quoted), "utf-8")), "-i"]
+
+
+def _for_powershell(folder: Path) -> list[str]:
+    """Scripts may run in these terminals, also where Windows refuses them: `. install\\setup.ps1` is one."""
+    shell = next(filter(None, map(shutil.which, _POWERSHELL)), None)
+    if shell is None:
+        return []
+    quoted = {"bin": _powershell_quote(str(_bin())), "folder": _powershell_quote(str(folder))}
+    text = _PROFILE.format(**quoted)
+    file = _write(folder, "terminal.ps1", text, "utf-8-sig")  # without that mark the old one reads the code page
+    return [shell, "-NoLogo", "-NoExit", "-ExecutionPolicy", "Bypass", "-File", str(file)]
+
+
+def _powershell_quote(text: str) -> str:
+    """A word in which PowerShell replaces nothing; it takes curly marks for straight ones."""
+    return "'" + "".join(sign * 2 if sign in _QUOTES else sign for sign in text) + "'"
+
+
+def _bin() -> Path:
+    return Path(sys.executable).parent
+
+
+def _write(folder: Path, name: str, text: str, encoding: str) -> Path:
+    file = folder / ".coursekit" / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding=encoding)
+    return file
+
+
+__all__ = ["terminal_settings"]

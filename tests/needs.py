@@ -1,0 +1,42 @@
+"""What a test needs of the system, and how paths are spelled on it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+ON_WINDOWS = sys.platform == "win32"
+
+
+def posix(why: str) -> pytest.MarkDecorator:
+    """The mark of a test that looks at what Windows does not have; `why` says what."""
+    return pytest.mark.skipif(ON_WINDOWS, reason=f"Windows: {why}")
+
+
+def real_windows(why: str) -> pytest.MarkDecorator:
+    """The mark of a test that Wine cannot run, while Windows may; `why` says what Wine lacks."""
+    return pytest.mark.skipif(in_wine(), reason=f"Wine: {why}")
+
+
+def in_wine() -> bool:
+    """Whether this Windows is Wine."""
+    if not ON_WINDOWS:
+        return False
+    import ctypes
+
+    return hasattr(ctypes.windll.ntdll, "wine_get_version")  # type: ignore[attr-defined]
+
+
+def slashed(text: str | Path) -> str:
+    r"""A text with paths as it is on Linux: a test compares what is said, not how this system spells folders.
+
+    >>> slashed(Path("install") / "setup.py")
+    'install/setup.py'
+    """
+    return str(text).replace(os.sep, "/")
+
+
+__all__ = ["ON_WINDOWS", "in_wine", "posix", "real_windows", "slashed"]

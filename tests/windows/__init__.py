@@ -1,0 +1,1 @@
+"""The tests and the chapters on Windows' own Python under Wine: `python -m tests.windows`, or `make windows`."""

@@ -1,0 +1,83 @@
+"""What Wine 8 lacks and Windows has: two libraries, made by zig; and threads that OpenCV could use."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from .wine import HOME, VENV
+
+HERE = Path(__file__).parent
+MATHS = b"api-ms-win-crt-math-l1-1-0.dll"
+OURS = b"ckw-ms-win-crt-math-l1-1-0.dll"
+"""By what name the modules import C's maths, and the name as long that they get instead."""
+_DOUBLE = "cabs carg ccos ccosh cexp cimag clog clog10 conj cpow cproj creal csin csinh csqrt ctan ctanh"
+COMPLEX = {name + end for name in _DOUBLE.split() for end in ("", "f")}
+"""What complex_functions.c computes."""
+_IMPORTS = """
+import sys, pefile
+for file in sys.argv[2:]:
+    pe = pefile.PE(file, fast_load=True)
+    pe.parse_data_directories([pefile.DIRECTORY_ENTRY["IMAGE_DIRECTORY_ENTRY_IMPORT"]])
+    for library in getattr(pe, "DIRECTORY_ENTRY_IMPORT", []):
+        if library.dll in sys.argv[1].encode().split():
+            print(file, *(one.name.decode() for one in library.imports if one.name), sep="|")
+"""
+_tools = HOME / "tools" / "bin" / "python"
+_system = HOME / "prefix" / "drive_c" / "windows" / "system32"
+
+
+def get_tools() -> None:
+    """zig, which compiles for Windows, and what reads its programs; from PyPI, in an environment of their own."""
+    if not _tools.is_file():
+        subprocess.run([sys.executable, "-m", "venv", HOME / "tools"], check=True)
+        subprocess.run([_tools, "-m", "pip", "install", "-q", "ziglang", "pefile"], check=True)
+
+
+def add_random_bytes() -> None:
+    """The library that modules written in Rust need."""
+    _link("bcryptprimitives.dll", HERE / "random_bytes.c", "-ladvapi32")
+
+
+def add_complex_functions() -> None:
+    """Complex maths for numpy and scipy: their modules are pointed to a library of ours that has it, the rest is Wine's."""
+    wanted: set[str] = set()
+    for file, names in _imports_of_maths().items():
+        if names & COMPLEX:
+            file.write_bytes(file.read_bytes().replace(MATHS, OURS))
+        data = file.read_bytes()
+        wanted |= names if OURS in data else set()
+    exports = HOME / "complex.def"
+    lines = [f"  {name}=shim_{name}" for name in sorted(COMPLEX)]
+    lines += [f"  {name}=ucrtbase.{name}" for name in sorted(wanted - COMPLEX)]
+    exports.write_text("\n".join(["EXPORTS", *lines, ""]), encoding="utf-8")
+    _link(OURS.decode(), HERE / "complex_functions.c", exports, "-lucrtbase", "-fno-builtin")
+
+
+def one_thread_for_opencv() -> None:
+    """OpenCV's threads raise "Unknown exception" in Wine."""
+    file = VENV / "Lib" / "site-packages" / "wine_threads.pth"
+    file.write_text("import cv2; cv2.setNumThreads(1)\n", encoding="utf-8")
+
+
+def _imports_of_maths() -> dict[Path, set[str]]:
+    site = VENV / "Lib" / "site-packages"
+    files = [file for end in ("*.pyd", "*.dll") for file in site.rglob(end) if {MATHS, OURS} & _named(file)]
+    names = f"{MATHS.decode()} {OURS.decode()}"
+    said = subprocess.run([_tools, "-c", _IMPORTS, names, *files], check=True, stdout=subprocess.PIPE).stdout
+    found = (line.split("|") for line in said.decode().splitlines())
+    return {Path(file): set(functions) for file, *functions in found}
+
+
+def _named(file: Path) -> set[bytes]:
+    data = file.read_bytes()
+    return {name for name in (MATHS, OURS) if name in data}
+
+
+def _link(name: str, *words: Path | str) -> None:
+    """Make a library that needs no C library, and give it to Wine."""
+    zig = [_tools, "-m", "ziglang", "cc", "-target", "x86_64-windows-gnu", "-shared", "-O1", "-nostdlib"]
+    subprocess.run([*zig, *words, "-o", name], check=True, cwd=HOME)
+    shutil.copy(HOME / name, _system)

@@ -1,0 +1,52 @@
+"""Makes all that is needed once: Wine's prefix, Windows' Python, the course as the README installs it, what Wine lacks."""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+
+from . import lacking, windows_python, wine
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+ONLY_OUTSIDE = ("playwright", "nbgrader", "robot-properties", "pin>", "ruff", "mypy", "types-")
+"""Of the test's packages, those that are of no use in Wine: browsers, lint, types, what has no wheel for Windows."""
+_stamp = wine.HOME / "stamp"
+
+
+def set_up(version: str = "3.11") -> None:
+    """Set up what is not there yet; again when the course's dependencies or this script have changed."""
+    wine.HOME.mkdir(parents=True, exist_ok=True)
+    if _stamp.is_file() and _stamp.read_text(encoding="utf-8") == _state(version):
+        return
+    python = windows_python.unpack(version, wine.HOME)
+    wine.must_run("cmd", "/c", "ver")
+    lacking.get_tools()
+    lacking.add_random_bytes()
+    wine.must_run(python, "-m", "venv", "--clear", wine.VENV)
+    _install("-c", "requirements.lock", "-e", ".", *_test_packages())
+    lacking.add_complex_functions()
+    lacking.one_thread_for_opencv()
+    wine.must_run(wine.PYTHON, "-c", "import numpy, scipy.linalg, cv2, numba, zmq, rpds, coursekit.lab")
+    _stamp.write_text(_state(version), encoding="utf-8")
+
+
+def _install(*words: str) -> None:
+    wine.must_run(wine.PYTHON, "-m", "pip", "install", "-q", *words)
+
+
+def _test_packages() -> list[str]:
+    with open(wine.ROOT / "pyproject.toml", "rb") as file:
+        wanted = tomllib.load(file)["project"]["optional-dependencies"]["test"]
+    return [one for one in wanted if not one.startswith(ONLY_OUTSIDE)]
+
+
+def _state(version: str) -> str:
+    here = wine.ROOT / "tests" / "windows"
+    makers = [*here.glob("*.c"), here / "lacking.py", here / "setup.py", here / "windows_python.py"]
+    files = [wine.ROOT / "pyproject.toml", wine.ROOT / "requirements.lock", *sorted(makers)]
+    said = [version.encode(), str(wine.ROOT).encode(), *(one.read_bytes() for one in files)]
+    return hashlib.sha256(b"".join(said)).hexdigest()

@@ -26,6 +26,7 @@ def set_up(version: str = "3.11") -> None:
     wine.must_run("cmd", "/c", "ver")
     lacking.get_tools()
     lacking.add_random_bytes()
+    lacking.add_commands()
     wine.must_run(python, "-m", "venv", "--clear", wine.VENV)
     _install("-c", "requirements.lock", "-e", ".", *_test_packages())
     lacking.add_complex_functions()

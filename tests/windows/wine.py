@@ -37,7 +37,8 @@ def windows_path(path: Path) -> str:
 def environment(extra: Mapping[str, str] | None = None) -> dict[str, str]:
     """The variables that programs of Windows see: a prefix of ours, and pip's certificates as they are called there."""
     env = {name: value for name, value in os.environ.items() if name not in _UNWANTED}
-    env |= {"WINEPREFIX": str(HOME / "prefix"), "WINEDEBUG": "-all", "WINEPATH": f"{windows_path(VENV / 'Scripts')};{windows_path(COMMANDS)}"}
+    path = ";".join(map(windows_path, (VENV / "Scripts", COMMANDS)))
+    env |= {"WINEPREFIX": str(HOME / "prefix"), "WINEDEBUG": "-all", "WINEPATH": path}
     env |= {"PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_CONFIG_FILE": "nul"}
     certificates = Path(env.get("PIP_CERT") or "/etc/ssl/certs/ca-certificates.crt")
     if certificates.is_file():

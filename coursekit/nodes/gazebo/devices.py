@@ -104,6 +104,14 @@ class JointDevice(Device):
 
 
 @dataclass(frozen=True)
+class WheelDevice(Device):
+    """The frames of wheels, on `topic`."""
+
+    wheels: tuple[tuple[str, str, str, tuple[float, ...], tuple[float, float, float]], ...] = ()
+    """Joint, frame that it hangs on, own frame; where that is at angle 0 (16 numbers), and the axis that it turns about."""
+
+
+@dataclass(frozen=True)
 class MotorDevice(Device):
     """A motor: commands on `topic` move a joint to a position, or at a velocity."""
 
@@ -157,5 +165,5 @@ class PoseDevice(Device):
 
 __all__ = [
     "BumpDevice", "CameraDevice", "ControlDevice", "DepthDevice", "Device", "EarthDevice", "ImuDevice", "JointDevice",
-    "MotorDevice", "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TruthDevice",
+    "MotorDevice", "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TruthDevice", "WheelDevice",
 ]  # fmt: skip

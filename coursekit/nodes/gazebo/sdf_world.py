@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from coursekit.urdf.xml_tree import Element, read
 
 from .assembly import Assembly, assemble
 from .blueprint import Blueprint
-from .model_paths import SCENERY, MissingModel
+from .model_paths import MissingModel, is_scenery
 from .moved import moved
 from .newer import QUIET as SYSTEMS
 from .newer import system_of
@@ -127,9 +128,9 @@ def _placed(made: Blueprint) -> Thing:
 def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:
     frames = frames_of(element, file)
     for child in element.children:
-        name = child.tell("uri").removeprefix("model://")
-        if child.tag == "include" and name in SCENERY:
-            yield Blueprint(child.tell("name") or name, static=True)
+        if child.tag == "include" and is_scenery(child.tell("uri")):
+            name = unquote(child.tell("uri")).rpartition("/")[2]
+            yield Blueprint(child.tell("name") or name.lower().replace(" ", "_"), static=True)
         elif child.tag in ("model", "include"):
             try:
                 yield entity(child, file, 0, frames)

@@ -11,7 +11,7 @@ from .devices import BumpDevice, CameraDevice, DepthDevice, Device, ImuDevice, R
 from .measured import earth_of, lidar_of, picture_of, shakes_of
 from .ray_messages import CLOUD, LASER, RAY_TYPES
 from .ros_names import RosNames, names_of
-from .values import flag, number, pose
+from .values import number, pose
 
 RAYS = ("ray", "gpu_ray", "lidar", "gpu_lidar")
 CAMERAS = ("camera", "wideanglecamera", "depth", "depth_camera", "rgbd_camera")
@@ -19,35 +19,41 @@ ENCODINGS = {"R8G8B8": "rgb8", "RGB_INT8": "rgb8", "B8G8R8": "bgr8", "BGR_INT8":
 """Formats of pictures in SDF and in messages."""
 
 
-def device_of(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> Device | None:
-    """The device of a sensor on a link; None and a note for what is not simulated. `floor` is its z in the model."""
+def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> list[Device]:
+    """The devices of a sensor on a link; none and a note for what is not simulated. `floor` is its z in the model."""
     kind = sensor.get("type") or ""
     plugin = sensor.first("plugin")
     names = names_of(plugin, namespace) if plugin is not None else RosNames(sensor.get("name") or kind, namespace)
     if plugin is None:
         model.note(sensor, "has no plugin: it publishes nothing")
-        return None
+        return []
     frame = plugin.tell("frame_name") or plugin.tell("frameName") or link.name
     rate = number(sensor, "update_rate", 0.0) or {"imu": 100.0, "camera": 30.0}.get(kind, 10.0)
     where = link.pose @ pose(sensor)
     if kind in RAYS:
-        return _ray(sensor, plugin, names, frame, rate, where, model, floor)
+        return [_ray(sensor, plugin, names, frame, rate, where, model, floor)]
     if kind == "imu":
-        return ImuDevice(names.topic(plugin.tell("topicName") or "~/out"), frame, rate, names.full_node, *shakes_of(sensor))
+        topic = names.topic(plugin.tell("topicName") or "~/out")
+        return [ImuDevice(topic, frame, rate, names.full_node, *shakes_of(sensor))]
     if kind == "gps":
-        return earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, Globe())
+        return [earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, Globe())]
     if kind in CAMERAS:
-        return _camera(sensor, names, frame, rate, where, model)
+        return [_camera(sensor, sensor.first("camera"), "", names, frame, rate, where, model)]
+    if kind == "multicamera":
+        return [
+            _camera(sensor, one, f"/{one.get('name') or 'camera'}", names, frame, rate, where, model)
+            for one in sensor.all("camera")
+        ]
     if kind == "contact":
         topic = plugin.tell("bumperTopicName") or "bumper_states"
-        return BumpDevice(names.topic(topic), frame, rate, names.full_node, link.name)
+        return [BumpDevice(names.topic(topic), frame, rate, names.full_node, link.name)]
     model.note(sensor, f"of type '{kind}' is not simulated; simulated are ray, imu, camera, depth, contact and gps")
-    return None
+    return []
 
 
 def _ray(
     sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float, where: Array, model: Blueprint, floor: float
-) -> Device | None:
+) -> Device:
     ray = sensor.first("ray") or sensor.first("lidar")
     if ray is None:
         raise sensor.error("has no <ray>", "Say <ray><scan><horizontal>... and <range>.")
@@ -71,10 +77,15 @@ def _output(plugin: Element, model: Blueprint) -> str:
     return LASER
 
 
-def _camera(sensor: Element, names: RosNames, frame: str, rate: float, where: Array, model: Blueprint) -> Device:
-    camera, plugin = sensor.first("camera"), sensor.first("plugin")
+def _camera(
+    sensor: Element, camera: Element | None, eye: str, names: RosNames, frame: str, rate: float, where: Array,
+    model: Blueprint,
+) -> Device:  # fmt: skip
+    """A camera; `eye` is a part of its topics where the sensor has several."""
+    plugin = sensor.first("plugin")
     assert plugin is not None
     name = plugin.tell("camera_name") or plugin.tell("cameraName") or sensor.get("name") or "camera"
+    name += eye
     width, height, fov = picture_of(sensor, camera)
     image, info = (names.topic(f"{name}/{one}") for one in ("image_raw", "camera_info"))
     told = camera.tell("image/format") if camera is not None else ""
@@ -93,9 +104,4 @@ def _camera(sensor: Element, names: RosNames, frame: str, rate: float, where: Ar
     return DepthDevice(**vars(made), reach=reach, depth_topic=depth, depth_info_topic=depth_info, cloud_topic=cloud)
 
 
-def active(sensor: Element) -> bool:
-    """Whether it is switched on."""
-    return flag(sensor, "always_on", True)
-
-
-__all__ = ["active", "device_of"]
+__all__ = ["sensed"]

@@ -39,6 +39,7 @@ def blueprint_of(robot: Robot) -> Blueprint:
             except MeshError as error:
                 made.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
     made.axles = {name: made.links[joint.child].pose for name, joint in robot.joints.items()}
+    made.held = {joint.child for joint in robot.joints.values() if joint.type == "fixed"}
     parents = {joint.child: (name, joint.type, joint.parent) for name, joint in robot.joints.items()}
     made.lumped = lumped(parents, frozenset(_kept(robot)))
     for block in robot.gazebo:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from contextlib import closing
 from typing import Any
 
 import rclpy
@@ -14,14 +13,11 @@ from rclpy.qos import QoSProfile
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from coursekit.core.process import current_process
 from coursekit.core.session import current
 from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.nodes.gazebo.devices import CameraDevice, Device, EarthDevice, ImuDevice, RayDevice
+from coursekit.nodes.gazebo.gzserver import simulate
 from coursekit.nodes.gazebo.server import Gazebo
-from coursekit.nodes.running import to_the_end
-from coursekit.sim import WorldError
-from coursekit.urdf import UrdfError
 
 from .services import GzServices
 from .transport import APART, gz_domain
@@ -140,18 +136,12 @@ def main(args: list[str] | None = None) -> Any:
         current().clock.new_event().wait()
         return 0
     rclpy.init(args=[], domain_id=gz_domain())
-    try:
+
+    def made() -> GzSim:
         node = GzSim(told.world, paused=not told.run, seed=told.seed, verbose=told.verbose not in ("0", "1", "2", "3"))
-        node.tell([f"option {word} of gz sim" for word in rest])
-    except (WorldError, UrdfError) as error:
-        print(f"[Err] {error}", file=sys.stderr)
-        rclpy.try_shutdown()
-        return 255
-    if not told.run:
-        node.get_logger().info(f"The world is paused: start it with -r, or: gz service -s /world/{node.newer}/control ...")
-    process = current_process()
-    if process is not None:
-        process.cleanups.append(node.close)
-    with to_the_end(), closing(node):
-        node.spin()
-    return 0
+        if not told.run:
+            start = f"gz service -s /world/{node.newer}/control ..."
+            node.get_logger().info(f"The world is paused: start it with -r, or: {start}")
+        return node
+
+    return simulate(made, [f"{word} of gz sim" for word in rest])

@@ -40,6 +40,16 @@ def test_a_model_is_found_by_its_package(tmp_path, monkeypatch, beside):
     assert set(spot.frames) == {"body"} and not spot.notes
 
 
+def test_the_sun_and_the_ground_of_the_web_are_there_and_others_of_it_are_told(tmp_path):
+    web = "<include><uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/{}</uri></include>"
+    models = "".join(web.format(one) for one in ("Sun", "Ground Plane", "ground%20plane", "Urban Station"))
+    (tmp_path / "w.sdf").write_text(WORLD.split("<model")[0] + models + "</world></sdf>")
+    world = load_sdf(tmp_path / "w.sdf", newer=True)
+    assert [one.name for one in world.models] == ["sun", "ground_plane", "ground_plane_0"]
+    (note,) = world.world.notes
+    assert "Urban Station' is on the web" in note
+
+
 def test_how_a_wheel_rubs_is_no_word_to_the_student():
     rubs = "<collision><surface><friction><ode><mu>1.5</mu></ode></friction></surface></collision>"
     robot = f"<robot name='r'><link name='wheel'/><gazebo reference='wheel'>{rubs}</gazebo></robot>"

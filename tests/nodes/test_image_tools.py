@@ -1,6 +1,7 @@
 """image_tools: the burger flies, flips and is seen."""
 
 import numpy
+import pytest
 from cv_bridge import CvBridge
 from sensor_msgs.msg import Image
 
@@ -52,3 +53,16 @@ def test_a_wrong_word_is_refused(run):
 def test_an_image_has_three_bytes_a_pixel():
     msg: Image = CvBridge().cv2_to_imgmsg(Burgers(20, 10).draw(), "bgr8")
     assert (msg.step, len(msg.data)) == (60, 600)
+
+
+@pytest.mark.parametrize("program", ["cam2image", "showimage"])
+@pytest.mark.parametrize("word", ["-h", "--help"])
+def test_help_names_every_parameter_and_makes_no_node(run, ros2, session, program, word):
+    asked = run("image_tools", program, word)
+    assert asked.wait(2.0) == 0 and asked.output.startswith(f"Usage: {program} [-h] [--ros-args [-p param:=value] ...]\n")
+    assert not session.graph(0).nodes
+    told = {line.split()[0] for line in asked.output.partition("Parameters:\n")[2].splitlines()}
+    run("image_tools", program, *(["--ros-args", "-p", "burger_mode:=true"] if program == "cam2image" else []))
+    session.clock.sleep(0.5)
+    declared = set(ros2("param", "list", f"/{program}").split())
+    assert told == {one for one in declared if one != "use_sim_time" and not one.startswith("qos_overrides")}

@@ -14,6 +14,17 @@ from coursekit.nodes.running import run
 
 from .burger import Burgers
 from .options import declared_qos
+from .usage import told
+
+_PARAMETERS = {
+    "frequency": "images a second (30)",
+    "burger_mode": "whether burgers stand in for a camera (false)",
+    "show_camera": "whether a window shows them (false)",
+    "device_id": "the number of the camera (0)",
+    "width": "pixels (320)",
+    "height": "pixels (240)",
+    "frame_id": "the frame of the camera (camera_frame)",
+}
 
 
 class Cam2Image(Node):
@@ -64,4 +75,6 @@ class Cam2Image(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Publish until Ctrl-C."""
+    if told("cam2image", "Publishes the images of a camera.", _PARAMETERS, args):
+        return 0
     return run(Cam2Image, args, refuses=(RuntimeError, ValueError))

@@ -10,6 +10,9 @@ from coursekit.nodes.images.transport import to_bgr
 from coursekit.nodes.running import run
 
 from .options import declared_qos
+from .usage import told
+
+_PARAMETERS = {"show_image": "whether a window shows them (true)", "window_name": "its title (the topic's name)"}
 
 
 class ShowImage(Node):
@@ -35,4 +38,6 @@ class ShowImage(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Watch until Ctrl-C."""
+    if told("showimage", "Shows the images that come on /image.", _PARAMETERS, args):
+        return 0
     return run(ShowImage, args, refuses=(ValueError,))

@@ -1,0 +1,25 @@
+"""`-h` of the programs of image_tools: their parameters, without a node being made."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping, Sequence
+
+from rclpy.utilities import remove_ros_args
+
+QOS = {
+    "reliability": "'reliable' (the default) or 'best_effort'",
+    "history": "'keep_last' (the default) or 'keep_all'",
+    "depth": "how many messages 'keep_last' keeps (10)",
+}
+"""The parameters of both programs."""
+
+
+def told(name: str, what: str, parameters: Mapping[str, str], args: Sequence[str] | None = None) -> bool:
+    """Print the usage where `-h` or `--help` is among the words; whether it was."""
+    words = remove_ros_args(list(sys.argv if args is None else args))
+    if not {"-h", "--help"} & set(words):
+        return False
+    print(f"Usage: {name} [-h] [--ros-args [-p param:=value] ...]\n{what}\n\nOptions:\n  -h, --help\tShow this and exit\n")
+    print("\n".join(["Parameters:", *(f"  {one:<12}{text}" for one, text in (QOS | dict(parameters)).items())]))
+    return True

@@ -1,5 +1,6 @@
 """Settings of all tests: a busy computer is no failure, and sessions of tests and of the user never meet."""
 
+import importlib
 import os
 import tempfile
 
@@ -10,3 +11,6 @@ settings.load_profile("coursekit")
 
 _sessions = tempfile.TemporaryDirectory(prefix="ck-")  # short: a Unix socket's path has room for 107 bytes
 os.environ["COURSEKIT_RUNTIME_DIR"] = _sessions.name
+
+# Its first import sources ROS: not within a test that sets AMENT_PREFIX_PATH for a while, and takes it back.
+importlib.import_module("ament_index_python")

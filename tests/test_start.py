@@ -82,11 +82,12 @@ def test_an_unknown_word_is_told_with_the_known_ones(start, capsys):
     [
         ({"version_info": (3, 9, 18)}, "3.10 or newer"),
         ({"maxsize": 2**31 - 1}, "64-bit"),
-        ({"platform": "win32", "version": "3.12.1 [MSC v.1943 64 bit (ARM64)]"}, "ARM"),
+        ({"platform": "win32", "version": "3.12.1 (main) [MSC v.1943 64 bit (ARM64)]"}, "ARM"),
     ],
 )
 def test_a_python_that_cannot_have_the_packages_is_told(start, monkeypatch, capsys, facts, said):
     monkeypatch.setattr(start.platform, "machine", lambda: "ARM64")
+    monkeypatch.setattr(start.platform, "python_version", lambda: "3")
     for name, value in facts.items():
         monkeypatch.setattr(sys, name, value)
     code = start.main(["lab"])

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from urllib.parse import quote
 
 from coursekit.cli import compile_ahead, grading, slam
 from coursekit.cli.terminal_settings import terminal_settings
@@ -80,7 +81,7 @@ def update_course(args: argparse.Namespace) -> int:
         raise _not_written(folder, error) from None
     for sentence in said:
         print(f"  {sentence}")
-    print(f"Your copy of the course: {folder}")
+    print(f"Your folder: {folder}")
     return 0
 
 
@@ -99,6 +100,8 @@ def lab_environment(folder: Path) -> dict[str, str]:
 
 def open_lab(args: argparse.Namespace) -> int:
     """Open JupyterLab on the student's copy."""
+    from coursekit.grade.copy import Course
+
     update_course(args)
     folder = _folder_of(args)
     try:
@@ -110,7 +113,7 @@ def open_lab(args: argparse.Namespace) -> int:
         sys.executable, "-m", "jupyter", "lab",
         f"--ServerApp.root_dir={folder}",
         "--ServerApp.ip=127.0.0.1",
-        "--LabApp.default_url=/lab/tree/00_start_here.ipynb",
+        f"--LabApp.default_url=/lab/tree/{quote(Course(folder).first())}",
         *settings,
     ]  # fmt: skip
     if hasattr(os, "getuid") and os.getuid() == 0:
@@ -160,6 +163,8 @@ def _has_browser() -> bool:
 
 def run_doctor(args: argparse.Namespace) -> int:
     """Print every check, and the cure for each fault."""
+    from coursekit.grade.harmless import counted
+
     from .checks import run_all
 
     faults = 0
@@ -169,7 +174,8 @@ def run_doctor(args: argparse.Namespace) -> int:
         if check.fault:
             print(f"  → {check.cure}")
             faults += not check.only_warning
-    print("All is well." if not faults else f"{faults} fault(s): do what stands after the arrows, then run this again.")
+    cure = "do what stands after the arrows, then run this again."
+    print(f"{counted(faults, 'fault')}: {cure}" if faults else "All is well.")
     return 1 if faults else 0
 
 

@@ -34,6 +34,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     release.add_argument("--roster", type=Path, metavar="FILE", help=f"a marked copy for each student. {_ROSTER}")
     release.add_argument("--wheel", metavar="ADDRESS", help="what students install: where the wheel is (docs/teachers.md)")
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
+    how = "put the copies into a zip that Moodle gives to each student (docs/teachers.md)"
+    release.add_argument("--for", dest="platform", choices=("moodle",), help=how)
     release.set_defaults(main=run_release)
     _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
     new = commands.add_parser("new", help="begin a chapter of your own: a notebook with an exercise, and its check")
@@ -108,16 +110,31 @@ def run_release(args: argparse.Namespace) -> int:
     chosen = _chosen(known, args.chapters)
     names = args.variants or args.roster
     variants = _variants(names, new=True)
-    out = args.out.resolve()
-    for written in release(chosen, out, variants, personal=args.variants is not None, wheel=args.wheel or WHEEL):
+    out, moodle = args.out.resolve(), args.platform is not None
+    if moodle:
+        _expect_numbers(variants)
+    personal, wheel = args.variants is not None, args.wheel or WHEEL
+    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle):
         print(written.relative_to(out))
     if args.wheel is None:
         print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")
     if variants is not None and names is not None:
         print(variants.roster.told())
         print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
+        print("How each student gets their zip: docs/teachers.md, 'A zip for each student'; copies.csv says whose is which.")
     print(MORE)
     return 0
+
+
+def _expect_numbers(variants: Variants | None) -> None:
+    from coursekit.grade.handing_out import expect_numbers
+
+    if variants is None:
+        raise SystemExit("--for moodle hands out a copy for each student: give the class as --roster, too.")
+    try:
+        expect_numbers(variants.roster)
+    except ValueError as error:
+        raise SystemExit(str(error)) from None
 
 
 def run_new(args: argparse.Namespace) -> int:
@@ -182,7 +199,7 @@ def run_grade(args: argparse.Namespace) -> int:
                 _review(group, outcome)
             _tell(group, outcome, args)
     except GraderBroken as error:
-        print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
+        print(f"The grader is broken: {error}\nNobody was marked. {error.cure}")
         return 2
     except BadArchive as error:
         raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None
@@ -238,9 +255,9 @@ def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
 
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
-    from coursekit.grade import statuses
     from coursekit.grade.handing_back import hand_back
-    from coursekit.grade.harmless import shown
+    from coursekit.grade.harmless import counted, shown
+    from coursekit.grade.statistics import average
 
     for line in outcome.told:
         print(f"! {shown(line, 400)}")
@@ -248,12 +265,11 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
         print(f"? {shown(question.text)} {shown(question.about, 300)}")
     if outcome.collection.unanswered:
         where = group.out.with_name("questions.csv")
-        print(f"Fill in the column 'answer' of {where}, and run this again: those who are asked about have no mark yet.")
-    marks = [one.total() or 0.0 for one in outcome.records if one.counts()]
-    average = sum(marks) / len(marks) if marks else 0
+        asked = counted(len(outcome.collection.unanswered), "question is", "questions are")
+        print(f"{asked} open: fill in the column 'answer' of {where}, and run this again.")
+        print("Who is asked about has no mark until then.")
     tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
-    counts = statuses.told(outcome.statuses()) or "nothing was handed in"
-    print(f"{counts}; {average:.2f} points on average of {len(marks)}; run in the sandbox {tiers}: {args.out}")
+    print(f"{outcome.line()}; {average(outcome.records)}; run in the sandbox {tiers}: {args.out}")
     if args.platform:
         for file in hand_back(args.platform, outcome.records, group.roster, group.out):
             print(f"To hand back: {file}")
@@ -268,7 +284,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
 def run_verify(args: argparse.Namespace) -> int:
     """Say what is wrong with files that were handed in; 1 when something is."""
     from coursekit.grade.handing_in import same_in, verify
-    from coursekit.grade.harmless import shown
+    from coursekit.grade.harmless import counted, shown
 
     folder, variants, count = _notebooks(args), _variants(args.variants), 0
     for file in args.file:
@@ -282,7 +298,7 @@ def run_verify(args: argparse.Namespace) -> int:
             print(f"✘ {shown(fault, 400)}")
         if marked is not None:
             print(f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points in a clean run")
-        print("✔ Nothing was changed." if not faults else f"{len(faults)} fault(s)")
+        print("✔ Nothing was changed." if not faults else counted(len(faults), "fault"))
         count += len(faults)
     for said in same_in({file.name: file for file in args.file}) if len(args.file) > 1 else ():
         print(f"✘ {shown(said, 400)}")

@@ -21,10 +21,13 @@ from coursekit.core.elsewhere import remark
 from coursekit.systems.streams import use_utf8
 
 _FOR_CPP = re.compile(
-    r"ament_\w+|(rcl|rcutils|rmw|rosidl|class_loader|pluginlib|launch_testing_ament)\w*|lib\w[\w.+-]*|eigen\w*|boost|\w+-dev|qt\w*"
-    r"|tf2_eigen|cmake|pkg-config|ros_environment|message_generation|\w+_vendor|backward_ros|google_benchmark_vendor"
+    r"ament_\w+|(rcl|rcutils|rmw|rosidl|class_loader|pluginlib|launch_testing_ament)\w*|lib\w[\w.+-]*|eigen\w*|boost|\w+-dev|qt[\w-]*"
+    r"|tf2_eigen|cmake|pkg-config|ros_environment|message_generation|\w+_vendor|backward_ros|google_benchmark_vendor|urdf"
+    r"|python_cmake_module|osrf_\w+|ros_testing|rviz_(common|rendering|default_plugins)|rosbag2_(cpp|storage\w*)"
 )
 """Keys that only concern compiling or checking, which is not done here."""
+_COLLECTIONS = {"ros_core", "ros_base", "desktop", "desktop_full", "gazebo_ros_pkgs", "python3-colcon-common-extensions"}
+"""Keys of many packages at once, of which coursekit has what there is to run."""
 _DISTRIBUTIONS = {"opencv": "opencv-python-headless", "yaml": "pyyaml", "pil": "pillow", "pykdl": "PyKDL"}
 
 
@@ -59,7 +62,7 @@ def is_there(key: str) -> bool:
     >>> is_there("rclpy"), is_there("python3-numpy"), is_there("rclcpp"), is_there("nope_msgs")
     (True, True, True, False)
     """
-    if key in get_packages_with_prefixes() or _FOR_CPP.fullmatch(key):
+    if key in get_packages_with_prefixes() or key in _COLLECTIONS or _FOR_CPP.fullmatch(key):
         return True
     name = re.sub(r"^python3?-|-pip$", "", key)
     try:

@@ -47,9 +47,14 @@ class ExecutableNotFound(LookupError):
 
 def why_missing(package: str, executable: str) -> str:
     """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
+    return why_skipped(package, executable) or remark_on_executable(package, executable)
+
+
+def why_skipped(package: str, executable: str) -> str:
+    """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
     if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
         return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
-    return remark_on_executable(package, executable)
+    return ""
 
 
 def skipped_of(package: str, prefix: Path) -> list[str]:

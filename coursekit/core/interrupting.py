@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .lane import Lane, ProcessKilled
 from .output import Input, Output
+from .whose import owner
 
 if TYPE_CHECKING:
     from .session import Session
@@ -81,19 +82,21 @@ class Interruptible:
             return
         lane.post(action)
         if not self.session.clock.virtual:
-            alarm_at = self.session.clock.steady() + 50_000_000
-            self.session.clock.call_at(alarm_at, lambda: self._reach_busy(lane))
+            clock = self.session.clock
+            alarm_at = clock.steady() + 50_000_000
+            clock.call_at(alarm_at, lambda: clock.spawn(lambda: self._reach_busy(lane), f"signals of {self.name}"))
 
     def _reach_busy(self, lane: Lane) -> None:
-        """The lane did not wait since: raise the exception into its running code."""
+        """The lane did not wait since: handle it here, as the process, and raise what that raises into its running code."""
         try:
             action = lane.pending.popleft()
         except IndexError:
             return
+        owner.set(self)  # type: ignore[arg-type] # what a handler prints is the program's
         try:
             action()
         except BaseException as error:
-            self._raise(lane, type(error))
+            self._raise(lane, _like(error))
 
     def _raise(self, lane: Lane, kind: type[BaseException]) -> None:
         if self.exit_code is not None or raise_in_thread(lane.ident, kind):
@@ -120,6 +123,18 @@ class Interruptible:
     if TYPE_CHECKING:
 
         def _end(self, code: int) -> None: ...
+
+
+def _like(error: BaseException) -> type[BaseException]:
+    """A class whose instances, made without arguments, are like the error: Python makes one in the other thread."""
+    kind = type(error)
+
+    def again(self: BaseException) -> None:
+        kind.__init__(self, *error.args)
+        self.__dict__.update(error.__dict__)
+
+    names = {"__module__": kind.__module__, "__qualname__": kind.__qualname__}
+    return type(kind.__name__, (kind,), {"__init__": again, **names})
 
 
 def raise_killed() -> None:

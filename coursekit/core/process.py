@@ -16,6 +16,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces.find import with_underlay
+from coursekit.systems.folder import working_folder
 
 from .interrupting import Interruptible, raise_killed
 from .lane import Lane, ProcessKilled, thread_lane
@@ -26,10 +27,12 @@ from .whose import owner
 if TYPE_CHECKING:
     from .session import Session
 
-DISTRIBUTION = {"ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
-"""What sourcing ROS says of itself; launch files and nodes ask for it."""
 _numbers = itertools.count(1)
 _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
+DISTRIBUTION = {
+    "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
+}  # fmt: skip
+"""What sourcing ROS says of itself; launch files and nodes ask for it."""
 
 
 class Process(Interruptible):
@@ -59,7 +62,7 @@ class Process(Interruptible):
         inherited = parent.env if parent is not None else dict(session.environ)
         self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
         with_underlay(self.env)
-        above = os.getcwd() if parent is None else parent.cwd
+        above = working_folder() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.started = session.clock.steady()
         self.exit_code: int | None = None

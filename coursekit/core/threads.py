@@ -32,6 +32,8 @@ _real_clocks_ns = {name: getattr(time, f"{name}_ns") for name in ("time", "monot
 
 
 _OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywidgets", "tornado", "traitlets", "zmq")
+_COMPILER = "numba"
+"""It reads the time to measure itself, thousands of times for each function: no loop that waits."""
 _OF_PYTHON = ("concurrent", "coursekit", "queue", "threading")
 
 
@@ -256,10 +258,6 @@ class LaneRLock:
         self.release()
 
 
-_COUNTS_ITS_OWN_TIME = "numba."
-"""Whose questions are no loop that waits: while numba compiles, once on a machine, it asks thousands of times."""
-
-
 def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
     real = (_real_clocks if unit != 1 else _real_clocks_ns)[name]
 
@@ -268,7 +266,7 @@ def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
         if process is None or not process.session.clock.virtual:
             return real()
         clock = process.session.clock
-        if not sys._getframe(1).f_globals.get("__name__", "").startswith(_COUNTS_ITS_OWN_TIME):
+        if sys._getframe(1).f_globals.get("__name__", "").partition(".")[0] != _COMPILER:
             clock.poll()
         nanoseconds = clock.now() if name == "time" else clock.steady()
         return nanoseconds if unit == 1 else nanoseconds / unit

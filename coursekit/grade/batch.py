@@ -100,7 +100,7 @@ class Class:
             except KeyboardInterrupt:
                 outcome.interrupted = True
             self.write(outcome)
-            outcome.told += self.results.told
+            outcome.told += [*_told_faults(records), *self.results.told]
             yield outcome
 
     def _reference(self, chapter: str, scratch: Path) -> Reference:
@@ -133,7 +133,7 @@ class Class:
         if self.anonymity is None:
             before, now = now, before
         self.table.by_hand.move(before, now)
-        made.by_hand = dict(self.table.by_hand.points.get(now, {}))
+        made.by_hand = self.table.by_hand.points_of(now, list(wanted))
         made.extra = dict(self.table.by_hand.extra.get(now, {}))
         return made
 
@@ -176,7 +176,7 @@ class Class:
             marked = Marked(one.label, "", status="error", notes=[f"it could not be marked: {error}"])
             marked.verdicts = list(one.wanted[chapter])
         one.marks[chapter] = marked
-        if marked.status != "error":
+        if marked.status != "error" and not any(verdict.fault for verdict in marked.verdicts):
             self.results.write(one.key, chapter, depends, marked)
 
     def write(self, outcome: Outcome) -> None:
@@ -192,7 +192,7 @@ class Class:
         marks = [one.marked() for one in shown if one.counts()]
         write_reports(self.kept, shown)
         write_similar(self.kept / "similar.csv", marks)
-        write_statistics(self.kept, marks, outcome.statuses())
+        write_statistics(self.kept, shown, outcome.statuses())
         write_overview(self.kept, shown, outcome)
         write_gradebook(self.kept / "gradebook.csv", shown, records, self.results)
 
@@ -211,6 +211,20 @@ def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
         f"{name} was handed in only by {', '.join(people[:5])}{' and others' if len(people) > 5 else ''}: it is not marked. "
         f"To mark it: --chapters {name.partition('_')[0]}"
         for name, people in others.items()
+    ]
+
+
+def _told_faults(records: Sequence[Record]) -> list[str]:
+    """Checks that stopped by a fault of their own, and who has no mark for it."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for one in records:
+        for verdict in one.marked().verdicts:
+            if verdict.fault:
+                found.setdefault((verdict.name, verdict.fault), []).append(one.label)
+    return [
+        f"The check of {name} has a fault: {fault}. No mark yet: {', '.join(people[:5])}"
+        f"{' and others' if len(people) > 5 else ''}. Mend it and run this again, or give the points by hand."
+        for (name, fault), people in found.items()
     ]
 
 

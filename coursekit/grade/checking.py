@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +12,10 @@ from coursekit.view.working import Working
 
 from . import events
 from .exercise import Exercise, find
-from .interruptions import Gone, NeedsWorkspace
+from .interruptions import Gone, NeedsWorkspace, TimeOver
 from .outputs import exception_in
-from .own_checks import OWN, read_checks
-from .plain import error_of
+from .own_checks import OWN, fault_of, read_checks
+from .plain import error_of, of_student
 from .progress import Progress
 from .verdict import CheckFailed, Verdict, Wrong
 from .work import Work
@@ -50,8 +51,18 @@ def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     except NotImplementedError:
         return Verdict(exercise.name, exercise.title, 0, exercise.points, "your code", "the stub is still there")
     except Exception as error:
-        return Verdict(exercise.name, exercise.title, 0, exercise.points, "code that runs", error_of(error))
+        return _stopped(exercise, error, noted)
     return Verdict(exercise.name, exercise.title, exercise.points, exercise.points)
+
+
+def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
+    """The verdict where an exception ended the check: the work's own costs the points, the check's own is told as such."""
+    empty = Verdict(exercise.name, exercise.title, 0, exercise.points)
+    if error is noted.raised or of_student(error):
+        return replace(empty, expected="code that runs", got=error_of(error), timed_out=noted.timed_out())
+    if isinstance(error, AssertionError):  # the way in which many checks elsewhere say that something is wrong
+        return replace(empty, expected=str(error)[:300] or "what the check asserts", cause=fault_of(error))
+    return replace(empty, fault=fault_of(error))
 
 
 def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:
@@ -69,6 +80,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
         wrong.cause,
         _hint(exercise.hints, wrong, tries),
         wrong.gave,
+        wrong.timed_out or noted.timed_out(),
     )
 
 
@@ -80,14 +92,33 @@ def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
 
 
 class _Noted:
-    """Work as a judge asks about it; what its programs said last is remembered."""
+    """Work as a judge asks about it; what its programs said last is remembered, and what its functions raised."""
 
     def __init__(self, work: Any) -> None:
         self._work = work
         self._seen: Any = None
+        self.raised: Exception | None = None
+        """What a function of the student's raised last."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._work, name)
+
+    def function(self, name: str) -> Any:
+        """A function of the student's; what it raises is theirs."""
+        function = self._work.function(name)
+
+        def called(*args: Any, **named: Any) -> Any:
+            try:
+                return function(*args, **named)
+            except Exception as error:
+                self.raised = error
+                raise
+
+        return called
+
+    def timed_out(self) -> bool:
+        """Whether the last function that failed did so because its time was over."""
+        return isinstance(self.raised, TimeOver)
 
     def try_out(self, *commands: str, **plan: Any) -> Any:
         """Try out, and keep what was seen."""
@@ -114,6 +145,8 @@ def check(name: str, **variants: Any) -> None:
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict)
+    if verdict.fault:
+        raise CheckFailed(f"{name} is not judged: its check has a fault; the lines above say where.")
     if not verdict.passed:
         raise CheckFailed(f"{name} is not solved yet; the lines above say what is missing.")
 

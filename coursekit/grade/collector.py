@@ -14,9 +14,10 @@ from typing import Any
 from .choosing import choose
 from .entries import entries_of_folder, entries_of_zip
 from .handed import Handed
-from .harmless import identity_of, shown, unique
+from .harmless import counted, identity_of, shown, unique
 from .identifying import SURE, Identified, Identifier
 from .lateness import Policy, platform_time
+from .parting import Part, parts_of
 from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw
 from .platform_names import platform_name
 from .questions import NOBODY, Question, numbered
@@ -55,6 +56,7 @@ class Collector:
         self._recogniser = Recogniser(sources)
         self._roster = roster
         self._identifier = Identifier(roster, copies) if roster else None
+        self._knows_marks = bool(copies)
         self._policy = policy or Policy()
         self._answers = answers or {}
         self._people: dict[str, Handed] = {}
@@ -74,6 +76,7 @@ class Collector:
             self._look_for_other_s_copies(handed)
         self._made.handed = sorted(self._people.values(), key=lambda one: (plain(one.label), one.key))
         self._look_alike()
+        self._look_for_marks()
         self._made.unanswered += [one for _, one in self._made.whose]
         return self._made
 
@@ -96,54 +99,47 @@ class Collector:
         return self._people.setdefault(person.identity, Handed(person, label))
 
     def _put(self, entry: Entry) -> None:
-        """Give an entry to the person whose it is, or ask."""
-        copies = unique(piece.known.copy for piece in entry.pieces if piece.known.copy)
-        if self._identifier is not None:
-            found = self._named(entry, self._identifier.identify(entry.name, copies))
-        else:
-            person = self._by_itself(entry)
-            found = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
-        if len(found.people) != 1:
-            question = self._whose(entry, found)
-            self._made.questions.append(question)
-            found = self._answered(entry, found, question, question.chosen(self._answers))
-        if len(found.people) == 1:
-            handed = self._of(found.people[0])
-            handed.entries.append(entry)
-            if found.how and found.how not in SURE:
-                handed.concerns.append(f"'{shown(entry.name)}' was taken as theirs by {found.how}")
+        """Give an entry to the person whose it is, or ask; where several people's copies lie in it, each on its own."""
+        for part in parts_of(entry, self._identifier) if self._identifier is not None else [self._by_itself(entry)]:
+            found = part.found
+            if len(found.people) != 1:
+                question = self._whose(part)
+                self._made.questions.append(question)
+                found = self._answered(part, question, question.chosen(self._answers))
+            if len(found.people) == 1:
+                handed = self._of(found.people[0])
+                handed.entries.append(part.entry)
+                if found.how and found.how not in SURE:
+                    handed.concerns.append(f"'{part.where}' was taken as theirs by {found.how}")
 
-    def _named(self, entry: Entry, found: Identified) -> Identified:
-        """Where the name says nothing, a file that hand_in() made says who made it."""
-        assert self._identifier is not None
-        if found.people or not entry.students:
-            return found
-        said = [self._identifier.by_name(one) for one in unique(entry.students)]
-        people = tuple(dict.fromkeys(person for one in said for person in one.people))
-        return Identified(people, "the name in the file that hand_in made") if people else found
-
-    def _whose(self, entry: Entry, found: Identified) -> Question:
-        choices = tuple(self._roster.label(one) for one in found.people) if self._roster else ()
-        about = f"{shown(entry.name)} ({found.how}; {len(entry.pieces)} notebooks)"
+    def _whose(self, part: Part) -> Question:
+        choices = tuple(self._roster.label(one) for one in part.found.people) if self._roster else ()
+        about = f"{part.where} ({part.found.how}; {counted(len(part.entry.pieces), 'notebook')})"
         text = "Whose is this? Write the name, id or e-mail; or: nobody."
-        return Question(numbered("whose", entry.name), text, about, choices)
+        return Question(numbered("whose", *part.about), text, about, choices)
 
-    def _answered(self, entry: Entry, found: Identified, question: Question, said: str) -> Identified:
+    def _answered(self, part: Part, question: Question, said: str) -> Identified:
         if said.casefold() == NOBODY:
-            self._made.told.append(f"'{shown(entry.name)}' is nobody's, as answered: left out.")
+            self._made.told.append(f"'{part.where}' is nobody's, as answered: left out.")
             return Identified()
         person = self._roster.of(said) if self._roster else Person(shown(said)) if said else None
         if person is not None:
             return Identified((person,), "")
-        why = f"the answer '{shown(said, 60)}' is nobody in the list" if said else found.how
+        why = f"the answer '{shown(said, 60)}' is not one person of the list" if said else part.found.how
         question = replace(question, about=f"{question.about}; {why}") if said else question
-        self._made.whose.append((entry.name, question))
-        for one in found.people:
-            self._of(one).open.append(f"whose '{shown(entry.name)}' is: {why}")
+        self._made.whose.append((part.where, question))
+        for one in part.found.people:
+            self._of(one).open.append(f"whose '{part.where}' is: {why}")
         return Identified()
 
-    def _by_itself(self, entry: Entry) -> Person | None:
-        """The person that an entry's name or content says, where there is no list of the class."""
+    def _by_itself(self, entry: Entry) -> Part:
+        """The whole of an entry, where there is no list of the class."""
+        person = self._without_list(entry)
+        found = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
+        return Part(entry, found, shown(entry.name), (entry.name,))
+
+    def _without_list(self, entry: Entry) -> Person | None:
+        """The person that an entry's name or content says."""
         stem = re.sub(r"\.(ipynb|zip)$", "", entry.name, flags=re.I)
         told = platform_name(entry.name)
         if told is not None and (told.name or told.logins):
@@ -164,6 +160,13 @@ class Collector:
             owner = self._identifier.owner(piece.known.copy) if self._identifier is not None else None
             if owner is not None and owner != handed.person and self._roster is not None:
                 handed.concerns.append(f"{shown(piece.where)}: the copy was made for {self._roster.label(owner)}")
+
+    def _look_for_marks(self) -> None:
+        """Copies carry marks that nobody can read where the secret of the release is missing: then only names decide."""
+        marked = any(piece.known.copy for handed in self._people.values() for piece in handed.pieces())
+        if self._roster is not None and not self._knows_marks and marked:
+            missing = "the .secret of the list that they were released with is not beside this list"
+            self._made.told.append(f"There are copies with a mark, but {missing}: only names tell whose they are.")
 
     def _choose(self, handed: Handed) -> None:
         """The file that counts for each chapter."""

@@ -17,6 +17,8 @@ HANDED_OUT = "handed_out"
 """What a notebook's metadata say when a teacher released it."""
 GIVEN = "given"
 """What a notebook's metadata call the digests of its solution cells as they were handed out."""
+FIRST = "00_start_here.ipynb"
+"""The chapter that the course opens with."""
 MARKUP_STUB = "<!-- YOUR CODE HERE -->"
 """The stub in files of XML: URDF, xacro, launch files"""
 _SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
@@ -97,9 +99,12 @@ class Course:
         """Bring in new and changed chapters; a sentence for each thing that was done.
 
         A chapter that the student has changed stays as it is; a new edition of it is put beside it as `NAME.new.ipynb`.
+        To a folder whose notebooks came from elsewhere, such as a release or chapters of a teacher's own, nothing is added.
         """
         self.folder.mkdir(parents=True, exist_ok=True)
         (self.folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
+        if there := self._from_elsewhere():
+            return [f"Here already: {', '.join(there)}. No chapters of the course are added to this folder."]
         given = self._read_manifest()
         said = []
         for source in chapters(notebooks, language):
@@ -112,6 +117,14 @@ class Course:
         self._manifest.parent.mkdir(parents=True, exist_ok=True)
         write_whole(self._manifest, json.dumps(given, indent=1, sort_keys=True))
         return said
+
+    def first(self) -> str:
+        """The notebook to begin with."""
+        return next(iter(self._from_elsewhere()), FIRST)
+
+    def _from_elsewhere(self) -> list[str]:
+        """The notebooks of a folder that was never filled with the course."""
+        return [] if self._manifest.exists() else sorted(one.name for one in self.folder.glob("*.ipynb"))
 
     def _bring(self, name: str, text: str, given: dict[str, str]) -> str:
         target = self.folder / name

@@ -162,7 +162,7 @@ def _run_and_judge(
     """Values are judged where their check stands; files and programs at the end, after one build."""
     verdicts: list[Verdict] = []
     later: list[str] = []
-    stopped = ""
+    stopped, over = "", False
     wanted = [step.exercise for step in repaired.steps if step.exercise in exercises]
     try:
         for step in repaired.steps:
@@ -171,28 +171,34 @@ def _run_and_judge(
             elif step.exercise in exercises:
                 work.judge_from_here(step.exercise)
                 try:
-                    verdicts.append(_explained(_judged(exercises[step.exercise], work), stopped))
+                    verdicts.append(_explained(_judged(exercises[step.exercise], work), stopped, over))
                 except NeedsWorkspace:
                     later.append(step.exercise)
-                stopped = ""
+                stopped, over = "", False
             elif source := _needed(step):
                 error = work.run(source, limits.cell if step.solution else limits.course_cell)
-                stopped = error if step.solution else stopped
+                if step.solution:
+                    stopped, over = error, work.cell_timed_out
         work.finish(limits.build)
         for name in later:
             work.judge_from_here(name)
             verdicts.append(_judged(exercises[name], work))
     except Gone as gone:
         judged = {verdict.name for verdict in verdicts}
-        verdicts += [unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
+        left = [unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
+        verdicts += [replace(one, timed_out=gone.timed_out) for one in left]
     return verdicts
 
 
-def _explained(verdict: Verdict, stopped: str) -> Verdict:
+def _explained(verdict: Verdict, stopped: str, over: bool) -> Verdict:
     """A missing colon leaves nothing behind: then the cell's own error is the cause."""
-    if not stopped or verdict.passed or verdict.got != NOTHING:
+    if not stopped or verdict.passed:
         return verdict
-    return replace(verdict, cause=f"The cell stopped: {_plain(stopped)}")
+    verdict = replace(verdict, timed_out=verdict.timed_out or over)
+    if verdict.got != NOTHING:
+        return verdict
+    why = "The cell took longer than it may. Is there a loop that never ends?" if over else f"The cell stopped: {stopped}"
+    return replace(verdict, cause=_plain(why))
 
 
 def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
@@ -204,6 +210,7 @@ def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
         cause=_plain(found.cause),
         hint=_plain(found.hint),
         gave=_plain(found.gave),
+        fault=_plain(found.fault),
     )
 
 

@@ -21,7 +21,7 @@ def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Recor
     rows = []
     for one in shown:
         points = {} if hidden else earlier[by_name[one.label].key]
-        points |= {name: one.chapter_total(name) for name in one.chapters() if one.total() is not None}
+        points |= _of_run(one)
         person = one.handed.person
         rows.append([
             cell(one.label), cell(person.id) if person.row >= 0 else "", cell(person.email),
@@ -29,6 +29,17 @@ def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Recor
             number(round(sum(points.values()), 2)), one.key,
         ])  # fmt: skip
     write_table(file, ["student", "id", "email", *(PurePosixPath(name).stem for name in columns), "total", "key"], rows)
+
+
+def _of_run(one: Record) -> dict[str, float]:
+    """The points of this run's chapters; a total that was written by hand is the chapter's where there is one."""
+    total = one.total()
+    if total is None:
+        return {}
+    if "total" in one.by_hand and len(one.wanted) == 1:
+        return dict.fromkeys(one.wanted, total)
+    by_hand = {name for name, asked in one.wanted.items() if any(verdict.name in one.by_hand for verdict in asked)}
+    return {name: one.chapter_total(name) for name in one.wanted if name in one.chapters() or name in by_hand}
 
 
 def _earlier(one: Record, results: Results) -> dict[str, float]:

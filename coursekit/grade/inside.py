@@ -11,13 +11,13 @@ import json
 import os
 import signal
 import sys
-import traceback
 from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
 from coursekit.cli.kernel import load_lab
 
+from .plain import error_of
 from .wire import pack, refresh, unpack_of_judge
 
 WAIT_SECONDS = 600.0
@@ -97,9 +97,9 @@ class Runner:
             with _alarm(seconds), _virtual_alarm(WAIT_SECONDS), _silence():
                 done = self.shell.run_cell(source, store_history=False)
         except TookTooLong as late:
-            return {"error": f"TookTooLong: {late}"}
+            return _told(late)
         error = done.error_before_exec or done.error_in_exec
-        return {"error": f"{type(error).__name__}: {error}"[:500] if error is not None else ""}
+        return _told(error) if error is not None else {"error": ""}
 
     def _without_builds(self, source: str) -> str:
         """Builds are kept for the end: one serves them all."""
@@ -133,8 +133,7 @@ class Runner:
             with _alarm(float(question["seconds"])), contextlib.redirect_stdout(io.StringIO()):
                 return _called(function, question, names)
         except BaseException as error:
-            where = traceback.extract_tb(error.__traceback__)[-1]
-            return {"error": f"{type(error).__name__}: {error} (line {where.lineno})"[:500]}
+            return {**_told(error), "error": error_of(error)[:500]}
 
     def _build(self, seconds: float) -> dict[str, Any]:
         if not self.build:
@@ -152,6 +151,11 @@ class Runner:
         with _alarm(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(TookTooLong):
             self.shell.run_line_magic("colcon", f"build{select}")
         return {"error": ""}
+
+
+def _told(error: BaseException) -> dict[str, Any]:
+    """An exception of the student's code, for the judge."""
+    return {"error": f"{type(error).__name__}: {error}"[:500], "timed_out": isinstance(error, TookTooLong)}
 
 
 def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> dict[str, Any]:

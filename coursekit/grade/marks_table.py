@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -27,10 +27,16 @@ class ByHand:
     """What the teacher changed in the table."""
 
     points: dict[str, dict[str, float]] = field(default_factory=dict)
-    """By key and exercise; `total` is the sum."""
+    """By key and exercise, and by `total_of` the chapters whose sum it is."""
     extra: dict[str, dict[str, str]] = field(default_factory=dict)
     """By key and column."""
     told: list[str] = field(default_factory=list)
+
+    def points_of(self, key: str, chapters: Sequence[str]) -> dict[str, float]:
+        """What a person was given by hand, by exercise; `total` where the sum of just these chapters was written."""
+        found = self.points.get(key, {})
+        own = total_of(chapters)
+        return {("total" if name == own else name): one for name, one in found.items() if name == own or not _is_total(name)}
 
     def move(self, before: str, now: str) -> None:
         """What was said under one key holds under another: of work without a name, when the name is shown again."""
@@ -38,6 +44,15 @@ class ByHand:
             self.points[now] = {**points, **self.points.get(now, {})}
         if extra := self.extra.pop(before, {}):
             self.extra[now] = {**extra, **self.extra.get(now, {})}
+
+
+def total_of(chapters: Iterable[str]) -> str:
+    """What the sum of these chapters is called among the points by hand: another run's is another sum."""
+    return " ".join(["total of", *sorted(chapters)])
+
+
+def _is_total(name: str) -> bool:
+    return name.startswith("total of ")
 
 
 class MarksTable:
@@ -71,8 +86,10 @@ class MarksTable:
                 continue
             if was is None or column == COMMENT:
                 self._note_extra(key, column, text)
-            elif column == "total" or "." in column:
-                self._note_points(key, who, column, text, was)
+            elif column == "total":
+                self._note_points(key, who, column, text, was, written.get("chapters", ""))
+            elif "." in column:
+                self._note_points(key, who, column, text, was, column)
             elif text.strip("' ") != was.strip("' "):
                 self.by_hand.told.append(f"{who}: '{column}' is written anew at each run: the change is not kept")
 
@@ -82,17 +99,17 @@ class MarksTable:
             self.by_hand.told.append(f"the {column} in {self.file.name} is kept ({key})")
         kept[column] = text
 
-    def _note_points(self, key: str, who: str, column: str, text: str, was: str) -> None:
+    def _note_points(self, key: str, who: str, column: str, text: str, was: str, name: str) -> None:
         kept = self.by_hand.points.setdefault(key, {})
         if not text:
-            kept.pop(column, None)
+            kept.pop(name, None)
             self.by_hand.told.append(f"{who}: {column} is the grader's again")
             return
         points = _points(text)
         if points is None:
             self.by_hand.told.append(f"{who}: {column} '{shown(text, 40)}' is no number: not taken")
         elif points != _points(was):
-            kept[column] = points
+            kept[name] = points
             self.by_hand.told.append(f"{who}: {column} is {number(points)} by hand (was {was or 'empty'})")
 
     def write(self, records: Sequence[Record]) -> None:
@@ -103,7 +120,8 @@ class MarksTable:
         rows = [{**_row(one), **{name: cell(text) for name, text in one.extra.items()}} for one in records]
         write_table(self.file, headings, rows)
         before = _json(self._snapshot)
-        before.update({row["key"]: {name: row.get(name, "") for name in headings} for row in rows})
+        chapters = {"chapters": total_of(records[0].wanted) if records else ""}
+        before.update({row["key"]: {name: row.get(name, "") for name in headings} | chapters for row in rows})
         write_whole(self._snapshot, json.dumps(before, indent=1).encode(), parents=True)
         kept = {"points": self.by_hand.points, "extra": self.by_hand.extra}
         write_whole(self._kept, json.dumps(kept, indent=1).encode(), parents=True)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from .collector import Collection
+from .harmless import counted
 from .record import Record
-from .statuses import counted
+from .statuses import by_status, told
 
 
 @dataclass
@@ -19,8 +20,14 @@ class Outcome:
     interrupted: bool = False
 
     def statuses(self) -> dict[str, int]:
-        """How many there are of each status; what is nobody's yet counts as a question."""
-        return counted([*(one.status() for one in self.records), *("question" for _ in self.collection.whose)])
+        """How many students there are of each status: every student counts once."""
+        return by_status(one.status() for one in self.records)
+
+    def line(self) -> str:
+        """How it stands with the class, in one line: the same wherever it is told."""
+        nobody_s = len(self.collection.whose)
+        asked = f"; {counted(nobody_s, 'hand-in is', 'hand-ins are')} nobody's yet" if nobody_s else ""
+        return f"{counted(len(self.records), 'student')}: {told(self.statuses()) or 'nothing was handed in'}{asked}"
 
     def exit_status(self) -> int:
         """Not 0 when a teacher has to do something."""

@@ -6,31 +6,34 @@ import html
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from coursekit.files import write_whole
 
+from .collector import Collection
 from .harmless import number, shown
+from .outcome import Outcome
+from .page_style import STYLE
 from .record import Record
 from .similar import similar
-from .statuses import LOOK, counted, told
+from .statistics import average, shares
+from .statuses import LOOK
 from .verdict import Verdict
 
-if TYPE_CHECKING:
-    from .outcome import Outcome
-
 _PAGE = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>The class</title><link rel="icon" href="data:,">
-<style>body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
+<html lang="en"><head><meta charset="utf-8"><title>The class: {chapters}</title><link rel="icon" href="data:,">
+<style>{style}
+body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem}}
 h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:2rem}} img{{max-width:100%}} table{{border-collapse:collapse}}
-td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid #e3e8ea;vertical-align:top;font-weight:400}}
-th{{color:#5c686f;position:sticky;top:0;background:#fff}} td:first-child,th:first-child,.words{{text-align:left}}
-.all{{background:#e3f2e9}} .some{{background:#fbf3dc}} .none{{color:#b3392f}} .eye{{color:#b3392f}}
+td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid var(--line);vertical-align:top;font-weight:400}}
+th{{color:var(--soft);position:sticky;top:0;background:var(--paper)}} td:first-child,th:first-child,.words{{text-align:left}}
+.all{{background:var(--all)}} .some{{background:var(--some)}} .none,.eye{{color:var(--wrong)}}
 .words{{font-size:.88rem}} td:first-child{{white-space:nowrap}} .wrap td:first-child{{white-space:normal}}</style>
-</head><body><h1>The class</h1><p>{counts}; run in the sandbox <code>{tier}</code></p>
+</head><body><h1>The class: {chapters}</h1>
+<p>{counts}; {average}; run in the sandbox <code>{tier}</code></p>
 {look}{hardest}<h2>Everybody</h2><p><img src="histogram.png" alt="How many students have how many points"></p>
-<table><tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
+<table id="everybody">
+<tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
 {rows}</table>{alike}</body></html>
 """
 _MOST = 200
@@ -40,10 +43,13 @@ _MOST = 200
 def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
     """The page."""
     questions = sorted({verdict.name for one in records for verdicts in one.wanted.values() for verdict in verdicts})
-    counts = outcome.statuses() if outcome else counted(one.status() for one in records)
+    outcome = outcome or Outcome(list(records), Collection([], [], []))
     tiers = sorted({one.marked().tier for one in records} - {""})
     return _PAGE.format(
-        counts=html.escape(told(counts) or "nothing was handed in"),
+        style=STYLE,
+        chapters=_text(records[0].told_chapters() if records else ""),
+        counts=html.escape(outcome.line()),
+        average=html.escape(average(records)),
         tier=html.escape(", ".join(tiers) or "none"),
         look=_look(records, outcome),
         hardest=_hardest(records),
@@ -53,15 +59,18 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
     )
 
 
-def _look(records: Sequence[Record], outcome: Outcome | None) -> str:
+def _look(records: Sequence[Record], outcome: Outcome) -> str:
     """Who needs the teacher's eye, and why; the most pressing first."""
     rows = []
     for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
         concerns = one.marked().concerns
         if one.status() in LOOK or concerns:
-            words = "<br>".join(_text(word) for word in [*one.handed.open, *concerns, *one.marked().notes][:12])
+            late = [f"{verdict.name}: its time was over" for verdict in one.marked().verdicts if verdict.timed_out]
+            faulty = [f"{verdict.name}: its check has a fault" for verdict in one.marked().verdicts if verdict.fault]
+            why = [*one.handed.open, *faulty, *late, *concerns, *one.marked().notes][:12]
+            words = "<br>".join(_text(word) for word in why)
             rows.append(f"<tr><td>{_link(one)}</td><td class='words'>{one.status()}</td><td class='words'>{words}</td></tr>")
-    for _, question in outcome.collection.whose if outcome else ():
+    for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
     heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"
     return f"<h2>Who needs a look</h2><table>{heading}{''.join(rows)}</table>" if rows else ""
@@ -71,9 +80,9 @@ def _hardest(records: Sequence[Record]) -> str:
     """The exercises by what they cost, with the wrong answers that most gave."""
     verdicts: dict[str, list[Verdict]] = {}
     for one in records:
-        for verdict in one.marked().verdicts if one.marks and one.total() is not None else ():
+        for verdict in one.marked().verdicts if one.counts() else ():
             verdicts.setdefault(verdict.name, []).append(verdict)
-    share = {name: sum(v.points for v in found) / (sum(v.of for v in found) or 1) for name, found in verdicts.items()}
+    share = shares(records)
     rows = []
     for name in sorted(share, key=lambda each: (share[each], each)):
         wrong = Counter(shown(said, 160) for one in verdicts[name] if not one.passed and (said := one.gave or one.got))
@@ -81,8 +90,9 @@ def _hardest(records: Sequence[Record]) -> str:
         title = html.escape(verdicts[name][0].title)
         what = f"<td>{html.escape(name)} {title}</td><td>{100 * share[name]:.0f} %</td>"
         rows.append(f"<tr>{what}<td class='words'>{said}</td></tr>")
-    heading = "<tr><th>exercise</th><th>of the points</th><th class='words'>most frequent wrong answers</th></tr>"
-    return f"<h2>Exercises, the hardest first</h2><table class='wrap'>{heading}{''.join(rows)}</table>" if rows else ""
+    heading = "<tr><th>exercise</th><th>share of the points</th><th class='words'>most frequent wrong answers</th></tr>"
+    said = "<p>Shares are before lateness, of the students that the average is of.</p>"
+    return f"<h2>Exercises, the hardest first</h2>{said}<table class='wrap'>{heading}{''.join(rows)}</table>" if rows else ""
 
 
 def _row(record: Record, questions: Sequence[str]) -> str:

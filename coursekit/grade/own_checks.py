@@ -9,6 +9,7 @@ import types
 from collections.abc import Iterable
 from pathlib import Path
 
+from . import chapters
 from .exercise import Exercise
 
 OWN = "checks"
@@ -38,6 +39,22 @@ def read_checks(folder: Path) -> None:
             _read[file] = changed
 
 
+def fault_of(error: BaseException) -> str:
+    """An exception of a check: what it is, and the line of the check where it stopped."""
+    frames = [one for one in traceback.extract_tb(error.__traceback__) if _is_check(one.filename)]
+    where = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else ""
+    return f"{type(error).__name__}: {error}"[:300] + where
+
+
+def is_own(filename: str) -> bool:
+    """Whether a file is one of checks that were read."""
+    return Path(filename) in _read
+
+
+def _is_check(filename: str) -> bool:
+    return is_own(filename) or Path(filename).parent == Path(chapters.__path__[0])
+
+
 def own_files(exercises: Iterable[Exercise]) -> list[Path]:
     """The files of checks that hold these exercises; none for the course's own."""
     written = {Path(one.judge.__code__.co_filename) for one in exercises if hasattr(one.judge, "__code__")}
@@ -65,4 +82,4 @@ def _run(file: Path) -> None:
         raise BadChecks(f"{OWN}/{place} cannot be run: {type(error).__name__}: {error}") from None
 
 
-__all__ = ["OWN", "BadChecks", "digest_of_checks", "own_files", "read_checks"]
+__all__ = ["OWN", "BadChecks", "digest_of_checks", "fault_of", "is_own", "own_files", "read_checks"]

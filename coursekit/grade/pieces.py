@@ -62,6 +62,8 @@ class Piece:
     """The folder or file of the class in which it lay."""
     parcel: Path | None = None
     """A plain copy of the file that `hand_in()` made, if it lay in one."""
+    student: str = ""
+    """Whom that file names."""
     checkpoint: bool = False
     late_said: bool = False
     """Whether the platform says that it was late."""
@@ -128,7 +130,7 @@ class Gatherer:
         kept = Piece(where, chapter, when=raw.when, when_from=raw.when_from, inner=raw.when, entry=entry,
                      checkpoint=".ipynb_checkpoints" in raw.parts)  # fmt: skip
         if parcel is not None:
-            kept = replace(kept, parcel=parcel.file)
+            kept = replace(kept, parcel=parcel.file, student=parcel.student)
             if parcel.when:
                 kept = replace(kept, when=parcel.when, when_from=SEALED)
         try:
@@ -170,9 +172,9 @@ class Gatherer:
             return None
         kept = self._keep(_read(raw, LARGEST_PARCEL), ".zip")
         made.parcels.append(kept)
-        if isinstance(said.get("student"), str):
-            made.students.append(shown(said["student"], 80))
-        return _Parcel(kept, sealed_time(said))
+        student = shown(said["student"], 80) if isinstance(said.get("student"), str) else ""
+        made.students += [student] if student else []
+        return _Parcel(kept, sealed_time(said), student)
 
     def _keep(self, data: bytes, ending: str) -> Path:
         file = self._scratch / f"{next(self._number)}{ending}"
@@ -184,6 +186,7 @@ class Gatherer:
 class _Parcel:
     file: Path
     when: float
+    student: str
 
 
 def sealed_time(manifest: dict[str, Any]) -> float:

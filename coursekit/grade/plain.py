@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
+from .own_checks import is_own
 from .verdict import Wrong
 
 T = TypeVar("T")
@@ -180,10 +181,21 @@ def error_of(error: BaseException) -> str:
         said = f"{type(error).__name__}: {error}"[:300]
     except Exception:
         said = type(error).__name__[:80]
-    own = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith(_OURS)]
-    own = [one for one in own if "site-packages" not in one.filename and not one.filename.startswith(sys.base_prefix)]
+    own = _frames(error)
     if not own or own[-1].lineno is None:
         return said
     where = own[-1]
     line = (where.line or linecache.getline(where.filename, where.lineno or 0)).strip()
     return f"{said} (line {where.lineno}{': ' + line[:100] if line else ''})"
+
+
+def of_student(error: BaseException) -> bool:
+    """Whether an exception passed through code of a student's, not only through a check and what is installed."""
+    return bool(_frames(error))
+
+
+def _frames(error: BaseException) -> list[traceback.FrameSummary]:
+    """The lines of the student's that an exception passed."""
+    found = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith(_OURS)]
+    found = [one for one in found if "site-packages" not in one.filename and not is_own(one.filename)]
+    return [one for one in found if not one.filename.startswith(sys.base_prefix)]

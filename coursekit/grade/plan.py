@@ -17,6 +17,10 @@ Heard = list[tuple[float, dict[str, Any]]]
 class TrialFailed(Exception):
     """The trial itself did not end: an endless loop without waiting, or a crash of the interpreter."""
 
+    def __init__(self, why: str, *, timed_out: bool = False) -> None:
+        super().__init__(why)
+        self.timed_out = timed_out
+
 
 @dataclass
 class Plan:

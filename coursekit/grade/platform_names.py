@@ -56,6 +56,15 @@ def platform_name(text: str) -> PlatformName | None:
     return None
 
 
+def moodle_folder(name: str, number: str) -> str:
+    """The folder under which Moodle takes files for a participant.
+
+    >>> platform_name(moodle_folder("Ann Lee", "101")).number
+    '101'
+    """
+    return f"{name.replace('_', ' ')}_{number}_assignsubmission_file_"
+
+
 def _time(text: str) -> float:
     try:
         return time.mktime(time.strptime(text, "%Y-%m-%d-%H-%M-%S"))

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .copy import GIVEN, given_digest, without_solution
+from .harmless import shown
 from .variants import CHECK
 
 LARGEST = 32 << 20
@@ -35,10 +36,22 @@ def parse_notebook(data: bytes, name: str) -> dict[str, Any]:
     try:
         found = json.loads(data.decode("utf-8-sig"))
     except (ValueError, RecursionError) as error:
-        raise ValueError(f"{name} is no notebook: {str(error)[:100]}") from None
+        raise ValueError(f"{name} is no notebook: {_why_none(data, error)}") from None
     if not isinstance(found, dict) or not isinstance(found.get("cells"), list):
         raise ValueError(f"{name} is no notebook of format 4: it has no list of cells")
     return found
+
+
+def _why_none(data: bytes, error: Exception) -> str:
+    """Why bytes are no JSON, in words for a student."""
+    begin = shown(data.lstrip()[:40].decode("utf-8", "replace"), 30)
+    if not data.strip():
+        return "the file is empty"
+    if data.lstrip()[:1] != b"{":
+        return f"it begins with {begin!r}"
+    if isinstance(error, json.JSONDecodeError):
+        return f"it breaks off, or is not whole, in line {error.lineno}"
+    return "it is nested too deeply" if isinstance(error, RecursionError) else "it is not text in UTF-8"
 
 
 def text_of(cell: Any) -> str:

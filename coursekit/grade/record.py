@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import PurePosixPath
 
 from .handed import Handed
-from .harmless import unique
+from .harmless import number, unique
 from .lateness import Policy
 from .mark import Marked
 from .pieces import SEALED, told_time
@@ -72,7 +73,7 @@ class Record:
 
     def _by_hand(self, verdict: Verdict) -> Verdict:
         points = self.by_hand.get(verdict.name)
-        return verdict if points is None else replace(verdict, points=points)
+        return verdict if points is None else replace(verdict, points=points, fault="")
 
     def points(self) -> float:
         """Before anything is taken off for being late."""
@@ -93,8 +94,20 @@ class Record:
         return round(sum(self.chapter_total(one) for one in self.wanted), 2)
 
     def counts(self) -> bool:
-        """Whether the mark is one of the class's average: of somebody who handed in, and no question is open."""
-        return bool(self.handed.entries) and self.total() is not None
+        """Whether the mark is one of the class's average: of somebody who handed in or got points by hand, and is marked."""
+        known = {"total", *(verdict.name for verdicts in self.wanted.values() for verdict in verdicts)}
+        return bool(self.handed.entries or known & set(self.by_hand)) and self.total() is not None
+
+    def told_chapters(self) -> str:
+        """The chapters that were asked for, as they are told."""
+        return ", ".join(PurePosixPath(name).stem for name in self.wanted)
+
+    def told_off(self) -> str:
+        """What was taken off for being late, in words; empty if nothing was."""
+        found = {name: late.percent_off for name, late in self.late.items() if late.percent_off}
+        if len(set(found.values())) == 1 and len(found) == len(self.wanted):
+            return f"{number(next(iter(found.values())))} %"
+        return ", ".join(f"{number(off)} % of {PurePosixPath(name).stem}" for name, off in found.items())
 
     def of(self) -> float:
         """All points that can be had."""
@@ -124,7 +137,7 @@ class Record:
 
 def _together(statuses: Sequence[str]) -> str:
     """The one that needs a look most; empty only if all are."""
-    for one in ("error", "unreadable", "timed out"):
+    for one in ("error", "unreadable"):
         if one in statuses:
             return one
     return "empty" if statuses and all(one == "empty" for one in statuses) else "graded"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import json
+import shlex
 import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,9 +14,10 @@ from coursekit.files import write_whole
 
 from .copy import HANDED_OUT, edition_of, student_notebook
 from .exercise import exercises_in
+from .handing_out import write_for_moodle, write_list
 from .harmless import name_of_files
 from .own_checks import OWN, own_files
-from .roster import student_word
+from .roster import Person, student_word
 from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
@@ -28,7 +30,7 @@ ros-env/bin/pip install {wheel}</pre>
 <p>(Windows: <code>py -3 -m venv ros-env</code>, then <code>ros-env\\Scripts\\pip install {wheel}</code>, and
 <code>ros-env\\Scripts\\coursekit</code> below.)</p>
 <p>Download <b>{archive}</b>, unpack it, and open the notebooks with
-<code>ros-env/bin/coursekit lab --folder FOLDER</code>. Run the cells from top to bottom; write where it says
+<code>ros-env/bin/coursekit lab --folder {folder}</code>. Run the cells from top to bottom; write where it says
 <code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}</table>
@@ -55,30 +57,43 @@ def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
 
 
 def release(
-    notebooks: Sequence[Path], out: Path, variants: Variants | None = None, *, personal: bool = True, wheel: str = WHEEL
+    notebooks: Sequence[Path],
+    out: Path,
+    variants: Variants | None = None,
+    *,
+    personal: bool = True,
+    wheel: str = WHEEL,
+    moodle: bool = False,
 ) -> list[Path]:
     """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written.
 
     With `variants` each student of the class has a folder and a zip of their own, whose notebooks carry a mark that says
-    whose they are; with `personal` they ask for numbers of their own, too. The page tells students to install `wheel`.
+    whose they are; with `personal` they ask for numbers of their own, too; with `moodle` all zips are in one that Moodle
+    deals out. The page tells students to install `wheel`.
     """
     sources = {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks)}
     written = []
-    for person in variants.roster.people if variants else []:
-        assert variants is not None
-        student = variants.roster.label(person)
-        copies = variants.copies(student, sources) if personal else sources
-        folder = out / (student_word(student) or name_of_files(person.identity))
-        written.append(_zipped(_written(copies, folder, out.name, variants.copy_mark(person)), out))
-    if not variants:
+    if variants:
+        archives = {one: _copy_of(one, variants, sources, out, personal) for one in variants.roster.people}
+        written = [*archives.values(), write_list(out, archives)]
+        written += [write_for_moodle(out, archives)] if moodle else []
+    else:
         files = _written(sources, out, out.name)
         written = [*files, _zipped(files, out)]
     rows = "\n".join(_row(Path(name).stem, one) for name, one in sources.items())
     page = out / "page.html"
     archive = "the zip with your name" if variants else f"{out.name}.zip"
-    facts = {"title": html.escape(out.name), "archive": html.escape(archive), "rows": rows, "wheel": html.escape(wheel)}
-    write_whole(page, _PAGE.format(**facts))
+    facts = {"title": out.name, "folder": shlex.quote(out.name), "archive": archive, "wheel": wheel}
+    write_whole(page, _PAGE.format(rows=rows, **{name: html.escape(text) for name, text in facts.items()}))
     return [*written, page]
+
+
+def _copy_of(person: Person, variants: Variants, sources: Mapping[str, Any], out: Path, personal: bool) -> Path:
+    """A student's own zip."""
+    student = variants.roster.label(person)
+    copies = variants.copies(student, sources) if personal else sources
+    folder = out / (student_word(student) or name_of_files(person.identity))
+    return _zipped(_written(copies, folder, out.name, variants.copy_mark(person)), out)
 
 
 def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = "") -> list[Path]:

@@ -20,7 +20,7 @@ from coursekit.systems.pipes import readable
 from . import folders, sandbox
 from .facts import checked
 from .inside import SLOWNESS
-from .interruptions import Gone, NeedsWorkspace
+from .interruptions import Gone, NeedsWorkspace, TimeOver
 from .reading import KINDS
 from .trial import GIVES_WAY, PROGRAMS, WATCHER, Plan, Seen, TrialFailed, answered, question
 from .variants import Values
@@ -48,7 +48,7 @@ class Line:
             self.running.child.stdin.flush()
             answer = json.loads(self._line(time.monotonic() + seconds))
         except (OSError, ValueError, RecursionError) as error:
-            raise Gone(self._why(error)) from None
+            raise Gone(self._why(error), timed_out=self.running.timed_out) from None
         if not isinstance(answer, dict):
             raise Gone("the sandbox answered nonsense")
         return answer
@@ -60,7 +60,7 @@ class Line:
             left = give_up - time.monotonic()
             if left <= 0 or not readable(pipe.fileno(), min(left, 0.5)):
                 if left <= 0:
-                    self.running.end("it did not answer in time")
+                    self.running.end("it did not answer in time", timed_out=True)
                     raise ValueError("no answer")
                 continue
             data = pipe.read1(65536)  # type: ignore[attr-defined]
@@ -104,13 +104,17 @@ class RemoteWork(Work):
         """By exercise: the variables that its judge asked for."""
         self._moment = ""
         self._reader: Line | None = None
+        self.cell_timed_out = False
+        """Whether the cell that ran last took longer than it may."""
         self.complete = False
         """Whether all cells have run, the packages are built, and the notebook has ended."""
 
     def run(self, source: str, seconds: float) -> str:
         """Run a cell in the sandbox; what went wrong."""
         question = {"ask": "run", "source": source, "seconds": seconds}
-        return str(self._line.ask(question, SLOWNESS * seconds + 10).get("error", ""))
+        answer = self._line.ask(question, SLOWNESS * seconds + 10)
+        self.cell_timed_out = answer.get("timed_out") is True
+        return str(answer.get("error", ""))
 
     def finish(self, seconds: float) -> None:
         """Build what the notebook builds, and end the notebook; then files and programs can be judged."""
@@ -159,6 +163,8 @@ class RemoteWork(Work):
             "seconds": self._limits.call,
         }
         said = self._line.ask(question, SLOWNESS * self._limits.call + 5)
+        if said.get("timed_out") is True:
+            raise TimeOver(str(said.get("error")).removeprefix("TookTooLong: "))
         if said.get("missing") or said.get("error"):
             raise _error_of(str(said.get("error") or f"RuntimeError: `{name}` cannot be called"))
         with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing
@@ -185,7 +191,8 @@ class RemoteWork(Work):
         except (Gone, ValueError, KeyError) as error:
             self._reader.running.end()
             self._reader = None
-            raise Wrong("files that can be read", f"{error}"[:300]) from None
+            late = isinstance(error, Gone) and error.timed_out
+            raise Wrong("files that can be read", f"{error}"[:300], timed_out=late) from None
 
     def _need(self) -> None:
         if not self.complete:
@@ -208,9 +215,9 @@ class RemoteWork(Work):
                 os.close(one)
             there = back = (-1, -1)
             out = started[0].answer(question(plan), self._limits.output)
-            why = started[1].stopped or started[0].stopped
-            if why:
-                raise TrialFailed(why)
+            for running in reversed(started):
+                if running.stopped:
+                    raise TrialFailed(running.stopped, timed_out=running.timed_out)
             return answered(out)
         finally:
             for running in started:
@@ -228,15 +235,16 @@ def _unpacked(answer: dict[str, Any]) -> Any:
 
 
 def _error_of(text: str) -> Exception:
-    """The error that a student's function raised, of its own kind where that is one of Python's.
+    """The error that a student's function raised: of its own kind where that is one of Python's, else of its name.
 
     >>> _error_of("ValueError: too near (line 3)")
     ValueError('too near (line 3)')
-    >>> _error_of("SystemExit: 0")
-    RuntimeError('SystemExit: 0')
+    >>> _error_of("JSONDecodeError: no value"), isinstance(_error_of("SystemExit: 0"), RuntimeError)
+    (JSONDecodeError('no value'), True)
     """
     name, _, said = text.partition(": ")
     kind = getattr(builtins, name, None)
     if isinstance(kind, type) and issubclass(kind, Exception) and not issubclass(kind, (OSError, UnicodeError)):
         return kind(said)
-    return RuntimeError(text)
+    known = name.isascii() and name.isidentifier() and len(name) < 60
+    return type(name, (RuntimeError,), {})(said) if known else RuntimeError(text)

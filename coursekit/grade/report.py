@@ -13,6 +13,7 @@ from coursekit.files import write_whole
 
 from .harmless import lines, number, shown
 from .mark import Marked
+from .page_style import STYLE
 from .pictures import as_html
 from .record import Record
 from .verdict import Verdict
@@ -21,16 +22,19 @@ ON_EXERCISE = " comment"
 """How the column is called, after the exercise's name, in which a teacher writes what they say of it."""
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}</title>
-<style>body{{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1f2a30}}
-h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}} .comment{{border-left:4px solid #2f7d8c;padding:4px 12px}}
-.total{{font-size:1.2rem}} footer,.how{{color:#5c686f;font-size:.85rem}} footer{{margin-top:2rem}}
+<style>{style}
+body{{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem}}
+h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
+.comment{{border-left:4px solid var(--link);padding:4px 12px}}
+.total{{font-size:1.2rem}} footer,.how{{color:var(--soft);font-size:.85rem}} footer{{margin-top:2rem}}
 .work{{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:1rem;margin:.8rem 0;align-items:start}}
 @media(max-width:50rem){{.work{{grid-template-columns:1fr}}}}
 .evidence{{display:flex;flex-wrap:wrap;gap:1rem}} figure{{margin:0;max-width:36rem}} figure img{{max-width:100%}}
-figcaption{{color:#5c686f;font-size:.8rem}}
-pre{{background:#f5f7f8;padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
-<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points{off}</p>{comments}{notes}
-{verdicts}{evidence}<footer>{status}{late}; run in the sandbox <code>{tier}</code></footer></body></html>
+figcaption{{color:var(--soft);font-size:.8rem}}
+pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
+<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{off}</p>{comments}{notes}
+{verdicts}{evidence}<footer>
+<span class="status">{status}</span>{late}{tier}</footer></body></html>
 """
 
 
@@ -46,33 +50,40 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
     if fields is not None:
         parts = [_beside(one, record, code, fields(one.name)) for one in marked.verdicts]
     notes = "".join(f"<li>{_text(note)}</li>" for note in [*record.handed.open, *marked.notes])
-    off = max((one.percent_off for one in record.late.values()), default=0.0)
+    off = record.told_off()
     written = [(name, text) for name, text in record.extra.items() if text and not name.endswith(ON_EXERCISE)]
     said = "".join(f"<p class='comment'><b>{_text(name)}</b>: {_paragraphs(text)}</p>" for name, text in written)
     return _PAGE.format(
+        style=STYLE,
         student=_text(record.label),
         points="no mark yet" if total is None else number(total),
         of=number(record.of()),
-        off=f" ({number(off)} % off for being late)" if off else "",
+        chapters=_text(record.told_chapters()),
+        off=f", after {off} taken off for being late" if off else "",
         comments=said,
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),
         evidence=as_html(record.handed.parcels()),
         status=_text(record.status().capitalize()),
-        tier=_text(marked.tier or "none"),
+        tier=f"; run in the sandbox <code>{_text(marked.tier)}</code>" if marked.tier else "",
         late=f"; {number(marked.minutes_late)} minutes late by {_text(record.time_from())}" if marked.minutes_late else "",
     )
 
 
 def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = "") -> str:
     """A verdict, and the student's code beside it."""
-    hand = "<p class='how'>These points were given by hand.</p>" if verdict.name in record.by_hand else ""
+    said = f"<div class='said'>{said_of(verdict, record)}</div>{form}"
     if not form and (comment := record.extra.get(verdict.name + ON_EXERCISE)):
-        hand += f"<p class='comment'>{_paragraphs(comment)}</p>"
+        said += f"<p class='comment'>{_paragraphs(comment)}</p>"
     text = code.get(verdict.name, "")
     own = f"<pre>{html.escape(lines(text))}</pre>" if text else "<p class='how'>Nothing was handed in for this.</p>"
-    said = f"{_plain(verdict).html()}{hand}{form}"
     return f"<div class='work' id='{_text(verdict.name)}'><div>{said}</div><div>{own}</div></div>"
+
+
+def said_of(verdict: Verdict, record: Record) -> str:
+    """A verdict, and whether its points were given by hand."""
+    hand = "<p class='how'>These points were given by hand.</p>" if verdict.name in record.by_hand else ""
+    return _plain(verdict).html() + hand
 
 
 def _paragraphs(text: str) -> str:

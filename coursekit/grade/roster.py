@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .harmless import shown
+from .harmless import counted, shown
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
 from .tables import Table, decoded, read_table
 
@@ -103,9 +103,10 @@ class Roster:
     def told(self) -> str:
         """How many people there are, and in which columns what was found."""
         if self.layout is None or self.table is None:
-            return f"{len(self.people)} students"
+            return counted(len(self.people), "student")
         named = ((what, self.table.headings[at]) for what, at in self.layout.places.items())
-        return f"{len(self.people)} students; " + ", ".join(f"{what}: '{shown(heading)}'" for what, heading in named)
+        columns = ", ".join(f"{what}: '{shown(heading)}'" for what, heading in named)
+        return f"{counted(len(self.people), 'student')}; {columns}"
 
     @classmethod
     def read(cls, file: Path) -> Roster:
@@ -159,10 +160,17 @@ class Roster:
         return self.label(found.people[0]) if len(found.people) == 1 else ""
 
     def of(self, label: str) -> Person | None:
-        """The person of that label, id, e-mail or name; None when it is nobody's or not one person's."""
+        """The person of that label, id, e-mail or name; of a part of the name, too, where only one has it; else None.
+
+        >>> group = Roster(["Ann Lee", "Ann Ito"])
+        >>> group.of("ito").name, group.of("Ann")
+        ('Ann Ito', None)
+        """
         exact = [one for one in self.people if label in (self.label(one), one.id, one.email, one.login)]
         named = exact or [one for one in self.people if plain(label) in {plain(name) for name in one.names()}]
-        return named[0] if len(named) == 1 else None
+        wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}
+        found = named or [one for one in self.people if wanted and wanted <= _words_of(one)]
+        return found[0] if len(found) == 1 else None
 
 
 def _person(layout: Layout, row: Sequence[str], at: int) -> Person:
@@ -176,6 +184,10 @@ def _person(layout: Layout, row: Sequence[str], at: int) -> Person:
     facts["number"] = re.sub(r"\D", "", facts["number"])
     name = shown(name or facts["email"] or facts["id"])
     return Person(name, family=shown(family), given=shown(given), row=at, **facts)
+
+
+def _words_of(person: Person) -> set[str]:
+    return {plain(word) for name in person.names() for word in re.split(r"[\W_]+", name)}
 
 
 def _expect_different(people: Sequence[Person]) -> None:

@@ -74,6 +74,8 @@ class Sandboxed:
     scratch: Path | None = None
     """A folder for its temporary files that goes with it."""
     stopped: str = ""
+    timed_out: bool = False
+    """Whether it was ended because its time was over."""
     _ended: threading.Event = field(default_factory=threading.Event)
 
     def answer(self, question: bytes, most: int) -> bytes:
@@ -87,9 +89,10 @@ class Sandboxed:
             self.end("it wrote more than it may")
         return out
 
-    def end(self, why: str = "") -> None:
-        """End it and all that it started."""
-        self.stopped = self.stopped or why
+    def end(self, why: str = "", *, timed_out: bool = False) -> None:
+        """End it and all that it started; the first reason is kept."""
+        if why and not self.stopped:
+            self.stopped, self.timed_out = why, timed_out
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(self.child.pid, signal.SIGKILL)
         with contextlib.suppress(ProcessLookupError):
@@ -218,12 +221,13 @@ def _watch(running: Sandboxed, work: Path | None, limits: Limits) -> None:
     try:
         while not running._ended.wait(LOOK_SECONDS) and running.child.poll() is None:
             now = time.monotonic()
-            why = f"it took longer than {limits.seconds:g} s" if now > give_up else _excess(running.child.pid, limits)
+            over = now > give_up
+            why = f"it took longer than {limits.seconds:g} s" if over else _excess(running.child.pid, limits)
             if not why and work is not None and now > look_at_folder:
                 look_at_folder = now + 0.5
                 why = folders.excess(work, limits.folder)
             if why:
-                running.end(why)
+                running.end(why, timed_out=over)
                 return
     except Exception as error:
         running.end(f"it could not be watched: {type(error).__name__}")

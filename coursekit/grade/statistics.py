@@ -1,4 +1,9 @@
-"""The class as a whole: mean, spread, the hardest questions, and a picture."""
+"""The class as a whole: mean, spread, the hardest questions, and a picture. Every page and line takes its numbers from here.
+
+An average is of the marks as they stand in the table's column `total`: with points by hand, after what is taken off for
+lateness; of those who handed in, or were given points by hand, and have a mark. Shares of an exercise's points are before
+lateness.
+"""
 
 from __future__ import annotations
 
@@ -6,59 +11,80 @@ import json
 import statistics
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from coursekit.files import write_whole
 
-if TYPE_CHECKING:
-    from .mark import Marked
+from .harmless import counted, number
+from .record import Record
 
 
-def summary(marks: Sequence[Marked], statuses: Mapping[str, int]) -> dict[str, Any]:
-    """Numbers over those who handed in; shares of the points for each question; how many there are of each status."""
-    totals = [one.total() for one in marks]
-    shares: dict[str, list[float]] = {}
-    for one in marks:
-        for verdict in one.verdicts:
-            shares.setdefault(verdict.name, []).append(verdict.points / verdict.of if verdict.of else 0.0)
+def averaged(records: Sequence[Record]) -> list[float]:
+    """The marks that an average is of."""
+    return [total for one in records if one.counts() and (total := one.total()) is not None]
+
+
+def average(records: Sequence[Record]) -> str:
+    """The average in words, and of whom."""
+    marks, of = averaged(records), records[0].of() if records else 0.0
+    if not marks:
+        return "no average yet"
+    whose = f"{counted(len(marks), 'student')} with work and a mark"
+    return f"on average {statistics.fmean(marks):.2f} of {number(of)} points after lateness ({whose})"
+
+
+def shares(records: Sequence[Record]) -> dict[str, float]:
+    """By exercise the part of its points that those have whose marks the average is of, before lateness."""
+    verdicts = [verdict for one in records if one.counts() for verdict in one.marked().verdicts]
+    found: dict[str, list[float]] = {}
+    for one in verdicts:
+        found.setdefault(one.name, []).append(one.points / one.of if one.of else 0.0)
+    return {name: statistics.fmean(values) for name, values in sorted(found.items())}
+
+
+def summary(records: Sequence[Record], statuses: Mapping[str, int]) -> dict[str, Any]:
+    """The numbers; how many students there are of each status."""
+    marks = averaged(records)
     return {
-        "students": len(marks),
-        "mean": round(statistics.fmean(totals), 3) if totals else 0.0,
-        "median": statistics.median(totals) if totals else 0.0,
-        "standard_deviation": round(statistics.pstdev(totals), 3) if totals else 0.0,
+        "students": len(records),
+        "averaged": len(marks),
+        "mean": round(statistics.fmean(marks), 3) if marks else 0.0,
+        "median": statistics.median(marks) if marks else 0.0,
+        "standard_deviation": round(statistics.pstdev(marks), 3) if marks else 0.0,
+        "of": records[0].of() if records else 0.0,
         "status": dict(sorted(statuses.items())),
-        "questions": {name: round(statistics.fmean(values), 3) for name, values in sorted(shares.items())},
+        "questions": {name: round(share, 3) for name, share in shares(records).items()},
     }
 
 
-def write_statistics(folder: Path, marks: Sequence[Marked], statuses: Mapping[str, int]) -> None:
+def write_statistics(folder: Path, records: Sequence[Record], statuses: Mapping[str, int]) -> None:
     """statistics.json and histogram.png."""
-    found = summary(marks, statuses)
+    found = summary(records, statuses)
     write_whole(folder / "statistics.json", json.dumps(found, indent=1).encode(), parents=True)
     from matplotlib.figure import Figure
 
     questions = found["questions"]
     figure: Any = Figure(figsize=(9, max(3.2, 0.9 + 0.25 * len(questions))), layout="constrained")
-    totals, shares = figure.subplots(1, 2, width_ratios=(3, 2))
-    _draw_totals(totals, marks, found)
-    shares.barh(list(questions), [100 * share for share in questions.values()], color="#2f7d8c", height=0.6)
-    shares.set(xlim=(0, 100), xlabel="% of the points, on average")
-    shares.invert_yaxis()
-    for axes in (totals, shares):
+    totals, parts = figure.subplots(1, 2, width_ratios=(3, 2))
+    _draw_totals(totals, averaged(records), found)
+    parts.barh(list(questions), [100 * share for share in questions.values()], color="#2f7d8c", height=0.6)
+    parts.set(xlim=(0, 100), xlabel="% of the points, on average, before lateness")
+    parts.invert_yaxis()
+    for axes in (totals, parts):
         axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(folder / "histogram.png", dpi=120)
 
 
-def _draw_totals(axes: Any, marks: Sequence[Marked], found: Mapping[str, Any]) -> None:
+def _draw_totals(axes: Any, marks: Sequence[float], found: Mapping[str, Any]) -> None:
     """How many students have how many points: a bar stands over its points."""
     from matplotlib.ticker import MaxNLocator
 
-    most = max((sum(verdict.of for verdict in one.verdicts) for one in marks), default=1.0)
+    most = max([found["of"] or 1.0, *marks])
     width = max(1.0, most / 30)
-    edges = [width * (number - 0.5) for number in range(int(most / width) + 3)]
-    axes.hist([one.total() for one in marks], bins=edges, color="#2f7d8c", edgecolor="white")
+    edges = [width * (place - 0.5) for place in range(int(most / width) + 3)]
+    axes.hist(marks, bins=edges, color="#2f7d8c", edgecolor="white")
     axes.axvline(found["mean"], color="#b3392f", linewidth=1)
-    said = f"{found['students']} students, mean {found['mean']:.1f} of {most:g}"
-    axes.set(xlim=(-0.6 * width, most + 0.6 * width), xlabel="points", ylabel="students", title=said)
+    said = f"{counted(found['averaged'], 'student')}, mean {found['mean']:.2f} of {number(found['of'])}"
+    axes.set(xlim=(-0.6 * width, most + 0.6 * width), xlabel="points after lateness", ylabel="students", title=said)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(integer=True))

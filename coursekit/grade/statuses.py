@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
@@ -22,7 +21,6 @@ QUESTION, NOTHING, NOT_MARKED, UNREADABLE, EMPTY, TIMED_OUT, ELSEWHERE, LATE, GR
 )
 """The first that is so is the status. All but `graded` and `nothing handed in` are for the teacher to look at."""
 LOOK = tuple(one for one in STATUSES if one not in (GRADED, NOTHING, LATE))
-_TIME_OVER = re.compile(r"took longer than|did not answer in time|timed out")
 
 
 def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: bool, tier: str) -> str:
@@ -31,21 +29,25 @@ def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: boo
         return QUESTION
     if marked is None:
         return NOT_MARKED if handed_in else NOTHING
-    if marked.status == "error":
+    if marked.status == "error" or any(one.fault for one in marked.verdicts):
         return NOT_MARKED
     if marked.status in (UNREADABLE, EMPTY):
         return marked.status
-    if marked.status == TIMED_OUT or any(_TIME_OVER.search(one.got) for one in marked.verdicts if not one.passed):
+    if any(one.timed_out for one in marked.verdicts):
         return TIMED_OUT
     if marked.tier and marked.tier != tier:
         return ELSEWHERE
     return LATE if late else GRADED
 
 
-def counted(statuses: Iterable[str]) -> dict[str, int]:
+_WORDS = {QUESTION: "with an open question", NOTHING: "without anything handed in"}
+"""What a number of students is told with, where that is not the status itself."""
+
+
+def by_status(statuses: Iterable[str]) -> dict[str, int]:
     """How many there are of each, in a fixed order.
 
-    >>> counted(["graded", "late", "graded"])
+    >>> by_status(["graded", "late", "graded"])
     {'late': 1, 'graded': 2}
     """
     found: Sequence[str] = list(statuses)
@@ -53,5 +55,9 @@ def counted(statuses: Iterable[str]) -> dict[str, int]:
 
 
 def told(counts: dict[str, int]) -> str:
-    """The counts in words: `31 graded, 2 late`."""
-    return ", ".join(f"{number} {status}" for status, number in reversed(list(counts.items())))
+    """The counts in words.
+
+    >>> told({"question": 1, "nothing handed in": 2, "graded": 31})
+    '31 graded, 2 without anything handed in, 1 with an open question'
+    """
+    return ", ".join(f"{number} {_WORDS.get(status, status)}" for status, number in reversed(list(counts.items())))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ _MARK = "SOLUTION"
 _CHECK = '''"""The checks of {title}."""
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.plain import near, number
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -29,13 +31,10 @@ def stopping_distance(work: Work) -> None:
     dice = work.dice("speeds")
     for _ in range(10):
         speed, deceleration = round(dice.uniform(0.1, 2.0), 2), round(dice.uniform(0.5, 3.0), 2)
-        right, got = speed**2 / (2 * deceleration), function(speed, deceleration)
-        if type(got) is not float or not abs(got - right) < 1e-6:
-            raise Wrong(
-                f"{{right:.3f}} m from stopping_distance({{speed}}, {{deceleration}})",
-                gave=f"{{got!r:.80}}",
-                cause="Is the speed squared?",
-            )
+        call, right = f"stopping_distance({{speed}}, {{deceleration}})", speed**2 / (2 * deceleration)
+        got = number(function(speed, deceleration), f"a number from {{call}}")
+        if not near(got, right, 1e-6):
+            raise Wrong(f"{{right:.3f}} m from {{call}}", gave=f"{{got:.3f}} m", cause="Is the speed squared?")
 '''
 
 
@@ -76,6 +75,7 @@ def _notebook(title: str, name: str) -> dict[str, Any]:
     )
     cells = [
         _cell("markdown", [f"# {title}\n\nWhat this chapter is about, in two sentences."]),
+        _cell("code", ["from coursekit.lab import *\n", "\n", "reset()"]),
         _cell("markdown", [exercise]),
         _cell("code", answer, _grading(f"{name}-q1", solution=True)),
         _cell("code", [f'check("{name}.q1")'], _grading(f"{name}-q1-check", grade=True, locked=True)),
@@ -85,7 +85,8 @@ def _notebook(title: str, name: str) -> dict[str, Any]:
 
 
 def _cell(kind: str, source: list[str], metadata: dict[str, Any] | None = None) -> dict[str, Any]:
-    made: dict[str, Any] = {"cell_type": kind, "id": f"{kind}-{abs(len(source[0]))}", "metadata": metadata or {}}
+    name = hashlib.sha256("".join(source).encode()).hexdigest()[:8]
+    made: dict[str, Any] = {"cell_type": kind, "id": f"{kind}-{name}", "metadata": metadata or {}}
     if kind == "code":
         made |= {"outputs": [], "execution_count": None}
     return {**made, "source": source}

@@ -13,6 +13,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from coursekit.joined.pipe import LATE
+
 from .plan import EVERY_NODE_S, Plan, Seen, TrialFailed
 
 GIVES_WAY = 30.0
@@ -56,8 +58,9 @@ def answered(out: bytes) -> Seen:
         why = str(found["failed"])
     except (ValueError, TypeError, KeyError):
         raise TrialFailed("the trial was ended before it could say what it saw") from None
-    if why == "it did not answer in time":
-        raise TrialFailed(f"your program did not give way for {GIVES_WAY:.0f} s: is there a loop that never waits?")
+    if why == LATE:
+        never = f"your program did not give way for {GIVES_WAY:.0f} s: is there a loop that never waits?"
+        raise TrialFailed(never, timed_out=True)
     if why == "it ended":
         raise TrialFailed("the program ended the trial")
     raise TrialFailed(f"the program interfered with the trial: {why}")

@@ -26,6 +26,7 @@ class Wrong(Exception):
         share: float = 0.0,
         gave: str = "",
         hint: int | None = None,
+        timed_out: bool = False,
     ) -> None:
         super().__init__(expected)
         self.expected = expected
@@ -38,6 +39,8 @@ class Wrong(Exception):
         """The student's own answer: the value of a variable, what a function returned."""
         self.hint = hint
         """Which of the exercise's hints fits this fault, from 0; None where that cannot be told."""
+        self.timed_out = timed_out
+        """Whether a program or function was ended because its time was over."""
 
 
 @dataclass(frozen=True)
@@ -53,11 +56,23 @@ class Verdict:
     cause: str = ""
     hint: str = ""
     gave: str = ""
+    timed_out: bool = False
+    """Whether the work was not judged to the end because its time was over."""
+    fault: str = ""
+    """What the check itself stopped with: then the work is not judged, and its author is not to blame."""
 
     @property
     def passed(self) -> bool:
         """Whether all points were earned."""
-        return self.points >= self.of
+        return self.points >= self.of and not self.fault
+
+    def score(self) -> str:
+        """The points in words.
+
+        >>> Verdict("ch02.q1", "Publish", 1, 2).score()
+        '1 of 2 points'
+        """
+        return "not judged" if self.fault else f"{self.points:g} of {points(self.of)}"
 
     def text(self) -> str:
         """For a terminal, and for notebooks without a browser.
@@ -65,29 +80,31 @@ class Verdict:
         >>> print(Verdict("ch02.q1", "Publish", 2, 2).text())
         ✔ ch02.q1 Publish: 2 of 2 points
         """
-        lines = [f"{'✔' if self.passed else '✘'} {self.name} {self.title}: {self.points:g} of {points(self.of)}"]
+        lines = [f"{'✔' if self.passed else '✘'} {self.name} {self.title}: {self.score()}"]
         lines += [f"  {label}: {value}" for label, value in self._rows()]
         return "\n".join(lines)
 
     def _rows(self) -> list[tuple[str, str]]:
         rows = [("expected", self.expected), ("you gave", self.gave), ("seen", self.got)]
-        rows += [("likely cause", self.cause), ("hint", self.hint)]
+        rows += [("likely cause", self.cause), ("hint", self.hint), ("fault of the check", self.fault)]
+        rows += [("what to do", "Show this to your teacher: your work is not to blame.")] if self.fault else []
         return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self) -> str:
         """For the notebook."""
-        colour, mark = ("#1a7f4b", "✔") if self.passed else ("#b3392f", "✘")
+        colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         rows = "".join(
             f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
             f"{label}</td>"
             f"<td style='text-align:left;white-space:pre-wrap'>{html.escape(value)}</td></tr>"
             for label, value in self._rows()
         )
+        number, _, rest = ("not judged", "", "") if self.fault else self.score().partition(" ")
         table = f"<table style='margin:4px 0 0 0'>{rows}</table>" if rows else ""
         return (
             f"<div style='border-left:4px solid {colour};padding:6px 12px;margin:4px 0'>"
             f"<b style='color:{colour}'>{mark} {html.escape(self.name)}</b> {html.escape(self.title)}: "
-            f"<b>{self.points:g}</b> of {points(self.of)}{table}</div>"
+            f"<b>{number}</b> {rest}{table}</div>"
         )
 
 

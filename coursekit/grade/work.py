@@ -145,7 +145,7 @@ class Work:
         try:
             return self._carry_out(planned)
         except TrialFailed as failure:
-            raise Wrong("programs that run", str(failure)) from None
+            raise Wrong("programs that run", str(failure), timed_out=failure.timed_out) from None
 
     def _carry_out(self, plan: Plan) -> Seen:
         return try_out(plan, {**os.environ, "COURSEKIT_WORKSPACE": str(self.workspace)}, str(self.workspace))

@@ -16,6 +16,8 @@ from coursekit.systems.pipes import readable
 _LENGTHS = struct.Struct("<II")
 HEADER, BODY = 16 << 20, 256 << 20
 """The largest header and body [bytes]."""
+LATE = "it did not answer in time"
+"""What Broken says when the other side does not give way."""
 _now = time.monotonic  # the real one: in a process, time.monotonic() is the session's
 _dumps, _loads = json.dumps, json.loads  # as they are before any program runs
 
@@ -65,7 +67,7 @@ class Pipe:
         parts = bytearray()
         while len(parts) < size:
             if give_up is not None and not readable(self._read, give_up - _now()):
-                raise Broken("it did not answer in time")
+                raise Broken(LATE)
             part = os.read(self._read, min(1 << 20, size - len(parts)))
             if not part:
                 raise Broken("it ended")

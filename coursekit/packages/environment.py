@@ -7,14 +7,14 @@ import sys
 from collections.abc import MutableMapping
 from pathlib import Path
 
+from coursekit.core.process import DISTRIBUTION
 from coursekit.interfaces.find import with_underlay
 
 
 def source_underlay(environ: MutableMapping[str, str]) -> None:
     """Set ROS_DISTRO and its like, and put the underlay and our commands on their paths."""
-    environ.setdefault("ROS_DISTRO", "humble")
-    environ.setdefault("ROS_VERSION", "2")
-    environ.setdefault("ROS_PYTHON_VERSION", "3")
+    for name, value in DISTRIBUTION.items():
+        environ.setdefault(name, value)
     with_underlay(environ)
     folder = str(Path(sys.executable).parent)
     if folder not in environ.get("PATH", "").split(os.pathsep):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -11,13 +10,14 @@ import numpy as np
 import pymunk
 
 from .bodies import FIXED, LOOSE, ROBOT, body_of, moment, put, shapes_of
+from .contacts import drag, hits, overlap, part, pass_by, touch
 from .errors import WorldError, known
 from .lidar import Lidar
 from .outline_scene import OutlineScene
 from .parts import Part
 from .place import Array, Place
 from .push import Push
-from .robot import GRAVITY, Robot, RobotModel
+from .robot import Robot, RobotModel
 from .world import Thing, World
 
 STEP_NS = 5_000_000
@@ -55,8 +55,8 @@ class Simulation:
         self._posts: dict[str, pymunk.Body] = {}
         """The bodies of what stands fast."""
         self._scenes: dict[float, OutlineScene] = {}
-        self.space.on_collision(ROBOT, None, begin=self._touch, separate=self._part)
-        self.space.on_collision(LOOSE, None, begin=_pass)
+        self.space.on_collision(ROBOT, None, begin=touch, separate=part)
+        self.space.on_collision(LOOSE, None, begin=pass_by)
         for thing in world.things:
             self.add(thing)
 
@@ -117,21 +117,13 @@ class Simulation:
     def _check_room(self, name: str, shapes: list[Any], at: Place) -> None:
         self.space.reindex_static()
         for shape in shapes:
-            for other, depth in self._hits(shape):
-                if depth < -1e-3 and _overlap(shape, other):
+            for other, depth in hits(self.space, shape):
+                if depth < -1e-3 and overlap(shape, other):
                     where = f"x {at.x:.2f}, y {at.y:.2f}"
                     raise WorldError(
                         f"'{other.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
                         cure=f"Spawn it somewhere free, for example at {self.world.start.x:g}, {self.world.start.y:g}.",
                     )  # fmt: skip
-
-    def _hits(self, shape: Any) -> Iterator[tuple[Any, float]]:
-        """What a shape would meet, and how deep (below 0)."""
-        middle = shape.cache_bb().center()
-        for hit in self.space.shape_query(shape):
-            yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
-        for found in self.space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # shapes about one middle meet nowhere
-            yield found.shape, found.distance
 
     def remove(self, name: str) -> None:
         """Take a robot or thing out; LookupError names near ones."""
@@ -236,7 +228,7 @@ class Simulation:
             robot.before_step(_DT, self.now_ns)
         for thing, body in self.things.values():
             if thing.mass != math.inf and (body.velocity.length or body.angular_velocity):
-                _drag(body, thing.friction if thing.hinge is None else 0.1)
+                drag(body, thing.friction if thing.hinge is None else 0.1, _DT)
         if self.pushes:
             self._push()
         self.space.step(_DT)
@@ -266,50 +258,9 @@ class Simulation:
             self._scenes[height] = OutlineScene(fixed, loose)
         return self._scenes[height]
 
-    # -- contacts
-
-    def _touch(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
-        if not _meet(arbiter, space, data):
-            return
-        for one, other in (arbiter.shapes, arbiter.shapes[::-1]):
-            robot = getattr(one.body, "robot", None)
-            if robot is not None:
-                robot.contacts[other.name] = robot.contacts.get(other.name, 0) + 1
-
-    def _part(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
-        for one, other in (arbiter.shapes, arbiter.shapes[::-1]):
-            robot = getattr(one.body, "robot", None)
-            if robot is not None and other.name in robot.contacts and _overlap(one, other):
-                robot.contacts[other.name] -= 1
-                if robot.contacts[other.name] <= 0:
-                    del robot.contacts[other.name]
-
 
 def _over(push: Push, now_ns: int) -> bool:
     return push.end_ns is not None and push.end_ns <= now_ns
-
-
-def _overlap(one: Any, other: Any) -> bool:
-    return bool(one.span[0] < other.span[1] and other.span[0] < one.span[1])
-
-
-def _meet(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> bool:
-    """Shapes at different heights pass each other."""
-    arbiter.process_collision = _overlap(*arbiter.shapes)
-    return arbiter.process_collision
-
-
-def _pass(arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
-    _meet(arbiter, space, data)
-
-
-def _drag(body: pymunk.Body, friction: float) -> None:
-    """What the floor takes from a thing that slides on it."""
-    speed, most = body.velocity.length, friction * GRAVITY * _DT
-    body.velocity = body.velocity * max(0.0, 1.0 - most / speed) if speed else (0.0, 0.0)
-    turn = body.angular_velocity
-    brake = most * 0.15 * body.mass / body.moment
-    body.angular_velocity = math.copysign(max(0.0, abs(turn) - brake), turn)
 
 
 __all__ = ["STEP_NS", "Simulation"]

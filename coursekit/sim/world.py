@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from .errors import WorldError, known
+from .globe import Globe
 from .parts import Cut, Part, join
 from .place import ORIGIN, Place
 
@@ -69,6 +70,10 @@ class World:
     """What the file has that is not simulated, one sentence each."""
     models: dict[str, Place] = field(default_factory=dict)
     """Names that a user asks for (a model of a Gazebo file), with their places, also where nothing of them can be met."""
+    globe: Globe | None = None
+    """Where on the Earth it lies; None where its file does not say."""
+    magnetism: tuple[float, float, float] = (5.5645e-6, 22.8758e-6, -42.3884e-6)
+    """The Earth's magnetic field [T], along x, y and z."""
 
     def __post_init__(self) -> None:
         seen: set[str] = set()

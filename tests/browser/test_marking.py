@@ -17,8 +17,10 @@ def test_a_class_is_marked_by_the_keyboard(browser, tmp_path, picture):
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.goto(address)
         picture(page, "class")
-        page.click("text=Ann Lee")
-        page.wait_for_selector("nav")
+        page.keyboard.press("j")
+        assert page.evaluate("document.activeElement.textContent") == "Ann Lee"
+        page.keyboard.press("Enter")
+        page.wait_for_selector("form.marks")
         assert page.evaluate("document.querySelector('.evidence img').naturalWidth") == 1
         page.keyboard.press("n")
         page.keyboard.type("0.5")
@@ -27,6 +29,7 @@ def test_a_class_is_marked_by_the_keyboard(browser, tmp_path, picture):
         page.keyboard.press("Enter")
         page.wait_for_selector("#saved:text-is('Saved')")
         page.wait_for_selector("form[data-exercise='ch02.q2'] input:focus")
+        assert "0.5 of 1 point" in page.inner_text("[id='ch02.q1'] .said")
         picture(page, "marking")
         where = page.evaluate("location.hash")
         page.keyboard.press("j")
@@ -38,9 +41,15 @@ def test_a_class_is_marked_by_the_keyboard(browser, tmp_path, picture):
         page.wait_for_selector("#saved.wrong")
         page.reload()
         page.wait_for_selector("form[data-exercise='ch02.q2'] input:focus")
+        page.keyboard.press("j")
+        page.wait_for_selector("h1:text-is('Bo Ahn')")
+        page.keyboard.press("k")
+        page.wait_for_selector("h1:text-is('Ben Ito')")
         page.keyboard.press("k")
         page.wait_for_selector("h1:text-is('Ann Lee')")
         assert page.input_value("form[data-exercise='ch02.q1'] input") == "0.5"
+        page.keyboard.press("u")
+        page.wait_for_selector("#everybody")
         page.close()
         assert not faults
     row = rows(tmp_path / "grades.csv")["Ann Lee"]

@@ -37,6 +37,16 @@ def test_all_is_there_in_the_words_of_the_tutorial(workspace, capsys, line):
     assert capsys.readouterr().out == "#All required rosdeps installed successfully\n"
 
 
+def test_the_keys_of_the_official_tutorials_packages_are_there(workspace, capsys):
+    """What turtlesim, demos, examples, image_tools and geometry_tutorials name."""
+    compiling = "qt5-qmake qtbase5-dev libqt5-core rosidl_default_generators rmw_implementation_cmake urdf"
+    checking = "ament_lint_auto ament_lint_common launch_testing_ament_cmake ros_testing osrf_testing_tools_cpp"
+    drawing = "rviz_common rviz_default_plugins rviz_rendering rosbag2_cpp rosbag2_storage"
+    collections = "desktop ros_base python3-colcon-common-extensions"
+    workspace(mine=f"{compiling} {checking} {drawing} {collections} python_cmake_module example_interfaces")
+    assert main(shlex.split(TUTORIAL)) == 0, capsys.readouterr().err
+
+
 def test_what_is_missing_is_told_with_who_needs_it_and_what_to_do(workspace, capsys):
     workspace(mine="rclpy nope_msgs python3-nowhere")
     assert main(shlex.split(TUTORIAL)) == 1

@@ -1,5 +1,6 @@
 """Signals reach a program as the system would deliver them, and break nothing that other threads need."""
 
+import contextvars
 import signal
 import subprocess
 import sys
@@ -8,6 +9,7 @@ import time
 
 import pytest
 
+from coursekit.core.process import current_process
 from coursekit.core.session import Session
 from tests.core.programs import run
 
@@ -127,12 +129,55 @@ def test_busy_code_is_interrupted_on_the_wall_clock():
         assert process.wait(10) == -2
 
 
+def test_what_a_busy_programs_handler_prints_and_raises_is_the_programs():
+    with Session().use() as session:
+        ready = session.clock.new_event()
+
+        def main():
+            def end(number, _frame):
+                print("caught", number, current_process().name)
+                sys.exit("at once")
+
+            signal.signal(signal.SIGTERM, end)
+            ready.set()
+            while True:
+                pass
+
+        process = session.start(main, name="busy")
+        assert ready.wait(10)
+        process.terminate()
+        assert process.wait(10) == 1
+        assert process.output == "caught 15 busy\nat once\n"
+
+
+def test_a_slow_handler_of_a_busy_program_keeps_no_other_waiting():
+    with Session().use() as session:
+        ready, handling, go_on = (session.clock.new_event() for _ in range(3))
+
+        def main():
+            signal.signal(signal.SIGINT, lambda *_: (handling.set(), go_on.wait(10)))
+            ready.set()
+            while not go_on.is_set():
+                pass
+
+        busy = session.start(main, name="busy")
+        assert ready.wait(10)
+        busy.interrupt()
+        assert handling.wait(10)
+        sleeper = session.start(lambda: time.sleep(0.01), name="sleeper")
+        rung = session.clock.new_event()
+        session.clock.call_at(session.clock.steady(), rung.set)
+        assert rung.wait(5) and sleeper.wait(5) == 0
+        go_on.set()
+        assert busy.wait(10) == 0
+
+
 def test_a_ctrl_c_that_comes_after_the_end_hits_no_thread_that_took_its_number():
     with Session().use() as session:
         _, process = run(session, lambda: None)
         process._lane.post(lambda: process._receive(signal.SIGINT))  # it was pressed twice
         process._lane.ident = threading.get_ident()  # as a later thread's may be
-        process._reach_busy(process._lane)
+        contextvars.copy_context().run(process._reach_busy, process._lane)
         assert sum(range(1000)) == 499500  # a KeyboardInterrupt would come at one of these steps
 
 

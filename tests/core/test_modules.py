@@ -52,3 +52,22 @@ def test_folders_that_are_no_packages_hide_nothing_and_coursekit_stays_itself(tm
         (tmp_path / name).mkdir()
     (tmp_path / "coursekit" / "__init__.py").touch()
     assert list(modules.top_level_names(tmp_path)) == ["helpers"]
+
+
+def test_a_program_imports_its_package_while_another_imports_something_else(tmp_path, monkeypatch):
+    class Late(str):
+        """A module's name; while it is looked at, another thread's import ends."""
+
+        def partition(self, separator):
+            sys.modules[f"{self}_as_well"] = sys
+            return super().partition(separator)
+
+    (tmp_path / "vera.py").write_text("kind = 'own'\n")
+    monkeypatch.setitem(sys.modules, Late("late"), sys)
+    monkeypatch.setitem(sys.modules, "late_as_well", sys)
+    del sys.modules["late_as_well"]
+    private = modules.PrivateModules([str(tmp_path)])
+    monkeypatch.syspath_prepend(str(tmp_path))
+    with private.in_place():
+        import vera
+    assert vera.kind == "own" and "vera" not in sys.modules

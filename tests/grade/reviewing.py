@@ -26,7 +26,8 @@ with mock.patch("coursekit.grade.batch.mark", cheap_mark):
 
 
 def make_class(folder: Path) -> None:
-    """Ann handed in a sealed file with a picture; Ben and a student with an odd name, notebooks."""
+    """Ann handed in a sealed file with a picture; Ben and a student with an odd name, notebooks; Bo nothing."""
+    write(folder.parent / "roster.txt", "Ann Lee\nBen Ito\nBo Ahn\nCem <b>Kaya\n")
     facts = {"student": "Ann Lee", "notebook": TOPICS, "time": "2026-11-23 08:00:00 +0000"}
     files = {TOPICS: text("q1", "q2").encode(), "evidence/AnnLee_evidence_s2.png": PICTURE, "evidence/x.png": b"<svg>"}
     write(folder / "Ann Lee" / "AnnLee_02_topics.zip", pack_parcel(files, facts))
@@ -39,7 +40,7 @@ def reviewing(folder: Path, *words: str):
     """Run it; the address, until the context ends with Ctrl-C."""
     command = [sys.executable, "-c", _CHEAPLY, "grade", str(folder), "--allow-root", "--unsafe", "--review"]
     env = {**os.environ, "BROWSER": "true", "PYTHONUNBUFFERED": "1"}
-    out = ["--out", str(folder.parent / "grades.csv")]
+    out = ["--out", str(folder.parent / "grades.csv"), "--roster", str(folder.parent / "roster.txt")]
     root = Path(__file__).resolve().parents[2]
     child = subprocess.Popen([*command, *out, *words], cwd=root, env=env, stdout=subprocess.PIPE, encoding="utf-8",
                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))  # fmt: skip

@@ -4,7 +4,21 @@ import shutil
 
 import pytest
 
-from .handed import NOON, SERVICES, TOPICS, answer, by_name, cheap_mark, collected, grade, notebook, text, write, zipped
+from .handed import (  # fmt: skip
+    NOON,
+    SERVICES,
+    TOPICS,
+    answer,
+    by_name,
+    cheap_mark,
+    collected,
+    grade,
+    notebook,
+    points_of,
+    text,
+    write,
+    zipped,
+)
 
 HOUR = 3600
 
@@ -95,6 +109,17 @@ def test_an_answer_that_is_none_of_the_choices_is_no_answer(folder):
     assert grade(folder)[1]["Ann Lee"]["ch02.q1"] == "1"
 
 
+@pytest.mark.parametrize(("said", "begun"), [("1", "ch02.q1"), ("2", "ch02.q2"), (f"ann_lee/{TOPICS}", "ch02.q2")])
+def test_files_of_one_name_in_two_hand_ins_are_told_apart(folder, said, begun):
+    write(folder / "Ann Lee" / TOPICS, text("q1"))
+    write(folder / "ann_lee" / TOPICS, text("q2"))
+    grade(folder)
+    (asked,) = answer(folder.parent / "questions.csv", Lee=said)
+    assert asked["choices"] == f"Ann Lee/{TOPICS} | ann_lee/{TOPICS}"
+    status, found = grade(folder)
+    assert status == 0 and found["Ann Lee"][begun] != "0" and float(found["Ann Lee"]["total"]) == points_of(begun[5:])
+
+
 def test_the_same_work_twice_is_no_question(folder):
     for name in ("a", "b"):
         write(folder / "Ann Lee" / name / TOPICS, text("q1"))
@@ -162,7 +187,7 @@ def test_a_student_called_class_and_those_with_names_of_results(folder):
     found = grade(folder)[1]
     assert len(found) == 7 and len({row["key"].casefold() for row in found.values()}) == 7
     kept = folder.parent / "grades"
-    assert "<h1>The class</h1>" in (kept / "class.html").read_text()
+    assert "<h1>The class: 02_topics</h1>" in (kept / "class.html").read_text()
     assert all((kept / f"{row['key']}.html").is_file() for row in found.values())
 
 
@@ -211,3 +236,13 @@ def test_collecting_is_the_same_each_time(folder, tmp_path):
     assert (
         found[0] == found[1] == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
     )
+
+
+@pytest.mark.parametrize(("content", "why"), [
+    (b"", "the file is empty"), ("<html>Please log in</html>", "it begins with '<html>Please log in</html>'"),
+    (text("q1")[:4000], "it breaks off, or is not whole, in line"), (b'{"cells": "\xff\xfe"}', "it is not text in UTF-8"),
+])  # fmt: skip
+def test_why_a_file_is_no_notebook_is_said_without_a_parser_s_words(folder, content, why):
+    write(folder / "Ann Lee" / TOPICS, content)
+    one, where = only(folder)
+    assert where is None and f"is no notebook: {why}" in one.notes[0]

@@ -1,6 +1,7 @@
 """Marks go back in the platform's own columns; what a teacher wrote by hand stays; names can be hidden."""
 
 import csv
+import html
 import json
 import stat
 import zipfile
@@ -10,7 +11,7 @@ import pytest
 from coursekit.cli.coursekit import main
 from coursekit.grade.statuses import STATUSES
 
-from .handed import NOON, TOPICS, cheap_mark, grade, rows, text, write, zipped
+from .handed import NOON, SERVICES, TOPICS, answer, cheap_mark, grade, rows, text, write, zipped
 from .test_identifying import LISTS
 
 
@@ -39,8 +40,35 @@ def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(
     )
     assert ana[head.index("Full name")] == "García López, Ana" and ben[head.index("Grade")] == "0"
     with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
-        assert packed.namelist() == ["García López Ana_101_assignsubmission_file_/feedback.html"]
+        assert packed.namelist() == ["Ana García López_101_assignsubmission_file_/feedback.html"]
         assert "Ana García López" in packed.read(packed.namelist()[0]).decode()
+
+
+@pytest.mark.parametrize("name", ["moodle.csv", "plain.csv", None])
+def test_nobody_gets_another_s_page_whatever_folder_their_work_lay_in(folder, name):
+    words = ("--roster", folder.parent / name) if name else ()
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q3"))
+    write(folder / "Somebody Else_103_assignsubmission_file_" / TOPICS, text("q4"))
+    grade(folder, *words)
+    if name:
+        answer(folder.parent / "questions.csv", Somebody="Ben")
+        grade(folder, *words, "--for", "moodle")
+    else:
+        grade(folder, "--for", "moodle")
+    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+        found = {one.split("_")[1]: packed.read(one).decode() for one in packed.namelist()}
+    assert set(found) == ({"101", "102"} if name else {"101", "102", "103"})
+    assert "López" in found["101"] and "Ben" in found["102"] and "Ben" not in found["101"]
+
+
+def test_a_comment_reaches_also_whoever_handed_in_nothing(folder):
+    words = ("--roster", folder.parent / "moodle.csv", "--for", "moodle")
+    grade(folder, *words)
+    edited(folder.parent / "grades.csv", student="Ben Ito", comment="Come and see me.")
+    grade(folder, *words)
+    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+        (own,) = [one for one in packed.namelist() if "_102_" in one]
+        assert "Come and see me." in packed.read(own).decode()
 
 
 def test_canvas_gets_a_column_and_its_points_possible(folder):
@@ -109,6 +137,39 @@ def test_a_total_by_hand_and_one_that_is_no_number(folder, capsys):
     assert "total is 6 by hand (was 3)" in said and "'good' is no number: not taken" in said
 
 
+def test_a_total_by_hand_is_that_of_its_chapters_only(folder):
+    write(folder / "García López Ana_101_assignsubmission_file_" / SERVICES, text("q1", chapter=SERVICES))
+    name = "García López Ana"
+    grade(folder, "--chapters", "02")
+    edited(folder.parent / "grades.csv", student=name, total="6")
+    assert grade(folder, "--chapters", "02")[1][name]["total"] == "6"
+    assert lines(folder.parent / "grades" / "gradebook.csv")[1][3:5] == ["6", "6"]
+    other = grade(folder, "--chapters", "03")[1][name]
+    assert other["total"] == other["points"] != "6" and "by hand" not in other["notes"]
+    assert grade(folder, "--chapters", "02")[1][name]["total"] == "6"
+
+
+def test_every_average_is_of_the_marks_after_lateness_and_says_so(folder, capsys):
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", "q2", "q3", "q4"), NOON + 30 * 3600)
+    (folder.parent / "policy.toml").write_text("due = 2026-11-23T12:30:00\npercent_per_day = 10\n")
+    found = grade(folder, "--policy", folder.parent / "policy.toml")[1]
+    assert [row["total"] for row in found.values()] == ["3", "5.6"]
+    words = "on average 4.30 of 7 points after lateness (2 students with work and a mark)"
+    page = (folder.parent / "grades" / "class.html").read_text()
+    assert words in capsys.readouterr().out and words in page
+    kept = json.loads((folder.parent / "grades" / "statistics.json").read_text())
+    assert (kept["mean"], kept["median"], kept["averaged"], kept["of"]) == (4.3, 4.3, 2, 7)
+    assert kept["questions"]["ch02.q3"] == 0.5 and "Shares are before lateness" in page
+    own = (folder.parent / "grades" / f"{found['Ito Ben']['key']}.html").read_text()
+    assert "<b>5.6</b> of 7 points in 02_topics, after 20 % taken off for being late" in own
+
+
+def test_the_page_of_the_class_names_the_chapters(folder):
+    grade(folder, "--chapters", "02", "03")
+    page = (folder.parent / "grades" / "class.html").read_text()
+    assert "<h1>The class: 02_topics, 03_services</h1>" in page
+
+
 def test_names_are_hidden_and_who_is_who_lies_apart(folder):
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", own=" by Ben Ito"))
     write(folder / "Ito Ben_102_assignsubmission_file_" / "Ito.txt", "Ben Ito")
@@ -137,9 +198,9 @@ def test_table_page_and_closing_line_count_the_same(folder, capsys):
     write(folder / "Nobody Known.zip", zipped({TOPICS: text("q1")}))
     status, found = grade(folder, "--roster", folder.parent / "moodle.csv")
     said = capsys.readouterr().out
-    counts = "1 graded, 1 unreadable, 1 question"
+    counts = "2 students: 1 graded, 1 unreadable; 1 hand-in is nobody's yet"
     page = (folder.parent / "grades" / "class.html").read_text()
-    assert counts in said and counts in page and status == 1
+    assert counts in said and html.escape(counts) in page and status == 1 and "1 question is open:" in said
     assert {row["status"] for row in found.values()} == {"graded", "unreadable"} and {
         row["status"] for row in found.values()
     } <= set(STATUSES)

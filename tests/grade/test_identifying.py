@@ -165,7 +165,7 @@ def test_a_name_that_nobody_has_is_asked_about_and_everybody_has_a_row(group, ca
         status == 1 and found["Ben Ito"]["status"] == "graded" and found["Ana García López"]["status"] == "nothing handed in"
     )
     said = capsys.readouterr().out
-    assert "Whose is this?" in said and "1 question" in said and "questions.csv" in said
+    assert "Whose is this?" in said and "1 question is open" in said and "questions.csv" in said
     answer(group / "questions.csv", Who="nobody at all")
     assert grade(group / "class", "--roster", group / "roster.csv")[0] == 1
     answer(group / "questions.csv", Who="nobody")

@@ -2,26 +2,43 @@
 
 import csv
 import json
+import os
+import subprocess
+import sys
+from dataclasses import replace
 
 import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade import sandbox
-from coursekit.grade.checking import check
+from coursekit.grade.checking import check, judge
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.exercise import find
 from coursekit.grade.own_checks import BadChecks, read_checks
 from coursekit.grade.template import write_template
 from coursekit.grade.verdict import CheckFailed
 
+from .handed import TOPICS, cheap_mark, grade, text, write
+
 RIGHT = "def stopping_distance(speed, deceleration):\n    return speed * speed / deceleration / 2\n"
 HALF = "def stopping_distance(speed, deceleration):\n    return speed / deceleration / 2\n"
+
+
+NONE = "def stopping_distance(speed, deceleration):\n    speed / deceleration\n"
+NAIVE = """
+from coursekit.grade.exercise import exercise
+
+@exercise("grip_drill.q1", "Grip", points=2)
+def grip(work):
+    got = work.function("stopping_distance")(2.0, 2.0)
+    assert abs(got - 1.0) < 1e-6
+"""
 
 
 def handed_in(folder, name, answer):
     """A student's notebook with an answer."""
     made = json.loads((folder / "gripper.ipynb").read_text())
-    made["cells"][2]["source"] = answer
+    made["cells"][3]["source"] = answer
     target = folder.parent / "handed_in" / name
     target.mkdir(parents=True)
     (target / "gripper.ipynb").write_text(json.dumps(student_notebook(made)))
@@ -83,3 +100,79 @@ def test_what_is_there_is_not_written_over(tmp_path):
         write_template(tmp_path, "base_drill")
     with pytest.raises(ValueError, match="letters"):
         write_template(tmp_path, "my chapter")
+
+
+@pytest.mark.parametrize(("answer", "blamed"), [
+    (NONE, "check"), (HALF, "work"), (HALF.replace("speed /", "None /"), "work"),
+    ("def stopping_distance(speed):\n    return speed\n", "work"), ("stopping_distance = 3\n", "work"),
+])  # fmt: skip
+def test_an_exception_of_the_check_is_not_told_as_the_student_s(tmp_path, answer, blamed):
+    (tmp_path / "grip_drill.py").write_text(NAIVE)
+    read_checks(tmp_path)
+    names = {}
+    exec(compile(answer, "/tmp/ipykernel_1/2.py", "exec"), names)
+    verdict = judge(find("grip_drill.q1"), names, tmp_path)
+    assert not verdict.passed and verdict.points == 0
+    if blamed == "work":
+        assert not verdict.fault and verdict.expected
+        return
+    assert "(grip_drill.py, line 7" in verdict.fault and "not to blame" in verdict.text() and not verdict.got
+    assert "not judged" in verdict.text() and "not judged" in verdict.html() and "fault of the check" in verdict.html()
+
+
+def test_a_check_that_stops_at_the_right_solution_stops_the_grader_and_is_named(tmp_path, capsys, monkeypatch):
+    handed = tmp_path / "class"
+    write(handed / "Ann" / TOPICS, text("q1", "q2"))
+
+    def faulty(submission, *more):
+        made = cheap_mark(submission, *more)
+        made.verdicts[1] = replace(made.verdicts[1], points=0, fault="NameError: x (c.py, line 7)")
+        return made
+
+    monkeypatch.setattr("coursekit.grade.batch.mark", faulty)
+    out = ["--out", str(tmp_path / "grades.csv")]
+    assert main(["grade", str(handed), "--allow-root", "--unsafe", *out]) == 2
+    said = capsys.readouterr().out
+    assert "the check of ch02.q2 has a fault: NameError: x (c.py, line 7)." in said and "Mend the check first." in said
+
+
+def test_a_check_s_own_fault_costs_nobody_points_and_the_teacher_is_told(tmp_path, capsys, monkeypatch):
+    handed = tmp_path / "class"
+    for name in ("Ann", "Ben"):
+        write(handed / name / TOPICS, text("q1", "q2"))
+
+    def faulty(submission, *more):
+        made = cheap_mark(submission, *more)
+        if submission.student == "Ann":
+            made.verdicts[1] = replace(made.verdicts[1], points=0, fault="TypeError: no (c.py, line 7)")
+        return made
+
+    monkeypatch.setattr("coursekit.grade.batch.mark", faulty)
+    status, found = grade(handed)
+    assert status == 1 and (found["Ann"]["status"], found["Ann"]["total"]) == ("not marked", "")
+    assert found["Ben"]["total"] == "3"
+    said = capsys.readouterr().out
+    assert "The check of ch02.q2 has a fault: TypeError: no (c.py, line 7). No mark yet: Ann." in said
+    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
+    assert grade(handed)[1]["Ann"]["total"] == "3", "nothing is kept of what a faulty check said"
+
+
+PLAIN_SHELL = """
+import json, sys
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+for cell in json.load(open("claw.ipynb"))["cells"]:
+    if cell["cell_type"] == "code":
+        done = shell.run_cell("".join(cell["source"]))
+        done.raise_error()
+"""
+
+
+def test_the_notebook_runs_in_a_kernel_that_is_not_ours(tmp_path):
+    write_template(tmp_path, "claw")
+    made = json.loads((tmp_path / "claw.ipynb").read_text())
+    assert len({cell["id"] for cell in made["cells"]}) == len(made["cells"])
+    env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT")}
+    done = subprocess.run([sys.executable, "-c", PLAIN_SHELL], cwd=tmp_path, env=env | {"COURSEKIT_TIME": "virtual"},
+                          capture_output=True, encoding="utf-8")  # fmt: skip
+    assert done.returncode == 0 and "2 of 2 points" in done.stdout, done.stdout + done.stderr

@@ -1,6 +1,7 @@
 """What students get holds nothing of a solution, and nbgrader takes it."""
 
 import ast
+import csv
 import json
 import re
 import zipfile
@@ -11,7 +12,14 @@ import pytest
 from nbgrader.nbgraderformat.v3 import MetadataValidatorV3
 
 from coursekit.cli.coursekit import main
+from coursekit.grade.identifying import Identifier
+from coursekit.grade.platform_names import platform_name
 from coursekit.grade.release import released
+from coursekit.grade.roster import Roster
+from coursekit.grade.variants import Variants
+
+from .handed import TOPICS, cheap_mark, grade, write
+from .test_identifying import LISTS
 
 NOTEBOOKS = sorted((Path(__file__).resolve().parents[2] / "notebooks").glob("*.ipynb"))
 SOLUTION = re.compile(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", re.S)
@@ -72,3 +80,53 @@ def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):
     assert page.count("pip install https://uni.example/coursekit.whl?a=1&amp;b=2") == 2 and "ros-env\\Scripts\\pip" in page
     with pytest.raises(SystemExit, match="No chapter begins with 77"):
         main(["release", "77", "--out", str(tmp_path)])
+
+
+def test_a_list_says_whose_is_which_copy(tmp_path):
+    write(tmp_path / "roster.csv", LISTS["plain.csv"])
+    assert main(["release", "02", "--roster", str(tmp_path / "roster.csv"), "--out", str(tmp_path / "week2")]) == 0
+    with open(tmp_path / "week2" / "copies.csv", newline="", encoding="utf-8-sig") as file:
+        found = list(csv.DictReader(file))
+    assert [(one["email"], one["id"], one["file"]) for one in found] == [
+        ("ana@uni.example", "a01", "AnaGarcíaLópez.zip"), ("ben@uni.example", "a02", "BenIto.zip"),
+    ]  # fmt: skip
+    assert all((tmp_path / "week2" / one["file"]).is_file() for one in found)
+
+
+def test_moodle_deals_out_each_copy_to_the_student_whose_it_is(tmp_path):
+    worksheet = write(tmp_path / "worksheet.csv", LISTS["moodle.csv"])
+    command = ["release", "02", "--roster", str(worksheet), "--out", str(tmp_path / "week2"), "--for", "moodle"]
+    assert main(command) == 0
+    people, marks = Roster.read(worksheet), set()
+    with zipfile.ZipFile(tmp_path / "week2" / "moodle.zip") as packed:
+        assert len(packed.namelist()) == 2
+        for name in packed.namelist():
+            folder, file = name.split("/")
+            fields = name.split("_", 4)  # as Moodle reads it: name, number, kind, plugin, file
+            (person,) = Identifier(people).by_name(folder).people
+            assert fields[1] == person.number == platform_name(folder).number and fields[2:4] == ["assignsubmission", "file"]
+            with zipfile.ZipFile(packed.open(name)) as own:
+                marks.add((person.name, json.loads(own.read(f"week2/{TOPICS}"))["metadata"]["coursekit"]["copy"]))
+            assert file.endswith(".zip")
+    known = Variants.read(worksheet).copy_marks()
+    assert {(known[mark].name, mark) for _, mark in marks} == marks
+
+
+def test_moodle_s_zip_needs_moodle_s_numbers(tmp_path):
+    plain = write(tmp_path / "roster.csv", LISTS["plain.csv"])
+    for words, why in ((["--roster", str(plain)], "grading worksheet"), ([], "give the class as --roster")):
+        with pytest.raises(SystemExit, match=why):
+            main(["release", "02", "--out", str(tmp_path / "week2"), "--for", "moodle", *words])
+
+
+def test_a_list_without_the_secret_of_the_release_is_told(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
+    monkeypatch.setattr("coursekit.grade.sandbox.tier", lambda: "bubblewrap")
+    write(tmp_path / "roster.csv", LISTS["plain.csv"])
+    write(tmp_path / "other.csv", LISTS["plain.csv"])
+    main(["release", "02", "--roster", str(tmp_path / "roster.csv"), "--out", str(tmp_path / "week2")])
+    write(tmp_path / "class" / "Ben Ito" / TOPICS, (tmp_path / "week2" / "BenIto" / TOPICS).read_bytes())
+    capsys.readouterr()
+    for name, told in (("other.csv", True), ("roster.csv", False)):
+        grade(tmp_path / "class", "--roster", tmp_path / name)
+        assert (".secret of the list" in capsys.readouterr().out) == told

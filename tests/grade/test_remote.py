@@ -5,9 +5,13 @@ import sys
 import pytest
 
 from coursekit.grade import sandbox
+from coursekit.grade.checking import judge_work
 from coursekit.grade.examiner import environment
+from coursekit.grade.exercise import Exercise
 from coursekit.grade.interruptions import Gone, NeedsWorkspace
+from coursekit.grade.plain import called
 from coursekit.grade.remote import RemoteWork
+from coursekit.grade.sandbox import Limits
 from coursekit.grade.verdict import Wrong
 
 CELL = """
@@ -129,3 +133,51 @@ def test_waiting_for_what_never_comes_costs_no_real_time(work):
     assert "waited for" in work.run(never, 25)
     assert "waited for" in work.run("import time\nwhile True: time.sleep(1.0)", 25)
     assert work.run("after = 1", 10) == "" and work.value("after", int) == 1
+
+
+STUBBORN = "while True:\n    try:\n        while True: pass\n    except BaseException: pass"
+
+
+def exercise(judge):
+    return Exercise("ch99.q1", "Try", 1, (), judge)
+
+
+def test_a_call_that_never_ends_is_a_fact_of_the_verdict(work, monkeypatch):
+    monkeypatch.setattr(work, "_limits", Limits(call=0.3))
+    work.run("def f():\n    while True: pass\ndef g():\n    raise ValueError('it took longer than 20 s')", 10)
+    for name, over in (("f", True), ("g", False)):
+        for ask in (lambda function: function(), lambda function: called(function, told="x")):
+            verdict = judge_work(exercise(lambda work, name=name, ask=ask: ask(work.function(name))), work)
+            assert (verdict.passed, verdict.timed_out, verdict.fault) == (False, over, "")
+
+
+def test_a_cell_that_never_ends_is_told_as_such(work):
+    work.run("while True: pass", 0.3)
+    assert work.cell_timed_out
+    work.run("raise KeyboardInterrupt('the cell took too long')", 10)
+    assert not work.cell_timed_out
+
+
+def test_a_sandbox_that_does_not_answer_is_gone_because_of_time(work):
+    with pytest.raises(Gone) as gone:
+        work._line.ask({"ask": "run", "source": STUBBORN, "seconds": 0.1}, 0.5)
+    assert gone.value.timed_out
+
+
+def test_what_a_student_s_function_raises_in_the_sandbox_is_no_fault_of_the_check(work):
+    work.run("def f(a):\n    return a + 'x'", 10)
+    verdict = judge_work(exercise(lambda work: work.function("f")(1)), work)
+    assert verdict.got.startswith("TypeError: unsupported operand") and not verdict.fault
+
+
+DEEP = """import json
+def f():
+    return json.loads("x")
+"""
+
+
+def test_the_line_that_is_told_is_the_student_s_own_not_a_library_s(work):
+    work.run(DEEP, 10)
+    verdict = judge_work(exercise(lambda work: work.function("f")()), work)
+    assert verdict.got.startswith("JSONDecodeError: Expecting value") and '(line 3: return json.loads("x"))' in verdict.got
+    assert "(line 355" not in verdict.got

@@ -63,6 +63,33 @@ def test_a_page_shows_the_work_the_evidence_and_fields(address, folder):
     assert "Cem &lt;b&gt;Kaya" in page and "<script>document" not in page
 
 
+def test_the_page_of_the_class_says_the_keys(address, folder):
+    _, page, _ = get(address + "class.html")
+    assert page.count("<nav>") == 1 and all(f"<kbd>{key}</kbd>" in page for key in ("j", "k", "n", "p", "c", "u", "Enter"))
+    assert "review.js" in page and "<kbd>" not in (folder.parent / "grades" / "class.html").read_text(encoding="utf-8")
+
+
+def test_everybody_is_met_from_student_to_student(address, folder):
+    names = ["Ann Lee", "Ben Ito", "Bo Ahn", "Cem <b>Kaya"]
+    for at, name in enumerate(names):
+        _, page, _ = get(address + keys(folder)[name] + ".html")
+        assert f"<span>{at + 1} of 4</span>" in page
+        after = keys(folder)[names[at + 1]] + ".html" if at < 3 else "#"
+        assert f'id="next" href="{after}"' in page
+    told = post(address + keys(folder)["Bo Ahn"] + ".html", {"exercise": "ch02.q1", "points": "1"})
+    assert told["total"] == "1" and told["status"] == "Nothing handed in"
+    assert post(address + keys(folder)["Bo Ahn"] + ".html", {"exercise": "ch02.q1", "points": ""})["total"] == "0"
+
+
+def test_the_verdict_is_told_as_it_is_after_saving(address, folder):
+    url = f"{address}{keys(folder)['Cem <b>Kaya']}.html"
+    said = post(url, {"exercise": "ch02.q1", "points": "0.5"})
+    assert "<b>0.5</b> of 1 point" in said["verdict"] and "given by hand" in said["verdict"] and said["status"] == "Graded"
+    assert said["verdict"] in get(url)[1]
+    said = post(url, {"exercise": "ch02.q1", "points": ""})
+    assert "<b>1</b> of 1 point" in said["verdict"] and "given by hand" not in said["verdict"]
+
+
 @pytest.mark.parametrize(
     ("body", "why"),
     [
@@ -90,7 +117,7 @@ def test_points_and_words_hold_in_table_pages_and_later_runs(address, folder, mo
     assert post(url, {"exercise": "ch02.q1", "points": ""}) ["total"] == "2.5"
     row = rows(folder.parent / "grades.csv")["Ben Ito"]
     assert (row["total"], row["comment"]) == ("2.5", "'=Well done")
-    status, after = grade(folder, "--again")
+    status, after = grade(folder, "--again", "--roster", folder.parent / "roster.txt")
     assert status == 0 and after["Ben Ito"]["total"] == "2.5" and after["Ben Ito"]["comment"] == row["comment"]
     page = (folder.parent / "grades" / f"{key}.html").read_text(encoding="utf-8")
     assert "Nearly.<br>&lt;b&gt;The name&lt;/b&gt;" in page and "given by hand" in page

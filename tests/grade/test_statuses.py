@@ -3,10 +3,11 @@
 import pytest
 
 from coursekit.grade.mark import Marked
-from coursekit.grade.statuses import LOOK, STATUSES, counted, status_of, told
+from coursekit.grade.statuses import LOOK, STATUSES, by_status, status_of, told
 from coursekit.grade.verdict import Verdict
 
-OVER = Verdict("q", "t", 0, 1, got="it took longer than 20 s")
+OVER = Verdict("q", "t", 0, 1, got="it did not come to an end", timed_out=True)
+FAULTY = Verdict("q", "t", 0, 1, fault="TypeError: no")
 USUAL = {"opened": False, "handed_in": True, "late": False, "tier": "bubblewrap"}
 CASES = {
     "graded": (Marked("", "", tier="bubblewrap"), {}),
@@ -30,9 +31,14 @@ def test_the_first_that_is_so_is_the_status(status):
 def test_every_status_can_be_reached_and_an_error_of_ours_is_no_mark():
     assert set(CASES) == set(STATUSES) and set(LOOK) == set(STATUSES) - {"graded", "late", "nothing handed in"}
     assert status_of(Marked("", "", status="error"), **USUAL) == "not marked"
-    late_answer = Verdict("q", "t", 1, 1, got="it took longer than 20 s")
-    assert status_of(Marked("", "", [late_answer], tier="bubblewrap"), **USUAL) == "graded"
+    assert status_of(Marked("", "", [FAULTY], tier="bubblewrap"), **USUAL) == "not marked"
+
+
+def test_words_of_a_student_s_are_no_status():
+    said = Verdict("q", "t", 0, 1, got="'it took longer than 20 s, it did not answer in time, timed out'")
+    assert status_of(Marked("", "", [said], tier="bubblewrap"), **USUAL) == "graded"
 
 
 def test_counts_are_told_in_a_fixed_order():
-    assert told(counted(["question", "graded", "late", "graded", "empty"])) == "2 graded, 1 late, 1 empty, 1 question"
+    said = "2 graded, 1 late, 1 empty, 1 with an open question"
+    assert told(by_status(["question", "graded", "late", "graded", "empty"])) == said

@@ -138,7 +138,7 @@ def handed_out(tmp_path, capsys):
     (tmp_path / "students.txt").write_text("Ann Lee\nBen Ito\n")
     command = ["release", "05", "--notebooks", str(tmp_path / "notebooks"), "--variants", str(tmp_path / "students.txt")]
     assert main([*command, "--out", str(tmp_path / "week5")]) == 0
-    assert capsys.readouterr().out.splitlines()[:3] == ["AnnLee.zip", "BenIto.zip", "page.html"]
+    assert capsys.readouterr().out.splitlines()[:3] == ["AnnLee.zip", "BenIto.zip", "copies.csv"]
     return tmp_path
 
 
@@ -151,7 +151,8 @@ def test_a_release_has_a_copy_for_each_student_and_the_secret_stays_with_the_tea
         assert "SOLUTION" not in text and secret.read_text().strip() not in text
         assert declared(json.loads(text)) == {} and told(json.loads(text))["ch05.q2"]
     course = Course(handed_out / "week5" / "AnnLee")
-    assert course.update(handed_out / "notebooks") == []
+    (said,) = course.update(handed_out / "notebooks")
+    assert said.startswith("Here already: 05_part.ipynb.")
     assert not list((handed_out / "week5" / "AnnLee").glob("*.new.ipynb"))
 
 

@@ -137,6 +137,20 @@ def test_what_is_not_found_is_an_error_that_names_the_alternatives(launch, works
     assert "the package has: show" in text
 
 
+def test_a_program_that_was_not_compiled_is_told_and_the_others_start(launch, workspace) -> None:
+    workspace.executable("demo", "show", SHOW)
+    skipped = workspace.prefix / "share" / "ament_index" / "resource_index" / "coursekit_skipped" / "demo"
+    skipped.parent.mkdir(parents=True)
+    skipped.write_text("fast\n")
+    result = launch([Node(package="demo", executable="fast", name="quick"), node()])
+    (told,) = [line for line in result.lines if "fast" in line]
+    assert told == (
+        "[ERROR] [launch_ros.actions.node]: 'fast' is written in C++, which is not compiled here: write it in Python; "
+        "the launch goes on without it"
+    )
+    assert result.code == 0 and "[INFO] [show-1]: process has finished cleanly [pid 1001]" in result.lines
+
+
 def test_a_package_of_windows_runs_inside_by_its_script(launch, workspace, monkeypatch) -> None:
     """setuptools writes NAME.exe and NAME-script.py there; the first is what a launch starts, and what it names."""
     monkeypatch.setattr(which, "WINDOWS", True)

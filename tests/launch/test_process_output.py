@@ -88,11 +88,11 @@ TALK = "import time\nfor number in range(6):\n    print('line', number, flush=Tr
 def talk(tmp_path) -> ExecuteProcess:
     path = tmp_path / "talk.py"
     path.write_text(TALK)
-    return ExecuteProcess(cmd=["python3", str(path)], output="screen")
+    return ExecuteProcess(cmd=[sys.executable, str(path)], output="screen")
 
 
 def logged(result) -> list[str]:
-    return [line.removeprefix("[python3-1] ") for line in result.lines if line.startswith("[python3-1] line")]
+    return [line.partition("] ")[2] for line in result.lines if "-1] line" in line]
 
 
 EVERY = [f"line {number}" for number in range(6)]

@@ -189,11 +189,14 @@ def test_it_logs_as_rviz2_whatever_its_node_is_called(words, node):
     assert "] [rviz2]: No notebook shows this window." in process.output
 
 
-def test_a_missing_file_ends_it_with_its_name():
+def test_without_its_file_it_shows_the_usual_view_and_says_so(tmp_path):
     with Session(virtual=True).use() as session:
-        process = session.start_executable(find("rviz2", "rviz2"), ["-d", "no/such.rviz"], name="rviz2")
-        assert process.wait(2.0) == 1
-    assert "no/such.rviz" in process.output
+        for file in ("no/such.rviz", str(tmp_path)):
+            process = session.start_executable(find("rviz2", "rviz2"), ["-d", file], name="rviz2")
+            session.clock.sleep(1.0)
+            process.interrupt()
+            assert process.wait(2.0) == 0, process.output
+            assert f"{file}: there is no such file" in process.output and "RobotModel" in process.output
 
 
 def test_display_launch_of_urdf_tutorial_runs_to_the_end():

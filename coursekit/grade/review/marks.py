@@ -9,9 +9,9 @@ from coursekit.grade.batch import Class
 from coursekit.grade.harmless import number
 from coursekit.grade.marks_table import COMMENT
 from coursekit.grade.outcome import Outcome
-from coursekit.grade.overview import write_overview
+from coursekit.grade.overview import overview
 from coursekit.grade.record import Record
-from coursekit.grade.report import ON_EXERCISE, write_reports
+from coursekit.grade.report import ON_EXERCISE, said_of, write_reports
 
 LONGEST = 5000
 """Letters of a comment."""
@@ -29,8 +29,8 @@ class Marks:
         """The names of what a person was asked."""
         return [one.name for verdicts in self.records[key].wanted.values() for one in verdicts]
 
-    def points(self, key: str, exercise: str, text: str) -> str:
-        """Give points by hand, or with an empty text have the grader's again; the total as it is now.
+    def points(self, key: str, exercise: str, text: str) -> None:
+        """Give points by hand, or with an empty text have the grader's again.
 
         Raises:
             ValueError: when it is no number; LookupError: when there is no such person or exercise.
@@ -42,17 +42,17 @@ class Marks:
                 one.pop(exercise, None)
         else:
             kept[exercise] = record.by_hand[exercise] = _points(text)
-        return self._write(record)
+        self._write(record)
 
-    def comment(self, key: str, exercise: str, text: str) -> str:
-        """Say something of an exercise, or of all where it is empty; the total as it is now."""
+    def comment(self, key: str, exercise: str, text: str) -> None:
+        """Say something of an exercise, or of all where it is empty."""
         record = self._record(key, exercise)
         if len(text) > LONGEST:
             raise ValueError(f"a comment has {LONGEST} letters at the most")
         column = exercise + ON_EXERCISE if exercise else COMMENT
         self._group.table.by_hand.extra.setdefault(key, {})[column] = text
         record.extra[column] = text
-        return self._write(record)
+        self._write(record)
 
     def remark(self, key: str, exercise: str) -> str:
         """What is odd about the points that were given: more than there are."""
@@ -61,28 +61,34 @@ class Marks:
         given = record.by_hand.get(exercise, 0.0)
         return f"Saved: {number(given)} of {number(of)}, a bonus" if given > of else ""
 
-    def refresh(self) -> None:
-        """Write the page of the class anew."""
-        write_overview(self.folder, list(self.records.values()), self._outcome)
+    def shown(self, key: str, exercise: str) -> dict[str, str]:
+        """How a person stands now: the total, the status, and what is said of an exercise, as HTML."""
+        record = self.records[key]
+        total = record.total()
+        told = {"total": "no mark yet" if total is None else number(total), "status": record.status().capitalize()}
+        verdicts = [one for one in record.marked().verdicts if one.name == exercise]
+        return told | {"verdict": said_of(verdicts[0], record) if verdicts else ""}
+
+    def class_page(self) -> str:
+        """The page of the class as it is now."""
+        return overview(list(self.records.values()), self._outcome)
 
     def finish(self) -> None:
         """Write all pages and tables anew."""
         self._group.write(self._outcome)
 
     def order(self) -> Sequence[str]:
-        """The keys of those who handed something in, as they stand in the table."""
-        return [key for key, one in self.records.items() if one.handed.entries]
+        """Everybody's keys, as they stand in the table: points are given for what was shown or said, too."""
+        return list(self.records)
 
     def _record(self, key: str, exercise: str) -> Record:
         if key not in self.records or (exercise and exercise not in self.exercises(key)):
             raise LookupError(f"there is no {exercise or 'person'} of that name")
         return self.records[key]
 
-    def _write(self, record: Record) -> str:
+    def _write(self, record: Record) -> None:
         self._group.table.write(list(self.records.values()))
         write_reports(self._group.kept, [record])
-        total = record.total()
-        return "no mark yet" if total is None else number(total)
 
 
 def _points(text: str) -> float:

@@ -1,8 +1,9 @@
-"""A student's page with fields beside each verdict; what is written there is saved at once."""
+"""The pages of the class and of each student with keys, and fields beside each verdict; what is written is saved at once."""
 
 from __future__ import annotations
 
 import html
+from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import quote
 
@@ -16,16 +17,25 @@ from .marks import Marks
 STATIC = Path(__file__).with_name("static")
 _HEAD = """<link rel="icon" href="data:,"><link rel="stylesheet" href="static/review.css">
 <script defer src="static/review.js"></script>"""
-_BAR = """<nav><a href="class.html">The class</a><span>{at} of {all}</span><a id="before" href="{before}">Before</a>
+_BAR = """<nav><a id="class" href="class.html">The class</a><span>{at} of {all}</span>
+<a id="before" href="{before}">Before</a>
 <a id="next" href="{next}">Next</a><span id="saved" role="status"></span>
 <span class="keys"><kbd>j</kbd> <kbd>k</kbd> student <kbd>n</kbd> <kbd>p</kbd> exercise <kbd>c</kbd> comment
-<kbd>Enter</kbd> save, next <kbd>Esc</kbd> leave the field</span></nav>"""
+<kbd>Enter</kbd> save, next <kbd>Esc</kbd> leave the field <kbd>u</kbd> the class</span></nav>"""
+_CLASS_BAR = """<nav><b>Marking by hand</b><span class="keys"><kbd>j</kbd> <kbd>k</kbd> student <kbd>Enter</kbd> open; then
+<kbd>n</kbd> <kbd>p</kbd> exercise <kbd>c</kbd> comment <kbd>Enter</kbd> save, next <kbd>u</kbd> back to here</span></nav>"""
 _FIELDS = """<form class="marks" data-exercise="{name}">
 <label>Points <input name="points" inputmode="decimal" autocomplete="off" value="{points}"
 placeholder="{given}"> of {of}</label>
 <label>Comment <textarea name="comment" rows="2">{comment}</textarea></label></form>"""
 _WHOLE = """<form class="marks" data-exercise="">
 <label>Comment on all of it <textarea name="comment" rows="3">{comment}</textarea></label></form>"""
+
+
+def class_page(marks: Marks) -> str:
+    """The page of the class as it is now, with the keys."""
+    made = marks.class_page()
+    return _with(made, {"</head>": f"{_HEAD}</head>", "<body>": f'<body class="reviewing">{_CLASS_BAR}'})
 
 
 def marking_page(marks: Marks, key: str) -> str:
@@ -39,9 +49,13 @@ def marking_page(marks: Marks, key: str) -> str:
     whole = _WHOLE.format(comment=html.escape(record.extra.get(COMMENT, "")))
     body = f'<body data-key="{html.escape(key)}">{bar}'
     places = {"</head>": f"{_HEAD}</head>", "<body>": body, "</footer>": f"</footer>{whole}"}
+    return _with(made, places)
+
+
+def _with(page: str, places: Mapping[str, str]) -> str:
     for place, text in places.items():
-        made = made.replace(place, text, 1)
-    return made
+        page = page.replace(place, text, 1)
+    return page
 
 
 def _fields(record: Record, name: str) -> str:

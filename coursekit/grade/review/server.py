@@ -15,7 +15,7 @@ from tornado.web import Application, HTTPError, RequestHandler, StaticFileHandle
 from coursekit.files import read_bytes
 
 from .marks import Marks
-from .pages import STATIC, marking_page
+from .pages import STATIC, class_page, marking_page
 
 _HOSTS = ("127.0.0.1", "localhost")
 _POLICY = (
@@ -59,23 +59,28 @@ class _Pages(_Safe):
         try:
             said = json.loads(self.request.body)
             exercise = str(said["exercise"])
-            write: Callable[[str, str, str], str] = self.marks.points if "points" in said else self.marks.comment
-            total = write(key, exercise, str(said["points" if "points" in said else "comment"]))
+            write: Callable[[str, str, str], None] = self.marks.points if "points" in said else self.marks.comment
+            write(key, exercise, str(said["points" if "points" in said else "comment"]))
         except (LookupError, TypeError, ValueError, RecursionError) as error:
             self.finish({"error": f"It is not saved: {error}."})
             return
-        self.finish({"total": total, "told": self.marks.remark(key, exercise)})
+        self.finish(self.marks.shown(key, exercise) | {"told": self.marks.remark(key, exercise)})
 
 
-class _Files(_Safe):
-    """The page of the class, and its picture."""
+class _Class(_Safe):
+    """The page of the class."""
 
-    def get(self, name: str) -> None:
-        if name == "class.html":
-            self.marks.refresh()
+    def get(self) -> None:
+        self.finish(class_page(self.marks))
+
+
+class _Picture(_Safe):
+    """The picture of its points."""
+
+    def get(self) -> None:
         try:
-            self.set_header("Content-Type", "image/png" if name.endswith(".png") else "text/html; charset=utf-8")
-            self.finish(read_bytes(self.marks.folder / name))
+            self.set_header("Content-Type", "image/png")
+            self.finish(read_bytes(self.marks.folder / "histogram.png"))
         except OSError:
             raise HTTPError(404) from None
 
@@ -84,7 +89,8 @@ def application(marks: Marks, token: str) -> Application:
     """The pages under `/TOKEN/`; nothing is found under another address."""
     facts: dict[str, Any] = {"marks": marks}
     return Application([
-        (rf"/{token}/(class\.html|histogram\.png)", _Files, facts),
+        (rf"/{token}/class\.html", _Class, facts),
+        (rf"/{token}/histogram\.png", _Picture, facts),
         (rf"/{token}/static/(review\.js|review\.css)", StaticFileHandler, {"path": str(STATIC)}),
         (rf"/{token}/([\w-]+)\.html", _Pages, facts),
     ], log_function=lambda handler: None)  # fmt: skip

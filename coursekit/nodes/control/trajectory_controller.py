@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from rclpy.task import Future
 from trajectory_msgs.msg import JointTrajectory
 
 from .controller import ControlError, Controller, stamp
+from .joint_commands import JointCommands, difference
 from .tolerances import Tolerances
 from .trajectory import Array, Point, Trajectory
 from .trajectory_messages import fault_of, message_of, points_of
@@ -118,7 +118,7 @@ class JointTrajectoryController(Controller):
     def activate(self) -> None:
         """Stay where the joints are."""
         self._limits, self._first = self.told.tolerances, False
-        self._sums = np.zeros(len(self.joints))
+        self._commands = JointCommands(self.told)
         self._desired = self._state()
         if np.isnan(self._desired.positions).any():
             raise ControlError("the positions of its joints are not known yet")
@@ -157,14 +157,14 @@ class JointTrajectoryController(Controller):
             return
         actual = self._state()
         desired, over = way.sample(now_ns)
-        error = _difference(desired, actual)
+        error = difference(desired, actual)
         first, self._first = self._first, False
         violated = (not over or first) and not self._limits.on_path(error.positions, error.velocities)
         missed = over and not self._limits.at_goal(error.positions, error.velocities)
         late = (now_ns - way.end_ns) * 1e-9
         exceeded = missed and self._limits.goal_time > 0.0 and late > self._limits.goal_time
         if not violated and not exceeded:
-            self._command(desired, error, dt)
+            self._commands.give(self.interfaces, desired, error, dt)
             self._desired = desired
         self._tell(now_ns, desired, actual, error)
         if self._goal is not None:
@@ -190,25 +190,6 @@ class JointTrajectoryController(Controller):
         done, self._done, self._goal = self._done, None, None
         if done is not None:
             done.set_result((how, result))
-
-    def _command(self, desired: Point, error: Point, dt: float) -> None:
-        closed = self.told.commands in (("velocity",), ("effort",))
-        self._sums = self._sums + error.positions * dt
-        for place, joint in enumerate(self.told.command_joints):
-            for kind in self.told.commands:
-                self.interfaces.command(f"{joint}/{kind}", self._value(place, kind, desired, error, closed))
-
-    def _value(self, place: int, kind: str, desired: Point, error: Point, closed: bool) -> float:
-        speed = 0.0 if desired.velocities is None else float(desired.velocities[place])
-        if kind == "position":
-            return float(desired.positions[place])
-        if closed:
-            p, i, d, forward = self.told.gains[place]
-            wrong = 0.0 if error.velocities is None else float(error.velocities[place])
-            return speed * forward + p * float(error.positions[place]) + i * float(self._sums[place]) + d * wrong
-        if kind == "velocity":
-            return speed
-        return 0.0 if desired.accelerations is None or kind == "effort" else float(desired.accelerations[place])
 
     # -- what goes out
 
@@ -245,13 +226,6 @@ class JointTrajectoryController(Controller):
         if hasattr(self, "_server"):
             self._server.destroy()
         super().close()
-
-
-def _difference(desired: Point, actual: Point) -> Point:
-    """Desired less actual; angles by the shorter way."""
-    off = np.array([math.remainder(float(one), 2 * math.pi) for one in desired.positions - actual.positions])
-    speeds = None if desired.velocities is None or actual.velocities is None else desired.velocities - actual.velocities
-    return Point(0.0, off, speeds)
 
 
 __all__ = ["JointTrajectoryController"]

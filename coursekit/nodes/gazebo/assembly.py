@@ -13,15 +13,14 @@ from coursekit.sim.parts import Disc, Part, Prism
 from coursekit.sim.place import ORIGIN, Array, Place
 from coursekit.sim.robot import Drive, RobotModel
 from coursekit.sim.world import Thing
-from coursekit.urdf.xml_tree import Element
 
 from .articulated import Articulated
-from .blueprint import BlueLink, Blueprint
+from .blueprint import Blueprint
 from .devices import ControlDevice, Device, MotorDevice, OdometryDevice
 from .moved import moved
 from .newer_sensors import devices_of
 from .plugins import drift_of, read_plugin
-from .sensors import device_of
+from .sensors import sensed
 from .solids import raised
 from .values import yaw_of
 
@@ -60,7 +59,8 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     floor = min((part.low for part in parts), default=0.0) if not mast else 0.0
     for link in made.links.values():
         for sensor in link.sensors:
-            devices += sensed(sensor, link, made, namespace, floor)
+            newer = made.newer is not None
+            devices += devices_of(sensor, link, made, floor) if newer else sensed(sensor, link, made, namespace, floor)
     done = Assembly(made.name, None, devices, [], made.notes, place=place)
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
     if made.robot is not None and any(isinstance(one, (ControlDevice, MotorDevice)) for one in devices):
@@ -76,14 +76,6 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     else:
         done.robot = _robot(made, drive, devices, [raised(part, -floor) for part in parts])
     return done
-
-
-def sensed(sensor: Element, link: BlueLink, made: Blueprint, namespace: str, floor: float) -> list[Device]:
-    """The devices of a sensor, as the Gazebo that reads it understands it."""
-    if made.newer is not None:
-        return devices_of(sensor, link, made, floor)
-    device = device_of(sensor, link, made, namespace, floor)
-    return [] if device is None else [device]
 
 
 def _raise(made: Blueprint, level: Array) -> None:

@@ -57,6 +57,8 @@ class Blueprint:
     """The name of the world, where the newer Gazebo reads it; None in Gazebo Classic."""
     lumped: dict[str, str] = field(default_factory=dict)
     """By link: the one that it becomes a part of in the newer Gazebo."""
+    held: set[str] = field(default_factory=set)
+    """Links that fixed joints hold."""
     systems: set[str] = field(default_factory=set)
     """Of the newer Gazebo: those that it loads."""
 

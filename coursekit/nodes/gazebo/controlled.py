@@ -14,17 +14,19 @@ from coursekit.nodes.control.hardware import Hardware
 from coursekit.nodes.control.manager import Manager
 from coursekit.nodes.control.manager_services import ManagerServices
 from coursekit.nodes.control.types import DRIVE, TYPES
-from coursekit.sim.robot import GRAVITY, Robot
+from coursekit.sim.robot import GRAVITY, Drive, Robot
 from coursekit.sim.simulation import Simulation
 
 from .devices import ControlDevice, OdometryDevice
-from .outlets import OdometryOutlet, Outlet, heading
+from .odometry_outlets import OdometryOutlet
+from .outlets import Outlet, heading
 
 
 class SimulatedHardware(Hardware):
     """gazebo_ros2_control/GazeboSystem and gz_ros2_control/GazeboSimSystem: positions and speeds go to the joints' motors.
 
-    Wheels of a drive move the robot. An effort moves a joint as against a viscous brake: nothing weighs anything.
+    Wheels of a drive move the robot; their efforts push it. An effort moves another joint as against a viscous brake:
+    nothing weighs anything.
     """
 
     def __init__(self, info: HardwareInfo, robot: Robot, simulation: Simulation) -> None:
@@ -75,25 +77,35 @@ class SimulatedHardware(Hardware):
 
     def write(self, dt: float) -> None:
         """Let the commands work."""
-        told = False
+        told = set()
         for name, value in self.commands.items():
             joint, _, kind = name.partition("/")
             if math.isnan(value):
                 continue
-            told |= joint in self._driven and kind == "velocity"
+            if joint in self._driven and (kind == "velocity" or value):
+                told.add(kind)
             if joint not in self._wheels and kind in ("position", "velocity", "effort"):
                 self.robot.motors.command(joint, kind, value)
         drive = self.robot.model.drive
-        if told and drive is not None:
-            left, right = (self._mean(joints) for joints in (drive.left, drive.right))
-            self.robot.command(
-                (left + right) / 2 * drive.radius, (right - left) * drive.radius / drive.separation,
-                now_ns=self.simulation.now_ns,
-            )  # fmt: skip
+        if drive is not None and told & {"velocity", "effort"}:
+            ahead, turn = self._rolled(drive) if "velocity" in told else self._pushed(drive, dt)
+            self.robot.command(ahead, turn, now_ns=self.simulation.now_ns)
 
-    def _mean(self, joints: tuple[str, ...]) -> float:
-        values = [self.commands.get(f"{joint}/velocity", 0.0) for joint in joints]
-        return sum(0.0 if math.isnan(one) else one for one in values) / len(values)
+    def _rolled(self, drive: Drive) -> tuple[float, float]:
+        """How fast wheels of these speeds go and turn."""
+        left, right = (self._sum(joints, "velocity") / len(joints) * drive.radius for joints in (drive.left, drive.right))
+        return (left + right) / 2, (right - left) / drive.separation
+
+    def _pushed(self, drive: Drive, dt: float) -> tuple[float, float]:
+        """How fast they go and turn when efforts have pushed them for a while."""
+        left, right = (self._sum(joints, "effort") / drive.radius for joints in (drive.left, drive.right))
+        ahead, _, turn = self.robot.wheels
+        mass, moment = self.robot.model.mass, self.robot.body.moment
+        return ahead + (left + right) / mass * dt, turn + (right - left) * drive.separation / 2 / moment * dt
+
+    def _sum(self, joints: tuple[str, ...], kind: str) -> float:
+        values = [self.commands.get(f"{joint}/{kind}", 0.0) for joint in joints]
+        return sum(0.0 if math.isnan(one) else one for one in values)
 
 
 class SimulatedDrive(Controller):

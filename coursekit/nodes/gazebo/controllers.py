@@ -31,7 +31,11 @@ LIMITS = (
 
 def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
     """The drive that its wheels' controllers need, and the controller manager as a device."""
-    files = _files(plugin, model)
+    try:
+        files = [find_file(element.text.strip(), model.file) for element in plugin.all("parameters")]
+    except MeshError as error:
+        model.note(plugin, f"has no <parameters> that can be read, so nothing controls its joints: {error.what}")
+        return None, []
     told = _parameters(plugin, files)
     names = names_of(plugin, namespace)
     space = names.namespace.strip("/")
@@ -66,13 +70,6 @@ def _reach(limit: Any) -> Reach:
     bounded = limit.lower < limit.upper
     lower, upper = (limit.lower, limit.upper) if bounded else (-math.inf, math.inf)
     return Reach(lower, upper, limit.velocity or math.inf, limit.effort)
-
-
-def _files(plugin: Element, model: Blueprint) -> list[Path]:
-    try:
-        return [find_file(element.text.strip(), model.file) for element in plugin.all("parameters")]
-    except MeshError as error:
-        raise plugin.error(f"<parameters> cannot be read: {error}", "Name the controllers' parameter file.") from None
 
 
 def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:

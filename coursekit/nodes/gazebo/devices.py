@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from coursekit.sim.globe import Globe
 from coursekit.sim.lidar import Lidar
-from coursekit.sim.place import Array
+from coursekit.sim.place import ORIGIN, Array, Place
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,19 @@ class ImuDevice(Device):
     turn_bias: float = 0.0
     push_noise: float = 0.0
     push_bias: float = 0.0
+
+
+@dataclass(frozen=True)
+class EarthDevice(Device):
+    """A sensor of the Earth; `quantity` is navsat, altimeter, magnetometer or air_pressure."""
+
+    quantity: str = "navsat"
+    mount: Place = ORIGIN
+    height: float = 0.0
+    noise: tuple[float, float] = (0.0, 0.0)
+    """Standard deviations: across and up, of height and speed, across and up, of the pressure."""
+    globe: Globe | None = None
+    """Where a world lies that does not say."""
 
 
 @dataclass(frozen=True)
@@ -87,6 +101,14 @@ class JointDevice(Device):
     """Joint states."""
 
     joints: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class WheelDevice(Device):
+    """The frames of wheels, on `topic`."""
+
+    wheels: tuple[tuple[str, str, str, tuple[float, ...], tuple[float, float, float]], ...] = ()
+    """Joint, frame that it hangs on, own frame; where that is at angle 0 (16 numbers), and the axis that it turns about."""
 
 
 @dataclass(frozen=True)
@@ -142,6 +164,6 @@ class PoseDevice(Device):
 
 
 __all__ = [
-    "BumpDevice", "CameraDevice", "ControlDevice", "DepthDevice", "Device", "ImuDevice", "JointDevice", "MotorDevice",
-    "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TruthDevice",
+    "BumpDevice", "CameraDevice", "ControlDevice", "DepthDevice", "Device", "EarthDevice", "ImuDevice", "JointDevice",
+    "MotorDevice", "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TruthDevice", "WheelDevice",
 ]  # fmt: skip

@@ -20,6 +20,15 @@ SCENERY = ("sun", "ground_plane")
 """Models that a flat world with light has by itself."""
 
 
+def is_scenery(uri: str) -> bool:
+    """Whether a model is one of those, from a folder or from the web.
+
+    >>> is_scenery("model://sun"), is_scenery("https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane")
+    (True, True)
+    """
+    return unquote(uri).rstrip("/").rpartition("/")[2].lower().replace(" ", "_") in SCENERY
+
+
 class MissingModel(MeshError):
     """No folder has a model; a world goes on without it, as Gazebo's does."""
 
@@ -68,9 +77,10 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
 
 
 def find_model(uri: str, near: Path | None = None) -> Path:
-    """The SDF file of a `model://NAME` (or a folder or file); MeshError names the folders that were searched."""
-    name = unquote(uri.removeprefix("model://").removeprefix("file://"))
-    folders = model_paths(near)
+    """The SDF file of a `model://NAME` or `package://NAME` (or a folder or file); MeshError names what was searched."""
+    of_package = uri.startswith("package://")
+    name = unquote(uri.removeprefix("model://").removeprefix("package://").removeprefix("file://"))
+    folders = [*model_paths(near), *(package_paths() if of_package else ())]
     for place in [folder / name for folder in folders] if not Path(name).is_absolute() else [Path(name)]:
         if is_file(place):
             return place
@@ -121,4 +131,4 @@ def find_mesh(uri: str, near: Path | None = None) -> Path:
         raise MeshError(f"'{uri}' not found", file=str(near or "SDF"), cure=f"Is its model's folder in {PATH}?") from None
 
 
-__all__ = ["SCENERY", "MissingModel", "find_mesh", "find_model", "resource_paths"]
+__all__ = ["MissingModel", "find_mesh", "find_model", "is_scenery", "resource_paths"]

@@ -173,13 +173,17 @@ def _joint_states(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Dr
 def _poses(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
     whole = any(flag(plugin, tag, False) for tag in ("publish_model_pose", "publish_nested_model_pose"))
     links = tuple((name, tuple(link.pose.ravel().tolist())) for name, link in model.links.items())
-    rate = number(plugin, "update_frequency", 60.0)
-    return None, [
-        PoseDevice(
-            names.topic(plugin.tell("topic"), "pose"), "", min(rate, 100.0) if rate > 0 else 60.0, NODE, model.name,
-            names.world if whole else "", links if flag(plugin, "publish_link_pose", True) else (),
-        )
-    ]  # fmt: skip
+    links = links if flag(plugin, "publish_link_pose", True) else ()
+    apart = flag(plugin, "static_publisher", False)
+    still = tuple(one for one in links if apart and one[0] in model.held)
+    moving = tuple(one for one in links if one not in still)
+    topic, world = names.topic(plugin.tell("topic"), "pose"), names.world if whole else ""
+    rate, seldom = (number(plugin, key, 60.0) for key in ("update_frequency", "static_update_frequency"))
+    made: list[Device] = [PoseDevice(topic, "", min(rate, 100.0) if rate > 0 else 60.0, NODE, model.name, world, moving)]
+    if still:
+        rate = min(seldom, 100.0) if seldom > 0 else 60.0
+        made.append(PoseDevice(f"{topic}_static", "", rate, NODE, model.name, "", still))
+    return None, made
 
 
 def _position(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:

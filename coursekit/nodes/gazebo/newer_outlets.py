@@ -35,7 +35,7 @@ class PoseOutlet(Outlet):
             whole.transform.rotation = heading(place.theta)
             found.append(whole)
         for name, pose in device.links:
-            one = _transform(np.array(pose).reshape(4, 4))
+            one = transform_of(np.array(pose).reshape(4, 4))
             one.header.frame_id, one.child_frame_id = device.model, f"{device.model}/{name}"
             found.append(one)
         for one in found:
@@ -43,7 +43,8 @@ class PoseOutlet(Outlet):
         self._out.publish(TFMessage(transforms=found))
 
 
-def _transform(pose: Array) -> TransformStamped:
+def transform_of(pose: Array) -> TransformStamped:
+    """A 4x4 matrix as a message without header."""
     msg = TransformStamped()
     at, turned = msg.transform.translation, msg.transform.rotation
     at.x, at.y, at.z = (float(one) for one in pose[:3, 3])
@@ -75,4 +76,4 @@ class TouchOutlet(Outlet):
         self._out.publish(msg)
 
 
-__all__ = ["PoseOutlet", "TouchOutlet"]
+__all__ = ["PoseOutlet", "TouchOutlet", "transform_of"]

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import math
-
-from coursekit.sim.lidar import Lidar
-from coursekit.sim.place import Array, Place
+from coursekit.sim.place import Array
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
 from .devices import CameraDevice, DepthDevice, Device, ImuDevice, RayDevice, TouchDevice
+from .measured import EARTH, earth_of, lidar_of, picture_of, shakes_of
 from .newer import NODE, GzNames
 from .ray_messages import CLOUD
-from .values import number, pose, yaw_of
+from .values import number, pose
 
 LIDARS, CAMERAS = ("gpu_lidar", "lidar", "ray", "gpu_ray"), ("camera", "depth_camera", "depth", "rgbd_camera", "rgbd")
 
@@ -30,13 +28,16 @@ def devices_of(sensor: Element, link: BlueLink, model: Blueprint, floor: float) 
     if kind in LIDARS:
         return _lidar(sensor, f"/{told}" if told else f"{usual}/scan", frame, rate, where, model, floor)
     if kind == "imu":
-        return [_imu(sensor, f"/{told}" if told else f"{usual}/imu", frame, rate)]
+        return [ImuDevice(f"/{told}" if told else f"{usual}/imu", frame, rate, NODE, *shakes_of(sensor))]
+    if kind in EARTH:
+        return [earth_of(sensor, f"/{told}" if told else f"{usual}/{kind}", frame, rate, NODE, where, floor)]
     if kind in CAMERAS:
         return [_camera(sensor, kind, told, usual, frame, rate, where)]
     if kind == "contact":
         topic = sensor.tell("contact/topic").strip("/") or told
         return [TouchDevice(f"/{topic}" if topic else f"{usual}/contact", frame, rate, NODE, link.name)]
-    model.note(sensor, f"of type '{kind}' is not simulated; simulated are gpu_lidar, imu, camera, depth_camera, contact")
+    known = ", ".join(("gpu_lidar", "imu", "camera", "depth_camera", "contact", *(one for one in EARTH if one != "gps")))
+    model.note(sensor, f"of type '{kind}' is not simulated; simulated are {known}")
     return []
 
 
@@ -46,43 +47,14 @@ def _lidar(
     ray = sensor.first("lidar") or sensor.first("ray")
     if ray is None:
         raise sensor.error("has no <lidar>", "Say <lidar><scan><horizontal>... and <range>.")
-    if number(ray, "scan/vertical/samples", 1) > 1:
-        model.note(sensor, "has several layers; the middle one is simulated")
-    if abs(abs(where[2, 2]) - 1.0) > 1e-3:
-        model.note(sensor, "is tilted; it is simulated level")
-    lidar = Lidar(
-        beams=round(number(ray, "scan/horizontal/samples", 640) * number(ray, "scan/horizontal/resolution", 1.0)),
-        angle_min=number(ray, "scan/horizontal/min_angle", 0.0),
-        angle_max=number(ray, "scan/horizontal/max_angle", 0.0),
-        range_min=number(ray, "range/min", 0.0),
-        range_max=min(number(ray, "range/max", 10.0), 1e4),
-        rate=rate,
-        noise=number(ray.first("noise"), "stddev", 0.0),
-        bias=number(ray.first("noise"), "mean", 0.0),
-        mount=Place(float(where[0, 3]), float(where[1, 3]), yaw_of(where)),
-        height=float(where[2, 3]) - floor,
-        upside_down=bool(where[2, 2] < 0),
-    )
+    lidar = lidar_of(sensor, ray, rate, where, model, floor)
     return [RayDevice(topic, frame, rate, NODE, lidar), RayDevice(f"{topic}/points", frame, rate, NODE, lidar, CLOUD)]
-
-
-def _imu(sensor: Element, topic: str, frame: str, rate: float) -> Device:
-    imu = sensor.first("imu")
-    turn, push = "angular_velocity/z/noise/", "linear_acceleration/x/noise/"
-    return ImuDevice(
-        topic, frame, rate, NODE, number(imu, turn + "stddev", 0.0), number(imu, turn + "bias_mean", 0.0),
-        number(imu, push + "stddev", 0.0), number(imu, push + "bias_mean", 0.0),
-    )  # fmt: skip
 
 
 def _camera(sensor: Element, kind: str, told: str, usual: str, frame: str, rate: float, where: Array) -> Device:
     camera = sensor.first("camera")
-    width, height = (round(number(camera, f"image/{one}", size)) for one, size in (("width", 320), ("height", 240)))
-    if not (16 <= width <= 4096 and 16 <= height <= 4096):
-        raise sensor.error(f"has pictures of {width}x{height}", "Give a width and height from 16 to 4096.")
-    fov = number(camera, "horizontal_fov", 1.047)
-    if not 0.05 <= fov <= math.pi - 0.05:
-        raise sensor.error(f"has a horizontal_fov of {fov}", "Give one from 0.05 to 3.09 rad.")
+    width, height, fov = picture_of(sensor, camera)
+    frame = (camera.tell("optical_frame_id") if camera is not None else "") or frame
     both, depth = kind.startswith("rgbd"), kind.startswith("depth")
     base = f"/{told}" if told else usual
     picture = f"{base}/image" if both or not told else base

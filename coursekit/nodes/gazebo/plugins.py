@@ -17,6 +17,7 @@ from .devices import Device, JointDevice, OdometryDevice, TruthDevice
 from .newer import read_system, system_of
 from .ros_names import names_of
 from .values import flag, number, numbers
+from .wheel_frames import wheels_of
 
 Found = tuple[Drive | None, list[Device]]
 
@@ -67,8 +68,6 @@ def _odometry(
     plugin: Element, model: Blueprint, namespace: str, rate: float, shown: bool, exact: bool
 ) -> OdometryDevice:
     names = names_of(plugin, namespace)
-    if flag(plugin, "publish_wheel_tf", False):
-        model.note(plugin, "shall publish the wheels' tf: robot_state_publisher does, from /joint_states")
     x, y, turn = (number(plugin, f"covariance_{one}", size) for one, size in (("x", 1e-5), ("y", 1e-5), ("yaw", 1e-3)))
     return OdometryDevice(
         names.topic(plugin.tell("odometry_topic") or plugin.tell("odometryTopic") or "odom"),
@@ -122,7 +121,21 @@ def _wheels(
         radius=diameter / 2, left=left, right=right,
     )  # fmt: skip
     rate = _rate(plugin, "update_rate", 100.0)
-    return drive, [_odometry(plugin, model, namespace, rate, shown=False, exact=not encoder)]
+    return drive, [
+        _odometry(plugin, model, namespace, rate, shown=False, exact=not encoder),
+        *_frames(plugin, model, namespace, rate, left + right),
+    ]
+
+
+def _frames(plugin: Element, model: Blueprint, namespace: str, rate: float, joints: tuple[str, ...]) -> list[Device]:
+    """The frames of the wheels, if the drive is to publish them."""
+    if not flag(plugin, "publish_wheel_tf", False):
+        return []
+    if model.robot is None:
+        model.note(plugin, "shall publish the wheels' tf: robot_state_publisher does, from /joint_states")
+        return []
+    names = names_of(plugin, namespace)
+    return [wheels_of(model, joints, names.topic("/tf"), rate, names.full_node)]
 
 
 def _planar(plugin: Element, model: Blueprint, namespace: str) -> Found:
@@ -145,8 +158,10 @@ def _ackermann(plugin: Element, model: Blueprint, namespace: str) -> Found:
         separation=separation, radius=max(float(rear[2]), 0.01), left=wheels[0::2], right=wheels[1::2],
         wheelbase=wheelbase, steering=steering,
     )  # fmt: skip
-    device = _odometry(plugin, model, namespace, _rate(plugin, "update_rate", 100.0), shown=False, exact=True)
-    return drive, [replace(device, base_frame=plugin.tell("robot_base_frame") or "base_link")]
+    rate = _rate(plugin, "update_rate", 100.0)
+    device = _odometry(plugin, model, namespace, rate, shown=False, exact=True)
+    device = replace(device, base_frame=plugin.tell("robot_base_frame") or "base_link")
+    return drive, [device, *_frames(plugin, model, namespace, rate, wheels + steering)]
 
 
 def _joint_states(plugin: Element, model: Blueprint, namespace: str) -> Found:

@@ -42,6 +42,7 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
     for joint in element.all("joint"):
         if joint.tell("child") in made.links:
             made.axles[joint.get("name") or "joint"] = made.links[joint.tell("child")].pose
+    made.held = {joint.tell("child") for joint in element.all("joint") if joint.get("type") == "fixed"}
     made.plugins += list(element.all("plugin"))
     for child in element.children:
         if child.tag in ("model", "include"):
@@ -103,6 +104,7 @@ def _merge(inner: Blueprint, made: Blueprint) -> None:
         parts = [moved(part, inner.pose) for part in link.parts]
         made.links[key] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
     made.joints |= inner.joints
+    made.held |= inner.held
     made.axles |= {key: inner.pose @ pose for key, pose in inner.axles.items()}
     made.plugins += inner.plugins
     made.notes += inner.notes

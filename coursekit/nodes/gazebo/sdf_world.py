@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 
 from coursekit.files import read_text
 from coursekit.sim.errors import WorldError
+from coursekit.sim.globe import Globe
 from coursekit.sim.parts import Part
 from coursekit.sim.place import Place
 from coursekit.sim.world import Thing, World
@@ -18,7 +20,7 @@ from coursekit.urdf.xml_tree import Element, read
 
 from .assembly import Assembly, assemble
 from .blueprint import Blueprint
-from .model_paths import SCENERY, MissingModel
+from .model_paths import MissingModel, is_scenery
 from .moved import moved
 from .newer import QUIET as SYSTEMS
 from .newer import system_of
@@ -26,7 +28,7 @@ from .sdf_frames import frames_of
 from .sdf_model import entity, include, read_model
 from .settle import settled
 from .urdf_model import blueprint_of
-from .values import pose, yaw_of
+from .values import number, numbers, pose, yaw_of
 from .world_plugins import StatePlugin, state_plugin
 
 VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")
@@ -97,22 +99,38 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
         things += done.things
         models.append(done)
     places = {one.name: one.place for one in map(_placed, blueprints)}
-    world = World(name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places)
+    field = element.first("magnetic_field")
+    x, y, z = numbers(field, 3) if field is not None else World("").magnetism
+    world = World(
+        name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places, globe=_globe(element),
+        magnetism=(x, y, z),
+    )  # fmt: skip
     systems = frozenset(system_of(one) for one in element.all("plugin"))
     return SdfWorld(world, models, next((one for one in plugins if one is not None), None), systems)
 
 
-def _placed(made: Blueprint) -> Thing:
+def _globe(world: Element) -> Globe | None:
+    told = world.first("spherical_coordinates")
+    if told is None:
+        return None
+    latitude = number(told, "latitude_deg", 0.0)
+    if abs(latitude) > 90.0:
+        raise told.error(f"has a latitude_deg of {latitude:g}", "Give one from -90 to 90.")
+    return Globe(
+        latitude, number(told, "longitude_deg", 0.0), number(told, "elevation", 0.0), number(told, "heading_deg", 0.0)
+    )
 
+
+def _placed(made: Blueprint) -> Thing:
     return Thing(made.name, (), Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose)))
 
 
 def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:
     frames = frames_of(element, file)
     for child in element.children:
-        name = child.tell("uri").removeprefix("model://")
-        if child.tag == "include" and name in SCENERY:
-            yield Blueprint(child.tell("name") or name, static=True)
+        if child.tag == "include" and is_scenery(child.tell("uri")):
+            name = unquote(child.tell("uri")).rpartition("/")[2]
+            yield Blueprint(child.tell("name") or name.lower().replace(" ", "_"), static=True)
         elif child.tag in ("model", "include"):
             try:
                 yield entity(child, file, 0, frames)

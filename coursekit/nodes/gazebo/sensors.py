@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import math
-
-from coursekit.sim.lidar import Lidar
-from coursekit.sim.place import Array, Place
+from coursekit.sim.globe import Globe
+from coursekit.sim.place import Array
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
 from .devices import BumpDevice, CameraDevice, DepthDevice, Device, ImuDevice, RayDevice
+from .measured import earth_of, lidar_of, picture_of, shakes_of
 from .ray_messages import CLOUD, LASER, RAY_TYPES
 from .ros_names import RosNames, names_of
-from .values import flag, number, pose, yaw_of
+from .values import number, pose
 
 RAYS = ("ray", "gpu_ray", "lidar", "gpu_lidar")
 CAMERAS = ("camera", "wideanglecamera", "depth", "depth_camera", "rgbd_camera")
@@ -20,56 +19,46 @@ ENCODINGS = {"R8G8B8": "rgb8", "RGB_INT8": "rgb8", "B8G8R8": "bgr8", "BGR_INT8":
 """Formats of pictures in SDF and in messages."""
 
 
-def device_of(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> Device | None:
-    """The device of a sensor on a link; None and a note for what is not simulated. `floor` is its z in the model."""
+def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> list[Device]:
+    """The devices of a sensor on a link; none and a note for what is not simulated. `floor` is its z in the model."""
     kind = sensor.get("type") or ""
     plugin = sensor.first("plugin")
     names = names_of(plugin, namespace) if plugin is not None else RosNames(sensor.get("name") or kind, namespace)
     if plugin is None:
         model.note(sensor, "has no plugin: it publishes nothing")
-        return None
+        return []
     frame = plugin.tell("frame_name") or plugin.tell("frameName") or link.name
     rate = number(sensor, "update_rate", 0.0) or {"imu": 100.0, "camera": 30.0}.get(kind, 10.0)
     where = link.pose @ pose(sensor)
     if kind in RAYS:
-        return _ray(sensor, plugin, names, frame, rate, where, model, floor)
+        return [_ray(sensor, plugin, names, frame, rate, where, model, floor)]
     if kind == "imu":
-        return _imu(sensor, plugin, names, frame, rate)
+        topic = names.topic(plugin.tell("topicName") or "~/out")
+        return [ImuDevice(topic, frame, rate, names.full_node, *shakes_of(sensor))]
+    if kind == "gps":
+        return [earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, Globe())]
     if kind in CAMERAS:
-        return _camera(sensor, names, frame, rate, where, model)
+        return [_camera(sensor, sensor.first("camera"), "", names, frame, rate, where, model)]
+    if kind == "multicamera":
+        return [
+            _camera(sensor, one, f"/{one.get('name') or 'camera'}", names, frame, rate, where, model)
+            for one in sensor.all("camera")
+        ]
     if kind == "contact":
         topic = plugin.tell("bumperTopicName") or "bumper_states"
-        return BumpDevice(names.topic(topic), frame, rate, names.full_node, link.name)
-    model.note(sensor, f"of type '{kind}' is not simulated; simulated are ray, imu, camera, depth and contact")
-    return None
+        return [BumpDevice(names.topic(topic), frame, rate, names.full_node, link.name)]
+    model.note(sensor, f"of type '{kind}' is not simulated; simulated are ray, imu, camera, depth, contact and gps")
+    return []
 
 
 def _ray(
     sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float, where: Array, model: Blueprint, floor: float
-) -> Device | None:
+) -> Device:
     ray = sensor.first("ray") or sensor.first("lidar")
     if ray is None:
         raise sensor.error("has no <ray>", "Say <ray><scan><horizontal>... and <range>.")
     output = _output(plugin, model)
-    if number(ray, "scan/vertical/samples", 1) > 1:
-        model.note(sensor, "has several layers; the middle one is simulated")
-    if abs(abs(where[2, 2]) - 1.0) > 1e-3:
-        model.note(sensor, "is tilted; it is simulated level")
-    samples = number(ray, "scan/horizontal/samples", 640) * number(ray, "scan/horizontal/resolution", 1.0)
-    noise = ray.first("noise") or sensor.first("noise")
-    lidar = Lidar(
-        beams=round(samples),
-        angle_min=number(ray, "scan/horizontal/min_angle", 0.0),
-        angle_max=number(ray, "scan/horizontal/max_angle", 0.0),
-        range_min=number(ray, "range/min", 0.0),
-        range_max=min(number(ray, "range/max", 10.0), 1e4),
-        rate=rate,
-        noise=number(noise, "stddev", 0.0),
-        bias=number(noise, "mean", 0.0),
-        mount=Place(float(where[0, 3]), float(where[1, 3]), yaw_of(where)),
-        height=float(where[2, 3]) - floor,
-        upside_down=bool(where[2, 2] < 0),
-    )
+    lidar = lidar_of(sensor, ray, rate, where, model, floor)
     old = plugin.tell("topicName")
     sound = plugin.tell("radiation_type").lower() == "ultrasound"
     return RayDevice(names.topic(old or "~/out"), frame, rate, names.full_node, lidar, output, int(not sound))
@@ -88,26 +77,16 @@ def _output(plugin: Element, model: Blueprint) -> str:
     return LASER
 
 
-def _imu(sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float) -> Device:
-    imu = sensor.first("imu")
-    turn, push = "angular_velocity/z/noise/", "linear_acceleration/x/noise/"
-    return ImuDevice(
-        names.topic(plugin.tell("topicName") or "~/out"), frame, rate, names.full_node,
-        number(imu, turn + "stddev", 0.0), number(imu, turn + "bias_mean", 0.0),
-        number(imu, push + "stddev", 0.0), number(imu, push + "bias_mean", 0.0),
-    )  # fmt: skip
-
-
-def _camera(sensor: Element, names: RosNames, frame: str, rate: float, where: Array, model: Blueprint) -> Device:
-    camera, plugin = sensor.first("camera"), sensor.first("plugin")
+def _camera(
+    sensor: Element, camera: Element | None, eye: str, names: RosNames, frame: str, rate: float, where: Array,
+    model: Blueprint,
+) -> Device:  # fmt: skip
+    """A camera; `eye` is a part of its topics where the sensor has several."""
+    plugin = sensor.first("plugin")
     assert plugin is not None
     name = plugin.tell("camera_name") or plugin.tell("cameraName") or sensor.get("name") or "camera"
-    width, height = (round(number(camera, f"image/{one}", size)) for one, size in (("width", 320), ("height", 240)))
-    if not (16 <= width <= 4096 and 16 <= height <= 4096):
-        raise sensor.error(f"has pictures of {width}x{height}", "Give a width and height from 16 to 4096.")
-    fov = number(camera, "horizontal_fov", 1.047)
-    if not 0.05 <= fov <= math.pi - 0.05:
-        raise sensor.error(f"has a horizontal_fov of {fov}", "Give one from 0.05 to 3.09 rad.")
+    name += eye
+    width, height, fov = picture_of(sensor, camera)
     image, info = (names.topic(f"{name}/{one}") for one in ("image_raw", "camera_info"))
     told = camera.tell("image/format") if camera is not None else ""
     if told and told not in ENCODINGS:
@@ -125,9 +104,4 @@ def _camera(sensor: Element, names: RosNames, frame: str, rate: float, where: Ar
     return DepthDevice(**vars(made), reach=reach, depth_topic=depth, depth_info_topic=depth_info, cloud_topic=cloud)
 
 
-def active(sensor: Element) -> bool:
-    """Whether it is switched on."""
-    return flag(sensor, "always_on", True)
-
-
-__all__ = ["active", "device_of"]
+__all__ = ["sensed"]

@@ -1,11 +1,8 @@
-"""`ros2 run gazebo_ros gzserver WORLD`: the simulator."""
+"""The simulator: a world in motion, its clock, and the devices of its robots."""
 
 from __future__ import annotations
 
-import argparse
 import math
-import sys
-from contextlib import closing
 from typing import Any
 
 import rclpy
@@ -13,23 +10,32 @@ from geometry_msgs.msg import Twist, TwistStamped
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
-from rclpy.utilities import remove_ros_args
 from rosgraph_msgs.msg import Clock
 
-from coursekit.core.process import current_process
 from coursekit.core.session import current
-from coursekit.nodes.running import to_the_end
 from coursekit.sim import Simulation, WorldError
-from coursekit.urdf import UrdfError
 
 from . import simulators
 from .articulated import Articulated
 from .assembly import Assembly
 from .controlled import ControlOutlet
 from .depth import DepthOutlet
-from .devices import CameraDevice, ControlDevice, DepthDevice, Device, OdometryDevice, PoseDevice, TouchDevice
+from .devices import (
+    CameraDevice,
+    ControlDevice,
+    DepthDevice,
+    Device,
+    EarthDevice,
+    OdometryDevice,
+    PoseDevice,
+    TouchDevice,
+    TruthDevice,
+    WheelDevice,
+)  # fmt: skip
+from .earth_outlets import EarthOutlet
 from .forces import Forces
 from .newer_outlets import PoseOutlet, TouchOutlet
+from .odometry_outlets import OdometryOutlet, TruthOutlet
 from .outlets import OUTLETS, Outlet, stamp_of
 from .pictures import CameraOutlet
 from .services import Services
@@ -37,12 +43,14 @@ from .settle import settled
 from .sim_time import SimTime
 from .states import States
 from .warm_up import warm_up
+from .wheel_frames import WheelOutlet
 from .whereabouts import Whereabouts
 from .world_of import open_world
 
 FURTHER: dict[type, type[Outlet]] = {
     CameraDevice: CameraOutlet, DepthDevice: DepthOutlet, ControlDevice: ControlOutlet,
-    PoseDevice: PoseOutlet, TouchDevice: TouchOutlet,
+    PoseDevice: PoseOutlet, TouchDevice: TouchOutlet, EarthDevice: EarthOutlet,
+    WheelDevice: WheelOutlet, OdometryDevice: OdometryOutlet, TruthDevice: TruthOutlet,
 }  # fmt: skip
 
 
@@ -248,34 +256,4 @@ class Gazebo(Node):
         simulators.remove(self)
 
 
-def _arguments(argv: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="gzserver", description="Simulate a world.")
-    parser.add_argument("world", nargs="?", default="", help="a world file (yaml, SDF, a map) or one of the course's")
-    parser.add_argument("-u", "--pause", action="store_true", help="start paused")
-    parser.add_argument("--play", action="store_true", help="start at once (the default)")
-    parser.add_argument("--seed", type=int, default=0, help="seed of noise and drift")
-    parser.add_argument("--verbose", action="store_true", help="list all that is not simulated")
-    parser.add_argument("--brief", action="store_true", help="list some of it (the default)")
-    parser.add_argument("-s", dest="plugins", action="append", default=[], help="accepted: a system plugin")
-    told, rest = parser.parse_known_args(argv)
-    told.rest = rest
-    return told
-
-
-def main(args: list[str] | None = None) -> Any:
-    """Run the simulator until Ctrl-C."""
-    told = _arguments(remove_ros_args(args if args is not None else sys.argv)[1:])
-    rclpy.init(args=args)
-    try:
-        node = Gazebo(told.world, paused=told.pause, seed=told.seed, verbose=told.verbose)
-        node.tell([f"option {word} of Gazebo" for word in told.rest])
-    except (WorldError, UrdfError) as error:
-        print(f"[Err] {error}", file=sys.stderr)
-        rclpy.try_shutdown()
-        return 255
-    process = current_process()
-    if process is not None:
-        process.cleanups.append(node.close)
-    with to_the_end(), closing(node):
-        node.spin()
-    return 0
+__all__ = ["Gazebo"]

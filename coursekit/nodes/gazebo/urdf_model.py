@@ -19,7 +19,7 @@ QUIET = {
     "material", "mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "fdir1", "selfCollide", "turnGravityOff", "gravity",
     "dampingFactor", "maxContacts", "laserRetro", "visual", "self_collide", "max_contacts", "min_depth", "max_vel",
     "disableFixedJointLumping", "preserveFixedJoint", "implicitSpringDamper", "provideFeedback", "stopCfm", "stopErp",
-    "springStiffness", "springReference", "kinematic",
+    "springStiffness", "springReference", "kinematic", "collision", "inertial", "velocity_decay", "enable_wind",
 }  # fmt: skip
 """Children that say how Gazebo's engine shall reckon and draw; a world seen from above needs none of them."""
 
@@ -39,6 +39,7 @@ def blueprint_of(robot: Robot) -> Blueprint:
             except MeshError as error:
                 made.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
     made.axles = {name: made.links[joint.child].pose for name, joint in robot.joints.items()}
+    made.held = {joint.child for joint in robot.joints.values() if joint.type == "fixed"}
     parents = {joint.child: (name, joint.type, joint.parent) for name, joint in robot.joints.items()}
     made.lumped = lumped(parents, frozenset(_kept(robot)))
     for block in robot.gazebo:

@@ -7,9 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 import rclpy
+from rclpy.clock import Clock, ClockType
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.expand_topic_name import expand_topic_name
 from rclpy.node import Node
+from rclpy.qos import QoSPolicyKind
+from rclpy.qos_overriding_options import QoSOverridingOptions
 from rclpy.utilities import remove_ros_args
 from rosidl_runtime_py.utilities import get_message, get_service
 
@@ -29,17 +32,25 @@ In place of the second @: [ bridges from Gazebo to ROS only, ] from ROS to Gazeb
 """
 
 
-class Way:
-    """One direction of a topic; `open` listens on the one side, once `wanted` on the other."""
+POLICIES = (QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
+"""What of a topic in ROS parameters may set: `qos_overrides./tf_static.publisher.durability` and the like."""
 
-    def __init__(self, source: Node, target: Node, here: tuple[str, str], there: tuple[str, str], one: Bridged) -> None:
+
+class Way:
+    """One direction of a topic; `open` listens on the one side, once `wanted` on the other; `mend` changes what passes."""
+
+    def __init__(
+        self, source: Node, target: Node, here: tuple[str, str], there: tuple[str, str], one: Bridged,
+        mend: Callable[[Any], Any] | None = None,
+    ) -> None:  # fmt: skip
         self.source, self.here, self.queue = source, here, one.subscriber_queue
         kind, name = there
         change = conversion(here[0], kind)
         if change is None:
             raise LookupError(f"{here[0]} cannot be made {kind} in this direction")
-        self.change: Callable[[Any], Any] = change
-        self.out = target.create_publisher(get_message(kind), name, one.publisher_queue)
+        self.change: Callable[[Any], Any] = change if mend is None else lambda msg: mend(change(msg))
+        options = None if mend is None else QoSOverridingOptions(POLICIES)
+        self.out = target.create_publisher(get_message(kind), name, one.publisher_queue, qos_overriding_options=options)
         self.heard: Any = None
         if not one.lazy:
             self.open()
@@ -73,7 +84,8 @@ class RosGzBridge(Node):
         file = str(self.declare_parameter("config_file", "").value)
         self._expand = bool(self.declare_parameter("expand_gz_topic_names", False).value)
         self._lazy = bool(self.declare_parameter("lazy", False).value)
-        self.declare_parameter("override_timestamps_with_wall_time", False)
+        self._wall = bool(self.declare_parameter("override_timestamps_with_wall_time", False).value)
+        self._frame = str(self.declare_parameter("override_frame_id", "").value)
         self._lazy_ways: list[Way] = []
         self.create_timer(beat * 1e-3, self._follow)
         made, faults = of_file(file) if file else ([], [])
@@ -97,7 +109,7 @@ class RosGzBridge(Node):
             gz_end, ros_end = (carrier, self._gz_topic(one.gz_topic)), (ros_type, one.ros_topic)
             if one.direction != "ROS_TO_GZ":
                 self._say("GZ->ROS", (one.gz_topic, one.gz_type), (one.ros_topic, one.ros_type), lazy)
-                self._keep(Way(self.gz, self, gz_end, ros_end, one), lazy)
+                self._keep(Way(self.gz, self, gz_end, ros_end, one, self._mend), lazy)
             if one.direction != "GZ_TO_ROS":
                 self._say("ROS->GZ", (one.ros_topic, one.ros_type), (one.gz_topic, one.gz_type), lazy)
                 self._keep(Way(self, self.gz, ros_end, gz_end, one), lazy)
@@ -106,6 +118,15 @@ class RosGzBridge(Node):
                 f"Failed to create a bridge for topic [{one.ros_topic}] with ROS2 type [{one.ros_type}] to topic "
                 f"[{one.gz_topic}] with Gazebo Transport type [{one.gz_type}]: {error}"
             )
+
+    def _mend(self, msg: Any) -> Any:
+        """What comes into ROS gets the frame and the time that parameters ask for."""
+        header = getattr(msg, "header", None)
+        if header is not None and self._frame:
+            header.frame_id = self._frame
+        if header is not None and self._wall:
+            header.stamp = Clock(clock_type=ClockType.SYSTEM_TIME).now().to_msg()
+        return msg
 
     def _gz_topic(self, name: str) -> str:
         if self._expand:

@@ -79,6 +79,11 @@ def of_file(name: str) -> tuple[list[Bridged], list[str]]:
 def _of_row(row: Any) -> Bridged:
     if not isinstance(row, dict):
         raise ValueError("entry must be a YAML map")
+    if row.get("service_name"):
+        name, kind = str(row["service_name"]), str(row.get("ros_type_name") or "")
+        if "/srv/" not in kind:
+            raise ValueError("service_name needs a ros_type_name with /srv/")
+        return Bridged(name, kind, name, "")
     names = ("topic_name", "ros_topic_name", "gz_topic_name", "ros_type_name", "gz_type_name", "direction")
     both, ros, gz, ros_type, gz_type, direction = (str(row.get(name) or "") for name in names)
     for other, name in ((ros, names[1]), (gz, names[2])):

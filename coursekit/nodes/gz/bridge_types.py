@@ -12,6 +12,7 @@ from geometry_msgs.msg import Pose, PoseArray, PoseStamped, Transform, Transform
 from tf2_msgs.msg import TFMessage
 
 PAIRS: dict[str, tuple[str, ...]] = {
+    "Altimeter": ("ros_gz_interfaces/msg/Altimeter",),
     "Boolean": ("std_msgs/msg/Bool",),
     "CameraInfo": ("sensor_msgs/msg/CameraInfo",),
     "Clock": ("rosgraph_msgs/msg/Clock",),
@@ -27,6 +28,7 @@ PAIRS: dict[str, tuple[str, ...]] = {
     "Int32": ("std_msgs/msg/Int32",),
     "JointTrajectory": ("trajectory_msgs/msg/JointTrajectory",),
     "LaserScan": ("sensor_msgs/msg/LaserScan",),
+    "Light": ("ros_gz_interfaces/msg/Light",),
     "Magnetometer": ("sensor_msgs/msg/MagneticField",),
     "Model": ("sensor_msgs/msg/JointState",),
     "NavSat": ("sensor_msgs/msg/NavSatFix",),

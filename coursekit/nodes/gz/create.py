@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from typing import Any
 
@@ -25,15 +26,17 @@ ANSWER = 5.0
 """Seconds that the simulator has to answer; then it is asked again."""
 
 
-def arguments(argv: list[str]) -> argparse.Namespace:
-    """What the command line says, with one dash or two; unknown words end the program with status 1."""
+def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
+    """What the command line says, with one dash or two, and what of it is not known; a bad number ends the program."""
     parser = argparse.ArgumentParser(prog="create", description="Put a model into Gazebo's world.", allow_abbrev=False)
     for name in TEXTS:
-        parser.add_argument(f"-{name}", f"--{name}", default="")
+        parser.add_argument(f"--{name}", default="")
     for name in NUMBERS:
-        parser.add_argument(f"-{name}", f"--{name}", type=float, default=0.0)
-    parser.add_argument("-allow_renaming", "--allow_renaming", nargs="?", const="true", default="false")
-    return parser.parse_args(argv)
+        parser.add_argument(f"--{name}", type=float, default=0.0)
+    parser.add_argument("--allow_renaming", nargs="?", const="true", default="false")
+    options = [re.sub(r"^-(?=[A-Za-z])", "--", word) for word in argv]  # argparse takes -p for the beginning of -param
+    told, rest = parser.parse_known_args(options)
+    return told, [re.sub("^--", "-", word) for word in rest]
 
 
 class Creator:
@@ -115,11 +118,13 @@ class Creator:
 
 def main(args: list[str] | None = None) -> Any:
     """Create, and tell by the exit code whether it worked."""
-    told = arguments(remove_ros_args(args if args is not None else sys.argv)[1:])
+    told, rest = arguments(remove_ros_args(args if args is not None else sys.argv)[1:])
     rclpy.init(args=args)
     creator = None
     try:
         creator = Creator(told)
+        if rest:
+            creator.log.warning(f"create has no option for: {' '.join(rest)}; roll, pitch and yaw are -R, -P and -Y")
         return creator.run()
     except KeyboardInterrupt:
         return 130

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from contextlib import closing
 from typing import Any
 
 import rclpy
@@ -14,20 +13,32 @@ from rclpy.qos import QoSProfile
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from coursekit.core.process import current_process
 from coursekit.core.session import current
 from coursekit.nodes.gazebo.assembly import Assembly
-from coursekit.nodes.gazebo.devices import CameraDevice, Device, ImuDevice, RayDevice
+from coursekit.nodes.gazebo.devices import CameraDevice, Device, EarthDevice, ImuDevice, RayDevice
+from coursekit.nodes.gazebo.gzserver import simulate
 from coursekit.nodes.gazebo.server import Gazebo
-from coursekit.nodes.running import to_the_end
-from coursekit.sim import WorldError
-from coursekit.urdf import UrdfError
 
 from .services import GzServices
 from .transport import APART, gz_domain
 
-NEEDS: tuple[tuple[str, tuple[type, ...]], ...] = (("sensors", (RayDevice, CameraDevice)), ("imu", (ImuDevice,)))
-"""Systems, and the devices that publish nothing without them."""
+CLASSES = {
+    "sensors": "Sensors", "imu": "Imu", "navsat": "NavSat", "altimeter": "Altimeter", "magnetometer": "Magnetometer",
+    "air-pressure": "AirPressure",
+}  # fmt: skip
+"""Systems without which sensors publish nothing, and their classes."""
+
+
+def system_for(device: Device) -> str:
+    """The system that a device needs; '' for none.
+
+    >>> from coursekit.nodes.gazebo.devices import EarthDevice
+    >>> system_for(EarthDevice("/air", "", 1.0, quantity="air_pressure"))
+    'air-pressure'
+    """
+    if isinstance(device, EarthDevice):
+        return device.quantity.replace("_", "-")
+    return "imu" if isinstance(device, ImuDevice) else "sensors" if isinstance(device, (RayDevice, CameraDevice)) else ""
 
 
 class GzSim(Gazebo):
@@ -47,19 +58,17 @@ class GzSim(Gazebo):
 
     def working(self, model: Assembly) -> list[Device]:
         """Without its system in the world or in the model, a sensor publishes nothing: it is told which one is missing."""
-        devices = list(model.devices)
-        for system, kinds in NEEDS:
-            if self.systems is None or system in self.systems | model.systems:
-                continue
-            idle = [one for one in devices if isinstance(one, kinds)]
-            if idle:
-                word = {"sensors": "Sensors", "imu": "Imu"}[system]
-                self.get_logger().warning(
-                    f"{model.name}: {len(idle)} sensors publish nothing, as in Gazebo: add to the <world> "
-                    f'<plugin filename="gz-sim-{system}-system" name="gz::sim::systems::{word}"/>'
-                )
-            devices = [one for one in devices if one not in idle]
-        return devices
+        if self.systems is None:
+            return list(model.devices)
+        there = self.systems | model.systems | {""}
+        working = [one for one in model.devices if system_for(one) in there]
+        idle = [system_for(one) for one in model.devices if system_for(one) not in there]
+        for system in dict.fromkeys(idle):
+            self.get_logger().warning(
+                f"{model.name}: {idle.count(system)} sensors publish nothing, as in Gazebo: add to the <world> "
+                f'<plugin filename="gz-sim-{system}-system" name="gz::sim::systems::{CLASSES[system]}"/>'
+            )
+        return working
 
     def ros_context(self) -> Any:
         """A context in ROS: Gazebo's own is beside it."""
@@ -127,18 +136,12 @@ def main(args: list[str] | None = None) -> Any:
         current().clock.new_event().wait()
         return 0
     rclpy.init(args=[], domain_id=gz_domain())
-    try:
+
+    def made() -> GzSim:
         node = GzSim(told.world, paused=not told.run, seed=told.seed, verbose=told.verbose not in ("0", "1", "2", "3"))
-        node.tell([f"option {word} of gz sim" for word in rest])
-    except (WorldError, UrdfError) as error:
-        print(f"[Err] {error}", file=sys.stderr)
-        rclpy.try_shutdown()
-        return 255
-    if not told.run:
-        node.get_logger().info(f"The world is paused: start it with -r, or: gz service -s /world/{node.newer}/control ...")
-    process = current_process()
-    if process is not None:
-        process.cleanups.append(node.close)
-    with to_the_end(), closing(node):
-        node.spin()
-    return 0
+        if not told.run:
+            start = f"gz service -s /world/{node.newer}/control ..."
+            node.get_logger().info(f"The world is paused: start it with -r, or: {start}")
+        return node
+
+    return simulate(made, [f"{word} of gz sim" for word in rest])

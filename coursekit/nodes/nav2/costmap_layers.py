@@ -41,7 +41,7 @@ class Layers:
             self._given[name] = layer
             getattr(self, f"_add_{kind}")(name, layer, where)
         self._filters = filters(node, given["filters"], where)
-        where.buffer.wake = self._wake
+        where.buffer.call_after_each(self._wake)
 
     def _add_static(self, _name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self.has_static, self._static_given = True, layer

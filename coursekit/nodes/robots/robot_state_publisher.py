@@ -16,9 +16,10 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 from tf2_py._convert import nanoseconds
 
+from coursekit.nodes.gazebo.sdf_description import described
 from coursekit.nodes.robots.joint_frames import JointFrames
 from coursekit.nodes.running import spin_to_the_end, terminate
-from coursekit.urdf import UrdfError, load_text, parse
+from coursekit.urdf import UrdfError, load_text
 from coursekit.urdf.texts import error_text
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -73,7 +74,7 @@ class RobotStatePublisher(Node):
         return load_text(file)
 
     def _set_robot(self, text: str) -> None:
-        robot = parse(text, self._source or "robot_description")
+        robot = described(text, self._source or "robot_description")
         for fault in robot.faults:
             print(error_text(fault), end="", file=sys.stderr)
         root = robot.links[robot.root]

@@ -111,7 +111,10 @@ def _config(argv: list[str]) -> Config:
     if args.display_config:
         process = current_process()
         folder = Path(process.cwd) if process is not None else Path()
-        config = read(folder / args.display_config, rooted=False)
+        if (folder / args.display_config).is_file():
+            config = read(folder / args.display_config, rooted=False)
+        else:
+            LOG.warning(f"{args.display_config}: there is no such file; the default view is shown")
     config.fixed_frame = args.fixed_frame or config.fixed_frame
     return config
 

@@ -20,21 +20,11 @@ QUIET_NS = 1_000_000_000
 
 
 class WakingBuffer(Buffer):
-    """A buffer that calls `wake()` after every transform."""
+    """A buffer that calls back after every transform."""
 
-    wake: Callable[[], None] | None = None
-
-    def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform."""
-        super().set_transform(transform, authority)
-        if self.wake is not None:
-            self.wake()
-
-    def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform that holds for all times."""
-        super().set_transform_static(transform, authority)
-        if self.wake is not None:
-            self.wake()
+    def call_after_each(self, callback: Callable[[], None]) -> None:
+        """Call `callback()` after every transform, as well as whatever was to be called before."""
+        self._new_data_callbacks.append(callback)
 
 
 class ScanFilter:
@@ -47,7 +37,7 @@ class ScanFilter:
         self._callback = callback
         self._waiting: deque[LaserScan] = deque()
         self._told: dict[str, int] = {}
-        buffer.wake = self.try_waiting
+        buffer.call_after_each(self.try_waiting)
 
     def add(self, scan: LaserScan) -> None:
         """Take a scan."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from coursekit.nodes.gazebo.sdf_description import described
 from coursekit.nodes.rviz.config import DisplayConfig
-from coursekit.urdf import MeshError, Robot, UrdfError, parse
+from coursekit.urdf import MeshError, Robot, UrdfError
 from coursekit.urdf.shapes import link_surfaces, notes_of
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Triangles, simpler
@@ -50,7 +51,7 @@ class RobotModel(Display):
         self.forget()
         self._text = text
         try:
-            self.robot = parse(text, self.config.topic)
+            self.robot = described(text, self.config.topic)
         except UrdfError as error:
             self.say("URDF", "Error", f"{error}")
             self.unsay("Links")

@@ -123,3 +123,17 @@ def test_a_camera_sees_a_model_s_colour(watch, material, wanted):
     (image,) = watch(body + front.replace("</link>", look + "</link>"), (Image, "/eye/image_raw"))
     seen = np.asarray(image.data, float).reshape(48, 64, 3)[20, 30]
     assert seen / seen.max() == pytest.approx(np.array(wanted) / max(wanted), abs=0.05)
+
+
+def test_two_eyes_of_one_sensor_publish_their_own_pictures():
+    camera = """<camera name='{}'><pose>0 {} 0 0 0 0</pose><horizontal_fov>1.3</horizontal_fov><image><width>64</width>
+    <height>48</height></image></camera>"""
+    sensor = "<sensor name='stereo' type='multicamera'>{}<plugin name='eyes' filename='{}'><ros>"
+    sensor += "<namespace>/r1</namespace></ros><frame_name>optical</frame_name></plugin></sensor>"
+    cameras = camera.format("left", 0) + camera.format("right", -0.07)
+    sensor = sensor.format(cameras, "libgazebo_ros_camera.so")
+    left, right = read_entity(f"<sdf version='1.6'><model name='m'><link name='l'>{sensor}</link></model></sdf>").devices
+    assert (left.topic, right.topic) == ("/r1/stereo/left/image_raw", "/r1/stereo/right/image_raw")
+    assert left.info_topic == "/r1/stereo/left/camera_info" and (left.width, left.frame) == (64, "optical")
+    assert right.pose[1, 3] - left.pose[1, 3] == pytest.approx(-0.07)
+    assert type(left).__name__ == "CameraDevice"

@@ -3,8 +3,10 @@
 import pytest
 import rclpy
 from geometry_msgs.msg import PoseArray, PoseStamped, TwistStamped
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from ros_gz_interfaces.srv import ControlWorld
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import Image
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
@@ -156,3 +158,46 @@ def test_a_stamped_command_and_a_plain_pose_are_converted():
     made = conversion("geometry_msgs/msg/TwistStamped", "geometry_msgs/msg/Twist")(TwistStamped())
     assert type(made).__name__ == "Twist"
     assert type(conversion("geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/Pose")(PoseStamped())).__name__ == "Pose"
+
+
+def test_the_quality_of_a_topic_in_ros_is_overridden_by_parameters(run, friend, gazebo):
+    """As launch files do for /tf_static: who comes late still hears it."""
+    words = "/tf_static@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V", "--ros-args"
+    run("ros_gz_bridge", "parameter_bridge", *words, "-p", "qos_overrides./tf_static.publisher.durability:=transient_local")
+    friend.spin(0.5)
+    gazebo.node.create_publisher(TFMessage, "/tf_static", 10).publish(TFMessage())
+    friend.spin(0.5)
+    late = []
+    latched = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    friend.node.create_subscription(TFMessage, "/tf_static", late.append, latched)
+    friend.spin(0.5)
+    assert late
+    profile = friend.node.get_publishers_info_by_topic("/tf_static")[0].qos_profile
+    assert profile.durability == DurabilityPolicy.TRANSIENT_LOCAL and profile.reliability.name == "RELIABLE"
+
+
+def test_frames_and_times_are_overridden_on_the_way_into_ros_only(run, friend, gazebo):
+    words = "/eye@sensor_msgs/msg/Image@gz.msgs.Image", "--ros-args", "-p", "override_frame_id:=eye_optical"
+    run("ros_gz_bridge", "parameter_bridge", *words, "-p", "override_timestamps_with_wall_time:=true")
+    here, there = friend.hear(Image, "/eye"), gazebo.hear(Image, "/eye")
+    friend.spin(0.5)
+    sent = Image()
+    sent.header.frame_id = "cart/eye"
+    gazebo.node.create_publisher(Image, "/eye", 10).publish(sent)
+    friend.spin(0.5)
+    assert here[0].header.frame_id == "eye_optical" and here[0].header.stamp.sec > 0
+    gazebo.spin()
+    there.clear()
+    friend.node.create_publisher(Image, "/eye", 10).publish(sent)
+    friend.spin(0.5)
+    gazebo.spin()
+    assert there[0].header == sent.header
+
+
+def test_a_file_may_name_services(tmp_path):
+    row = "- service_name: /world/w/control\n  ros_type_name: ros_gz_interfaces/srv/ControlWorld\n"
+    (tmp_path / "b.yaml").write_text(row + "  gz_req_type_name: gz.msgs.WorldControl\n  gz_rep_type_name: gz.msgs.Boolean\n")
+    (made,), faults = of_file(str(tmp_path / "b.yaml"))
+    assert (made.ros_topic, made.is_service, faults) == ("/world/w/control", True, [])
+    (tmp_path / "b.yaml").write_text("- service_name: /x\n  ros_type_name: std_msgs/msg/String\n")
+    assert of_file(str(tmp_path / "b.yaml"))[1] == ["Could not parse entry: service_name needs a ros_type_name with /srv/"]

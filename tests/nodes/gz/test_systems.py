@@ -129,6 +129,18 @@ def test_a_pose_publisher_tells_model_and_links(put, friend):
     assert found["cart/laser"].transform.translation.z == pytest.approx(0.3) and math.isfinite(turned.w)
 
 
+def test_what_never_moves_has_a_topic_of_its_own(put, friend):
+    told = "<publish_link_pose>true</publish_link_pose><static_publisher>true</static_publisher>"
+    kept = "<gazebo reference='l'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
+    words = [f"/model/cart/{one}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V" for one in ("pose", "pose_static")]
+    put(SYSTEM.format("pose-publisher", told + "<static_update_frequency>2</static_update_frequency>"), kept, bridge=words)
+    moving, static = friend.hear(TFMessage, "/model/cart/pose"), friend.hear(TFMessage, "/model/cart/pose_static")
+    friend.spin(1.2)
+    found = [{one.child_frame_id for one in msgs[-1].transforms} for msgs in (moving, static)]
+    assert {"cart/left_wheel", "cart/right_wheel"} <= found[0] and "cart/laser" in found[1] and not found[0] & found[1]
+    assert len(moving) > 20 and len(static) in (2, 3)
+
+
 def test_cameras_publish_where_gazebo_s_do(put, friend, run):
     depth = SENSOR.format("rgbd_camera", "<topic>eye</topic><update_rate>5</update_rate><camera><image><width>64</width>"
                           "<height>48</height></image></camera>")  # fmt: skip
@@ -142,6 +154,12 @@ def test_cameras_publish_where_gazebo_s_do(put, friend, run):
     friend.spin(3.0)
     assert [msgs[-1].width for msgs in heard] == [64] * 4
     assert [heard[0][-1].encoding, heard[1][-1].encoding] == ["rgb8", "32FC1"]
+
+
+def test_the_optical_frame_that_a_camera_names_is_that_of_its_pictures():
+    told = "<gz_frame_id>laser</gz_frame_id><camera><optical_frame_id>eye_optical</optical_frame_id></camera>"
+    made = read_entity(CART.format(blocks=SENSOR.format("camera", told) + SENSOR.format("imu", told)), "", None, "yard", "c")
+    assert [one.frame for one in made.devices] == ["eye_optical", "laser"]
 
 
 def test_a_contact_sensor_tells_what_is_touched(put, friend):

@@ -1,4 +1,5 @@
 // Saves each field when it is left, and goes from field to field and from student to student by the keyboard.
+// On the page of the class it goes from name to name; Enter opens one, as in every link.
 const key = document.body.dataset.key;
 const saved = document.getElementById("saved");
 const points = () => [...document.querySelectorAll("input[name=points]")];
@@ -18,6 +19,8 @@ async function save(field) {
   if (said.error) return false;
   field.dataset.kept = field.value;
   document.querySelector(".total b").textContent = said.total;
+  document.querySelector("footer .status").textContent = said.status;
+  if (said.verdict) field.closest(".work").querySelector(".said").innerHTML = said.verdict;
   return true;
 }
 
@@ -32,8 +35,16 @@ function go(step) {
   history.replaceState(null, "", `#at=${to.form.dataset.exercise}`);
 }
 
-function student(id) {
-  const href = document.getElementById(id).getAttribute("href");
+function student(id, step) {
+  const names = [...document.querySelectorAll("#everybody td:first-child a")];
+  if (names.length) {
+    const at = names.indexOf(document.activeElement);
+    const name = names[Math.max(0, Math.min(names.length - 1, at < 0 ? 0 : at + step))];
+    name.focus();
+    name.closest("td").scrollIntoView({ block: "nearest" });
+    return;
+  }
+  const href = document.getElementById(id)?.getAttribute("href") ?? "#";
   if (href !== "#") location.href = href + location.hash;
 }
 
@@ -52,7 +63,8 @@ document.addEventListener("submit", (event) => event.preventDefault());
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "TEXTAREA") return;
   const comment = document.activeElement.form?.querySelector("textarea") ?? document.querySelector(".marks textarea");
-  const moves = { j: () => student("next"), k: () => student("before"), n: () => go(1), p: () => go(-1), c: () => comment?.focus() };
+  const moves = { j: () => student("next", 1), k: () => student("before", -1), n: () => go(1), p: () => go(-1),
+    c: () => comment?.focus(), u: () => document.getElementById("class")?.click() };
   if (!moves[event.key]) return;
   event.preventDefault();
   moves[event.key]();

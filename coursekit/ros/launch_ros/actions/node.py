@@ -27,6 +27,7 @@ from ..parameter_descriptions import Parameter
 from ..parameters_type import SomeParameters
 from ..remap_rule_type import SomeRemapRules
 from ..substitutions import ExecutableInPackage
+from ..substitutions.executable_in_package import NotCompiled
 from ..utilities import (
     add_node_name,
     evaluate_parameters,
@@ -142,7 +143,11 @@ class Node(ExecuteProcess):
         self._perform_substitutions(context)
         arguments = {"name": f"__node:={self.__expanded_node_name}", "ns": f"__ns:={self.__expanded_node_namespace}"}
         context.extend_locals({"ros_specific_arguments": arguments})
-        result = super().execute(context)
+        try:
+            result = super().execute(context)
+        except NotCompiled as error:  # on a robot it would start: the rest does here, too
+            get_logger("launch_ros.actions.node").error(f"{error.why}; the launch goes on without it")
+            return None
         if self.is_node_name_fully_specified():
             add_node_name(context, self.node_name)
             count = get_node_name_count(context, self.node_name)

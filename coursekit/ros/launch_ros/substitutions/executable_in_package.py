@@ -14,10 +14,18 @@ from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
-from coursekit.core.executables import why_missing
+from coursekit.core.executables import why_missing, why_skipped
 from coursekit.systems.layout import executable_files, is_executables_part
 
 from .find_package import FindPackagePrefix
+
+
+class NotCompiled(SubstitutionFailure):
+    """The executable is one in C++ that `colcon build` passed over; `why` says so."""
+
+    def __init__(self, text: str, why: str) -> None:
+        super().__init__(text)
+        self.why = why
 
 
 @expose_substitution("exec-in-pkg")
@@ -52,6 +60,7 @@ class ExecutableInPackage(FindPackagePrefix):
         Raises:
             PackageNotFoundError: when there is no such package.
             SubstitutionFailure: when it has no such executable; names those it has.
+            NotCompiled: when it would have, were it compiled.
         """
         executable = perform_substitutions(context, self.__executable)
         package = perform_substitutions(context, self.package)
@@ -61,12 +70,14 @@ class ExecutableInPackage(FindPackagePrefix):
                 return str(path)
         known = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         known = [name for name in known if _is_program(Path(folder, name))]
-        why = why_missing(package, executable)
-        raise SubstitutionFailure(
+        text = (
             f"executable '{executable}' not found on the libexec directory '{folder}'"
             f"{'; the package has: ' + ', '.join(known) if known else '; the package has no executables'}"
-            f"{why and '; ' + why}"
         )
+        if why := why_skipped(package, executable):
+            raise NotCompiled(f"{text}; {why}", why)
+        why = why_missing(package, executable)
+        raise SubstitutionFailure(f"{text}{why and '; ' + why}")
 
 
 def _is_program(path: Path) -> bool:

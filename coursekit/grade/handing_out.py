@@ -1,0 +1,46 @@
+"""How each student's own copy reaches them: a list of the copies for a mail merge, and a zip that Moodle deals out."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from .harmless import cell, shown
+from .platform_names import moodle_folder
+from .roster import Person, Roster
+from .tables import write_table
+
+LIST, FOR_MOODLE = "copies.csv", "moodle.zip"
+
+
+def write_list(out: Path, archives: Mapping[Person, Path]) -> Path:
+    """copies.csv: whose is which zip, with the columns that a mail merge needs."""
+    rows = [
+        [cell(one.name), cell(one.given or one.name), cell(one.email), cell(one.id), archive.name]
+        for one, archive in archives.items()
+    ]
+    write_table(out / LIST, ["name", "given name", "email", "id", "file"], rows)
+    return out / LIST
+
+
+def write_for_moodle(out: Path, archives: Mapping[Person, Path]) -> Path:
+    """moodle.zip: each copy as a feedback file of an assignment."""
+    with zipfile.ZipFile(out / FOR_MOODLE, "w", zipfile.ZIP_STORED) as packed:
+        for person, archive in archives.items():
+            packed.write(archive, f"{shown(moodle_folder(person.name, person.number), 250)}/{archive.name}")
+    return out / FOR_MOODLE
+
+
+def expect_numbers(roster: Roster) -> None:
+    """Moodle knows its participants by numbers, which stand in the grading worksheet of an assignment.
+
+    Raises:
+        ValueError: when somebody has none.
+    """
+    without = [one.name for one in roster.people if not one.number]
+    if without:
+        raise ValueError(
+            f"--for moodle needs Moodle's number of each student, and {', '.join(without[:3])} has none. Make the "
+            "assignment, download its grading worksheet (it has the column Identifier), and give that as --roster."
+        )

@@ -1,0 +1,82 @@
+"""Whose is what lies in one folder or zip? Usually one person's; copies of several people are each told or asked about."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from .harmless import shown, unique
+from .identifying import Identified, Identifier
+from .pieces import Entry, Piece
+
+_BY_PARCEL = "the name in the file that hand_in made"
+_INSIDE = "the name of what lies in it"
+
+
+@dataclass(frozen=True)
+class Part:
+    """What goes to one person."""
+
+    entry: Entry
+    found: Identified
+    where: str
+    """What it is called in a question."""
+    about: tuple[str, ...]
+    """What makes the question another one."""
+
+
+def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
+    """An entry as it was handed in, or parted by whose copies lie in it."""
+    named = identifier.by_name(entry.name)
+    whose = [_whose(piece, named, identifier) for piece in entry.pieces]
+    known = list(dict.fromkeys(one for one in whose if one is not None))
+    whole = _whole(entry, known, identifier)
+    if not known or (len({one.people for one in known}) == 1 and (None not in whose or whole.found is not known[0])):
+        return [whole]
+    parts = []
+    for found in known:
+        pieces = [piece for piece, one in zip(entry.pieces, whose, strict=True) if one == found]
+        parts.append(_part(entry, pieces, _settled(entry, pieces, found, identifier)))
+    rest = [piece for piece, one in zip(entry.pieces, whose, strict=True) if one is None]
+    if rest or entry.faults:
+        left = replace(_part(entry, rest, named).entry, faults=entry.faults, concerns=entry.concerns)
+        parts.append(replace(_part(entry, rest, named), entry=left))
+    return parts
+
+
+def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) -> Part:
+    found = identifier.identify(entry.name, unique(piece.known.copy for piece in entry.pieces if piece.known.copy))
+    if not found.people and known:
+        found = known[0]
+    if not found.people and entry.students:
+        said = [person for one in unique(entry.students) for person in identifier.by_name(one).people]
+        found = Identified(tuple(dict.fromkeys(said)), _BY_PARCEL) if said else found
+    return Part(entry, found, shown(entry.name), (entry.name,))
+
+
+def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identified | None:
+    """Whose one notebook is, by its mark; where the entry's name is not one person's, by what lies in it, too."""
+    owner = identifier.owner(piece.known.copy)
+    if owner is not None:
+        return Identified((owner,), "the mark of the copy")
+    if len(named.people) == 1:
+        return None
+    told = [(_BY_PARCEL, piece.student)] if piece.student else [(_INSIDE, one) for one in piece.where.split("/")]
+    for how, name in told:
+        found = identifier.by_name(name).people
+        if len(found) == 1 and (not named.people or found[0] in named.people):
+            return Identified(found, how)
+    return None
+
+
+def _settled(entry: Entry, pieces: Iterable[Piece], found: Identified, identifier: Identifier) -> Identified:
+    """What a copy's mark and the entry's name say together."""
+    marks = unique(piece.known.copy for piece in pieces if identifier.owner(piece.known.copy) is not None)
+    return identifier.identify(entry.name, marks) if marks else found
+
+
+def _part(entry: Entry, pieces: Sequence[Piece], found: Identified) -> Part:
+    parcels = [file for file in entry.parcels if any(piece.parcel == file for piece in pieces)]
+    names = [piece.where for piece in pieces]
+    where = shown(f"{entry.name}: {', '.join(names[:3])}{', ...' if len(names) > 3 else ''}", 300)
+    return Part(Entry(entry.name, list(pieces), parcels=parcels), found, where, (entry.name, *sorted(names)))

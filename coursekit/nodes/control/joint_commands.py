@@ -1,0 +1,49 @@
+"""What joints are commanded to follow a trajectory: the wanted state as it is, or by what is amiss."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .controller import Interfaces
+from .trajectory import Point
+from .trajectory_parameters import TrajectoryParameters
+
+
+class JointCommands:
+    """The commands of a trajectory's joints; velocities and efforts alone are commanded in a closed loop."""
+
+    def __init__(self, told: TrajectoryParameters) -> None:
+        self._told = told
+        self._closed = told.commands in (("velocity",), ("effort",))
+        self._sums = np.zeros(len(told.joints))
+
+    def give(self, interfaces: Interfaces, desired: Point, error: Point, dt: float) -> None:
+        """Command all joints of a step."""
+        self._sums = self._sums + error.positions * dt
+        for place, joint in enumerate(self._told.command_joints):
+            for kind in self._told.commands:
+                interfaces.command(f"{joint}/{kind}", self._value(place, kind, desired, error))
+
+    def _value(self, place: int, kind: str, desired: Point, error: Point) -> float:
+        speed = 0.0 if desired.velocities is None else float(desired.velocities[place])
+        if kind == "position":
+            return float(desired.positions[place])
+        if self._closed:
+            p, i, d, forward = self._told.gains[place]
+            wrong = 0.0 if error.velocities is None else float(error.velocities[place])
+            return speed * forward + p * float(error.positions[place]) + i * float(self._sums[place]) + d * wrong
+        if kind == "velocity":
+            return speed
+        return 0.0 if desired.accelerations is None or kind == "effort" else float(desired.accelerations[place])
+
+
+def difference(desired: Point, actual: Point) -> Point:
+    """Desired less actual; angles by the shorter way."""
+    off = np.array([math.remainder(float(one), 2 * math.pi) for one in desired.positions - actual.positions])
+    speeds = None if desired.velocities is None or actual.velocities is None else desired.velocities - actual.velocities
+    return Point(0.0, off, speeds)
+
+
+__all__ = ["JointCommands", "difference"]

@@ -1,0 +1,57 @@
+"""`publish_wheel_tf` of drives: the frames of their wheels, where nobody publishes joint states."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from tf2_msgs.msg import TFMessage
+
+from coursekit.sim.place import Array
+
+from .blueprint import Blueprint
+from .devices import WheelDevice
+from .newer_outlets import transform_of
+from .outlets import Outlet, stamp_of
+
+
+def wheels_of(model: Blueprint, joints: tuple[str, ...], topic: str, rate: float, node: str) -> WheelDevice:
+    """The frames of a drive's wheels; they hang on the link that fixed joints make one, as in Gazebo."""
+    assert model.robot is not None
+    made = []
+    for name in joints:
+        told = model.robot.joints[name]
+        parent = model.lumped.get(told.parent, told.parent)
+        pose = np.linalg.inv(model.links[parent].pose) @ model.axles[name]
+        x, y, z = map(float, told.axis)
+        made.append((name, parent, told.child, tuple(pose.ravel().tolist()), (x, y, z)))
+    return WheelDevice(topic, "", rate, node, tuple(made))
+
+
+def turned(pose: Array, axis: tuple[float, float, float], angle: float) -> Array:
+    """A pose after a turn about an axis of its own."""
+    x, y, z = np.array(axis) / (math.hypot(*axis) or 1.0)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    made = pose.copy()
+    made[:3, :3] = pose[:3, :3] @ (np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross)
+    return made
+
+
+class WheelOutlet(Outlet):
+    """The frames of wheels at work."""
+
+    device: WheelDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(TFMessage, self.device.topic, 100)
+
+    def publish(self, time_ns: int) -> None:
+        found = []
+        for joint, parent, child, pose, axis in self.device.wheels:
+            one = transform_of(turned(np.array(pose).reshape(4, 4), axis, self.robot.angles.get(joint, 0.0)))
+            one.header.stamp, one.header.frame_id, one.child_frame_id = stamp_of(time_ns), parent, child
+            found.append(one)
+        self._out.publish(TFMessage(transforms=found))
+
+
+__all__ = ["WheelOutlet", "wheels_of"]

@@ -1,0 +1,68 @@
+"""What touches what: shapes at different heights pass each other, robots know what they touch, the floor brakes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import pymunk
+
+from .robot import GRAVITY
+
+
+def overlap(one: Any, other: Any) -> bool:
+    """Whether two shapes are at the same height."""
+    return bool(one.span[0] < other.span[1] and other.span[0] < one.span[1])
+
+
+def pass_by(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
+    """Two shapes begin to meet; at different heights they do not."""
+    arbiter.process_collision = overlap(*arbiter.shapes)
+
+
+def touch(arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
+    """A robot begins to touch something."""
+    pass_by(arbiter, space, data)
+    if not arbiter.process_collision:
+        return
+    for robot, other in _robots(arbiter):
+        robot.contacts[other.name] = robot.contacts.get(other.name, 0) + 1
+
+
+def part(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
+    """A robot touches something no longer."""
+    for robot, other in _robots(arbiter):
+        if other.name in robot.contacts and overlap(*arbiter.shapes):
+            robot.contacts[other.name] -= 1
+            if robot.contacts[other.name] <= 0:
+                del robot.contacts[other.name]
+
+
+def _robots(arbiter: pymunk.Arbiter) -> Iterator[tuple[Any, Any]]:
+    """The robots of a contact, each with the other shape."""
+    for one, other in (arbiter.shapes, arbiter.shapes[::-1]):
+        robot = getattr(one.body, "robot", None)
+        if robot is not None:
+            yield robot, other
+
+
+def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
+    """What a shape would meet, and how deep (below 0)."""
+    middle = shape.cache_bb().center()
+    for hit in space.shape_query(shape):
+        yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
+    for found in space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # shapes about one middle meet nowhere
+        yield found.shape, found.distance
+
+
+def drag(body: pymunk.Body, friction: float, seconds: float) -> None:
+    """What the floor takes from a thing that slides on it for a while."""
+    speed, most = body.velocity.length, friction * GRAVITY * seconds
+    body.velocity = body.velocity * max(0.0, 1.0 - most / speed) if speed else (0.0, 0.0)
+    turn = body.angular_velocity
+    brake = most * 0.15 * body.mass / body.moment
+    body.angular_velocity = math.copysign(max(0.0, abs(turn) - brake), turn)
+
+
+__all__ = ["drag", "hits", "overlap", "part", "pass_by", "touch"]

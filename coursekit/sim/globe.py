@@ -1,0 +1,63 @@
+"""Where on the Earth a world lies: its places as latitude, longitude and altitude (WGS 84), its air and its magnetism."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+_AXIS, _FLATTENING = 6_378_137.0, 1 / 298.257223563
+"""The ellipsoid of WGS 84: half of its long axis [m], and how flat it is."""
+_SQUARED = _FLATTENING * (2 - _FLATTENING)
+
+
+@dataclass(frozen=True)
+class Globe:
+    """The origin of a world: latitude, longitude and the heading of its x axis from east in degrees, elevation in metres.
+
+    >>> latitude, longitude, altitude = Globe(48.0, 11.0, 500.0).fix(0.0, 0.0)
+    >>> round(latitude, 9), round(longitude, 9), round(altitude, 6)
+    (48.0, 11.0, 500.0)
+    """
+
+    latitude: float = 0.0
+    longitude: float = 0.0
+    elevation: float = 0.0
+    heading: float = 0.0
+
+    def fix(self, x: float, y: float, z: float = 0.0) -> tuple[float, float, float]:
+        """Latitude and longitude [degrees] and altitude [m] of a place of the world [m]."""
+        turn, lat, lon = map(math.radians, (self.heading, self.latitude, self.longitude))
+        east, north = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
+        out, up = _north(lat, self.elevation)
+        out, up = out + z * math.cos(lat) - north * math.sin(lat), up + z * math.sin(lat) + north * math.cos(lat)
+        away = math.hypot(out, east)
+        latitude, altitude = _geodetic(away, up)
+        return math.degrees(latitude), math.degrees(lon + math.atan2(east, out)), altitude
+
+
+def _north(latitude: float, altitude: float) -> tuple[float, float]:
+    """How far from the Earth's axis, and above the equator's plane [m]."""
+    normal = _AXIS / math.sqrt(1 - _SQUARED * math.sin(latitude) ** 2)
+    return (normal + altitude) * math.cos(latitude), (normal * (1 - _SQUARED) + altitude) * math.sin(latitude)
+
+
+def _geodetic(away: float, up: float) -> tuple[float, float]:
+    """Latitude [rad] and altitude [m] of a point that far from the axis and above the equator's plane."""
+    latitude = math.atan2(up, away * (1 - _SQUARED))
+    for _ in range(5):  # each step gains three digits
+        normal = _AXIS / math.sqrt(1 - _SQUARED * math.sin(latitude) ** 2)
+        latitude = math.atan2(up + _SQUARED * normal * math.sin(latitude), away)
+    here, there = _north(latitude, 0.0)
+    return latitude, (away - here) * math.cos(latitude) + (up - there) * math.sin(latitude)
+
+
+def pressure(altitude: float) -> float:
+    """The air's pressure [Pa] at an altitude [m] of the standard atmosphere, up to 11 km.
+
+    >>> pressure(0.0), round(pressure(1000.0))
+    (101325.0, 89874)
+    """
+    return 101_325.0 * max(0.0, 1 - 0.0065 * altitude / 288.15) ** 5.2561
+
+
+__all__ = ["Globe", "pressure"]

@@ -18,6 +18,7 @@ from pathlib import Path
 
 from coursekit.systems.children import apart
 from coursekit.systems.endings import endings
+from coursekit.systems.folder import working_folder
 from coursekit.systems.streams import use_utf8
 from coursekit.systems.waiting import lines
 
@@ -120,7 +121,7 @@ def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
 
 
 def _wish(**wish: object) -> dict[str, object]:
-    return {"token": endpoint.token(domain_id()), "env": dict(os.environ), "cwd": os.getcwd(), **wish}
+    return {"token": endpoint.token(domain_id()), "env": dict(os.environ), "cwd": working_folder(), **wish}
 
 
 def _send(client: socket.socket, message: dict[str, object]) -> None:

@@ -81,7 +81,7 @@ def update_course(args: argparse.Namespace) -> int:
         raise _not_written(folder, error) from None
     for sentence in said:
         print(f"  {sentence}")
-    print(f"Your copy of the course: {folder}")
+    print(f"Your folder: {folder}")
     return 0
 
 

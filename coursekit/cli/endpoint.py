@@ -14,9 +14,11 @@ import socket
 from pathlib import Path
 from typing import Any
 
+from coursekit.systems import which
+
 from .runtime_folder import folder
 
-HAS_UNIX = hasattr(socket, "AF_UNIX")
+HAS_UNIX = hasattr(socket, "AF_UNIX") and not which.WINDOWS
 
 
 class NoSession(ConnectionError):
@@ -88,8 +90,13 @@ def _said_at(path: Path) -> dict[str, Any]:
 
 
 def token(domain_id: int) -> str:
-    """What a client on a loopback port has to say first; empty for Unix sockets."""
-    return "" if HAS_UNIX else str(_said_at(address(domain_id))["token"])
+    """What a client on a loopback port has to say first; empty for Unix sockets. NoSession when it has gone."""
+    if HAS_UNIX:
+        return ""
+    try:
+        return str(_said_at(address(domain_id))["token"])
+    except (OSError, ValueError, KeyError) as error:
+        raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}") from error
 
 
 def connect(domain_id: int) -> socket.socket:

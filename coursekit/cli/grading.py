@@ -176,11 +176,14 @@ def _variants(names: Path | None, *, new: bool = False) -> Variants | None:
 
 def run_grade(args: argparse.Namespace) -> int:
     """Grade, and say where the results are; 1 when a question is open, 2 when the grader itself does not work."""
+    from coursekit.grade import container
     from coursekit.grade.archives import BadArchive
     from coursekit.grade.bar import Bar
     from coursekit.grade.reference import GraderBroken
     from coursekit.grade.sandbox import refusal
 
+    if container.is_needed() and (why := container.refusal(args.unsafe)):
+        return container.mark(args, otherwise=why)
     if why := refusal(allow_root=args.allow_root, unsafe=args.unsafe):
         raise SystemExit(why)
     if not args.folder.is_dir() and not (args.folder.suffix.casefold() == ".zip" and args.folder.is_file()):
@@ -196,7 +199,7 @@ def run_grade(args: argparse.Namespace) -> int:
                 _review(group, outcome)
             _tell(group, outcome, args)
     except GraderBroken as error:
-        print(f"The grader is broken: {error}\nNobody was marked. `coursekit doctor` looks for the cause.")
+        print(f"The grader is broken: {error}\nNobody was marked. {error.cure}")
         return 2
     except BadArchive as error:
         raise SystemExit(f"'{args.folder}' cannot be opened: {error}. Or unpack it, and give the folder.") from None

@@ -7,7 +7,6 @@ none, that ends soon after its last command.
 from __future__ import annotations
 
 import json
-import os
 import socket
 import sys
 import threading
@@ -17,6 +16,7 @@ from typing import Any
 
 from coursekit.core.process import Process
 from coursekit.core.session import Session, current
+from coursekit.systems.folder import working_folder
 
 from . import endpoint
 from .parser import run
@@ -106,7 +106,7 @@ class Guest:
         session = self._door.session
         around: Any = {
             "env": {str(key): str(value) for key, value in first.get("env", {}).items()},
-            "cwd": str(first.get("cwd") or os.getcwd()),
+            "cwd": str(first.get("cwd") or working_folder()),
             "on_output": lambda stream, text: self._say({stream: text}),
         }
         if script:

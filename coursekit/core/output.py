@@ -78,6 +78,10 @@ class Input(io.TextIOBase):
         self._changed.clear()
         if not self._text and not self._closed_by_writer:
             self._changed.wait(timeout_sec)
+        return self.has_keys()
+
+    def has_keys(self) -> bool:
+        """Whether something can be read without waiting."""
         return bool(self._text) or self._closed_by_writer
 
     def feed(self, text: str) -> None:

@@ -16,6 +16,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces.find import with_underlay
+from coursekit.systems.folder import working_folder
 
 from .interrupting import Interruptible, raise_killed
 from .lane import Lane, ProcessKilled, thread_lane
@@ -61,7 +62,7 @@ class Process(Interruptible):
         inherited = parent.env if parent is not None else dict(session.environ)
         self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
         with_underlay(self.env)
-        above = os.getcwd() if parent is None else parent.cwd
+        above = working_folder() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.started = session.clock.steady()
         self.exit_code: int | None = None

@@ -13,6 +13,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from coursekit.systems.folder import working_folder
+
 from .commands import JOIN, load
 from .whose import current_process
 
@@ -61,7 +63,7 @@ def of_command(cmd: Sequence[str], folder: str | None) -> tuple[Path, list[str]]
     if not names_python(cmd[0]):
         return None
     words = [word for at, word in enumerate(cmd[1:]) if not (at == 0 and word == "-u")]
-    path = Path(folder or os.getcwd(), words[0]) if words else Path()
+    path = Path(folder or working_folder(), words[0]) if words else Path()
     if path.suffix != ".py" or not path.is_file():
         return None
     with open(path, "rb") as file:

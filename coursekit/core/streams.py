@@ -244,9 +244,10 @@ def install() -> None:
     if builtins.input is not _input:
         _real_input = builtins.input
         builtins.input = _input
-    from . import keyboard, leaving, selecting, threads
+    from . import console_keys, keyboard, leaving, selecting, threads
 
     keyboard.install()
+    console_keys.install()
     leaving.install()
     selecting.install()
     threads.install()

@@ -220,7 +220,7 @@ def _told_faults(records: Sequence[Record]) -> list[str]:
     for one in records:
         for verdict in one.marked().verdicts:
             if verdict.fault:
-                found.setdefault((verdict.name, verdict.fault.partition(". ")[0]), []).append(one.label)
+                found.setdefault((verdict.name, verdict.fault), []).append(one.label)
     return [
         f"The check of {name} has a fault: {fault}. No mark yet: {', '.join(people[:5])}"
         f"{' and others' if len(people) > 5 else ''}. Mend it and run this again, or give the points by hand."

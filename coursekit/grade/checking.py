@@ -62,7 +62,7 @@ def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
         return replace(empty, expected="code that runs", got=error_of(error), timed_out=noted.timed_out())
     if isinstance(error, AssertionError):  # the way in which many checks elsewhere say that something is wrong
         return replace(empty, expected=str(error)[:300] or "what the check asserts", cause=fault_of(error))
-    return replace(empty, fault=f"{fault_of(error)}. Your work is not to blame: show this to your teacher.")
+    return replace(empty, fault=fault_of(error))
 
 
 def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:

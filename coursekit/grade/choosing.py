@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from .harmless import shown
 from .pieces import Piece, told_time
 from .questions import Question, numbered
 
@@ -38,9 +39,9 @@ def choose(
     left = _different(left)
     question = _question(pieces[0].chapter, left, who)
     said = question.chosen(answers)
-    named = [one for one in left if one.where == said]
-    if len(left) > 1 and named:
-        return Choice(named[0], _why(named[0], pieces, "as answered"), question)
+    if len(left) > 1 and said in question.choices:
+        named = left[question.choices.index(said)]
+        return Choice(named, _why(named, pieces, "as answered"), question)
     newest = _newest(left)
     if len(newest) == 1:
         best = newest[0]
@@ -90,20 +91,29 @@ def _more(one: Piece, other: Piece) -> bool:
 
 
 def _question(chapter: str, left: Sequence[Piece], who: str) -> Question:
-    about = "; ".join(f"{one.where}: {told_time(one.when)}, exercises begun: {len(one.known.begun)}" for one in left)
+    places = _places(left)
+    facts = zip(places, left, strict=True)
+    about = "; ".join(f"{place}: {told_time(one.when)}, exercises begun: {len(one.known.begun)}" for place, one in facts)
     number = numbered("which", who, chapter, *sorted(one.digest for one in left))
     text = f"Which of these is {who}'s {PurePosixPath(chapter).stem}? Write its path or its place."
-    return Question(number, text, about, tuple(one.where for one in left))
+    return Question(number, text, about, tuple(places))
+
+
+def _places(pieces: Sequence[Piece]) -> list[str]:
+    """Where each lay; with the hand-in that it lay in where two would be called the same."""
+    wheres = [one.where for one in pieces]
+    return [one.where if wheres.count(one.where) == 1 else f"{shown(one.entry)}/{one.where}" for one in pieces]
 
 
 def _why(best: Piece, pieces: Sequence[Piece], how: str) -> str:
-    others = [one for one in pieces if one is not best]
+    others = sorted((one for one in pieces if one is not best), key=_order)
     if not others and best.checkpoint:
         return f"{best.where} counts: only this checkpoint was handed in"
     if not others:
         return ""
-    said = ", ".join(f"{one.where} ({_against(one, best)})" for one in sorted(others, key=_order)[:6])
-    return f"{best.where} counts{', ' + how if how else ''}; not {said}"
+    own, *places = _places([best, *others])
+    said = ", ".join(f"{place} ({_against(one, best)})" for place, one in list(zip(places, others, strict=True))[:6])
+    return f"{own} counts{', ' + how if how else ''}; not {said}"
 
 
 def _against(other: Piece, best: Piece) -> str:

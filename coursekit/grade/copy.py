@@ -104,7 +104,7 @@ class Course:
         self.folder.mkdir(parents=True, exist_ok=True)
         (self.folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         if there := self._from_elsewhere():
-            return [f"{', '.join(there)}: opened as they are; the other chapters are not added to this folder"]
+            return [f"Here already: {', '.join(there)}. No chapters of the course are added to this folder."]
         given = self._read_manifest()
         said = []
         for source in chapters(notebooks, language):

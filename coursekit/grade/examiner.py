@@ -195,7 +195,10 @@ def _explained(verdict: Verdict, stopped: str, over: bool) -> Verdict:
     if not stopped or verdict.passed:
         return verdict
     verdict = replace(verdict, timed_out=verdict.timed_out or over)
-    return verdict if verdict.got != NOTHING else replace(verdict, cause=f"The cell stopped: {_plain(stopped)}")
+    if verdict.got != NOTHING:
+        return verdict
+    why = "The cell took longer than it may. Is there a loop that never ends?" if over else f"The cell stopped: {stopped}"
+    return replace(verdict, cause=_plain(why))
 
 
 def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 
 from .harmless import cell, number, shown
+from .identifying import Identifier
 from .platform_names import moodle_folder, platform_name
 from .record import Record
 from .report import page
@@ -15,7 +16,7 @@ from .tables import write_table
 
 
 def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, out: Path) -> list[Path]:
-    """Write the platform's table, and feedback.zip where the folders of Moodle's download are known; what was written."""
+    """Write the platform's table, and feedback.zip where it is Moodle and its numbers are known; what was written."""
     table = out.with_name(f"{out.stem}.{platform}.csv")
     title = _title(records)
     rows = roster.table if roster is not None and roster.layout is not None and roster.layout.platform == platform else None
@@ -24,7 +25,8 @@ def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, o
     else:
         headings, filled = _of_own(platform, records, title)
     write_table(table, headings, filled)
-    return [table, *_feedback(records, out.with_name("feedback.zip"))]
+    feedback = _feedback(records, roster, out.with_name("feedback.zip")) if platform == "moodle" else []
+    return [table, *feedback]
 
 
 def _title(records: Sequence[Record]) -> str:
@@ -105,19 +107,30 @@ def _family_first(person: Person) -> str:
     return f"{person.family}, {person.given}" if person.family and person.given else person.name
 
 
-def _feedback(records: Sequence[Record], file: Path) -> list[Path]:
-    """The pages in folders with the names that Moodle's download had."""
-    folders = {
-        entry.name: one for one in records for entry in one.handed.entries
-        if (told := platform_name(entry.name)) is not None and told.platform == "moodle"
-    }  # fmt: skip
+def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> list[Path]:
+    """The pages of those who handed in or were told something, in folders under which Moodle knows them."""
+    identifier = Identifier(roster) if roster is not None else None
+    told = [one for one in records if one.counts() or one.handed.entries or any(one.extra.values())]
+    folders = {_folder(one, identifier): one for one in told}
+    folders.pop("", None)
     if not folders:
         return []
     fresh = file.with_suffix(".new")
     with zipfile.ZipFile(fresh, "w", zipfile.ZIP_DEFLATED) as packed:
-        for name, one in folders.items():
-            told = platform_name(name)
-            folder = moodle_folder(told.name, told.number) if told else name
+        for folder, one in folders.items():
             packed.writestr(f"{shown(folder, 250)}/feedback.html", page(one))
     fresh.replace(file)
     return [file]
+
+
+def _folder(record: Record, identifier: Identifier | None) -> str:
+    """A person's folder for Moodle: by the number in the list, else by a folder of the download that has their name."""
+    person = record.handed.person
+    if person.number:
+        return moodle_folder(person.name, person.number)
+    for entry in record.handed.entries if identifier is not None else ():
+        told = platform_name(entry.name)
+        own = identifier is not None and identifier.by_name(entry.name).people == (person,)
+        if told is not None and told.platform == "moodle" and own:
+            return moodle_folder(told.name, told.number)
+    return ""

@@ -11,13 +11,13 @@ import json
 import os
 import signal
 import sys
-import traceback
 from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
 from coursekit.cli.kernel import load_lab
 
+from .plain import error_of
 from .wire import pack, refresh, unpack_of_judge
 
 WAIT_SECONDS = 600.0
@@ -133,8 +133,7 @@ class Runner:
             with _alarm(float(question["seconds"])), contextlib.redirect_stdout(io.StringIO()):
                 return _called(function, question, names)
         except BaseException as error:
-            where = traceback.extract_tb(error.__traceback__)[-1]
-            return _told(error, f" (line {where.lineno})")
+            return {**_told(error), "error": error_of(error)[:500]}
 
     def _build(self, seconds: float) -> dict[str, Any]:
         if not self.build:
@@ -154,10 +153,9 @@ class Runner:
         return {"error": ""}
 
 
-def _told(error: BaseException, where: str = "") -> dict[str, Any]:
+def _told(error: BaseException) -> dict[str, Any]:
     """An exception of the student's code, for the judge."""
-    said = f"{type(error).__name__}: {error}{where}"[:500]
-    return {"error": said, "timed_out": isinstance(error, TookTooLong)}
+    return {"error": f"{type(error).__name__}: {error}"[:500], "timed_out": isinstance(error, TookTooLong)}
 
 
 def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> dict[str, Any]:

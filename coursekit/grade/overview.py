@@ -65,7 +65,10 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
     for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
         concerns = one.marked().concerns
         if one.status() in LOOK or concerns:
-            words = "<br>".join(_text(word) for word in [*one.handed.open, *concerns, *one.marked().notes][:12])
+            late = [f"{verdict.name}: its time was over" for verdict in one.marked().verdicts if verdict.timed_out]
+            faulty = [f"{verdict.name}: its check has a fault" for verdict in one.marked().verdicts if verdict.fault]
+            why = [*one.handed.open, *faulty, *late, *concerns, *one.marked().notes][:12]
+            words = "<br>".join(_text(word) for word in why)
             rows.append(f"<tr><td>{_link(one)}</td><td class='words'>{one.status()}</td><td class='words'>{words}</td></tr>")
     for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")

@@ -22,6 +22,10 @@ KEY = "the-reference"
 class GraderBroken(Exception):
     """The grader does not give the right solution all points: marks that it gave would be wrong."""
 
+    def __init__(self, why: str, cure: str = "`coursekit doctor` looks for the cause.") -> None:
+        super().__init__(why)
+        self.cure = cure
+
 
 @dataclass(frozen=True)
 class Reference:
@@ -61,6 +65,9 @@ def expect_sound(reference: Reference, results: Results, mark: Callable[..., Mar
     lost = [one for one in marked.verdicts if not one.passed]
     if lost or marked.status != "graded":
         first = lost[0].text() if lost else "; ".join(marked.notes) or marked.status
+        faulty = [one for one in lost if one.fault]
+        if faulty:
+            raise GraderBroken(f"the check of {faulty[0].name} has a fault: {faulty[0].fault}.", "Mend the check first.")
         points = f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points"
         raise GraderBroken(f"the reference solution of {chapter} gets {points}.\n{first}")
     results.write(KEY, chapter, depends, marked)

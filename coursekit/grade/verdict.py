@@ -87,6 +87,7 @@ class Verdict:
     def _rows(self) -> list[tuple[str, str]]:
         rows = [("expected", self.expected), ("you gave", self.gave), ("seen", self.got)]
         rows += [("likely cause", self.cause), ("hint", self.hint), ("fault of the check", self.fault)]
+        rows += [("what to do", "Show this to your teacher: your work is not to blame.")] if self.fault else []
         return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self) -> str:

@@ -163,7 +163,9 @@ def _to_cell(background: bool, change: Any = str) -> Any:
 
 def _without_folders(text: str) -> str:
     """Where every run has to print the same, the folder of the course is called `~`."""
-    return text.replace(str(workspace().parent), "~") if current().clock.virtual else text
+    folder = str(workspace().parent)
+    quoted = folder.replace("\\", "\\\\")  # as Windows' paths stand in a repr
+    return text.replace(quoted, "~").replace(folder, "~") if current().clock.virtual else text
 
 
 def _without_durations(text: str) -> str:

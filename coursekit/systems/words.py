@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from . import which
 
@@ -32,6 +32,38 @@ def join_words(words: Iterable[str]) -> str:
     "ros2 bag info 'my bag'"
     """
     return " ".join(map(_quoted_for_windows, words)) if which.WINDOWS else shlex.join(words)
+
+
+def plain_words(text: str) -> list[str]:
+    """The words of a command line that needs no shell; none when it does, or is not plain.
+
+    >>> plain_words("ros2 topic list | sort"), plain_words("echo 'a | b'")
+    ([], ['echo', 'a | b'])
+    """
+    if any(sign in text for sign in ("%^\n" if which.WINDOWS else "$`\n\\")):
+        return []
+    try:
+        words = split_words(text) if which.WINDOWS else list(_with_operators(text))
+    except ValueError:
+        return []
+    return [] if any(word and set(word) <= set("();<>|&") for word in words) else words
+
+
+def _with_operators(text: str) -> shlex.shlex:
+    reader = shlex.shlex(text, posix=True, punctuation_chars=True)
+    reader.whitespace_split = True
+    return reader
+
+
+def shell_command(text: str, env: Mapping[str, str]) -> list[str]:
+    """The command that has this user's shell carry out a text.
+
+    >>> shell_command("echo $HOME", {"SHELL": "/bin/bash"})
+    ['/bin/bash', '-c', 'echo $HOME']
+    """
+    if which.WINDOWS:
+        return [env.get("COMSPEC") or "cmd.exe", "/d", "/c", *split_words(text)]
+    return [env.get("SHELL") or "/bin/sh", "-c", text]
 
 
 def _quoted_for_windows(word: str) -> str:

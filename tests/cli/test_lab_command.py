@@ -58,7 +58,7 @@ def test_what_was_released_is_opened_and_nothing_is_added_to_it(tmp_path, opened
         address, there = opened(tmp_path / "week2")
         assert address == "/lab/tree/02_topics.ipynb" and there == ["02_topics.ipynb", "03_services.ipynb"]
     assert (tmp_path / "week2" / "02_topics.ipynb").read_bytes() == before
-    assert "not added to this folder" in capsys.readouterr().out
+    assert "Here already: 02_topics.ipynb, 03_services.ipynb. No chapters of the course" in capsys.readouterr().out
 
 
 def test_a_teacher_s_own_chapter_is_opened_and_nothing_is_added_to_it(tmp_path, opened) -> None:

@@ -4,7 +4,21 @@ import shutil
 
 import pytest
 
-from .handed import NOON, SERVICES, TOPICS, answer, by_name, cheap_mark, collected, grade, notebook, text, write, zipped
+from .handed import (  # fmt: skip
+    NOON,
+    SERVICES,
+    TOPICS,
+    answer,
+    by_name,
+    cheap_mark,
+    collected,
+    grade,
+    notebook,
+    points_of,
+    text,
+    write,
+    zipped,
+)
 
 HOUR = 3600
 
@@ -93,6 +107,17 @@ def test_an_answer_that_is_none_of_the_choices_is_no_answer(folder):
     assert grade(folder)[0] == 1
     answer(folder.parent / "questions.csv", Lee="1")
     assert grade(folder)[1]["Ann Lee"]["ch02.q1"] == "1"
+
+
+@pytest.mark.parametrize(("said", "begun"), [("1", "ch02.q1"), ("2", "ch02.q2"), (f"ann_lee/{TOPICS}", "ch02.q2")])
+def test_files_of_one_name_in_two_hand_ins_are_told_apart(folder, said, begun):
+    write(folder / "Ann Lee" / TOPICS, text("q1"))
+    write(folder / "ann_lee" / TOPICS, text("q2"))
+    grade(folder)
+    (asked,) = answer(folder.parent / "questions.csv", Lee=said)
+    assert asked["choices"] == f"Ann Lee/{TOPICS} | ann_lee/{TOPICS}"
+    status, found = grade(folder)
+    assert status == 0 and found["Ann Lee"][begun] != "0" and float(found["Ann Lee"]["total"]) == points_of(begun[5:])
 
 
 def test_the_same_work_twice_is_no_question(folder):

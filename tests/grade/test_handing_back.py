@@ -11,7 +11,7 @@ import pytest
 from coursekit.cli.coursekit import main
 from coursekit.grade.statuses import STATUSES
 
-from .handed import NOON, SERVICES, TOPICS, cheap_mark, grade, rows, text, write, zipped
+from .handed import NOON, SERVICES, TOPICS, answer, cheap_mark, grade, rows, text, write, zipped
 from .test_identifying import LISTS
 
 
@@ -40,8 +40,35 @@ def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(
     )
     assert ana[head.index("Full name")] == "García López, Ana" and ben[head.index("Grade")] == "0"
     with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
-        assert packed.namelist() == ["García López Ana_101_assignsubmission_file_/feedback.html"]
+        assert packed.namelist() == ["Ana García López_101_assignsubmission_file_/feedback.html"]
         assert "Ana García López" in packed.read(packed.namelist()[0]).decode()
+
+
+@pytest.mark.parametrize("name", ["moodle.csv", "plain.csv", None])
+def test_nobody_gets_another_s_page_whatever_folder_their_work_lay_in(folder, name):
+    words = ("--roster", folder.parent / name) if name else ()
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q3"))
+    write(folder / "Somebody Else_103_assignsubmission_file_" / TOPICS, text("q4"))
+    grade(folder, *words)
+    if name:
+        answer(folder.parent / "questions.csv", Somebody="Ben")
+        grade(folder, *words, "--for", "moodle")
+    else:
+        grade(folder, "--for", "moodle")
+    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+        found = {one.split("_")[1]: packed.read(one).decode() for one in packed.namelist()}
+    assert set(found) == ({"101", "102"} if name else {"101", "102", "103"})
+    assert "López" in found["101"] and "Ben" in found["102"] and "Ben" not in found["101"]
+
+
+def test_a_comment_reaches_also_whoever_handed_in_nothing(folder):
+    words = ("--roster", folder.parent / "moodle.csv", "--for", "moodle")
+    grade(folder, *words)
+    edited(folder.parent / "grades.csv", student="Ben Ito", comment="Come and see me.")
+    grade(folder, *words)
+    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+        (own,) = [one for one in packed.namelist() if "_102_" in one]
+        assert "Come and see me." in packed.read(own).decode()
 
 
 def test_canvas_gets_a_column_and_its_points_possible(folder):

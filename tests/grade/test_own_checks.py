@@ -116,8 +116,24 @@ def test_an_exception_of_the_check_is_not_told_as_the_student_s(tmp_path, answer
     if blamed == "work":
         assert not verdict.fault and verdict.expected
         return
-    assert "(grip_drill.py, line 7" in verdict.fault and "not to blame" in verdict.fault and not verdict.got
+    assert "(grip_drill.py, line 7" in verdict.fault and "not to blame" in verdict.text() and not verdict.got
     assert "not judged" in verdict.text() and "not judged" in verdict.html() and "fault of the check" in verdict.html()
+
+
+def test_a_check_that_stops_at_the_right_solution_stops_the_grader_and_is_named(tmp_path, capsys, monkeypatch):
+    handed = tmp_path / "class"
+    write(handed / "Ann" / TOPICS, text("q1", "q2"))
+
+    def faulty(submission, *more):
+        made = cheap_mark(submission, *more)
+        made.verdicts[1] = replace(made.verdicts[1], points=0, fault="NameError: x (c.py, line 7)")
+        return made
+
+    monkeypatch.setattr("coursekit.grade.batch.mark", faulty)
+    out = ["--out", str(tmp_path / "grades.csv")]
+    assert main(["grade", str(handed), "--allow-root", "--unsafe", *out]) == 2
+    said = capsys.readouterr().out
+    assert "the check of ch02.q2 has a fault: NameError: x (c.py, line 7)." in said and "Mend the check first." in said
 
 
 def test_a_check_s_own_fault_costs_nobody_points_and_the_teacher_is_told(tmp_path, capsys, monkeypatch):
@@ -128,7 +144,7 @@ def test_a_check_s_own_fault_costs_nobody_points_and_the_teacher_is_told(tmp_pat
     def faulty(submission, *more):
         made = cheap_mark(submission, *more)
         if submission.student == "Ann":
-            made.verdicts[1] = replace(made.verdicts[1], points=0, fault="TypeError: no (c.py, line 7). Not you.")
+            made.verdicts[1] = replace(made.verdicts[1], points=0, fault="TypeError: no (c.py, line 7)")
         return made
 
     monkeypatch.setattr("coursekit.grade.batch.mark", faulty)

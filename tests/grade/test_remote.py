@@ -168,3 +168,16 @@ def test_what_a_student_s_function_raises_in_the_sandbox_is_no_fault_of_the_chec
     work.run("def f(a):\n    return a + 'x'", 10)
     verdict = judge_work(exercise(lambda work: work.function("f")(1)), work)
     assert verdict.got.startswith("TypeError: unsupported operand") and not verdict.fault
+
+
+DEEP = """import json
+def f():
+    return json.loads("x")
+"""
+
+
+def test_the_line_that_is_told_is_the_student_s_own_not_a_library_s(work):
+    work.run(DEEP, 10)
+    verdict = judge_work(exercise(lambda work: work.function("f")()), work)
+    assert verdict.got.startswith("JSONDecodeError: Expecting value") and '(line 3: return json.loads("x"))' in verdict.got
+    assert "(line 355" not in verdict.got

@@ -37,7 +37,7 @@ def test_the_names_that_it_shows_are_known_and_every_status_stands_there():
 
 
 def test_every_word_of_a_command_that_it_shows_is_one(capsys):
-    for command in ("release", "grade", "verify"):
+    for command in ("lab", "release", "grade", "verify"):
         with pytest.raises(SystemExit):
             main([command, "--help"])
     known = set(re.findall(r"--[a-z][a-z-]*", capsys.readouterr().out))

@@ -152,7 +152,7 @@ def test_a_release_has_a_copy_for_each_student_and_the_secret_stays_with_the_tea
         assert declared(json.loads(text)) == {} and told(json.loads(text))["ch05.q2"]
     course = Course(handed_out / "week5" / "AnnLee")
     (said,) = course.update(handed_out / "notebooks")
-    assert said.startswith("05_part.ipynb: opened as they are")
+    assert said.startswith("Here already: 05_part.ipynb.")
     assert not list((handed_out / "week5" / "AnnLee").glob("*.new.ipynb"))
 
 

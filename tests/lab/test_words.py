@@ -1,5 +1,9 @@
 """The words of a magic: a path of Windows stays as it is written."""
 
+from pathlib import PureWindowsPath
+
+from coursekit.core.session import Session
+from coursekit.lab import magics
 from coursekit.lab.magics import _read
 from coursekit.systems import which
 
@@ -10,3 +14,11 @@ def test_a_windows_path_keeps_its_backslashes(monkeypatch):
     assert options == {"workspace": r"C:\Users\vera\ws"}
     assert words == ["run", "demo", "node", r"C:\Users\vera\new.yaml"]
     assert background
+
+
+def test_the_folder_of_the_course_is_short_also_where_a_path_stands_in_a_repr(monkeypatch):
+    course = PureWindowsPath(r"C:\Users\vera\course")
+    monkeypatch.setattr(magics, "workspace", lambda: course / "ros2_ws")
+    with Session(virtual=True).use():
+        said = magics._without_folders(f"{course}\\map.yaml filename={str(course / 'map')!r}\n")
+    assert said == "~\\map.yaml filename='~\\\\map'\n"

@@ -111,7 +111,7 @@ from launch.substitutions import LaunchConfiguration
 
 def generate_launch_description():
     again = LaunchConfiguration('use_respawn')
-    cmd = ['{python}', '-c', 'print(1)']
+    cmd = [{python!r}, '-c', 'print(1)']
     return LaunchDescription([
         DeclareLaunchArgument('use_respawn', default_value='False'),
         DeclareLaunchArgument('namespace'),

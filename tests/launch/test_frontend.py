@@ -16,6 +16,8 @@ from launch.launch_description_sources import (
 )
 from launch.substitution import Substitution
 
+from tests.needs import slashed
+
 USER = "[INFO] [launch.user]: "
 
 SHOW = (
@@ -184,7 +186,7 @@ def test_nodes_with_all_that_can_be_in_them(launch, workspace, text: str, tmp_pa
         "[show-1] ARGV -x a b --ros-args --log-level info --ros-args -r __node:=tom "
         "-r __ns:=/robot1/ns -p everywhere:=7 --params-file "
     )
-    assert argv.endswith(f"--params-file {tmp_path}/p.yaml -r old:=new -r a:=b ENV 1 true")
+    assert slashed(argv).endswith(f"--params-file {slashed(tmp_path)}/p.yaml -r old:=new -r a:=b ENV 1 true")
     files = [line.split("FILE ")[1] for line in lines if "FILE" in line]
     assert files == [
         f"/robot1/ns/tom: ros__parameters: {text}"
@@ -208,9 +210,10 @@ def test_includes_know_where_they_are(launch, text: str, tmp_path: Path) -> None
     (tmp_path / "inner.launch.xml").write_text(
         '<launch><arg name="a"/><log message="$(var a) in $(filename)"/></launch>'
     )
-    assert launch([IncludeLaunchDescription(AnyLaunchDescriptionSource(str(outer)))]).lines == [
-        USER + f"from outside in {tmp_path}/inner.launch.xml",
-        USER + f"back in {outer}",
+    said = launch([IncludeLaunchDescription(AnyLaunchDescriptionSource(str(outer)))]).lines
+    assert [slashed(line) for line in said] == [
+        USER + f"from outside in {slashed(tmp_path)}/inner.launch.xml",
+        USER + f"back in {slashed(outer)}",
     ]
 
 

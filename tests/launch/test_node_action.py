@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -117,7 +118,8 @@ def test_invalid_names_are_errors(launch, workspace, entities) -> None:
 
 def test_the_log_folder_of_nodes_can_be_set(launch, workspace) -> None:
     workspace.executable("demo", "show", SHOW)
-    assert "[show-1] LOG /x/y" in launch([SetROSLogDir("/x/y"), node()]).lines
+    folder = Path("/x/y").absolute().as_posix()
+    assert f"[show-1] LOG {folder}" in launch([SetROSLogDir("/x/y"), node()]).lines
 
 
 def test_packages_and_executables_are_found(context: LaunchContext, workspace) -> None:

@@ -121,9 +121,9 @@ def test_files_and_mappings_keep_their_order(show: Arguments, tmp_path: Path) ->
     parts = arguments.split()
     assert parts[3:] == [
         "--params-file",
-        f"{tmp_path}/p.yaml",
+        str(tmp_path / "p.yaml"),
         "--params-file",
-        f"{tmp_path}/p.yaml",
+        str(tmp_path / "p.yaml"),
         "-p",
         "b:=x",
     ]
@@ -133,7 +133,7 @@ def test_a_file_that_does_not_exist_is_warned_of_and_left_out(launch, workspace,
     workspace.executable("demo", "show", SHOW)
     result = launch([node(parameters=[str(tmp_path / "none.yaml")])])
     assert (
-        f"[WARNING] [launch_ros.actions.node]: Parameter file path is not a file: {tmp_path}/none.yaml"
+        f"[WARNING] [launch_ros.actions.node]: Parameter file path is not a file: {tmp_path / 'none.yaml'}"
         in result.lines
     )
     assert "[show-1] ARGV --ros-args" in result.lines
@@ -199,7 +199,7 @@ def test_parameters_can_be_set_for_all_nodes_of_a_group(show: Arguments, tmp_pat
     # argv is shown without quotes around the parts that hold spaces
     assert inside == (
         f"--ros-args -p speed:=1 -p speed:=2.5 -p words:=[a, b] -p text:='1' -p use_sim_time:=true "
-        f"--params-file {tmp_path}/p.yaml -r a:=b -r c:=d"
+        f"--params-file {tmp_path / 'p.yaml'} -r a:=b -r c:=d"
     )
     assert outside == "--ros-args"
 

@@ -51,7 +51,7 @@ def test_an_unknown_output_is_an_error(launch) -> None:
 
 
 def test_a_last_line_without_end_is_shown_too(launch) -> None:
-    result = launch([ExecuteProcess(cmd=["printf", r"a\nb"], output="screen")])
+    result = launch([ExecuteProcess(cmd=[sys.executable, "-c", r"print('a\nb', end='')"], name="printf", output="screen")])
     assert [line for line in result.lines if line.startswith("[printf-1] ")] == [
         "[printf-1] a",
         "[printf-1] b",

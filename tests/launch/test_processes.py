@@ -20,6 +20,8 @@ from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from launch.substitutions import FindExecutable, LaunchConfiguration
 from launch_ros.actions import Node
 
+from tests.needs import posix
+
 USER = "[INFO] [launch.user]: "
 
 
@@ -36,6 +38,7 @@ def test_a_real_process_starts_prints_and_finishes(launch) -> None:
     ]
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_a_process_that_fails_has_died_with_its_code(launch) -> None:
     result = launch([ExecuteProcess(cmd=["sh", "-c", "exit 3"])])
     assert result.code == 0
@@ -66,6 +69,7 @@ def test_environment_and_folder_are_the_ones_given(launch, tmp_path) -> None:
     assert "[python-1] 1 2 here" in result.lines
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_a_shell_runs_only_when_it_is_asked_for(launch, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SHELL", "/bin/sh")
     plain = launch([ExecuteProcess(cmd=["echo", "$((1 + 1))"], output="screen")])
@@ -74,6 +78,7 @@ def test_a_shell_runs_only_when_it_is_asked_for(launch, monkeypatch: pytest.Monk
     assert "[echo-1] 2" in shell.lines
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_a_prefix_goes_before_the_command(launch) -> None:
     result = launch([ExecuteProcess(cmd=["echo", "x"], prefix="env echo before", output="screen")])
     assert "[echo-1] before echo x" in result.lines
@@ -133,6 +138,7 @@ def test_what_comes_on_exit_may_be_given_with_the_process(launch) -> None:
     assert result.lines[-1] == USER + "gone"
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_a_required_process_ends_the_launch(launch) -> None:
     result = launch([ExecuteProcess(cmd=["sleep", "100"]), ExecuteProcess(cmd=["true"], on_exit=Shutdown())])
     assert "[INFO] [launch]: process[true-2] was required: shutting down launched system" in result.lines
@@ -220,6 +226,7 @@ def test_ros2_commands_are_carried_out_in_the_session(launch, workspace, cmd, sh
     ]
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_what_needs_a_shell_is_left_to_it(launch, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SHELL", "/bin/sh")
     result = launch([ExecuteProcess(cmd=["echo", "b", "&&", "echo", "a"], shell=True, output="screen")])

@@ -35,6 +35,7 @@ from launch.substitutions import (
 )
 from launch.utilities import perform_substitutions
 
+from tests.needs import posix
 from tests.paths.workspace import HOSTILE
 
 
@@ -73,6 +74,7 @@ def test_paths_are_joined_and_parts_may_be_lists(context: LaunchContext) -> None
     assert StringJoinSubstitution(["a", "b"], delimiter="-").perform(context) == "a-b"
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_executables_are_found_on_the_path_and_beside_python(context: LaunchContext) -> None:
     assert os.path.basename(FindExecutable(name="sh").perform(context)) == "sh"
     python = os.path.basename(sys.executable)
@@ -85,6 +87,7 @@ def test_a_command_gives_what_it_prints(context: LaunchContext) -> None:
     assert Command(["echo ", "'a  b'"]).perform(context) == "a  b\n"
 
 
+@posix("there is no sh, env, nor an end by a signal")
 @pytest.mark.parametrize(
     ("mode", "expected"), [("ignore", "out\n"), ("warn", "out\n"), ("capture", "err\nout\n")]
 )
@@ -279,6 +282,7 @@ def test_a_path_that_is_an_item_of_a_command_is_one_word_whatever_is_in_its_name
     assert not list(tmp_path.glob("PWNED*"))
 
 
+@posix("there is no sh, env, nor an end by a signal")
 def test_a_command_whose_quotes_do_not_end_says_how_to_give_a_path(context):
     with pytest.raises(SubstitutionFailure, match=r"No closing quotation.*\n.*Command\(\['xacro ', path\]\)"):
         Command("xacro /home/it's/robot.urdf").perform(context)

@@ -30,6 +30,8 @@ from launch.substitutions import (
 from launch.utilities import ensure_argument_type
 from launch.utilities.type_utils import coerce_to_type
 
+from tests.needs import posix
+
 ASKS = [sys.executable, "-c", "import sys; sys.exit(sys.stdout.isatty() + 2 * sys.stderr.isatty())"]
 
 
@@ -39,6 +41,7 @@ def run(*entities: Any) -> int:
     return service.run()
 
 
+@posix("a child has no terminal there, as in Humble")
 @pytest.mark.parametrize(
     ("before", "options", "code"),
     [

@@ -33,6 +33,8 @@ from launch.utilities.type_utils import (
 )
 from launch_xml import Entity as XmlEntity
 
+from tests.needs import posix
+
 
 def text(words: str) -> TextSubstitution:
     return TextSubstitution(text=words)
@@ -132,6 +134,7 @@ def test_an_include_gives_its_description_and_says_where_it_lies(context: Launch
     assert context.locals.current_launch_file_directory == "<script>"
 
 
+@posix("it knows no SIGUSR1, and every path has a drive")
 def test_the_including_files_place_is_known_again_after_the_include(context: LaunchContext, tmp_path: Path) -> None:
     seen = []
 
@@ -199,6 +202,7 @@ def test_an_installed_extension_that_fails_is_told_and_left_out(method: str, gro
         getattr(Fresh, method)()
 
 
+@posix("it knows no SIGUSR1, and every path has a drive")
 def test_signals_reach_their_handlers_only_while_the_manager_is_entered() -> None:
     outside: list[int] = []
     before = signal.signal(signal.SIGUSR1, lambda number, frame: outside.append(number))

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from coursekit.systems import which
-from coursekit.systems.words import join_words, split_words
+from coursekit.systems.words import join_words, plain_words, shell_command, split_words
 
 
 @pytest.fixture
@@ -60,3 +60,24 @@ def test_on_windows_what_python_writes_for_programs_is_read_as_they_read_it(word
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(which, "WINDOWS", True)
         assert split_words(subprocess.list2cmdline(words)) == words
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (r'"C:\a b\ros2.exe" pkg prefix "my demo"', [r"C:\a b\ros2.exe", "pkg", "prefix", "my demo"]),
+        ("ros2 topic list | sort", []),
+        ("ros2 run a && echo", []),
+        ("echo %PATH%", []),
+        ("echo 'open", []),
+    ],
+)
+def test_on_windows_a_line_without_operators_needs_no_shell(monkeypatch, text, words):
+    monkeypatch.setattr(which, "WINDOWS", True)
+    assert plain_words(text) == words
+
+
+def test_windows_shell_is_the_one_that_the_system_names(monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", True)
+    command = shell_command('echo "a b" && dir', {"COMSPEC": r"C:\Windows\system32\cmd.exe"})
+    assert command == [r"C:\Windows\system32\cmd.exe", "/d", "/c", "echo", "a b", "&&", "dir"]

@@ -1,4 +1,4 @@
-"""What Wine 8 lacks and Windows has: two libraries, made by zig; and threads that OpenCV could use."""
+"""What Wine 8 lacks and Windows has: two libraries, made by zig; threads for OpenCV; and Git's small commands."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from .wine import HOME, VENV
+from .wine import COMMANDS, HOME, VENV
 
 HERE = Path(__file__).parent
 MATHS = b"api-ms-win-crt-math-l1-1-0.dll"
@@ -56,6 +56,14 @@ def add_complex_functions() -> None:
     _link(OURS.decode(), HERE / "complex_functions.c", exports, "-lucrtbase", "-fno-builtin")
 
 
+def add_commands() -> None:
+    """echo and its like, which stand for other programs in tests."""
+    COMMANDS.mkdir(exist_ok=True)
+    for name in ("echo", "true", "false", "sleep"):
+        program = COMMANDS / f"{name}.exe"
+        _zig(HERE / "commands.c", "-lkernel32", "-fno-builtin", "-Wl,-e,mainCRTStartup", "-o", str(program))
+
+
 def one_thread_for_opencv() -> None:
     """OpenCV's threads raise "Unknown exception" in Wine."""
     file = VENV / "Lib" / "site-packages" / "wine_threads.pth"
@@ -77,7 +85,12 @@ def _named(file: Path) -> set[bytes]:
 
 
 def _link(name: str, *words: Path | str) -> None:
-    """Make a library that needs no C library, and give it to Wine."""
-    zig = [_tools, "-m", "ziglang", "cc", "-target", "x86_64-windows-gnu", "-shared", "-O1", "-nostdlib"]
-    subprocess.run([*zig, *words, "-o", name], check=True, cwd=HOME)
+    """Make a library and give it to Wine."""
+    _zig("-shared", *words, "-o", name)
     shutil.copy(HOME / name, _system)
+
+
+def _zig(*words: Path | str) -> None:
+    """Compile for Windows what needs no C library."""
+    zig = [_tools, "-m", "ziglang", "cc", "-target", "x86_64-windows-gnu", "-O1", "-nostdlib"]
+    subprocess.run([*zig, *words], check=True, cwd=HOME)

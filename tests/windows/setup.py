@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 import sys
 
 from . import lacking, windows_python, wine
@@ -26,7 +27,9 @@ def set_up(version: str = "3.11") -> None:
     wine.must_run("cmd", "/c", "ver")
     lacking.get_tools()
     lacking.add_random_bytes()
+    lacking.add_commands()
     wine.must_run(python, "-m", "venv", "--clear", wine.VENV)
+    shutil.copy(wine.PYTHON, wine.PYTHON.with_name("python3.exe"))  # as launch files call it
     _install("-c", "requirements.lock", "-e", ".", *_test_packages())
     lacking.add_complex_functions()
     lacking.one_thread_for_opencv()

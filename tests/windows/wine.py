@@ -14,6 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 HOME = Path(os.environ.get("COURSEKIT_WINE") or Path.home() / ".cache" / "coursekit" / "wine")
 """Where the prefix, the Python and what Wine lacks lie; they are made once."""
 VENV = HOME / "venv"
+COMMANDS = HOME / "commands"
 PYTHON = VENV / "Scripts" / "python.exe"
 _UNWANTED = ("PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED", "PIP_FIND_LINKS", "VIRTUAL_ENV")
 """Settings of the system outside that mean something else inside."""
@@ -36,7 +37,8 @@ def windows_path(path: Path) -> str:
 def environment(extra: Mapping[str, str] | None = None) -> dict[str, str]:
     """The variables that programs of Windows see: a prefix of ours, and pip's certificates as they are called there."""
     env = {name: value for name, value in os.environ.items() if name not in _UNWANTED}
-    env |= {"WINEPREFIX": str(HOME / "prefix"), "WINEDEBUG": "-all", "WINEPATH": windows_path(VENV / "Scripts")}
+    path = ";".join(map(windows_path, (VENV / "Scripts", COMMANDS)))
+    env |= {"WINEPREFIX": str(HOME / "prefix"), "WINEDEBUG": "-all", "WINEPATH": path}
     env |= {"PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_CONFIG_FILE": "nul"}
     certificates = Path(env.get("PIP_CERT") or "/etc/ssl/certs/ca-certificates.crt")
     if certificates.is_file():

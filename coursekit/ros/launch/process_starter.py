@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-import shlex
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from coursekit.core import script, session
 from coursekit.core.child import ChildProcess
 from coursekit.core.commands import inside
 from coursekit.core.prefixed import is_package_executable, prefixed
+from coursekit.systems.layout import executable_name
+from coursekit.systems.words import plain_words, shell_command
 
 from .substitutions.find_executable import which
 
@@ -38,17 +40,18 @@ def start_process(
     """
     current = session.current()
     cmd = prefixed(without_terminal(cmd))
-    words = ros2_words(" ".join(cmd)) if shell else list(cmd)
-    run = inside(os.path.basename(words[0])) if words and not is_package_executable(words[0]) else None
+    words = plain_words(" ".join(cmd)) if shell else list(cmd)
+    name = executable_name(Path(words[0])) if words else ""
+    run = inside(name) if words and not is_package_executable(words[0]) else None
     if run is not None:
-        name, argv = os.path.basename(words[0]), words[1:]
+        argv = words[1:]
         return current.start(lambda: run(argv), name=name, argv=argv, env=env, cwd=cwd, on_output=on_output, tty=tty)
     program = script.of_command(words, cwd) if words else None
     if program is not None:
         path, argv = program
         return current.start_executable(path, argv, env=env, cwd=cwd, on_output=on_output, tty=tty)
     if shell:
-        cmd = [env.get("SHELL") or "/bin/sh", "-c", " ".join(cmd)]
+        cmd = shell_command(" ".join(cmd), env)
     elif is_package_executable(cmd[0]):
         return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output, tty=tty)
     found = which(cmd[0], env.get("PATH"))
@@ -70,22 +73,3 @@ def without_terminal(cmd: Sequence[str]) -> Sequence[str]:
         if word in ("-e", "-x", "--"):
             return cmd[index + 1 :]
     return cmd
-
-
-def ros2_words(text: str) -> list[str]:
-    """Return the words of a plain command line; none when it needs a shell, or is not plain.
-
-    >>> ros2_words('ros2 service call /spawn turtlesim/srv/Spawn "{x: 2}"')[-1]
-    '{x: 2}'
-    >>> ros2_words('ros2 topic list | sort')
-    []
-    """
-    if any(character in text for character in "$`\n\\"):
-        return []
-    reader = shlex.shlex(text, posix=True, punctuation_chars=True)
-    reader.whitespace_split = True
-    try:
-        words = list(reader)
-    except ValueError:
-        return []
-    return [] if any(word and set(word) <= set("();<>|&") for word in words) else words

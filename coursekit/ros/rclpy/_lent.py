@@ -70,8 +70,8 @@ _LENT = {
         "InvalidParameterValueException ListParameters MsgType PARAMETER_SEPARATOR_STRING ParameterAlreadyDeclaredException "
         "ParameterImmutableException ParameterNotDeclaredException ParameterType ParameterUninitializedException "
         "ParameterValue PublisherEventCallbacks QoSOverridingOptions Rate ReentrantCallbackGroup S_TO_NS "
-        "SetParametersResult SubscriptionEventCallbacks TopicEndpointInfo Waitable check_is_valid_msg_type check_is_valid_srv_type "
-        f"qos_profile_services_default validate_parameter_name {_SERVICE_TYPES}"
+        "SetParametersResult SubscriptionEventCallbacks TopicEndpointInfo Waitable check_is_valid_msg_type "
+        f"check_is_valid_srv_type qos_profile_services_default validate_parameter_name {_SERVICE_TYPES}"
     ),
     "rclpy.publisher": "CallbackGroup MsgType PublisherEventCallbacks QoSEventHandler QoSProfile",
     "rclpy.service": f"CallbackGroup QoSProfile {_SERVICE_TYPES}",

@@ -24,14 +24,14 @@ def test_it_plays_in_time_and_says_what_humble_says(stage: Stage) -> None:
     assert player.wait(10) == 0
     assert stage.heard == [(f"Hello {n}", 1.0 + n) for n in range(6)]
     assert [line.split("] ", 2)[2] for line in player.output.splitlines()] == [
-        "[rosbag2_storage]: Opened database 'talk/talk_0.db3' for READ_ONLY.",
+        f"[rosbag2_storage]: Opened database '{Path('talk', 'talk_0.db3')}' for READ_ONLY.",
         "[rosbag2_player]: Set rate to 1",
         "[rosbag2_player]: Adding keyboard callbacks.",
         "[rosbag2_player]: Press SPACE for Pause/Resume",
         "[rosbag2_player]: Press CURSOR_RIGHT for Play Next Message",
         "[rosbag2_player]: Press CURSOR_UP for Increase Rate 10%",
         "[rosbag2_player]: Press CURSOR_DOWN for Decrease Rate 10%",
-        "[rosbag2_storage]: Opened database 'talk/talk_0.db3' for READ_ONLY.",
+        f"[rosbag2_storage]: Opened database '{Path('talk', 'talk_0.db3')}' for READ_ONLY.",
     ]
 
 
@@ -167,4 +167,4 @@ def test_a_bag_that_breaks_off_is_played_so_far_and_told(stage: Stage) -> None:
     file.write_bytes(file.read_bytes()[:60_000])
     player = stage.ros2("bag play long -r 1e6")
     assert player.wait(5) == 1 and "Traceback" not in player.output
-    assert "[ERROR] [ros2bag]: 'long/long_0.db3' cannot be read as a sqlite3 file of a bag: " in player.output
+    assert f"[ERROR] [ros2bag]: '{file}' cannot be read as a sqlite3 file of a bag: " in player.output

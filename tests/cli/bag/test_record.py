@@ -26,7 +26,7 @@ def test_a_recording_says_what_humble_says(session: Session, ros2: Callable[[str
     stop(session, recorder)
     assert lines(recorder) == [
         "[INFO] [rosbag2_recorder]: Press SPACE for pausing/resuming",
-        "[INFO] [rosbag2_storage]: Opened database 'talk/talk_0.db3' for READ_WRITE.",
+        f"[INFO] [rosbag2_storage]: Opened database '{Path('talk', 'talk_0.db3')}' for READ_WRITE.",
         "[INFO] [rosbag2_recorder]: Listening for topics...",
         "[INFO] [rosbag2_recorder]: Event publisher thread: Starting",
         "[INFO] [rosbag2_recorder]: Subscribed to topic '/chatter'",
@@ -156,10 +156,8 @@ def test_a_bag_is_split_by_time_and_the_split_is_told(session: Session, ros2: Ca
     executor.spin_once(timeout_sec=0)
     executor.spin_once(timeout_sec=0)
     stop(session, recorder)
-    assert [(one.closed_file, one.opened_file) for one in heard] == [
-        ("talk/talk_0.db3", "talk/talk_1.db3"),
-        ("talk/talk_1.db3", "talk/talk_2.db3"),
-    ]
+    first, second, third = (str(Path("talk", f"talk_{number}.db3")) for number in range(3))
+    assert [(one.closed_file, one.opened_file) for one in heard] == [(first, second), (second, third)]
     files = yaml.safe_load(Path("talk/metadata.yaml").read_text(encoding="utf-8"))["rosbag2_bagfile_information"]["files"]
     assert [one["message_count"] for one in files] == [3, 3, 1]
 

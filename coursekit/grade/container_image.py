@@ -1,0 +1,92 @@
+"""The image in which work is marked: Linux, Python, bubblewrap and this course, made once for each version of it."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import subprocess
+import sys
+import tempfile
+import zipfile
+from dataclasses import dataclass
+from importlib.metadata import Distribution, distribution
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[1]
+RECIPE = """\
+FROM docker.io/library/python:3.12-slim-bookworm
+RUN apt-get update && apt-get install -y --no-install-recommends bubblewrap && rm -rf /var/lib/apt/lists/*
+COPY *.whl *.lock /course/
+RUN pip install --no-cache-dir {constraints}/course/*.whl
+ENTRYPOINT ["coursekit"]
+"""
+_NOT_OURS = ("INSTALLER", "REQUESTED", "direct_url.json")
+"""What an installer wrote beside what it was given."""
+
+
+@dataclass
+class Image:
+    """The image of one version of the course."""
+
+    wheel: bytes
+    name: str
+    """Of the wheel's file."""
+    lock: bytes = b""
+    """The versions that it is installed with, where they are known."""
+
+    @classmethod
+    def of_this_course(cls) -> Image:
+        """As it is installed here, or as it is in this checkout."""
+        checkout = PACKAGE.parent
+        if (checkout / "pyproject.toml").is_file():
+            file, content = _built(checkout)
+            return cls(content, file, (checkout / "requirements.lock").read_bytes())
+        found = distribution("coursekit")
+        return cls(packed(found), f"coursekit-{found.version}-py3-none-any.whl")
+
+    @property
+    def tag(self) -> str:
+        """The name of the image; another one as soon as anything in it changes."""
+        with zipfile.ZipFile(io.BytesIO(self.wheel)) as archive:
+            facts = sorted((one.filename, one.CRC) for one in archive.infolist() if not one.filename.endswith("RECORD"))
+        return "coursekit-grade:" + hashlib.sha256(repr((facts, self.lock, RECIPE)).encode()).hexdigest()[:16]
+
+    def make(self, program: str) -> None:
+        """Make it unless it is there; that needs the network once, and some minutes."""
+        known = subprocess.run([program, "image", "inspect", self.tag], capture_output=True, stdin=subprocess.DEVNULL)
+        if known.returncode == 0:
+            return
+        print("Making the image in which work is marked: this takes some minutes, once.", flush=True)
+        with tempfile.TemporaryDirectory() as context:
+            self._write(Path(context))
+            recipe = str(Path(context, "Containerfile"))
+            code = subprocess.call([program, "build", "--tag", self.tag, "--file", recipe, context])
+        if code:
+            raise SystemExit("The image could not be made: what stands above says why. It needs the network this once.")
+
+    def _write(self, folder: Path) -> None:
+        constraints = "-c /course/requirements.lock " if self.lock else ""
+        (folder / self.name).write_bytes(self.wheel)
+        (folder / "requirements.lock").write_bytes(self.lock)
+        (folder / "Containerfile").write_text(RECIPE.format(constraints=constraints), encoding="utf-8", newline="\n")
+
+
+def _built(checkout: Path) -> tuple[str, bytes]:
+    """A checkout's wheel: its name and what is in it."""
+    with tempfile.TemporaryDirectory() as out:
+        command = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--wheel-dir", out, str(checkout)]
+        if subprocess.call(command):
+            raise SystemExit("The course could not be packed for the container: what stands above says why.")
+        [wheel] = Path(out).glob("*.whl")
+        return wheel.name, wheel.read_bytes()
+
+
+def packed(found: Distribution) -> bytes:
+    """The wheel from which a package was installed, made again of its files."""
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for one in found.files or []:
+            outside = ".." in one.parts or "__pycache__" in one.parts or one.name in _NOT_OURS
+            if not outside:
+                archive.write(str(found.locate_file(one)), one.as_posix())
+    return file.getvalue()

@@ -1,0 +1,69 @@
+r"""Keys of Windows' console: the codes that msvcrt gives, and what a terminal of Linux sends for the same keys.
+
+>>> codes_of("\x1b[A"), sent_for("\xe0", "H") == "\x1b[A"
+(['à', 'H'], True)
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+from typing import Any
+
+from . import which
+
+SPECIAL = ("\0", "\xe0")
+"""What comes before the code of a key that is no character; the second is a letter, too."""
+SENT = {
+    "H": "\x1b[A",
+    "P": "\x1b[B",
+    "M": "\x1b[C",
+    "K": "\x1b[D",
+    "G": "\x1b[H",
+    "O": "\x1b[F",
+    "R": "\x1b[2~",
+    "S": "\x1b[3~",
+    "I": "\x1b[5~",
+    "Q": "\x1b[6~",
+}
+"""Arrows, Home, End, Insert, Delete and the two Page keys."""
+_CODES = {sent: code for code, sent in SENT.items()}
+
+
+def is_there(number: int) -> bool:
+    """Whether a file of this number is Windows' console."""
+    return which.WINDOWS and os.isatty(number)
+
+
+def has_key() -> bool:
+    """Whether a key was pressed that nobody has read."""
+    return bool(_msvcrt().kbhit())
+
+
+def key() -> str:
+    """The next key, as a terminal of Linux sends it; empty for one that has nothing there."""
+    first: str = _msvcrt().getwch()
+    if first in SPECIAL and (first == "\0" or has_key()):
+        return sent_for(first, _msvcrt().getwch())
+    return "\n" if first == "\r" else first
+
+
+def sent_for(special: str, code: str) -> str:
+    """What a terminal sends for a key that msvcrt gives as these two."""
+    return SENT.get(code, "") if special in SPECIAL else special + code
+
+
+def codes_of(typed: str) -> list[str]:
+    """How msvcrt gives what a terminal has sent: character by character, or two codes for one of the keys above."""
+    if typed in _CODES:
+        return [SPECIAL[1], _CODES[typed]]
+    return ["\r" if sign == "\n" else sign for sign in typed]
+
+
+def begins_key(typed: str) -> bool:
+    """Whether more may come of what a terminal sends for one key."""
+    return any(sent.startswith(typed) and sent != typed for sent in _CODES)
+
+
+def _msvcrt() -> Any:
+    return importlib.import_module("msvcrt")

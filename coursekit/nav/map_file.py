@@ -138,6 +138,18 @@ def read_description(path: str | Path) -> MapDescription:
     return MapDescription(where, resolution, _origin(name, entries), _negate(name, entries), occupied, free, mode)
 
 
+class _Untagged(yaml.SafeLoader):
+    """Passes over tags, as the map server does: Python's yaml.dump writes a tuple with one."""
+
+    def _plain(self, _tag: str, node: yaml.Node) -> Any:
+        if isinstance(node, yaml.MappingNode):
+            return self.construct_mapping(node, deep=True)
+        return self.construct_sequence(node, deep=True) if isinstance(node, yaml.SequenceNode) else node.value
+
+
+_Untagged.add_multi_constructor("", _Untagged._plain)
+
+
 def _entries(file: Path) -> dict[str, Any]:
     name = str(file)
     try:
@@ -147,7 +159,7 @@ def _entries(file: Path) -> dict[str, Any]:
             raise MapError(name, "is too large for a map's description", "name the .yaml file, not the picture") from None
         raise MapError(name, f"cannot be read: {error.strerror}", "name the .yaml file of a map") from None
     try:
-        entries = yaml.safe_load(data.decode("utf-8"))
+        entries = yaml.load(data.decode("utf-8"), _Untagged)
     except (yaml.YAMLError, ValueError, RecursionError) as error:
         first = " ".join(str(error).split())[:200]
         raise MapError(name, f"is no YAML: {first}", _CURE_KEYS) from None

@@ -42,11 +42,13 @@ def run(
 ) -> int:
     """Start rclpy, and run the node that `make` gives until Ctrl-C; end as C++ does when it `refuses` to be made."""
     rclpy.init(args=args)
-    try:
-        node = make()
-    except refuses as fault:
-        return terminate(str(fault))
-    return spin_to_the_end(node)
+    with to_the_end():
+        try:
+            node = make()
+        except refuses as fault:
+            return terminate(str(fault))
+        return spin_to_the_end(node)
+    return 0
 
 
 def terminate(what: str) -> int:

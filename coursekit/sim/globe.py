@@ -34,6 +34,15 @@ class Globe:
         latitude, altitude = _geodetic(away, up)
         return math.degrees(latitude), math.degrees(lon + math.atan2(east, out)), altitude
 
+    def place(self, latitude: float, longitude: float, altitude: float = 0.0) -> tuple[float, float, float]:
+        """Where in the world [m] a place of the Earth is [degrees, m]: `fix` backwards."""
+        turn, lat, swing = map(math.radians, (self.heading, self.latitude, longitude - self.longitude))
+        away, height = _north(math.radians(latitude), altitude)
+        here, level = _north(lat, self.elevation)
+        out, east, up = away * math.cos(swing) - here, away * math.sin(swing), height - level
+        north, z = up * math.cos(lat) - out * math.sin(lat), out * math.cos(lat) + up * math.sin(lat)
+        return east * math.cos(turn) + north * math.sin(turn), north * math.cos(turn) - east * math.sin(turn), z
+
 
 def _north(latitude: float, altitude: float) -> tuple[float, float]:
     """How far from the Earth's axis, and above the equator's plane [m]."""

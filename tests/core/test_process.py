@@ -183,7 +183,7 @@ def test_waiting_for_a_child_of_the_system_leaves_the_virtual_clock_alone():
 def test_a_process_is_told_the_distribution_as_after_sourcing_ros(session):
     def tell():
         print(os.environ["ROS_DISTRO"], os.environ["ROS_VERSION"], os.environ["ROS_PYTHON_VERSION"])
-        assert os.path.isdir(os.environ["LD_LIBRARY_PATH"])  # a launch file may pass it on
+        assert "LD_LIBRARY_PATH" in os.environ  # a launch file may pass it on
 
     for env, distribution in ((None, "humble"), ({"ROS_DISTRO": "iron"}, "iron")):
         process = session.start(tell, name="tell", env=env)

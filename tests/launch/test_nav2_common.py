@@ -38,6 +38,11 @@ def test_a_key_is_rewritten_wherever_it_stands_and_only_there(source: str) -> No
     assert yaml.safe_load(Path(source).read_text(encoding="utf-8")) == yaml.safe_load(SOURCE)
 
 
+def test_nothing_to_rewrite_may_be_an_empty_text(source: str) -> None:
+    """As nav2's tutorials write it."""
+    assert rewritten(source, param_rewrites="", root_key="") == yaml.safe_load(SOURCE)
+
+
 def test_a_path_names_one_key(source: str) -> None:
     made = rewritten(source, param_rewrites={"amcl.ros__parameters.use_sim_time": "true"})
     assert made["amcl"]["ros__parameters"]["use_sim_time"] is True

@@ -67,6 +67,8 @@ def test_crossed_thresholds_are_read_as_nav2_reads_them(tmp_path):
         ("\n", "\r\n"),
         ("origin: [-1.0, 2.5, 0.3]", "origin: [-10, 5, 0]"),
         ("image:", "# made by a friend\n---\nimage:"),
+        ("origin: [-1.0, 2.5, 0.3]", "origin: !!python/tuple\n- -1.0\n- 2.5\n- 0.3"),
+        ("negate: 0", "negate: 0\nmode: !mine trinary"),
     ],
 )
 def test_other_peoples_spellings_are_read(tmp_path, old, new):

@@ -39,3 +39,8 @@ def test_the_air_gets_thinner():
     """The standard atmosphere's table: 101325 Pa at the sea, 54020 Pa at 5000 m."""
     assert pressure(0.0) == 101_325.0 and pressure(5000.0) == pytest.approx(54_020.0, rel=1e-3)
     assert not math.isnan(pressure(1e9))
+
+
+def test_a_place_of_the_earth_is_found_in_the_world():
+    globe = Globe(-33.3, 179.999, 50.0, heading=30.0)
+    assert globe.place(*globe.fix(400.0, -300.0, 20.0)) == pytest.approx((400.0, -300.0, 20.0), abs=1e-5)

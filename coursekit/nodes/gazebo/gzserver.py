@@ -35,18 +35,18 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
 
 def simulate(make: Callable[[], Gazebo], unknown: Iterable[str]) -> int:
     """Run a simulator to the end; 255 where its world cannot be. What of the command line is `unknown` is told."""
-    try:
-        node = make()
-        node.tell([f"option {word}" for word in unknown])
-    except (WorldError, UrdfError) as error:
-        print(f"[Err] {error}", file=sys.stderr)
-        rclpy.try_shutdown()
-        return 255
-    process = current_process()
-    if process is not None:
-        process.cleanups.append(node.close)
-    with to_the_end(), closing(node):
-        node.spin()
+    with to_the_end():
+        try:
+            node = make()
+            node.tell([f"option {word}" for word in unknown])
+        except (WorldError, UrdfError) as error:
+            print(f"[Err] {error}", file=sys.stderr)
+            return 255
+        process = current_process()
+        if process is not None:
+            process.cleanups.append(node.close)
+        with closing(node):
+            node.spin()
     return 0
 
 

@@ -102,23 +102,23 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
     field = element.first("magnetic_field")
     x, y, z = numbers(field, 3) if field is not None else World("").magnetism
     world = World(
-        name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places, globe=_globe(element),
+        name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places, globe=_globe(element, newer),
         magnetism=(x, y, z),
     )  # fmt: skip
     systems = frozenset(system_of(one) for one in element.all("plugin"))
     return SdfWorld(world, models, next((one for one in plugins if one is not None), None), systems)
 
 
-def _globe(world: Element) -> Globe | None:
+def _globe(world: Element, newer: bool) -> Globe | None:
     told = world.first("spherical_coordinates")
     if told is None:
         return None
     latitude = number(told, "latitude_deg", 0.0)
     if abs(latitude) > 90.0:
         raise told.error(f"has a latitude_deg of {latitude:g}", "Give one from -90 to 90.")
-    return Globe(
-        latitude, number(told, "longitude_deg", 0.0), number(told, "elevation", 0.0), number(told, "heading_deg", 0.0)
-    )
+    heading = number(told, "heading_deg", 0.0)
+    turned = heading if newer else 180.0 - heading  # Classic's x points west at 0; its worlds give 180
+    return Globe(latitude, number(told, "longitude_deg", 0.0), number(told, "elevation", 0.0), turned)
 
 
 def _placed(made: Blueprint) -> Thing:

@@ -36,7 +36,7 @@ def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, fl
         topic = names.topic(plugin.tell("topicName") or "~/out")
         return [ImuDevice(topic, frame, rate, names.full_node, *shakes_of(sensor))]
     if kind == "gps":
-        return [earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, Globe())]
+        return [earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, Globe(heading=180.0))]
     if kind in CAMERAS:
         return [_camera(sensor, sensor.first("camera"), "", names, frame, rate, where, model)]
     if kind == "multicamera":

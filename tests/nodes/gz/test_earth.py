@@ -112,3 +112,13 @@ def test_a_receiver_of_gazebo_classic(run, friend, cart, tmp_path):
         assert fixes[-1].position_covariance[0] == pytest.approx(1e-4)
         server.interrupt()
         server.wait(5)
+
+
+@pytest.mark.parametrize(("newer", "heading", "east", "north"), [(True, 0, 10, 0), (True, 90, 0, 10), (False, 180, 10, 0),
+                                                                 (False, 0, -10, 0), (False, 90, 0, 10)])  # fmt: skip
+def test_classic_turns_its_world_on_the_earth_by_half_a_circle(tmp_path, newer, heading, east, north):
+    """Ten metres along x, for the newer one's and Classic's <heading_deg>."""
+    (tmp_path / "w.world").write_text(WORLD.format(plugins=EARTH.replace("<heading_deg>0", f"<heading_deg>{heading}")))
+    globe = load_sdf(tmp_path / "w.world", newer=newer).world.globe
+    there = Globe(48.1, 11.6, 500.0).place(*globe.fix(10.0, 0.0))
+    assert there[:2] == pytest.approx((east, north), abs=1e-6)

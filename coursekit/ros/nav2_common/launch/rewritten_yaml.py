@@ -32,7 +32,7 @@ class RewrittenYaml(Substitution):
     ) -> None:
         super().__init__()
         self.__source_file = normalize_to_list_of_substitutions(source_file)
-        self.__values = {key: normalize_to_list_of_substitutions(to) for key, to in param_rewrites.items()}
+        self.__values = {key: normalize_to_list_of_substitutions(to) for key, to in dict(param_rewrites).items()}
         self.__keys = {key: normalize_to_list_of_substitutions(to) for key, to in (key_rewrites or {}).items()}
         self.__root = None if root_key is None else normalize_to_list_of_substitutions(root_key)
         self.__convert_types = convert_types

@@ -9,7 +9,32 @@ import numpy
 import numpy.typing
 
 import builtin_interfaces.msg
+import geographic_msgs.msg
 import geometry_msgs.msg
+
+class FromLL_Request:
+    def __init__(self, *, ll_point: geographic_msgs.msg.GeoPoint = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def ll_point(self) -> geographic_msgs.msg.GeoPoint: ...
+    @ll_point.setter
+    def ll_point(self, value: geographic_msgs.msg.GeoPoint) -> None: ...
+
+class FromLL_Response:
+    def __init__(self, *, map_point: geometry_msgs.msg.Point = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def map_point(self) -> geometry_msgs.msg.Point: ...
+    @map_point.setter
+    def map_point(self, value: geometry_msgs.msg.Point) -> None: ...
+
+class FromLL:
+    Request: TypeAlias = FromLL_Request
+    Response: TypeAlias = FromLL_Response
 
 class GetState_Request:
     def __init__(self, *, time_stamp: builtin_interfaces.msg.Time = ..., frame_id: str = ...) -> None: ...
@@ -43,6 +68,26 @@ class GetState:
     Request: TypeAlias = GetState_Request
     Response: TypeAlias = GetState_Response
 
+class SetDatum_Request:
+    def __init__(self, *, geo_pose: geographic_msgs.msg.GeoPose = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def geo_pose(self) -> geographic_msgs.msg.GeoPose: ...
+    @geo_pose.setter
+    def geo_pose(self, value: geographic_msgs.msg.GeoPose) -> None: ...
+
+class SetDatum_Response:
+    def __init__(self) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+
+class SetDatum:
+    Request: TypeAlias = SetDatum_Request
+    Response: TypeAlias = SetDatum_Response
+
 class SetPose_Request:
     def __init__(self, *, pose: geometry_msgs.msg.PoseWithCovarianceStamped = ...) -> None: ...
     SLOT_TYPES: ClassVar[tuple[Any, ...]]
@@ -62,6 +107,54 @@ class SetPose_Response:
 class SetPose:
     Request: TypeAlias = SetPose_Request
     Response: TypeAlias = SetPose_Response
+
+class SetUTMZone_Request:
+    def __init__(self, *, utm_zone: str = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def utm_zone(self) -> str: ...
+    @utm_zone.setter
+    def utm_zone(self, value: str) -> None: ...
+
+class SetUTMZone_Response:
+    def __init__(self, *, status: bool = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def status(self) -> bool: ...
+    @status.setter
+    def status(self, value: bool) -> None: ...
+
+class SetUTMZone:
+    Request: TypeAlias = SetUTMZone_Request
+    Response: TypeAlias = SetUTMZone_Response
+
+class ToLL_Request:
+    def __init__(self, *, map_point: geometry_msgs.msg.Point = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def map_point(self) -> geometry_msgs.msg.Point: ...
+    @map_point.setter
+    def map_point(self, value: geometry_msgs.msg.Point) -> None: ...
+
+class ToLL_Response:
+    def __init__(self, *, ll_point: geographic_msgs.msg.GeoPoint = ...) -> None: ...
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]: ...
+    @property
+    def ll_point(self) -> geographic_msgs.msg.GeoPoint: ...
+    @ll_point.setter
+    def ll_point(self, value: geographic_msgs.msg.GeoPoint) -> None: ...
+
+class ToLL:
+    Request: TypeAlias = ToLL_Request
+    Response: TypeAlias = ToLL_Response
 
 class ToggleFilterProcessing_Request:
     def __init__(self, *, on: bool = ...) -> None: ...

@@ -1,30 +1,28 @@
-"""Commands of programs with windows: `rviz2` and `rqt_image_view` run here, those of rqt say what stands in for them."""
+"""Commands of programs with windows: `rviz2`, `rqt`, `rqt_graph` and others run here as the nodes that they are."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-
-from coursekit.core.elsewhere import remark
-from coursekit.systems.streams import use_utf8
 
 from . import parser, ros2
 
+_NODES = {"rqt": "rqt_gui"}
+"""Commands whose package and program are called otherwise."""
+
 
 def run_node() -> int:
-    """`rviz2 ...` in a shell is `ros2 run rviz2 rviz2 ...`; so is `rqt_image_view`."""
+    """`rviz2 ...` in a shell is `ros2 run rviz2 rviz2 ...`; so it is with `rqt_graph` and others."""
     name = Path(sys.argv[0]).stem
+    name = _NODES.get(name, name)
     return ros2.main(["run", name, name, *sys.argv[1:]])
 
 
-def rviz2_inside(argv: Sequence[str]) -> int:
-    """The same inside of a session."""
-    return parser.run(["run", "rviz2", "rviz2", *argv])
+def _inside(name: str) -> Callable[[Sequence[str]], int]:
+    return lambda argv: parser.run(["run", name, name, *argv])
 
 
-def explain() -> int:
-    """`rqt`, `rqt_graph`, ... in a shell: why there is no such window, and what to type instead."""
-    use_utf8()
-    print(remark(Path(sys.argv[0]).stem), file=sys.stderr)
-    return 1
+rviz2_inside, rqt_inside = _inside("rviz2"), _inside("rqt_gui")
+"""The same inside of a session."""
+graph_inside, console_inside, plot_inside = _inside("rqt_graph"), _inside("rqt_console"), _inside("rqt_plot")

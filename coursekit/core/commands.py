@@ -17,6 +17,10 @@ INSIDE = {
     "gz": "coursekit.cli.gz_commands:run_inside",
     "ign": "coursekit.cli.gz_commands:run_inside",
     "rviz2": "coursekit.cli.window_commands:rviz2_inside",
+    "rqt": "coursekit.cli.window_commands:rqt_inside",
+    "rqt_graph": "coursekit.cli.window_commands:graph_inside",
+    "rqt_console": "coursekit.cli.window_commands:console_inside",
+    "rqt_plot": "coursekit.cli.window_commands:plot_inside",
 }
 """Command: the function that takes its words and returns its exit code."""
 

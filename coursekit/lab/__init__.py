@@ -18,6 +18,7 @@ from .map_view import map_view
 from .messages import echo
 from .pad import pad
 from .parameter_panel import parameter_panel
+from .rqt_windows import show_rqt_windows
 from .service_panel import service_caller
 from .topic_panel import topic_panel
 from .tour import drive_along
@@ -62,3 +63,4 @@ take_environment_from(workspace_environment)
 show_new_windows()
 show_rviz_windows()
 show_joint_windows()
+show_rqt_windows()

@@ -11,6 +11,8 @@ from coursekit.core.names import is_hidden
 from coursekit.core.qos import Qos
 
 DEBUG_TOPICS = ("/parameter_events", "/rosout")
+DEBUG_NODES = "/rqt_gui_py_node_"
+"""How the names of rqt's own windows begin."""
 PARAMETER_SERVICES = (
     "describe_parameters",
     "get_parameter_types",
@@ -84,9 +86,10 @@ def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
     """Read a `coursekit.core.graph.Graph`.
 
     `hidden` takes in names with a part that begins with '_' (nodes of commands and panels, topics of actions);
-    `debug` /rosout, /parameter_events and the services that every node has for its parameters.
+    `debug` /rosout, /parameter_events, rqt's own nodes and the services that every node has for its parameters.
     """
     nodes = [node for node in list(graph.nodes) if hidden or not is_hidden(node.full_name)]
+    nodes = [node for node in nodes if debug or not node.full_name.startswith(DEBUG_NODES)]
     counts = Counter(node.full_name for node in nodes)
 
     def ends(kind: str, of_services: bool = False) -> tuple[End, ...]:

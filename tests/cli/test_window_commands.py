@@ -6,6 +6,7 @@ import pytest
 
 from coursekit.cli import ros2, window_commands
 from coursekit.cli.parser import run
+from coursekit.core.commands import inside
 from coursekit.core.session import Session
 
 
@@ -43,11 +44,21 @@ def test_the_node_of_a_launch_file_is_one_process_and_not_two():
 
 
 @pytest.mark.parametrize(
-    ("command", "instead"),
-    [("rqt", "graph()"), ("rqt_graph", "graph()"), ("rqt_console", "/rosout"), ("rqt_plot", "ros2 topic")],
+    ("command", "package"),
+    [("rqt", "rqt_gui"), ("rqt_graph", "rqt_graph"), ("rqt_console", "rqt_console"), ("rqt_plot", "rqt_plot")],
 )
-def test_a_window_of_rqt_is_told_with_what_stands_in(monkeypatch, capsys, command, instead):
-    monkeypatch.setattr(sys, "argv", [f"/somewhere/bin/{command}"])
-    assert window_commands.explain() == 1
-    told = capsys.readouterr().err
-    assert told.startswith(f"{command} is not part of coursekit") and instead in told
+def test_a_window_of_rqt_is_run_by_its_command(monkeypatch, command, package):
+    ran = []
+    monkeypatch.setattr(ros2, "main", lambda argv: ran.append(argv) or 0)
+    monkeypatch.setattr(sys, "argv", [f"/somewhere/bin/{command}", "--force-discover"])
+    assert window_commands.run_node() == 0 and ran == [["run", package, package, "--force-discover"]]
+
+
+@pytest.mark.parametrize(
+    ("command", "instead"), [("rqt", "ros2 service call"), ("rqt_graph", "ros2 node info"), ("rqt_console", "/rosout")]
+)
+def test_without_a_notebook_a_window_of_rqt_says_what_to_type(command, instead):
+    with Session(virtual=True).use() as session:
+        process = session.start(lambda: inside(command)([]), name=command)
+        assert process.wait(5) == 1
+        assert process.output.startswith("No notebook shows this window. Here: ") and instead in process.output

@@ -1,0 +1,91 @@
+"""The windows of rqt: their panels appear in the notebook by themselves, as rviz2's do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import ipywidgets
+
+from coursekit.nodes.rqt import windows
+from coursekit.nodes.rqt.windows import RqtWindow
+from coursekit.view import highgui
+
+from .graph_panel import GraphPanel
+from .log_console import LogConsole
+from .node_windows import NodeWindows
+from .panel import Panel
+from .service_panel import ServiceCaller
+from .topic_panel import TopicPanel
+from .windows import WindowPicture
+
+_TABS: dict[str, Callable[[], Panel]] = {
+    "Service Caller": ServiceCaller,
+    "Topic Monitor": TopicPanel,
+    "Console": LogConsole,
+    "Node Graph": lambda: GraphPanel("active"),
+}
+"""The plugins of `rqt`, as its menu calls them."""
+
+
+class RqtTabs(ipywidgets.Tab):
+    """`rqt` itself: its plugins side by side."""
+
+    def __init__(self) -> None:
+        panels = [make() for make in _TABS.values()]
+        for panel in panels:
+            panel.of_cell = False
+        super().__init__(panels, titles=list(_TABS))
+
+    def close(self) -> None:
+        """Close all of them."""
+        for panel in self.children:
+            panel.close()
+        super().close()
+
+
+class PlotPicture(WindowPicture):
+    """What `rqt_plot` draws."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(highgui.desk(), highgui.desk().window(name))
+        highgui.watch(self._newer)
+
+    def _newer(self, window: highgui.Window) -> None:
+        if window is self.window:
+            self.news()
+
+    def close(self) -> None:
+        """Hear of it no more."""
+        highgui.unwatch(self._newer)
+        super().close()
+
+
+_KINDS: dict[str, Callable[[RqtWindow], Any]] = {
+    "rqt_graph": lambda _: GraphPanel("active"),
+    "rqt_console": lambda _: LogConsole(),
+    "rqt_plot": lambda window: PlotPicture(window.picture),
+    "rqt_gui": lambda _: RqtTabs(),
+}
+_windows = NodeWindows(lambda window: _KINDS[window.kind](window))
+
+
+def show_rqt_windows() -> None:
+    """Have rqt's windows appear in this notebook."""
+    windows.unwatch(_hear)
+    windows.watch(_hear)
+
+
+def _hear(window: RqtWindow) -> bool:
+    session = window.session
+    if not session.embedded:
+        return False
+    if not session.clock.virtual:
+        if window.running:
+            _windows.show(window)
+        else:
+            session.spawn(_windows.forget, window)
+    return True
+
+
+__all__ = ["RqtTabs", "show_rqt_windows"]

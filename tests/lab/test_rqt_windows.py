@@ -1,0 +1,37 @@
+"""rqt's windows in a notebook: a panel for each, which goes when the program ends."""
+
+import pytest
+
+from coursekit.core.session import Session
+from coursekit.lab import rqt_windows
+from coursekit.lab.panel import open_panels
+from coursekit.nodes.rqt.windows import RqtWindow
+
+KINDS = {"rqt_graph": ["GraphPanel"], "rqt_console": ["LogConsole"], "rqt_plot": ["PlotPicture"],
+         "rqt_gui": ["ServiceCaller", "TopicPanel", "LogConsole", "GraphPanel"]}  # fmt: skip
+
+
+@pytest.fixture
+def session():
+    with Session(virtual=True).use() as made:
+        yield made
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_each_has_its_panels_until_it_ends(session, kind):
+    window = RqtWindow(kind, session, "rqt_plot_1" if kind == "rqt_plot" else "")
+    rqt_windows._windows.show(window)
+    session.clock.sleep(0.2)
+    made = rqt_windows._windows._panels[id(window)]
+    shown = made.children if kind == "rqt_gui" else (made,)
+    assert [type(one).__name__ for one in shown] == KINDS[kind]
+    assert not [one for one in shown if one.of_cell], "they stay when a cell is run again"
+    rqt_windows._windows.forget(window)
+    assert rqt_windows._windows._panels == {} and open_panels() == []
+
+
+def test_on_the_virtual_clock_none_appears_and_it_is_drawn_all_the_same(session):
+    session.embedded = True
+    assert rqt_windows._hear(RqtWindow("rqt_graph", session)) and open_panels() == []
+    session.embedded = False
+    assert not rqt_windows._hear(RqtWindow("rqt_graph", session)), "a session without a notebook draws nothing"

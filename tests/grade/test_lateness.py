@@ -95,7 +95,7 @@ def test_grace_percent_floor_and_extensions(folder, tmp_path):
     }  # fmt: skip
     assert {row["points"] for row in found.values()} == {"5"}
     page = (tmp_path / "grades" / f"{found['Eva']['key']}.html").read_text()
-    assert "25 % off for being late" in page and "by the file&#x27;s time" in page
+    assert "after 25 % taken off for being late" in page and "by the file&#x27;s time" in page
 
 
 @pytest.mark.parametrize(

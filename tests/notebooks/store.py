@@ -10,6 +10,7 @@ import tempfile
 from pathlib import Path
 
 import nbformat
+from nbconvert.preprocessors import CoalesceStreamsPreprocessor
 
 from .running import chapters, run
 
@@ -22,6 +23,7 @@ def store(path: Path) -> None:
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
     notebook.metadata.pop("widgets", None)
+    CoalesceStreamsPreprocessor().preprocess(notebook, {})  # how a text came in pieces is not the same every time
     nbformat.write(notebook, path)
     print(f"stored {path.name}")
 

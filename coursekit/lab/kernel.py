@@ -17,6 +17,7 @@ from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
 
+from . import shell_lines
 from .panel import Panel, end_panels, open_panels
 
 SUBSHELL_SECONDS = 0.5
@@ -50,6 +51,7 @@ def start() -> Session:
         cells = Cells(session, shell)
         _state["cells"] = cells
         _register_magics(shell)
+        shell_lines.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:

@@ -42,6 +42,7 @@ def asked(monkeypatch):
     def answer(*ways):
         sessions = Sessions(*ways)
         monkeypatch.setattr(endpoint, "connect", sessions.connect)
+        monkeypatch.setattr(endpoint, "token", lambda _domain: "")
         return sessions
 
     yield answer
@@ -60,3 +61,15 @@ def test_when_none_takes_it_that_is_an_error_and_a_script_runs_by_itself(asked, 
     with pytest.raises(endpoint.NoSession, match="ended before"):
         attach.attach(["node", "list"])
     assert attach.attach_script(tmp_path / "node.py", []) is None
+
+
+def test_where_a_session_has_gone_its_token_is_gone_and_that_is_no_session(monkeypatch, tmp_path):
+    monkeypatch.setattr(endpoint, "HAS_UNIX", False)
+    monkeypatch.setattr(endpoint, "folder", lambda: tmp_path)
+    with pytest.raises(endpoint.NoSession):
+        endpoint.token(7)
+    (tmp_path / "session-7").write_text("", encoding="utf-8")
+    with pytest.raises(endpoint.NoSession):
+        endpoint.token(7)
+    (tmp_path / "session-7").write_text('{"port": 1, "token": "secret"}', encoding="utf-8")
+    assert endpoint.token(7) == "secret"

@@ -2,13 +2,14 @@
 
 import contextlib
 import os
-import pty
 import select
 import subprocess
 import sys
 import time
 
 import pytest
+
+pty = pytest.importorskip("pty", exc_type=ImportError)  # Windows has none
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(180)]
 RUN = f"{sys.executable} -m coursekit.cli.ros2 run"

@@ -7,6 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.needs import posix
+
+pytestmark = posix("plain interpreters have no sockets of files there, and each runs by itself")
+
 TALKER = """
 import sys, rclpy
 from std_msgs.msg import String

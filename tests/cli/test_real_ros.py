@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+from tests.needs import posix
+
 
 @pytest.fixture
 def sourced(tmp_path):
@@ -26,6 +28,7 @@ def run(env, *words):
     return done.stdout.strip()
 
 
+@posix("a program of sh is none")
 def test_ros2_is_the_real_one(sourced):
     assert run(sourced, "-m", "coursekit.cli.ros2", "topic", "list") == "the real one: topic list"
 

@@ -271,6 +271,7 @@ def test_any_text_is_parsed_or_refused_with_a_known_error(text: str) -> None:
         pass
 
 
+@posix("no folder there has quotes in its name")
 def test_a_path_that_is_an_item_of_a_command_is_one_word_whatever_is_in_its_name(context, tmp_path):
     folder = tmp_path / HOSTILE
     folder.mkdir()

@@ -77,7 +77,7 @@ def test_types_of_lists_are_named_as_in_launch(context: LaunchContext, kind: str
 
 
 def test_a_parameter_for_all_nodes_has_substitutions_as_value(context: LaunchContext) -> None:
-    (action,) = read('<launch><set_parameter name="a" value="$(env HOME)/x"/></launch>').entities
+    (action,) = read('<launch><set_parameter name="a" value="$(env PATH)/x"/></launch>').entities
     action.execute(context)
     assert perform_substitutions(context, action.value) == context.launch_configurations["global_params"][0][1]
 

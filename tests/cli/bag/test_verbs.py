@@ -38,7 +38,8 @@ def test_a_bag_is_shown_in_humbles_layout(stage: Stage, monkeypatch: pytest.Monk
     import time
 
     monkeypatch.setenv("TZ", "UTC")
-    time.tzset()
+    if hasattr(time, "tzset"):  # Windows keeps the zone that the program began with
+        time.tzset()
     write("long", 7, max_file_seconds=3, storage_id="sqlite3")
     size = sum(one.stat().st_size for one in Path("long").iterdir()) / 1024
     assert stage.ask("bag info long") == (

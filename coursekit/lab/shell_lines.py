@@ -1,0 +1,46 @@
+"""`!command` on Windows: what it prints stands in its cell, in UTF-8 and in order, as on Linux.
+
+IPython reads it there in threads that nobody waits for, and which belong to no cell.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import subprocess
+from typing import Any
+
+from coursekit.systems import which
+from coursekit.systems.children import with_utf8
+
+
+def install(shell: Any) -> None:
+    """Put it in place, where it is needed."""
+    if which.WINDOWS:
+        shell.system = functools.partial(run_line, shell)
+
+
+def run_line(shell: Any, line: str) -> None:
+    """Have the system's shell carry out a line, in which `{name}` and `$name` are variables of the notebook.
+
+    `_exit_code` is its exit code afterwards.
+    """
+    command = shell.var_expand(line, depth=1)
+    child = subprocess.Popen(
+        command,
+        shell=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
+        env=with_utf8(os.environ),
+    )
+    with child:
+        assert child.stdout is not None
+        for text in child.stdout:
+            print(text, end="", flush=True)
+    shell.user_ns["_exit_code"] = child.returncode
+
+
+__all__ = ["install", "run_line"]

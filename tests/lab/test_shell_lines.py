@@ -1,0 +1,51 @@
+"""`!command` on Windows prints into its cell all that the command says, and in that order."""
+
+import sys
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+
+from coursekit.lab import shell_lines
+from coursekit.systems import which
+
+SAYS = f"\"{sys.executable}\" -c \"import sys; print('one', flush=True); print('ñ', file=sys.stderr); sys.exit(3)\""
+
+
+class Shell:
+    """Of IPython's shell what a line needs; a whole one would change the environment of other tests."""
+
+    var_expand = InteractiveShell.var_expand
+
+    def __init__(self):
+        self.user_ns = {}
+
+    def system(self, line):
+        """IPython's own way."""
+
+
+@pytest.fixture
+def shell(monkeypatch):
+    """A shell as a notebook on Windows has it."""
+    monkeypatch.setattr(which, "WINDOWS", True)
+    made = Shell()
+    shell_lines.install(made)
+    return made
+
+
+def test_output_and_errors_come_in_order_and_the_exit_code_is_kept(shell, capsys):
+    shell.system(SAYS)
+    assert capsys.readouterr().out == "one\nñ\n"
+    assert shell.user_ns["_exit_code"] == 3
+
+
+def test_variables_of_the_notebook_stand_in_it(shell, capsys):
+    shell.user_ns["word"] = "said"
+    shell.system("echo {word}")
+    assert capsys.readouterr().out.strip() == "said"
+
+
+def test_elsewhere_it_is_ipythons(monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", False)
+    made = Shell()
+    shell_lines.install(made)
+    assert "system" not in vars(made)

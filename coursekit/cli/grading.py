@@ -1,16 +1,18 @@
-"""`coursekit release`, `coursekit grade` and `coursekit verify`: what teachers hand out and how they mark it."""
+"""`coursekit grade` and `coursekit verify`: how teachers mark what was handed in."""
 
 from __future__ import annotations
 
 import argparse
 import datetime
 import os
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coursekit.grade.variants import Variants, secret_file
+
+from .course_arguments import MORE, ROSTER, chapters_of, notebooks_of, variants_of
+from .releasing import add_release
 
 if TYPE_CHECKING:
     from coursekit.grade.batch import Class
@@ -18,30 +20,13 @@ if TYPE_CHECKING:
     from coursekit.grade.outcome import Outcome
     from coursekit.grade.roster import Roster
 
-_NAMES = "a copy for each of these students with numbers and names of its own; a roster, or a name on each line"
-_ROSTER = "the class: an export of Moodle, Canvas, Blackboard or Google Classroom, a .csv, or a name on each line"
-MORE = "How to collect, mark and give back: `coursekit teachers` (docs/teachers.md)"
 SEAL = "A seal shows what was changed after it was made. It does not prove who made it, or when."
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the teacher's commands."""
-    release = commands.add_parser("release", help="write the notebooks that students get: without solutions")
-    release.add_argument("chapters", nargs="*", help="which, such as 02 or 02_topics (default: all)")
-    release.add_argument("--out", type=Path, default=Path("release"), help="the folder (default: release)")
-    release.add_argument("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
-    release.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
-    release.add_argument("--roster", type=Path, metavar="FILE", help=f"a marked copy for each student. {_ROSTER}")
-    release.add_argument("--wheel", metavar="ADDRESS", help="what students install: where the wheel is (docs/teachers.md)")
-    release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
-    how = "put the copies into a zip that Moodle gives to each student (docs/teachers.md)"
-    release.add_argument("--for", dest="platform", choices=("moodle",), help=how)
-    release.set_defaults(main=run_release)
+    add_release(commands)
     _add_grade(commands.add_parser("grade", help="mark what a class handed in, in sandboxes, and write a table"))
-    new = commands.add_parser("new", help="begin a chapter of your own: a notebook with an exercise, and its check")
-    new.add_argument("name", help="the name of its exercises, such as gripper")
-    new.add_argument("--folder", type=Path, default=Path("my_course"), help="where (default: my_course)")
-    new.set_defaults(main=run_new)
     teachers = commands.add_parser("teachers", help="the page for teachers: hand out, collect, mark, give back")
     teachers.set_defaults(main=show_teachers)
     verify = commands.add_parser("verify", help="find out whether files made by hand_in() were changed, and run them again")
@@ -61,7 +46,7 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     add("--unsafe", action="store_true", help="mark without walls: only work that you trust as your own")
     add("--notebooks", type=Path, help="the course's notebooks with solutions, if not coursekit's own")
     add("--chapters", nargs="+", metavar="CHAPTER", help="which are marked, such as 02 (default: what most handed in)")
-    add("--roster", type=Path, metavar="FILE", help=_ROSTER)
+    add("--roster", type=Path, metavar="FILE", help=ROSTER)
     add("--variants", type=Path, metavar="NAMES", help="the roster that copies with numbers of their own were made for")
     add("--again", nargs="*", metavar="STUDENT", help="mark again, kept result or not: these, or everybody")
     add("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
@@ -87,91 +72,6 @@ def show_teachers(args: argparse.Namespace) -> int:
         raise SystemExit("The page for teachers is not here. Reinstall with: pip install --force-reinstall coursekit")
     print(page.read_text(encoding="utf-8"))
     return 0
-
-
-def _chosen(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
-    """The chapters that begin with one of the words; every word has to name one."""
-    unknown = [word for word in words if not any(one.name.startswith(word) for one in known)]
-    if unknown:
-        raise SystemExit(f"No chapter begins with {', '.join(unknown)}. There are: {', '.join(p.stem for p in known)}")
-    return [one for one in known if not words or any(one.name.startswith(word) for word in words)]
-
-
-def run_release(args: argparse.Namespace) -> int:
-    """Release, and say what was written."""
-    from coursekit.grade.editions import chapters
-    from coursekit.grade.release import WHEEL, release
-
-    folder = _notebooks(args)
-    try:
-        known = chapters(folder, args.language)
-    except ValueError as error:
-        raise SystemExit(str(error)) from None
-    chosen = _chosen(known, args.chapters)
-    names = args.variants or args.roster
-    variants = _variants(names, new=True)
-    out, moodle = args.out.resolve(), args.platform is not None
-    if moodle:
-        _expect_numbers(variants)
-    personal, wheel = args.variants is not None, args.wheel or WHEEL
-    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle):
-        print(written.relative_to(out))
-    if args.wheel is None:
-        print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")
-    if variants is not None and names is not None:
-        print(variants.roster.told())
-        print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
-        print("How each student gets their zip: docs/teachers.md, 'A zip for each student'; copies.csv says whose is which.")
-    print(MORE)
-    return 0
-
-
-def _expect_numbers(variants: Variants | None) -> None:
-    from coursekit.grade.handing_out import expect_numbers
-
-    if variants is None:
-        raise SystemExit("--for moodle hands out a copy for each student: give the class as --roster, too.")
-    try:
-        expect_numbers(variants.roster)
-    except ValueError as error:
-        raise SystemExit(str(error)) from None
-
-
-def run_new(args: argparse.Namespace) -> int:
-    """Write the files, and say what to do with them."""
-    from coursekit.grade.template import write_template
-
-    try:
-        written = write_template(args.folder, args.name)
-    except (ValueError, OSError) as error:
-        raise SystemExit(str(error)) from None
-    print("\n".join(f"new: {file}" for file in written))
-    print(f"Work on it:  coursekit lab --folder {args.folder}")
-    print(f"Hand it out: coursekit release {args.name} --notebooks {args.folder}")
-    print(f"Mark it:     coursekit grade HANDED_IN --chapters {args.name} --notebooks {args.folder}")
-    print("How it is made up: docs/own_exercises.md, beside the course's README")
-    return 0
-
-
-def _notebooks(args: argparse.Namespace) -> Path:
-    """The folder of the notebooks; the checks beside them are read."""
-    from coursekit.grade.own_checks import OWN, BadChecks, read_checks
-
-    from .coursekit import notebooks_folder
-
-    folder: Path = args.notebooks or notebooks_folder()
-    try:
-        read_checks(folder / OWN)
-    except BadChecks as error:
-        raise SystemExit(str(error)) from None
-    return folder
-
-
-def _variants(names: Path | None, *, new: bool = False) -> Variants | None:
-    try:
-        return None if names is None else Variants.read(names, new=new)
-    except (ValueError, OSError) as error:
-        raise SystemExit(str(error)) from None
 
 
 def run_grade(args: argparse.Namespace) -> int:
@@ -226,12 +126,12 @@ def _class(args: argparse.Namespace) -> Class:
     from coursekit.grade.batch import Class
     from coursekit.grade.roster import Roster
 
-    notebooks = _notebooks(args)
+    notebooks = notebooks_of(args)
     names = args.variants or args.roster
     roster = Roster.read(names) if names is not None else None
     known = args.variants is not None or (names is not None and secret_file(names).is_file())
     found = sorted(notebooks.glob("*.ipynb"))
-    chapters = [one.name for one in _chosen(found, args.chapters)] if args.chapters else []
+    chapters = [one.name for one in chapters_of(found, args.chapters)] if args.chapters else []
     return Class(
         args.folder.resolve(),
         args.out.resolve(),
@@ -286,7 +186,7 @@ def run_verify(args: argparse.Namespace) -> int:
     from coursekit.grade.handing_in import same_in, verify
     from coursekit.grade.harmless import counted, shown
 
-    folder, variants, count = _notebooks(args), _variants(args.variants), 0
+    folder, variants, count = notebooks_of(args), variants_of(args.variants), 0
     for file in args.file:
         if not file.is_file():
             raise SystemExit(f"There is no file '{file}'. Give the zip that hand_in() made.")

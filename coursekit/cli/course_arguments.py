@@ -1,0 +1,42 @@
+"""What teachers' commands are told: chapters, the folder of the notebooks, the names of the class."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+from coursekit.grade.variants import Variants
+
+ROSTER = "the class: an export of Moodle, Canvas, Blackboard or Google Classroom, a .csv, or a name on each line"
+MORE = "How to collect, mark and give back: `coursekit teachers` (docs/teachers.md)"
+
+
+def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
+    """The chapters that begin with one of the words; every word has to name one."""
+    unknown = [word for word in words if not any(one.name.startswith(word) for one in known)]
+    if unknown:
+        raise SystemExit(f"No chapter begins with {', '.join(unknown)}. There are: {', '.join(p.stem for p in known)}")
+    return [one for one in known if not words or any(one.name.startswith(word) for word in words)]
+
+
+def notebooks_of(args: argparse.Namespace) -> Path:
+    """The folder of the notebooks; the checks beside them are read."""
+    from coursekit.grade.own_checks import OWN, BadChecks, read_checks
+
+    from .coursekit import notebooks_folder
+
+    folder: Path = args.notebooks or notebooks_folder()
+    try:
+        read_checks(folder / OWN)
+    except BadChecks as error:
+        raise SystemExit(str(error)) from None
+    return folder
+
+
+def variants_of(names: Path | None, *, new: bool = False) -> Variants | None:
+    """The copies of those who are named; `new` makes the secret of a class that has none."""
+    try:
+        return None if names is None else Variants.read(names, new=new)
+    except (ValueError, OSError) as error:
+        raise SystemExit(str(error)) from None

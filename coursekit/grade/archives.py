@@ -69,8 +69,10 @@ class Archive:
             raise BadArchive(f"it holds more than {self._bounds.members} files")
 
     def members(self) -> Iterator[Member]:
-        """Its files, in the order of the zip; folders and links are left out."""
+        """Its files, in the order of the zip; folders and links are left out. BadArchive: one has no name."""
         for info in self._opened.infolist():
+            if not info.filename:
+                raise BadArchive("a file in it has no name: zip it anew")
             kind = stat.S_IFMT(info.external_attr >> 16)
             if not info.is_dir() and kind in (0, stat.S_IFREG):
                 yield Member(parts_of(info.filename), _when(info), info.file_size, info)

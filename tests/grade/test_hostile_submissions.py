@@ -9,7 +9,7 @@ import tracemalloc
 import zipfile
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as some
 
 from coursekit.grade import folders
@@ -270,6 +270,7 @@ def test_names_of_files_are_plain_and_differ(one, other):
 
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(some.binary(max_size=3000), some.integers(0, 3000), some.integers(0, 255))
+@example(b"", 609, 0)  # a file without a name
 def test_bytes_that_are_no_zip_are_a_bad_archive(noise, place, value):
     data = bytearray(zipped({TOPICS: b"{}" * 50, "b/c.txt": b"x"}))
     data[place % len(data)] = value

@@ -58,7 +58,7 @@ def lab(tmp_path_factory, browser):
     settings.mkdir(parents=True)
     (settings / "notification.jupyterlab-settings").write_text(json.dumps(_NO_NEWS))
     own = {"ROS_DOMAIN_ID": str(100 + os.getpid() % 100), "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings")}
-    own["JUPYTER_PATH"] = str(write_kernelspec(folder))
+    own |= {"JUPYTER_PATH": str(write_kernelspec(folder)), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws")}
     command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
     command += [f"--ServerApp.root_dir={folder}"]
     with serving(folder, command, {**os.environ, **own, "COURSEKIT_TIME": "wall"}) as served:

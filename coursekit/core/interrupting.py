@@ -84,7 +84,11 @@ class Interruptible:
         if not self.session.clock.virtual:
             clock = self.session.clock
             alarm_at = clock.steady() + 50_000_000
-            clock.call_at(alarm_at, lambda: clock.spawn(lambda: self._reach_busy(lane), f"signals of {self.name}"))
+            clock.call_at(alarm_at, lambda: self._look_at(lane))
+
+    def _look_at(self, lane: Lane) -> None:
+        if lane.pending:
+            self.session.clock.spawn(lambda: self._reach_busy(lane), f"signals of {self.name}")
 
     def _reach_busy(self, lane: Lane) -> None:
         """The lane did not wait since: handle it here, as the process, and raise what that raises into its running code."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import ctypes
 import select
 import time
+from collections.abc import Sequence
+from typing import Any
 
 from . import which
 
@@ -31,6 +33,19 @@ def readable(pipe: int, seconds: float) -> bool:
             return False
         _sleep(min(STEP, left))
     return True
+
+
+def wait_readable(sources: Sequence[Any], seconds: float | None = None) -> list[Any]:
+    """Which pipes and sockets have something to read, or their end; waits for the first, at most so many real seconds.
+
+    Not on Windows, where only sockets can be waited for together.
+
+    >>> import socket
+    >>> one, other = socket.socketpair()
+    >>> other.send(b"x"), wait_readable([one, other]) == [one]
+    (1, True)
+    """
+    return list(_select(sources, [], [], seconds)[0])
 
 
 def peek(pipe: int) -> bool:

@@ -1,0 +1,43 @@
+"""Writes the C++ headers of interfaces: `python -m coursekit.cpp.headers FOLDER [PACKAGE ...]`, of all without a package."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from coursekit.files import read_text
+from coursekit.interfaces.cpp_source import header, header_name
+from coursekit.interfaces.find import KINDS, interfaces_of, known_interfaces
+from coursekit.interfaces.registry import interface_of
+
+
+def write_headers(folder: Path, names: Iterable[str]) -> list[Path]:
+    """Write `folder/package/kind/name.hpp` for each interface; files that would not change stay untouched."""
+    written = []
+    for full_name in names:
+        package, kind, name = full_name.split("/")
+        path = folder / package / kind / f"{header_name(name)}.hpp"
+        text = header(interface_of(full_name), kind)
+        if not path.is_file() or read_text(path) != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        written.append(path)
+    return written
+
+
+def names_in(package: str) -> list[str]:
+    """The full names of a package's interfaces."""
+    return [f"{package}/{kind}/{name}" for kind in KINDS for name in interfaces_of(package, kind)]
+
+
+def main(words: list[str]) -> int:
+    """Carry out a command line; its exit code."""
+    folder, *packages = words
+    names = [name for package in packages for name in names_in(package)] if packages else known_interfaces()
+    print(len(write_headers(Path(folder), names)))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

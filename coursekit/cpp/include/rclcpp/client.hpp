@@ -1,0 +1,189 @@
+// Services: a client's side.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <map>
+#include <mutex>
+
+#include "coursekit/entity.hpp"
+#include "rclcpp/exceptions.hpp"
+#include "rclcpp/future_return_code.hpp"
+#include "rclcpp/macros.hpp"
+
+namespace rclcpp
+{
+namespace detail
+{
+/// A future with the number of the request that it belongs to.
+template<class F>
+struct FutureAndRequestId
+{
+  F future;
+  int64_t request_id = 0;
+  operator F &() {return future;}
+  auto get() {return future.get();}
+  bool valid() const noexcept {return future.valid();}
+  void wait() const {future.wait();}
+  template<class Rep, class Period>
+  std::future_status wait_for(const std::chrono::duration<Rep, Period> & timeout) const {return future.wait_for(timeout);}
+  template<class Clock, class Duration>
+  std::future_status wait_until(const std::chrono::time_point<Clock, Duration> & until) const
+  {
+    return future.wait_until(until);
+  }
+};
+}  // namespace detail
+
+class ClientBase : public coursekit::Entity, public std::enable_shared_from_this<ClientBase>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(ClientBase)
+  const char * get_service_name() const {return name.c_str();}
+  bool service_is_ready() const {return ask("service_ready", Packer{}.i(id)).i();}
+  template<class Rep = int64_t, class Period = std::milli>
+  bool wait_for_service(std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(timeout);
+    return ask("wait_for_service", Packer{}.i(id).i(nanoseconds.count())).i();
+  }
+};
+
+template<class S>
+class Client : public ClientBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Client)
+  using Request = typename S::Request;
+  using Response = typename S::Response;
+  using SharedRequest = std::shared_ptr<Request>;
+  using SharedResponse = std::shared_ptr<Response>;
+  using Promise = std::promise<SharedResponse>;
+  using SharedPromise = std::shared_ptr<Promise>;
+  using PromiseWithRequest = std::promise<std::pair<SharedRequest, SharedResponse>>;
+  using Future = std::future<SharedResponse>;
+  using SharedFuture = std::shared_future<SharedResponse>;
+  using SharedFutureWithRequest = std::shared_future<std::pair<SharedRequest, SharedResponse>>;
+  using CallbackType = std::function<void (SharedFuture)>;
+  using CallbackWithRequestType = std::function<void (SharedFutureWithRequest)>;
+
+  struct FutureAndRequestId : detail::FutureAndRequestId<Future>
+  {
+    SharedFuture share() noexcept {return this->future.share();}
+    operator SharedFuture() {return this->future.share();}
+  };
+  struct SharedFutureAndRequestId : detail::FutureAndRequestId<SharedFuture> {};
+  struct SharedFutureWithRequestAndRequestId : detail::FutureAndRequestId<SharedFutureWithRequest> {};
+
+  FutureAndRequestId async_send_request(SharedRequest request)
+  {
+    auto promise = std::make_shared<Promise>();
+    FutureAndRequestId sent;
+    sent.future = promise->get_future();
+    sent.request_id = send(request, [promise](SharedResponse response) {promise->set_value(response);});
+    return sent;
+  }
+  template<class F, std::enable_if_t<std::is_invocable_v<F, SharedFuture>> * = nullptr>
+  SharedFutureAndRequestId async_send_request(SharedRequest request, F && callback)
+  {
+    auto promise = std::make_shared<Promise>();
+    SharedFutureAndRequestId sent;
+    sent.future = promise->get_future().share();
+    CallbackType then = std::forward<F>(callback);
+    sent.request_id = send(
+      request, [promise, future = sent.future, then](SharedResponse response) {
+        promise->set_value(response);
+        then(future);
+      });
+    return sent;
+  }
+  template<class F, std::enable_if_t<
+      std::is_invocable_v<F, SharedFutureWithRequest> && !std::is_invocable_v<F, SharedFuture>> * = nullptr>
+  SharedFutureWithRequestAndRequestId async_send_request(SharedRequest request, F && callback)
+  {
+    auto promise = std::make_shared<PromiseWithRequest>();
+    SharedFutureWithRequestAndRequestId sent;
+    sent.future = promise->get_future().share();
+    CallbackWithRequestType then = std::forward<F>(callback);
+    sent.request_id = send(
+      request, [promise, future = sent.future, then, request](SharedResponse response) {
+        promise->set_value({request, response});
+        then(future);
+      });
+    return sent;
+  }
+
+  bool remove_pending_request(int64_t number)
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    return pending_.erase(number) != 0;
+  }
+  template<class F>
+  bool remove_pending_request(const detail::FutureAndRequestId<F> & sent) {return remove_pending_request(sent.request_id);}
+  size_t prune_pending_requests()
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    size_t count = pending_.size();
+    pending_.clear();
+    return count;
+  }
+  template<class Duration, class Allocator = std::allocator<int64_t>>
+  size_t prune_requests_older_than(
+    std::chrono::time_point<std::chrono::system_clock, Duration> time, std::vector<int64_t, Allocator> * pruned = nullptr)
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    size_t before = pending_.size();
+    for (auto at = pending_.begin(); at != pending_.end(); ) {
+      if (at->second.sent < time) {
+        if (pruned) {
+          pruned->push_back(at->first);
+        }
+        at = pending_.erase(at);
+      } else {
+        ++at;
+      }
+    }
+    return before - pending_.size();
+  }
+  /// The session has the response to a request; one that was given up is dropped.
+  void take_response(int64_t number, const std::string & cdr)
+  {
+    Then then;
+    {
+      std::lock_guard<std::mutex> hold(lock_);
+      auto found = pending_.find(number);
+      if (found == pending_.end()) {
+        return;
+      }
+      then = std::move(found->second.then);
+      pending_.erase(found);
+    }
+    auto response = std::make_shared<Response>();
+    coursekit::from_cdr(cdr, *response);
+    then(response);
+  }
+
+private:
+  using Then = std::function<void (SharedResponse)>;
+  struct Pending
+  {
+    std::chrono::system_clock::time_point sent;
+    Then then;
+  };
+  int64_t send(const SharedRequest & request, Then then)
+  {
+    int64_t number = next_++;
+    {
+      std::lock_guard<std::mutex> hold(lock_);
+      pending_.emplace(number, Pending{std::chrono::system_clock::now(), std::move(then)});
+    }
+    std::string cdr = coursekit::to_cdr(*request);
+    coursekit::note("send_request", Packer{}.i(id).i(number).raw(cdr.data(), cdr.size()));
+    return number;
+  }
+  std::mutex lock_;
+  std::atomic<int64_t> next_{1};
+  std::map<int64_t, Pending> pending_;
+};
+}  // namespace rclcpp

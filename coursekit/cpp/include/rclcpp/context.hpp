@@ -1,0 +1,71 @@
+// What init() starts and shutdown() ends; a program has one, the default context.
+#pragma once
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "rclcpp/exceptions.hpp"
+#include "rclcpp/macros.hpp"
+
+namespace rclcpp
+{
+class InitOptions
+{
+public:
+  InitOptions() = default;
+  bool shutdown_on_signal = true;
+  InitOptions & auto_initialize_logging(bool) {return *this;}
+  bool auto_initialize_logging() const {return true;}
+  void set_domain_id(size_t id) {domain_id_ = static_cast<int64_t>(id);}
+  size_t get_domain_id() const {return domain_id_ < 0 ? 0 : static_cast<size_t>(domain_id_);}
+  void use_default_domain_id() {domain_id_ = -1;}
+
+private:
+  int64_t domain_id_ = -1;
+  friend class Context;
+};
+
+struct ShutdownCallbackHandle {int64_t number = 0;};
+using OnShutdownCallbackHandle = ShutdownCallbackHandle;
+
+class Context : public std::enable_shared_from_this<Context>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Context)
+  Context() = default;
+  virtual ~Context() = default;
+  using OnShutdownCallback = std::function<void ()>;
+
+  virtual void init(int argc, char const * const * argv, const InitOptions & options = InitOptions());
+  bool is_valid() const;
+  virtual bool shutdown(const std::string & reason);
+  std::string shutdown_reason() const {return reason_;}
+  const InitOptions & get_init_options() const {return options_;}
+  virtual OnShutdownCallback on_shutdown(OnShutdownCallback callback);
+  virtual OnShutdownCallbackHandle add_on_shutdown_callback(OnShutdownCallback callback);
+  virtual bool remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle);
+  OnShutdownCallbackHandle add_pre_shutdown_callback(OnShutdownCallback callback);
+  bool sleep_for(const std::chrono::nanoseconds & duration);
+
+private:
+  void call(std::vector<std::pair<int64_t, OnShutdownCallback>> & callbacks);
+  bool valid_ = false;
+  std::string reason_;
+  InitOptions options_;
+  std::mutex lock_;
+  int64_t next_ = 1;
+  std::vector<std::pair<int64_t, OnShutdownCallback>> before_, after_;
+};
+
+namespace contexts
+{
+class DefaultContext : public Context
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(DefaultContext)
+};
+DefaultContext::SharedPtr get_global_default_context();
+}  // namespace contexts
+}  // namespace rclcpp

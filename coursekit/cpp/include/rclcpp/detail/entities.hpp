@@ -1,0 +1,90 @@
+// How a node's entities are made: each is entered at the session with a handler that calls the program back.
+#pragma once
+#include "rclcpp/client.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/publisher.hpp"
+#include "rclcpp/service.hpp"
+#include "rclcpp/subscription.hpp"
+#include "rclcpp/timer.hpp"
+
+namespace rclcpp::detail
+{
+using NodeBase = node_interfaces::NodeBaseInterface;
+
+inline int64_t number_of(const CallbackGroup::SharedPtr & group) {return group ? group->id : 0;}
+
+/// Ask the session for an entity; it answers with its number and the name that remapping gave it.
+inline void enter(const char * what, const Packer & with, coursekit::Entity & made)
+{
+  Unpacker answer = ask(what, with);
+  made.id = answer.i();
+  made.name = answer.s();
+}
+
+void make_publisher(
+  NodeBase & node, PublisherBase & made, const std::string & type, const std::string & topic, const QoS & qos,
+  const PublisherOptionsBase & options);
+void make_subscription(
+  NodeBase & node, const SubscriptionBase::SharedPtr & made, const std::string & type, const std::string & topic,
+  const QoS & qos, const SubscriptionOptionsBase & options);
+void make_timer(
+  NodeBase & node, const TimerBase::SharedPtr & made, std::chrono::nanoseconds period, const CallbackGroup::SharedPtr & group,
+  const Clock::SharedPtr & clock);
+
+template<class F>
+TimerBase::SharedPtr timer(
+  NodeBase & node, std::chrono::nanoseconds period, F callback, const CallbackGroup::SharedPtr & group,
+  const Clock::SharedPtr & clock)
+{
+  auto made = std::make_shared<GenericTimer<>>();
+  if constexpr (std::is_invocable_v<F &>) {
+    made->callback = std::move(callback);
+  } else {
+    static_assert(std::is_invocable_v<F &, TimerBase &>, "a timer's callback takes nothing, or `rclcpp::TimerBase &`");
+    made->callback = [callback, timer = made.get()]() mutable {callback(*timer);};
+  }
+  make_timer(node, made, period, group, clock);
+  return made;
+}
+
+template<class S, class F>
+typename Service<S>::SharedPtr service(
+  NodeBase & node, const std::string & name, F && callback, const QoS & qos, const CallbackGroup::SharedPtr & group)
+{
+  auto made = std::make_shared<Service<S>>();
+  std::weak_ptr<Service<S>> weak = made;
+  int64_t handler = made->handle(
+    [weak, callback = std::decay_t<F>(std::forward<F>(callback))](Unpacker & from, Packer & to) mutable {
+      int64_t number = from.i();
+      auto request = std::make_shared<typename S::Request>();
+      auto response = std::make_shared<typename S::Response>();
+      coursekit::from_cdr(from.rest(), *request);
+      auto me = weak.lock();
+      bool answered = me && me->answer(callback, number, request, response);
+      to.i(answered).m(*response);
+    });
+  Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));
+  qos.pack(with);
+  enter("service", with, *made);
+  return made;
+}
+
+template<class S>
+typename Client<S>::SharedPtr client(
+  NodeBase & node, const std::string & name, const QoS & qos, const CallbackGroup::SharedPtr & group)
+{
+  auto made = std::make_shared<Client<S>>();
+  std::weak_ptr<Client<S>> weak = made;
+  int64_t handler = made->handle(
+    [weak](Unpacker & from, Packer &) {
+      int64_t number = from.i();
+      if (auto me = weak.lock()) {
+        me->take_response(number, from.rest());
+      }
+    });
+  Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));
+  qos.pack(with);
+  enter("client", with, *made);
+  return made;
+}
+}  // namespace rclcpp::detail

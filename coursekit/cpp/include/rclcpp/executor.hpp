@@ -1,0 +1,85 @@
+// Executors: the session finds what is ready and calls back; spinning is a question that takes its time.
+#pragma once
+#include <algorithm>
+#include <future>
+
+#include "rclcpp/future_return_code.hpp"
+#include "rclcpp/node.hpp"
+
+namespace rclcpp
+{
+struct ExecutorOptions
+{
+  Context::SharedPtr context = contexts::get_global_default_context();
+  size_t max_conditions = 0;
+};
+
+class Executor : public coursekit::Entity
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Executor)
+  using NodeBase = node_interfaces::NodeBaseInterface::SharedPtr;
+  explicit Executor(const ExecutorOptions & options = ExecutorOptions(), size_t threads = 1);
+  ~Executor() override;
+
+  virtual void add_node(NodeBase node, bool notify = true);
+  template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+  void add_node(std::shared_ptr<N> node, bool notify = true) {add_node(node->get_node_base_interface(), notify);}
+  virtual void remove_node(NodeBase node, bool notify = true);
+  template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+  void remove_node(std::shared_ptr<N> node, bool notify = true) {remove_node(node->get_node_base_interface(), notify);}
+  virtual void add_callback_group(CallbackGroup::SharedPtr group, NodeBase node, bool notify = true);
+  virtual void remove_callback_group(CallbackGroup::SharedPtr group, bool notify = true);
+
+  virtual void spin();
+  virtual void spin_once(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  virtual void spin_some(std::chrono::nanoseconds max_duration = std::chrono::nanoseconds(0));
+  virtual void spin_all(std::chrono::nanoseconds max_duration);
+  void spin_node_some(NodeBase node)
+  {
+    add_node(node);
+    spin_some();
+    remove_node(node);
+  }
+  template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+  void spin_node_some(std::shared_ptr<N> node) {spin_node_some(node->get_node_base_interface());}
+  virtual void cancel();
+  bool is_spinning() {return spinning_;}
+
+  /// Run callbacks until the future is ready, at most so long (negative: without end).
+  template<class F, class Rep = int64_t, class Period = std::milli>
+  FutureReturnCode spin_until_future_complete(
+    const F & future, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    int64_t span = std::chrono::duration_cast<std::chrono::nanoseconds>(timeout).count();
+    int64_t end = span < 0 ? -1 : coursekit::steady_now() + span;
+    Turn turn(*this);
+    for (;;) {
+      if (future.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        return FutureReturnCode::SUCCESS;
+      }
+      if (!ok()) {
+        return FutureReturnCode::INTERRUPTED;
+      }
+      int64_t left = end < 0 ? -1 : end - coursekit::steady_now();
+      if (end >= 0 && left <= 0) {
+        return FutureReturnCode::TIMEOUT;
+      }
+      ask("spin_once", Packer{}.i(id).i(left));
+    }
+  }
+
+protected:
+  /// While an executor spins it cannot be spun again.
+  struct Turn
+  {
+    explicit Turn(Executor & executor);
+    ~Turn();
+    Executor & executor;
+  };
+
+private:
+  std::vector<NodeBase> nodes_;
+  std::atomic<bool> spinning_{false};
+};
+}  // namespace rclcpp

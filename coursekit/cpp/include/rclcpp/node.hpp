@@ -1,0 +1,305 @@
+// Node: it lives at the session; here are its callbacks and the types of what it sends and hears.
+#pragma once
+#include <map>
+
+#include "rcl_interfaces/msg/list_parameters_result.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
+#include "rcl_interfaces/msg/set_parameters_result.hpp"
+#include "rclcpp/detail/entities.hpp"
+#include "rclcpp/node_options.hpp"
+
+namespace rclcpp
+{
+class TopicEndpointInfo;
+
+/// All that nodes have in common, with or without a lifecycle.
+class NodeFace
+{
+public:
+  using NodeBase = node_interfaces::NodeBaseInterface;
+  NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle);
+  virtual ~NodeFace() = default;
+  NodeFace(const NodeFace &) = delete;
+
+  const char * get_name() const {return base_->get_name();}
+  const char * get_namespace() const {return base_->get_namespace();}
+  const char * get_fully_qualified_name() const {return base_->get_fully_qualified_name();}
+  std::string get_sub_namespace() const {return "";}
+  std::string get_effective_namespace() const {return get_namespace();}
+  Logger get_logger() const {return base_->get_logger();}
+  Clock::SharedPtr get_clock() {return base_->clock;}
+  Clock::ConstSharedPtr get_clock() const {return base_->clock;}
+  Time now() const {return base_->clock->now();}
+  const NodeOptions & get_node_options() const {return options_;}
+#define COURSEKIT_INTERFACE(name) \
+  NodeBase::SharedPtr get_node_ ## name ## _interface() {return base_;} \
+  NodeBase::ConstSharedPtr get_node_ ## name ## _interface() const {return base_;}
+  COURSEKIT_INTERFACE(base)
+  COURSEKIT_INTERFACE(clock)
+  COURSEKIT_INTERFACE(graph)
+  COURSEKIT_INTERFACE(logging)
+  COURSEKIT_INTERFACE(parameters)
+  COURSEKIT_INTERFACE(services)
+  COURSEKIT_INTERFACE(time_source)
+  COURSEKIT_INTERFACE(timers)
+  COURSEKIT_INTERFACE(topics)
+  COURSEKIT_INTERFACE(waitables)
+
+  CallbackGroup::SharedPtr create_callback_group(CallbackGroupType type, bool automatically_add_to_executor_with_node = true);
+  void for_each_callback_group(const std::function<void (CallbackGroup::SharedPtr)> & visit) {visit(base_->group);}
+
+  // -- topics
+
+  template<class T, class Alloc = std::allocator<void>, class PublisherT = Publisher<T, Alloc>>
+  std::shared_ptr<PublisherT> create_publisher(
+    const std::string & topic, const QoS & qos,
+    const PublisherOptionsWithAllocator<Alloc> & options = PublisherOptionsWithAllocator<Alloc>())
+  {
+    auto made = std::make_shared<PublisherT>();
+    detail::make_publisher(*base_, *made, MessageOf<T>::coursekit_type, topic, qos, options);
+    return made;
+  }
+  GenericPublisher::SharedPtr create_generic_publisher(
+    const std::string & topic, const std::string & type, const QoS & qos, const PublisherOptions & options = {})
+  {
+    auto made = std::make_shared<GenericPublisher>();
+    detail::make_publisher(*base_, *made, type, topic, qos, options);
+    return made;
+  }
+
+  template<class T, class F, class Alloc = std::allocator<void>, class ... Strategy>
+  typename Subscription<T>::SharedPtr create_subscription(
+    const std::string & topic, const QoS & qos, F && callback,
+    const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>(),
+    const Strategy & ...)
+  {
+    auto made = std::make_shared<Subscription<T>>();
+    made->dispatch =
+      [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
+        call_with_bytes<T>(callback, cdr, info);
+      };
+    detail::make_subscription(*base_, made, MessageOf<T>::coursekit_type, topic, qos, options);
+    return made;
+  }
+  template<class F>
+  GenericSubscription::SharedPtr create_generic_subscription(
+    const std::string & topic, const std::string & type, const QoS & qos, F && callback,
+    const SubscriptionOptions & options = {})
+  {
+    auto made = std::make_shared<GenericSubscription>();
+    made->dispatch =
+      [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
+        call_with(callback, std::make_unique<SerializedMessage>(cdr), info);
+      };
+    detail::make_subscription(*base_, made, type, topic, qos, options);
+    return made;
+  }
+
+  // -- timers
+
+  template<class Rep, class Period, class F>
+  TimerBase::SharedPtr create_wall_timer(
+    std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group = nullptr)
+  {
+    return detail::timer(
+      *base_, std::chrono::duration_cast<std::chrono::nanoseconds>(period), std::move(callback), group, nullptr);
+  }
+  template<class Rep, class Period, class F>
+  TimerBase::SharedPtr create_timer(
+    std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group = nullptr)
+  {
+    return detail::timer(
+      *base_, std::chrono::duration_cast<std::chrono::nanoseconds>(period), std::move(callback), group, base_->clock);
+  }
+
+  // -- services
+
+  template<class S, class F>
+  typename Service<S>::SharedPtr create_service(
+    const std::string & name, F && callback, const rmw_qos_profile_t & profile = rmw_qos_profile_services_default,
+    CallbackGroup::SharedPtr group = nullptr)
+  {
+    return create_service<S>(name, std::forward<F>(callback), QoS(QoSInitialization::from_rmw(profile), profile), group);
+  }
+  template<class S, class F>
+  typename Service<S>::SharedPtr create_service(
+    const std::string & name, F && callback, const QoS & qos, CallbackGroup::SharedPtr group = nullptr)
+  {
+    return detail::service<S>(*base_, name, std::forward<F>(callback), qos, group);
+  }
+  template<class S>
+  typename Client<S>::SharedPtr create_client(
+    const std::string & name, const rmw_qos_profile_t & profile = rmw_qos_profile_services_default,
+    CallbackGroup::SharedPtr group = nullptr)
+  {
+    return create_client<S>(name, QoS(QoSInitialization::from_rmw(profile), profile), group);
+  }
+  template<class S>
+  typename Client<S>::SharedPtr create_client(
+    const std::string & name, const QoS & qos, CallbackGroup::SharedPtr group = nullptr)
+  {
+    return detail::client<S>(*base_, name, qos, group);
+  }
+
+  // -- parameters
+
+  const ParameterValue & declare_parameter(
+    const std::string & name, const ParameterValue & default_value,
+    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
+    bool ignore_override = false);
+  const ParameterValue & declare_parameter(
+    const std::string & name, ParameterType type,
+    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
+    bool ignore_override = false);
+  template<class T>
+  auto declare_parameter(
+    const std::string & name, const T & default_value,
+    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
+    bool ignore_override = false)
+  {
+    using Value = std::conditional_t<std::is_convertible_v<T, const char *>, std::string, T>;
+    return Value(declare_parameter(name, ParameterValue(Value(default_value)), descriptor, ignore_override).template get<Value>());
+  }
+  template<class T>
+  auto declare_parameter(
+    const std::string & name,
+    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
+    bool ignore_override = false)
+  {
+    ParameterValue value = declare_parameter(name, detail::ParameterKind<T>::type, descriptor, ignore_override);
+    if (value.get_type() == PARAMETER_NOT_SET) {
+      throw exceptions::UninitializedStaticallyTypedParameterException(
+              "Statically typed parameter '" + name + "' must be initialized.");
+    }
+    return T(value.template get<T>());
+  }
+  template<class T>
+  std::vector<T> declare_parameters(
+    const std::string & space, const std::map<std::string, T> & parameters, bool ignore_overrides = false)
+  {
+    std::vector<T> values;
+    for (auto & [key, value] : parameters) {
+      values.push_back(declare_parameter(space.empty() ? key : space + "." + key, value, {}, ignore_overrides));
+    }
+    return values;
+  }
+  template<class T>
+  std::vector<T> declare_parameters(
+    const std::string & space,
+    const std::map<std::string, std::pair<T, rcl_interfaces::msg::ParameterDescriptor>> & parameters,
+    bool ignore_overrides = false)
+  {
+    std::vector<T> values;
+    for (auto & [key, pair] : parameters) {
+      values.push_back(
+        declare_parameter(space.empty() ? key : space + "." + key, pair.first, pair.second, ignore_overrides));
+    }
+    return values;
+  }
+  void undeclare_parameter(const std::string & name);
+  bool has_parameter(const std::string & name) const;
+  Parameter get_parameter(const std::string & name) const;
+  bool get_parameter(const std::string & name, Parameter & parameter) const;
+  template<class T>
+  bool get_parameter(const std::string & name, T & value) const
+  {
+    Parameter found;
+    bool known = get_parameter(name, found) && found.get_type() != PARAMETER_NOT_SET;
+    if (known) {
+      value = static_cast<T>(found.get_value<T>());
+    }
+    return known;
+  }
+  template<class T>
+  bool get_parameter_or(const std::string & name, T & value, const T & alternative) const
+  {
+    bool known = get_parameter(name, value);
+    if (!known) {
+      value = alternative;
+    }
+    return known;
+  }
+  template<class T>
+  T get_parameter_or(const std::string & name, const T & alternative) const
+  {
+    T value;
+    get_parameter_or(name, value, alternative);
+    return value;
+  }
+  std::vector<Parameter> get_parameters(const std::vector<std::string> & names) const;
+  template<class T>
+  bool get_parameters(const std::string & prefix, std::map<std::string, T> & values) const
+  {
+    std::string start = prefix.empty() ? "" : prefix + ".";
+    bool any = false;
+    for (auto & name : list_parameters({prefix}, 0).names) {
+      if (name.compare(0, start.size(), start) == 0) {
+        values[name.substr(start.size())] = static_cast<T>(get_parameter(name).get_value<T>());
+        any = true;
+      }
+    }
+    return any;
+  }
+  rcl_interfaces::msg::SetParametersResult set_parameter(const Parameter & parameter);
+  std::vector<rcl_interfaces::msg::SetParametersResult> set_parameters(const std::vector<Parameter> & parameters);
+  rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters);
+  rcl_interfaces::msg::ParameterDescriptor describe_parameter(const std::string & name) const;
+  std::vector<rcl_interfaces::msg::ParameterDescriptor> describe_parameters(const std::vector<std::string> & names) const;
+  std::vector<uint8_t> get_parameter_types(const std::vector<std::string> & names) const;
+  rcl_interfaces::msg::ListParametersResult list_parameters(const std::vector<std::string> & prefixes, uint64_t depth) const;
+
+  using OnSetParametersCallbackHandle = node_interfaces::OnSetParametersCallbackHandle;
+  using OnParametersSetCallbackType =
+    std::function<rcl_interfaces::msg::SetParametersResult (const std::vector<Parameter> &)>;
+  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(OnParametersSetCallbackType callback);
+  void remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle);
+
+  // -- the graph
+
+  std::vector<std::string> get_node_names() const;
+  std::map<std::string, std::vector<std::string>> get_topic_names_and_types() const;
+  std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
+  size_t count_publishers(const std::string & topic) const;
+  size_t count_subscribers(const std::string & topic) const;
+
+protected:
+  NodeBase::SharedPtr base_;
+
+private:
+  std::vector<rcl_interfaces::msg::SetParametersResult> set(const std::vector<Parameter> & parameters, bool together);
+  std::map<std::string, std::vector<std::string>> names_and_types(const char * what) const;
+  NodeOptions options_;
+  std::map<std::string, ParameterValue> declared_;
+};
+
+class Node : public NodeFace, public std::enable_shared_from_this<Node>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Node)
+  explicit Node(const std::string & name, const NodeOptions & options = NodeOptions())
+  : Node(name, "", options) {}
+  explicit Node(const std::string & name, const std::string & space, const NodeOptions & options = NodeOptions())
+  : NodeFace(name, space, options, false) {}
+};
+
+/// The node, given as itself or as any kind of pointer to it.
+template<class N>
+auto & node_of(N && node)
+{
+  if constexpr (std::is_base_of_v<NodeFace, std::decay_t<N>>) {
+    return node;
+  } else {
+    return *node;
+  }
+}
+/// The interface of a node that is given as itself, as a pointer to it, or as that interface.
+template<class N>
+node_interfaces::NodeBaseInterface::SharedPtr base_of(N && node)
+{
+  if constexpr (std::is_convertible_v<N, node_interfaces::NodeBaseInterface::SharedPtr>) {
+    return node;
+  } else {
+    return node_of(node).get_node_base_interface();
+  }
+}
+}  // namespace rclcpp

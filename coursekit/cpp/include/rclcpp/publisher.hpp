@@ -1,0 +1,89 @@
+// Publishers.
+#pragma once
+#include <chrono>
+
+#include "rclcpp/publisher_options.hpp"
+#include "rclcpp/serialized_message.hpp"
+#include "rclcpp/type_adapter.hpp"
+#include "rclcpp/utilities.hpp"
+
+namespace rclcpp
+{
+class PublisherBase : public coursekit::Entity, public std::enable_shared_from_this<PublisherBase>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(PublisherBase)
+  const char * get_topic_name() const {return name.c_str();}
+  size_t get_queue_size() const {return qos.depth();}
+  size_t get_subscription_count() const {return static_cast<size_t>(ask("subscription_count", Packer{}.i(id)).i());}
+  size_t get_intra_process_subscription_count() const {return 0;}
+  bool assert_liveliness() const
+  {
+    ask("assert_liveliness", Packer{}.i(id));
+    return true;
+  }
+  QoS get_actual_qos() const {return qos;}
+  bool can_loan_messages() const {return false;}
+  template<class Rep = int64_t, class Period = std::milli>
+  bool wait_for_all_acked(std::chrono::duration<Rep, Period> = std::chrono::duration<Rep, Period>(-1)) const
+  {
+    return true;  // the session has a message as soon as it is published
+  }
+  QoS qos{10};
+
+protected:
+  void send(const std::string & cdr) const
+  {
+    if (ok()) {
+      coursekit::note("publish", Packer{}.i(id).raw(cdr.data(), cdr.size()));
+    }
+  }
+};
+
+/// A message that a publisher lends: here it is the program's own memory.
+template<class M, class Allocator = std::allocator<void>>
+class LoanedMessage
+{
+public:
+  LoanedMessage()
+  : message_(std::make_unique<M>()) {}
+  bool is_valid() const {return message_ != nullptr;}
+  M & get() const {return *message_;}
+  std::unique_ptr<M> release() {return std::move(message_);}
+
+private:
+  std::unique_ptr<M> message_;
+};
+
+template<class T, class Allocator = std::allocator<void>>
+class Publisher : public PublisherBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Publisher)
+  using MessageT = T;
+  using PublishedType = CustomOf<T>;
+  using ROSMessageType = MessageOf<T>;
+  using MessageUniquePtr = std::unique_ptr<ROSMessageType>;
+  using MessageSharedPtr = std::shared_ptr<const ROSMessageType>;
+
+  virtual void publish(const PublishedType & message) {send(custom_to_cdr<T>(message));}
+  virtual void publish(std::unique_ptr<PublishedType> message) {send(custom_to_cdr<T>(*message));}
+  template<class M, class = std::enable_if_t<is_adapted<T> && std::is_same_v<M, ROSMessageType>>>
+  void publish(const M & message) {send(coursekit::to_cdr(message));}
+  void publish(const SerializedMessage & message) {send(message.bytes());}
+  void publish(const rcl_serialized_message_t & message)
+  {
+    send(std::string(reinterpret_cast<const char *>(message.buffer), message.buffer_length));
+  }
+  void publish(LoanedMessage<PublishedType> && message) {publish(message.release());}
+  LoanedMessage<PublishedType> borrow_loaned_message() {return {};}
+};
+
+/// Publishes bytes of a type that only its name tells.
+class GenericPublisher : public PublisherBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericPublisher)
+  void publish(const SerializedMessage & message) {send(message.bytes());}
+};
+}  // namespace rclcpp

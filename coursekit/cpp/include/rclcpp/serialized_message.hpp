@@ -1,0 +1,81 @@
+// Messages as the bytes that travel, and the information that comes with them.
+#pragma once
+#include "coursekit/cdr.hpp"
+#include "rclcpp/macros.hpp"
+#include "rmw/types.h"
+
+typedef struct {uint8_t * buffer; size_t buffer_length; size_t buffer_capacity;} rcutils_uint8_array_t;
+typedef rcutils_uint8_array_t rcl_serialized_message_t;
+typedef rcutils_uint8_array_t rmw_serialized_message_t;
+
+namespace rclcpp
+{
+class SerializedMessage
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(SerializedMessage)
+  explicit SerializedMessage(size_t capacity = 0) {reserve(capacity);}
+  explicit SerializedMessage(std::string bytes)
+  : bytes_(std::move(bytes)) {look();}
+  SerializedMessage(const SerializedMessage & other)
+  : bytes_(other.bytes()) {look();}
+  SerializedMessage & operator=(const SerializedMessage & other)
+  {
+    bytes_ = other.bytes();
+    look();
+    return *this;
+  }
+  rcl_serialized_message_t & get_rcl_serialized_message() {return view_;}
+  const rcl_serialized_message_t & get_rcl_serialized_message() const {return view_;}
+  size_t size() const {return view_.buffer_length;}
+  size_t capacity() const {return view_.buffer_capacity;}
+  void reserve(size_t capacity)
+  {
+    size_t length = view_.buffer_length;
+    bytes_.resize(std::max(capacity, bytes_.size()));
+    look();
+    view_.buffer_length = length;
+  }
+  /// The bytes as they are now, also where a program wrote into the buffer.
+  std::string bytes() const {return std::string(reinterpret_cast<const char *>(view_.buffer), view_.buffer_length);}
+
+private:
+  void look() {view_ = {reinterpret_cast<uint8_t *>(bytes_.data()), bytes_.size(), bytes_.size()};}
+  std::string bytes_;
+  rcl_serialized_message_t view_{nullptr, 0, 0};
+};
+
+class SerializationBase
+{
+public:
+  virtual ~SerializationBase() = default;
+  virtual void serialize_message(const void * message, SerializedMessage * to) const = 0;
+  virtual void deserialize_message(const SerializedMessage * from, void * message) const = 0;
+};
+template<class M>
+class Serialization : public SerializationBase
+{
+public:
+  void serialize_message(const void * message, SerializedMessage * to) const override
+  {
+    *to = SerializedMessage(coursekit::to_cdr(*static_cast<const M *>(message)));
+  }
+  void deserialize_message(const SerializedMessage * from, void * message) const override
+  {
+    coursekit::from_cdr(from->bytes(), *static_cast<M *>(message));
+  }
+};
+
+class MessageInfo
+{
+public:
+  MessageInfo() = default;
+  explicit MessageInfo(const rmw_message_info_t & info)
+  : info_(info) {}
+  rmw_message_info_t & get_rmw_message_info() {return info_;}
+  const rmw_message_info_t & get_rmw_message_info() const {return info_;}
+
+private:
+  rmw_message_info_t info_{};
+};
+}  // namespace rclcpp

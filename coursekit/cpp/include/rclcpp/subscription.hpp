@@ -1,0 +1,75 @@
+// Subscriptions.
+#pragma once
+#include "rclcpp/any_subscription_callback.hpp"
+#include "rclcpp/publisher_options.hpp"
+
+namespace rclcpp
+{
+class SubscriptionBase : public coursekit::Entity, public std::enable_shared_from_this<SubscriptionBase>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(SubscriptionBase)
+  using Dispatch = std::function<void (const std::string & cdr, const MessageInfo & info)>;
+
+  const char * get_topic_name() const {return name.c_str();}
+  size_t get_publisher_count() const {return static_cast<size_t>(ask("publisher_count", Packer{}.i(id)).i());}
+  QoS get_actual_qos() const {return qos;}
+  bool is_serialized() const {return false;}
+  bool can_loan_messages() const {return false;}
+  bool is_cft_enabled() const {return false;}
+  /// Take the next message's bytes without waiting; false where there is none.
+  bool take_bytes(std::string & cdr, MessageInfo & info)
+  {
+    Unpacker answer = ask("take", Packer{}.i(id));
+    if (!answer.i()) {
+      return false;
+    }
+    unpack_info(answer, info);
+    cdr = answer.rest();
+    return true;
+  }
+  bool take_serialized(SerializedMessage & message, MessageInfo & info)
+  {
+    std::string cdr;
+    if (!take_bytes(cdr, info)) {
+      return false;
+    }
+    message = SerializedMessage(cdr);
+    return true;
+  }
+  static void unpack_info(Unpacker & from, MessageInfo & info)
+  {
+    auto & rmw = info.get_rmw_message_info();
+    rmw.source_timestamp = from.i();
+    rmw.received_timestamp = from.i();
+  }
+  Dispatch dispatch;
+  QoS qos{10};
+};
+
+template<class T, class Allocator = std::allocator<void>, class ...>
+class Subscription : public SubscriptionBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Subscription)
+  using MessageT = T;
+  using SubscribedType = CustomOf<T>;
+  using ROSMessageType = MessageOf<T>;
+  bool take(ROSMessageType & message, MessageInfo & info)
+  {
+    std::string cdr;
+    if (!take_bytes(cdr, info)) {
+      return false;
+    }
+    coursekit::from_cdr(cdr, message);
+    return true;
+  }
+};
+
+/// Hears the bytes of a type that only its name tells.
+class GenericSubscription : public SubscriptionBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericSubscription)
+};
+}  // namespace rclcpp

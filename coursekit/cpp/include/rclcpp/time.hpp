@@ -1,0 +1,80 @@
+// Points in time, in nanoseconds, of one of three kinds of clock.
+#pragma once
+#include "builtin_interfaces/msg/time.hpp"
+#include "rclcpp/duration.hpp"
+
+enum rcl_clock_type_t {RCL_CLOCK_UNINITIALIZED, RCL_ROS_TIME, RCL_SYSTEM_TIME, RCL_STEADY_TIME};
+typedef int64_t rcl_time_point_value_t;
+#define RCL_S_TO_NS(seconds) ((seconds) * 1000000000LL)
+#define RCL_MS_TO_NS(milliseconds) ((milliseconds) * 1000000LL)
+#define RCL_NS_TO_S(nanoseconds) ((nanoseconds) / 1000000000LL)
+#define RCL_NS_TO_MS(nanoseconds) ((nanoseconds) / 1000000LL)
+#define RCUTILS_S_TO_NS RCL_S_TO_NS
+#define RCUTILS_MS_TO_NS RCL_MS_TO_NS
+
+namespace rclcpp
+{
+class Time
+{
+public:
+  Time(int32_t seconds, uint32_t nanoseconds, rcl_clock_type_t type = RCL_SYSTEM_TIME)
+  : ns_(seconds * 1000000000LL + nanoseconds), type_(type) {check();}
+  explicit Time(int64_t nanoseconds = 0, rcl_clock_type_t type = RCL_SYSTEM_TIME)
+  : ns_(nanoseconds), type_(type) {check();}
+  Time(const builtin_interfaces::msg::Time & message, rcl_clock_type_t type = RCL_ROS_TIME)  // NOLINT
+  : ns_(message.sec * 1000000000LL + message.nanosec), type_(type) {check();}
+
+  static Time max() {return Time(std::numeric_limits<int32_t>::max(), 999999999);}
+  rcl_time_point_value_t nanoseconds() const {return ns_;}
+  double seconds() const {return ns_ / 1e9;}
+  rcl_clock_type_t get_clock_type() const {return type_;}
+  Time & operator=(const builtin_interfaces::msg::Time & message) {return *this = Time(message);}
+  operator builtin_interfaces::msg::Time() const
+  {
+    builtin_interfaces::msg::Time message;
+    message.sec = static_cast<int32_t>(ns_ / 1000000000);
+    message.nanosec = static_cast<uint32_t>(ns_ % 1000000000);
+    return message;
+  }
+
+  Time operator+(const Duration & duration) const {return Time(ns_ + duration.nanoseconds(), type_);}
+  Time operator-(const Duration & duration) const {return Time(ns_ - duration.nanoseconds(), type_);}
+  Duration operator-(const Time & other) const
+  {
+    check_same(other, "can't subtract times with different time sources [");
+    return Duration::from_nanoseconds(ns_ - other.ns_);
+  }
+  Time & operator+=(const Duration & duration) {return *this = *this + duration;}
+  Time & operator-=(const Duration & duration) {return *this = *this - duration;}
+  bool operator==(const Time & other) const {return compared(other) == 0;}
+  bool operator!=(const Time & other) const {return compared(other) != 0;}
+  bool operator<(const Time & other) const {return compared(other) < 0;}
+  bool operator<=(const Time & other) const {return compared(other) <= 0;}
+  bool operator>(const Time & other) const {return compared(other) > 0;}
+  bool operator>=(const Time & other) const {return compared(other) >= 0;}
+
+private:
+  void check() const
+  {
+    if (ns_ < 0) {
+      throw std::runtime_error("cannot store a negative time point in rclcpp::Time");
+    }
+  }
+  int compared(const Time & other) const
+  {
+    if (type_ != other.type_) {
+      throw std::runtime_error("can't compare times with different time sources");
+    }
+    return ns_ < other.ns_ ? -1 : ns_ > other.ns_;
+  }
+  void check_same(const Time & other, const char * what) const
+  {
+    if (type_ != other.type_) {
+      throw std::runtime_error(what + std::to_string(type_) + " != " + std::to_string(other.type_) + "]");
+    }
+  }
+  int64_t ns_;
+  rcl_clock_type_t type_;
+};
+inline Time operator+(const Duration & duration, const Time & time) {return time + duration;}
+}  // namespace rclcpp

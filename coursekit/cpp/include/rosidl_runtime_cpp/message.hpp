@@ -1,0 +1,43 @@
+// What generated messages stand on: the members that each of them has, and what programs ask of a message type.
+#pragma once
+#include <memory>
+
+#include "coursekit/cdr.hpp"
+#include "rosidl_runtime_cpp/message_initialization.hpp"
+
+#define COURSEKIT_MESSAGE(Name, full_name) \
+  static constexpr const char * coursekit_type = full_name; \
+  using Type = Name; \
+  using SharedPtr = std::shared_ptr<Name>; \
+  using ConstSharedPtr = std::shared_ptr<const Name>; \
+  using UniquePtr = std::unique_ptr<Name>; \
+  using ConstUniquePtr = std::unique_ptr<const Name>; \
+  template<class D = std::default_delete<Name>> \
+  using UniquePtrWithDeleter = std::unique_ptr<Name, D>; \
+  using WeakPtr = std::weak_ptr<Name>; \
+  using ConstWeakPtr = std::weak_ptr<const Name>; \
+  using RawPtr = Name *; \
+  using ConstRawPtr = const Name *; \
+  explicit Name(rosidl_runtime_cpp::MessageInitialization = rosidl_runtime_cpp::MessageInitialization::ALL) {}
+
+namespace rosidl_generator_traits
+{
+template<class T>
+struct is_message : coursekit::is_message<T> {};
+/// "std_msgs/msg/String"
+template<class T>
+const char * name() {return T::coursekit_type;}
+/// "std_msgs::msg::String"
+template<class T>
+const char * data_type()
+{
+  static const std::string text = [] {
+      std::string all = T::coursekit_type;
+      for (size_t at; (at = all.find('/')) != std::string::npos; ) {
+        all.replace(at, 1, "::");
+      }
+      return all;
+    }();
+  return text.c_str();
+}
+}  // namespace rosidl_generator_traits

@@ -1,0 +1,255 @@
+// init, ok, shutdown, signals, clocks, loggers: what belongs to the whole program.
+#include <stdarg.h>
+#include <stdio.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "rclcpp/rclcpp.hpp"
+
+namespace rclcpp
+{
+namespace
+{
+/// Throw what rclcpp throws for a refusal of the session.
+[[noreturn]] void rethrow(const coursekit::Refused & refusal)
+{
+  const std::string & kind = refusal.kind;
+  const std::string text = refusal.what();
+#define COURSEKIT_THROW(Name) \
+  if (kind == #Name) { \
+    throw exceptions::Name(text); \
+  }
+  COURSEKIT_THROW(InvalidNodeNameError)
+  COURSEKIT_THROW(InvalidNamespaceError)
+  COURSEKIT_THROW(InvalidTopicNameError)
+  COURSEKIT_THROW(InvalidServiceNameError)
+  COURSEKIT_THROW(UnsupportedEventTypeException)
+  COURSEKIT_THROW(ParameterAlreadyDeclaredException)
+  COURSEKIT_THROW(ParameterNotDeclaredException)
+  COURSEKIT_THROW(ParameterUninitializedException)
+  COURSEKIT_THROW(ParameterImmutableException)
+  COURSEKIT_THROW(ParameterModifiedInCallbackException)
+  COURSEKIT_THROW(InvalidParametersException)
+  COURSEKIT_THROW(InvalidParameterValueException)
+  COURSEKIT_THROW(InvalidParameterTypeException)
+  COURSEKIT_THROW(RCLInvalidROSArgsError)
+  if (kind == "runtime_error") {
+    throw std::runtime_error(text);
+  }
+  throw exceptions::RCLError(text);
+}
+std::atomic<bool> g_handles_signals{false};
+}  // namespace
+
+Unpacker ask(const char * what, const Packer & with)
+{
+  try {
+    return coursekit::request(what, with);
+  } catch (const coursekit::Refused & refusal) {
+    rethrow(refusal);
+  }
+}
+
+// -- the context
+
+void Context::init(int argc, char const * const * argv, const InitOptions & options)
+{
+  if (valid_) {
+    throw std::runtime_error("context is already initialized");
+  }
+  Packer with = Packer{}.i(options.domain_id_).i(argc);
+  for (int i = 0; i < argc; ++i) {
+    with.s(argv[i]);
+  }
+  ask("init", with);
+  options_ = options;
+  valid_ = true;
+}
+bool Context::is_valid() const
+{
+  coursekit::poll();
+  return valid_ && !(coursekit::stopping() && g_handles_signals);
+}
+bool Context::shutdown(const std::string & reason)
+{
+  if (!valid_) {
+    return false;
+  }
+  call(before_);
+  valid_ = false;
+  reason_ = reason;
+  ask("shutdown");
+  call(after_);
+  return true;
+}
+void Context::call(std::vector<std::pair<int64_t, OnShutdownCallback>> & callbacks)
+{
+  decltype(before_) all;
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    all = callbacks;
+  }
+  for (auto & entry : all) {
+    entry.second();
+  }
+}
+Context::OnShutdownCallback Context::on_shutdown(OnShutdownCallback callback)
+{
+  add_on_shutdown_callback(callback);
+  return callback;
+}
+OnShutdownCallbackHandle Context::add_on_shutdown_callback(OnShutdownCallback callback)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  after_.emplace_back(next_, std::move(callback));
+  return {next_++};
+}
+OnShutdownCallbackHandle Context::add_pre_shutdown_callback(OnShutdownCallback callback)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  before_.emplace_back(next_, std::move(callback));
+  return {next_++};
+}
+bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  auto is_it = [&](auto & entry) {return entry.first == handle.number;};
+  auto found = std::find_if(after_.begin(), after_.end(), is_it);
+  if (found == after_.end()) {
+    return false;
+  }
+  after_.erase(found);
+  return true;
+}
+bool Context::sleep_for(const std::chrono::nanoseconds & duration)
+{
+  return coursekit::sleep_for(duration.count()) && is_valid();
+}
+contexts::DefaultContext::SharedPtr contexts::get_global_default_context()
+{
+  static auto * context = new DefaultContext::SharedPtr(std::make_shared<DefaultContext>());
+  return *context;
+}
+
+// -- the program
+
+void init(int argc, char const * const * argv, const InitOptions & options, SignalHandlerOptions signals)
+{
+  contexts::get_global_default_context()->init(argc, argv, options);
+  install_signal_handlers(signals);
+}
+std::vector<std::string> init_and_remove_ros_arguments(int argc, char const * const * argv, const InitOptions & options)
+{
+  init(argc, argv, options);
+  return remove_ros_arguments(argc, argv);
+}
+std::vector<std::string> remove_ros_arguments(int argc, char const * const * argv)
+{
+  std::vector<std::string> rest;
+  bool ros = false;
+  for (int i = 0; i < argc; ++i) {
+    std::string word = argv[i];
+    if (word == "--ros-args") {
+      ros = true;
+    } else if (ros && word == "--") {
+      ros = false;
+    } else if (!ros) {
+      rest.push_back(word);
+    }
+  }
+  return rest;
+}
+bool install_signal_handlers(SignalHandlerOptions signals)
+{
+  if (signals == SignalHandlerOptions::None || g_handles_signals.exchange(true)) {
+    return false;
+  }
+  bool all = signals == SignalHandlerOptions::All;
+  coursekit::catch_signals(all || signals == SignalHandlerOptions::SigInt, all || signals == SignalHandlerOptions::SigTerm);
+  return true;
+}
+bool signal_handlers_installed() {return g_handles_signals;}
+bool uninstall_signal_handlers()
+{
+  if (!g_handles_signals.exchange(false)) {
+    return false;
+  }
+  coursekit::release_signals();
+  return true;
+}
+namespace
+{
+Context::SharedPtr given_or_default(Context::SharedPtr context)
+{
+  return context ? context : contexts::get_global_default_context();
+}
+}  // namespace
+bool ok(Context::SharedPtr context) {return given_or_default(context)->is_valid();}
+bool shutdown(Context::SharedPtr context, const std::string & reason)
+{
+  bool ended = given_or_default(context)->shutdown(reason);
+  uninstall_signal_handlers();
+  return ended;
+}
+void on_shutdown(std::function<void ()> callback, Context::SharedPtr context)
+{
+  given_or_default(context)->on_shutdown(std::move(callback));
+}
+bool sleep_for(const std::chrono::nanoseconds & duration, Context::SharedPtr context)
+{
+  return given_or_default(context)->sleep_for(duration);
+}
+
+// -- clocks
+
+bool Clock::simulated() const {return type_ == RCL_ROS_TIME && node_ && coursekit::simulated_time();}
+bool Clock::ros_time_is_active() const
+{
+  return simulated() && ask("ros_time_active", Packer{}.i(node_)).i();
+}
+Time Clock::now() const
+{
+  if (simulated()) {
+    return Time(ask("ros_now", Packer{}.i(node_)).i(), type_);
+  }
+  return Time(type_ == RCL_STEADY_TIME ? coursekit::steady_now() : coursekit::system_now(), type_);
+}
+bool Clock::sleep_until(Time until, Context::SharedPtr context)
+{
+  if (until.get_clock_type() != type_) {
+    throw std::runtime_error("until's clock type does not match this clock's type");
+  }
+  return sleep_for(until - now(), context);
+}
+bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
+{
+  if (simulated()) {
+    return ask("ros_sleep", Packer{}.i(node_).i(duration.nanoseconds())).i();
+  }
+  return context->sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
+}
+
+// -- loggers
+
+void Logger::set_level(Level level)
+{
+  coursekit::note("log_level", Packer{}.s(name_).i(static_cast<int64_t>(level)));
+}
+Logger::Level Logger::get_effective_level() const
+{
+  return static_cast<Level>(ask("effective_level", Packer{}.s(name_)).i());
+}
+void log(const Logger & logger, int level, const char * file, const char * function, int line, const char * format, ...)
+{
+  va_list args, again;
+  va_start(args, format);
+  va_copy(again, args);
+  std::string text(static_cast<size_t>(std::max(vsnprintf(nullptr, 0, format, args), 0)) + 1, '\0');
+  vsnprintf(&text[0], text.size(), format, again);
+  text.pop_back();
+  va_end(again);
+  va_end(args);
+  coursekit::note("log", Packer{}.s(logger.get_name()).i(level).s(text).s(file).s(function).i(line));
+}
+}  // namespace rclcpp

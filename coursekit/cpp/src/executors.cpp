@@ -1,0 +1,101 @@
+// Executors: each is one of the session's, asked to spin.
+#include "rclcpp/rclcpp.hpp"
+
+namespace rclcpp
+{
+Executor::Executor(const ExecutorOptions &, size_t threads)
+{
+  id = ask("executor", Packer{}.i(static_cast<int64_t>(threads))).i();
+}
+Executor::~Executor()
+{
+  for (auto & node : nodes_) {
+    node->in_executor = false;
+  }
+}
+Executor::Turn::Turn(Executor & executor_)
+: executor(executor_)
+{
+  if (executor.spinning_.exchange(true)) {
+    throw std::runtime_error("spin() called while already spinning");
+  }
+}
+Executor::Turn::~Turn() {executor.spinning_ = false;}
+
+void Executor::add_node(NodeBase node, bool)
+{
+  if (node->in_executor) {
+    throw std::runtime_error("Node '" + node->full_name + "' has already been added to an executor.");
+  }
+  node->in_executor = true;
+  nodes_.push_back(node);
+  ask("add_node", Packer{}.i(id).i(node->id));
+}
+void Executor::remove_node(NodeBase node, bool)
+{
+  if (!node->in_executor) {
+    throw std::runtime_error("Node needs to be associated with an executor.");
+  }
+  auto found = std::find(nodes_.begin(), nodes_.end(), node);
+  if (found == nodes_.end()) {
+    throw std::runtime_error("Node needs to be associated with this executor.");
+  }
+  ask("remove_node", Packer{}.i(id).i(node->id));
+  node->in_executor = false;
+  nodes_.erase(found);
+}
+void Executor::add_callback_group(CallbackGroup::SharedPtr group, NodeBase node, bool)
+{
+  ask("add_callback_group", Packer{}.i(id).i(group->id).i(node->id));
+}
+void Executor::remove_callback_group(CallbackGroup::SharedPtr group, bool)
+{
+  ask("remove_callback_group", Packer{}.i(id).i(group->id));
+}
+void Executor::spin()
+{
+  Turn turn(*this);
+  ask("spin", Packer{}.i(id));
+}
+void Executor::spin_once(std::chrono::nanoseconds timeout)
+{
+  Turn turn(*this);
+  ask("spin_once", Packer{}.i(id).i(timeout.count()));
+}
+void Executor::spin_some(std::chrono::nanoseconds max_duration)
+{
+  Turn turn(*this);
+  ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(0));
+}
+void Executor::spin_all(std::chrono::nanoseconds max_duration)
+{
+  if (max_duration.count() < 0) {
+    throw std::invalid_argument("max_duration must be greater than or equal to 0");
+  }
+  Turn turn(*this);
+  ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(1));
+}
+void Executor::cancel() {coursekit::note("cancel", Packer{}.i(id));}
+
+void spin(Executor::NodeBase node)
+{
+  SingleThreadedExecutor executor;
+  executor.add_node(node);
+  executor.spin();
+  executor.remove_node(node);
+}
+void spin_some(Executor::NodeBase node)
+{
+  SingleThreadedExecutor executor;
+  executor.add_node(node);
+  executor.spin_some();
+  executor.remove_node(node);
+}
+
+std::string to_string(const FutureReturnCode & code)
+{
+  static const char * const names[] = {"SUCCESS (0)", "INTERRUPTED (1)", "TIMEOUT (2)"};
+  return names[static_cast<int>(code)];
+}
+std::ostream & operator<<(std::ostream & stream, const FutureReturnCode & code) {return stream << to_string(code);}
+}  // namespace rclcpp

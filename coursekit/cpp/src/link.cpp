@@ -1,0 +1,257 @@
+// The connections to the session, one for each thread, and what is called over them.
+//
+// A frame is: length of the rest (4 bytes), kind (1), then
+//   up:   'Q' question | 'N' note: name s, packed words;  'R' return of a callback: packed;  'E' it threw
+//   down: 'A' answer | 'X' refusal (kind s, text s) | 'C' call (handler i), each after system i, steady i, flags i
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "state.hpp"
+
+namespace coursekit
+{
+State g_state;
+
+namespace
+{
+struct Handlers
+{
+  std::mutex lock;
+  std::map<int64_t, std::shared_ptr<Handler>> by_number;
+  int64_t next = 1;
+};
+Handlers & handlers()
+{
+  static Handlers * all = new Handlers;  // never destroyed: other threads may still look
+  return *all;
+}
+std::shared_ptr<Handler> handler_of(int64_t number)
+{
+  std::lock_guard<std::mutex> hold(handlers().lock);
+  auto found = handlers().by_number.find(number);
+  return found == handlers().by_number.end() ? nullptr : found->second;
+}
+
+struct Closed {};
+
+class Link
+{
+public:
+  explicit Link(int fd)
+  : fd_(fd) {}
+  ~Link() {close(fd_);}
+
+  Unpacker ask(const char * what, const Packer & with)
+  {
+    send('Q', Packer{}.s(what).bytes + with.bytes);
+    return wait();
+  }
+  void note(const char * what, const Packer & with) {send('N', Packer{}.s(what).bytes + with.bytes);}
+  Unpacker wait()
+  {
+    for (;;) {
+      Unpacker frame = receive();
+      char kind = frame.bytes[0];
+      frame.at = 1;
+      g_state.system = frame.i();
+      g_state.steady = frame.i();
+      g_state.flags = frame.i();
+      g_state.is_virtual = g_state.flags & VIRTUAL;
+      if (kind == 'A') {
+        return frame;
+      }
+      if (kind == 'X') {
+        std::string name = frame.s();
+        throw Refused(name, frame.s());
+      }
+      call(frame);
+    }
+  }
+
+private:
+  void call(Unpacker & frame)
+  {
+    std::shared_ptr<Handler> handler = handler_of(frame.i());
+    Packer result;
+    try {
+      if (handler) {
+        (*handler)(frame, result);
+      }
+    } catch (...) {  // it leaves through the program's own spin(), as in rclcpp
+      send('E', "");
+      throw;
+    }
+    send('R', result.bytes);
+  }
+  void send(char kind, const std::string & body)
+  {
+    fflush(stdout);
+    uint32_t size = static_cast<uint32_t>(body.size() + 1);
+    std::string frame(reinterpret_cast<const char *>(&size), 4);
+    frame += kind;
+    frame += body;
+    for (size_t at = 0; at < frame.size(); ) {
+      ssize_t n = ::send(fd_, frame.data() + at, frame.size() - at, MSG_NOSIGNAL);
+      if (n < 0 && errno == EINTR) {
+        continue;
+      }
+      if (n <= 0) {
+        throw Closed();
+      }
+      at += static_cast<size_t>(n);
+    }
+  }
+  Unpacker receive()
+  {
+    uint32_t size;
+    read_exactly(reinterpret_cast<char *>(&size), 4);
+    Unpacker frame{std::string(size, '\0')};
+    read_exactly(&frame.bytes[0], size);
+    return frame;
+  }
+  void read_exactly(char * to, size_t n)
+  {
+    while (n) {
+      if (begin_ == end_) {
+        fill();
+      }
+      size_t part = std::min(n, end_ - begin_);
+      memcpy(to, buffer_ + begin_, part);
+      begin_ += part;
+      to += part;
+      n -= part;
+    }
+  }
+  void fill()
+  {
+    ssize_t got;
+    do {
+      got = recv(fd_, buffer_, sizeof(buffer_), 0);
+    } while (got < 0 && errno == EINTR);
+    if (got <= 0) {
+      throw Closed();
+    }
+    begin_ = 0;
+    end_ = static_cast<size_t>(got);
+  }
+
+  int fd_;
+  char buffer_[65536];
+  size_t begin_ = 0, end_ = 0;
+};
+
+thread_local int t_fd = -1;
+thread_local std::unique_ptr<Link> t_link;
+Link & link()
+{
+  if (!t_link) {
+    bool given = t_fd >= 0;
+    t_link = std::make_unique<Link>(given ? t_fd : connect_to_session(THREAD));
+    t_link->wait();  // the session says when this thread may begin
+  }
+  return *t_link;
+}
+/// Where the session has ended, or cut this program off, nothing more can be done.
+template<class F>
+auto guarded(F talk)
+{
+  try {
+    return talk();
+  } catch (const Closed &) {
+    _exit(1);
+  }
+}
+
+void * work(void *)
+{
+  use_connection(connect_to_session(WORKER));
+  try {
+    serve_calls();
+  } catch (const Closed &) {
+  }
+  return nullptr;
+}
+/// Makes a thread whenever the session has a callback for which the program has none.
+void * obey(void * fd)
+{
+  char wish;
+  while (recv(static_cast<int>(reinterpret_cast<intptr_t>(fd)), &wish, 1, 0) == 1) {
+    start_real_thread(work, nullptr);
+  }
+  return nullptr;
+}
+
+struct AtStart
+{
+  AtStart()
+  {
+    setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // as in a terminal
+    if (!getenv("COURSEKIT_LINK")) {
+      return;
+    }
+    int control = connect_to_session(CONTROL);
+    use_connection(connect_to_session(MAIN));
+    begin_thread();
+    start_real_thread(obey, reinterpret_cast<void *>(static_cast<intptr_t>(control)));
+  }
+} at_start;
+}  // namespace
+
+int connect_to_session(Purpose purpose)
+{
+  const char * path = getenv("COURSEKIT_LINK");
+  if (!path) {
+    fprintf(stderr, "This program was built for coursekit: start it with `ros2 run` or a launch file.\n");
+    _exit(127);
+  }
+  int fd = socket(AF_UNIX, SOCK_STREAM, 0);
+  fcntl(fd, F_SETFD, FD_CLOEXEC);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  strncpy(address.sun_path, path, sizeof(address.sun_path) - 1);
+  char first = purpose;
+  if (connect(fd, reinterpret_cast<sockaddr *>(&address), sizeof(address)) || ::send(fd, &first, 1, MSG_NOSIGNAL) != 1) {
+    _exit(127);
+  }
+  return fd;
+}
+void use_connection(int fd) {t_fd = fd;}
+void begin_thread() {guarded([] {link();});}
+void serve_calls() {link().wait();}
+
+Unpacker request(const char * what, const Packer & with)
+{
+  return guarded([&] {return link().ask(what, with);});
+}
+void note(const char * what, const Packer & with)
+{
+  guarded([&] {link().note(what, with);});
+}
+int64_t add_handler(Handler handler)
+{
+  std::lock_guard<std::mutex> hold(handlers().lock);
+  handlers().by_number[handlers().next] = std::make_shared<Handler>(std::move(handler));
+  return handlers().next++;
+}
+void remove_handler(int64_t number)
+{
+  std::shared_ptr<Handler> last;  // what it captured is destroyed after the lock is given back
+  std::lock_guard<std::mutex> hold(handlers().lock);
+  auto found = handlers().by_number.find(number);
+  if (found != handlers().by_number.end()) {
+    last = found->second;
+    handlers().by_number.erase(found);
+  }
+}
+}  // namespace coursekit

@@ -1,0 +1,203 @@
+// Nodes and their entities: how each is entered at the session.
+#include "rclcpp/rclcpp.hpp"
+
+namespace rclcpp
+{
+node_interfaces::NodeBaseInterface::~NodeBaseInterface()
+{
+  if (id) {
+    coursekit::note("drop", Packer{}.i(id));
+  }
+}
+
+NodeFace::NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle)
+: base_(std::make_shared<NodeBase>()), options_(options)
+{
+  Packer with = Packer{}.s(name).s(space).i(lifecycle).i(options.use_global_arguments());
+  with.i(options.allow_undeclared_parameters()).i(options.automatically_declare_parameters_from_overrides());
+  with.i(options.enable_rosout()).i(options.start_parameter_services());
+  with.i(static_cast<int64_t>(options.arguments().size()));
+  for (auto & word : options.arguments()) {
+    with.s(word);
+  }
+  auto & overrides = static_cast<const NodeOptions &>(options).parameter_overrides();
+  with.i(static_cast<int64_t>(overrides.size()));
+  for (auto & parameter : overrides) {
+    with.m(parameter.to_parameter_msg());
+  }
+  Unpacker answer = ask("node", with);
+  base_->id = answer.i();
+  base_->name = answer.s();
+  base_->space = answer.s();
+  base_->full_name = answer.s();
+  base_->logger = answer.s();
+  base_->group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
+  base_->clock = std::make_shared<Clock>(RCL_ROS_TIME, base_->id);
+}
+CallbackGroup::SharedPtr NodeFace::create_callback_group(CallbackGroupType type, bool automatic)
+{
+  bool reentrant = type == CallbackGroupType::Reentrant;
+  int64_t number = ask("callback_group", Packer{}.i(base_->id).i(reentrant)).i();
+  return std::make_shared<CallbackGroup>(number, type, automatic);
+}
+
+// -- QoS: events, and policies that parameters override
+
+namespace
+{
+void unpack(Unpacker & from, rmw_event_count_t & info)
+{
+  info.total_count = static_cast<int32_t>(from.i());
+  info.total_count_change = static_cast<int32_t>(from.i());
+}
+void unpack(Unpacker & from, rmw_qos_incompatible_event_status_t & info)
+{
+  unpack(from, static_cast<rmw_event_count_t &>(info));
+  info.last_policy_kind = static_cast<rmw_qos_policy_kind_t>(from.i());
+}
+void unpack(Unpacker & from, rmw_liveliness_changed_status_t & info)
+{
+  info.alive_count = static_cast<int32_t>(from.i());
+  info.not_alive_count = static_cast<int32_t>(from.i());
+  info.alive_count_change = static_cast<int32_t>(from.i());
+  info.not_alive_count_change = static_cast<int32_t>(from.i());
+}
+void unpack(Unpacker & from, rmw_message_lost_status_t & info)
+{
+  info.total_count = static_cast<size_t>(from.i());
+  info.total_count_change = static_cast<size_t>(from.i());
+}
+template<class Info>
+void pack_event(coursekit::Entity & owner, const std::function<void (Info &)> & callback, Packer & with)
+{
+  if (!callback) {
+    with.i(0);
+    return;
+  }
+  with.i(owner.handle(
+      [callback](Unpacker & from, Packer &) {
+        Info info;
+        unpack(from, info);
+        callback(info);
+      }));
+}
+void pack_overriding(const QosOverridingOptions & options, coursekit::Entity & owner, Packer & with)
+{
+  with.s(options.get_id()).i(static_cast<int64_t>(options.get_policy_kinds().size()));
+  for (auto kind : options.get_policy_kinds()) {
+    with.i(static_cast<int64_t>(kind));
+  }
+  auto judge = options.get_validation_callback();
+  if (!judge) {
+    with.i(0);
+    return;
+  }
+  with.i(owner.handle(
+      [judge](Unpacker & from, Packer & to) {
+        QosCallbackResult result = judge(QoS::unpack(from));
+        to.i(result.successful).s(result.reason);
+      }));
+}
+}  // namespace
+
+void detail::make_publisher(
+  NodeBase & node, PublisherBase & made, const std::string & type, const std::string & topic, const QoS & qos,
+  const PublisherOptionsBase & options)
+{
+  Packer with = Packer{}.i(node.id).s(type).s(topic).i(number_of(options.callback_group));
+  qos.pack(with);
+  pack_event(made, options.event_callbacks.deadline_callback, with);
+  pack_event(made, options.event_callbacks.liveliness_callback, with);
+  pack_event(made, options.event_callbacks.incompatible_qos_callback, with);
+  with.i(options.use_default_callbacks);
+  pack_overriding(options.qos_overriding_options, made, with);
+  Unpacker answer = ask("publisher", with);
+  made.id = answer.i();
+  made.name = answer.s();
+  made.qos = QoS::unpack(answer);
+}
+void detail::make_subscription(
+  NodeBase & node, const SubscriptionBase::SharedPtr & made, const std::string & type, const std::string & topic,
+  const QoS & qos, const SubscriptionOptionsBase & options)
+{
+  std::weak_ptr<SubscriptionBase> weak = made;
+  int64_t handler = made->handle(
+    [weak](Unpacker & from, Packer &) {
+      MessageInfo info;
+      SubscriptionBase::unpack_info(from, info);
+      if (auto me = weak.lock()) {
+        me->dispatch(from.rest(), info);
+      }
+    });
+  Packer with = Packer{}.i(node.id).s(type).s(topic).i(handler).i(number_of(options.callback_group));
+  qos.pack(with);
+  pack_event(*made, options.event_callbacks.deadline_callback, with);
+  pack_event(*made, options.event_callbacks.liveliness_callback, with);
+  pack_event(*made, options.event_callbacks.incompatible_qos_callback, with);
+  pack_event(*made, options.event_callbacks.message_lost_callback, with);
+  with.i(options.use_default_callbacks).i(options.ignore_local_publications);
+  pack_overriding(options.qos_overriding_options, *made, with);
+  Unpacker answer = ask("subscription", with);
+  made->id = answer.i();
+  made->name = answer.s();
+  made->qos = QoS::unpack(answer);
+}
+void detail::make_timer(
+  NodeBase & node, const TimerBase::SharedPtr & made, std::chrono::nanoseconds period, const CallbackGroup::SharedPtr & group,
+  const Clock::SharedPtr & clock)
+{
+  if (period.count() < 0) {
+    throw std::invalid_argument("timer period cannot be negative");
+  }
+  std::weak_ptr<TimerBase> weak = made;
+  int64_t handler = made->handle(
+    [weak](Unpacker &, Packer &) {
+      if (auto me = weak.lock()) {
+        me->callback();
+      }
+    });
+  rcl_clock_type_t kind = clock ? clock->get_clock_type() : RCL_STEADY_TIME;
+  made->steady = kind == RCL_STEADY_TIME;
+  made->id = ask("timer", Packer{}.i(node.id).i(period.count()).i(kind).i(handler).i(number_of(group))).i();
+}
+
+// -- the graph
+
+std::vector<std::string> NodeFace::get_node_names() const
+{
+  Unpacker answer = ask("node_names", Packer{}.i(base_->id));
+  std::vector<std::string> names(static_cast<size_t>(answer.i()));
+  for (auto & name : names) {
+    name = answer.s();
+  }
+  return names;
+}
+std::map<std::string, std::vector<std::string>> NodeFace::names_and_types(const char * what) const
+{
+  Unpacker answer = ask(what, Packer{}.i(base_->id));
+  std::map<std::string, std::vector<std::string>> all;
+  for (int64_t count = answer.i(); count > 0; --count) {
+    auto & types = all[answer.s()];
+    for (int64_t k = answer.i(); k > 0; --k) {
+      types.push_back(answer.s());
+    }
+  }
+  return all;
+}
+std::map<std::string, std::vector<std::string>> NodeFace::get_topic_names_and_types() const
+{
+  return names_and_types("topics");
+}
+std::map<std::string, std::vector<std::string>> NodeFace::get_service_names_and_types() const
+{
+  return names_and_types("services");
+}
+size_t NodeFace::count_publishers(const std::string & topic) const
+{
+  return static_cast<size_t>(ask("count_publishers", Packer{}.i(base_->id).s(topic)).i());
+}
+size_t NodeFace::count_subscribers(const std::string & topic) const
+{
+  return static_cast<size_t>(ask("count_subscribers", Packer{}.i(base_->id).s(topic)).i());
+}
+}  // namespace rclcpp

@@ -1,0 +1,192 @@
+// A node's parameters, asked of the session; and parameters as text.
+#include <sstream>
+
+#include "rclcpp/rclcpp.hpp"
+
+namespace rclcpp
+{
+using rcl_interfaces::msg::ParameterDescriptor;
+using rcl_interfaces::msg::SetParametersResult;
+
+const ParameterValue & NodeFace::declare_parameter(
+  const std::string & name, const ParameterValue & default_value, const ParameterDescriptor & descriptor, bool ignore_override)
+{
+  Packer with = Packer{}.i(base_->id).s(name).i(0).m(default_value.to_value_msg()).m(descriptor).i(ignore_override);
+  return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
+}
+const ParameterValue & NodeFace::declare_parameter(
+  const std::string & name, ParameterType type, const ParameterDescriptor & descriptor, bool ignore_override)
+{
+  Packer with = Packer{}.i(base_->id).s(name).i(type).m(rcl_interfaces::msg::ParameterValue()).m(descriptor).i(ignore_override);
+  return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
+}
+void NodeFace::undeclare_parameter(const std::string & name) {ask("undeclare", Packer{}.i(base_->id).s(name));}
+bool NodeFace::has_parameter(const std::string & name) const
+{
+  return ask("has_parameter", Packer{}.i(base_->id).s(name)).i();
+}
+Parameter NodeFace::get_parameter(const std::string & name) const
+{
+  return Parameter::from_parameter_msg(
+    ask("get_parameter", Packer{}.i(base_->id).s(name)).m<rcl_interfaces::msg::Parameter>());
+}
+bool NodeFace::get_parameter(const std::string & name, Parameter & parameter) const
+{
+  Unpacker answer = ask("find_parameter", Packer{}.i(base_->id).s(name));
+  bool known = answer.i();
+  if (known) {
+    parameter = Parameter::from_parameter_msg(answer.m<rcl_interfaces::msg::Parameter>());
+  }
+  return known;
+}
+std::vector<Parameter> NodeFace::get_parameters(const std::vector<std::string> & names) const
+{
+  std::vector<Parameter> parameters;
+  for (auto & name : names) {
+    parameters.push_back(get_parameter(name));
+  }
+  return parameters;
+}
+SetParametersResult NodeFace::set_parameter(const Parameter & parameter) {return set({parameter}, false)[0];}
+std::vector<SetParametersResult> NodeFace::set_parameters(const std::vector<Parameter> & parameters)
+{
+  return set(parameters, false);
+}
+SetParametersResult NodeFace::set_parameters_atomically(const std::vector<Parameter> & parameters)
+{
+  return set(parameters, true)[0];
+}
+std::vector<SetParametersResult> NodeFace::set(const std::vector<Parameter> & parameters, bool together)
+{
+  Packer with = Packer{}.i(base_->id).i(together).i(static_cast<int64_t>(parameters.size()));
+  for (auto & parameter : parameters) {
+    with.m(parameter.to_parameter_msg());
+  }
+  Unpacker answer = ask("set_parameters", with);
+  std::vector<SetParametersResult> results(static_cast<size_t>(answer.i()));
+  for (auto & result : results) {
+    result = answer.m<SetParametersResult>();
+  }
+  return results;
+}
+ParameterDescriptor NodeFace::describe_parameter(const std::string & name) const
+{
+  return ask("describe_parameter", Packer{}.i(base_->id).s(name)).m<ParameterDescriptor>();
+}
+std::vector<ParameterDescriptor> NodeFace::describe_parameters(const std::vector<std::string> & names) const
+{
+  std::vector<ParameterDescriptor> descriptors;
+  for (auto & name : names) {
+    descriptors.push_back(describe_parameter(name));
+  }
+  return descriptors;
+}
+std::vector<uint8_t> NodeFace::get_parameter_types(const std::vector<std::string> & names) const
+{
+  std::vector<uint8_t> types;
+  for (auto & name : names) {
+    Parameter found;
+    types.push_back(get_parameter(name, found) ? found.get_type() : PARAMETER_NOT_SET);
+  }
+  return types;
+}
+rcl_interfaces::msg::ListParametersResult NodeFace::list_parameters(
+  const std::vector<std::string> & prefixes, uint64_t depth) const
+{
+  Packer with = Packer{}.i(base_->id).i(static_cast<int64_t>(depth)).i(static_cast<int64_t>(prefixes.size()));
+  for (auto & prefix : prefixes) {
+    with.s(prefix);
+  }
+  return ask("list_parameters", with).m<rcl_interfaces::msg::ListParametersResult>();
+}
+NodeFace::OnSetParametersCallbackHandle::SharedPtr NodeFace::add_on_set_parameters_callback(
+  OnParametersSetCallbackType callback)
+{
+  auto made = std::make_shared<OnSetParametersCallbackHandle>();
+  int64_t handler = made->handle(
+    [callback](Unpacker & from, Packer & to) {
+      std::vector<Parameter> parameters;
+      for (int64_t count = from.i(); count > 0; --count) {
+        parameters.push_back(Parameter::from_parameter_msg(from.m<rcl_interfaces::msg::Parameter>()));
+      }
+      to.m(callback(parameters));
+    });
+  made->id = ask("on_set_parameters", Packer{}.i(base_->id).i(handler)).i();
+  return made;
+}
+void NodeFace::remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle)
+{
+  if (!ask("remove_on_set_parameters", Packer{}.i(handle->id)).i()) {
+    throw std::runtime_error("Callback doesn't exist");
+  }
+}
+
+// -- as text
+
+std::string to_string(ParameterType type)
+{
+  static const char * const names[] = {
+    "not set", "bool", "integer", "double", "string", "byte_array", "bool_array", "integer_array", "double_array", "string_array"};
+  return type <= PARAMETER_STRING_ARRAY ? names[type] : "unknown type";
+}
+std::ostream & operator<<(std::ostream & stream, ParameterType type) {return stream << to_string(type);}
+namespace
+{
+template<class V>
+std::string listed(const V & items, const char * quote = "")
+{
+  std::ostringstream text;
+  text << std::boolalpha << "[";
+  for (size_t i = 0; i < items.size(); ++i) {
+    text << (i ? ", " : "") << quote << items[i] << quote;
+  }
+  text << "]";
+  return text.str();
+}
+std::string listed_bytes(const std::vector<uint8_t> & items)
+{
+  std::ostringstream text;
+  text << std::hex << "[";
+  for (size_t i = 0; i < items.size(); ++i) {
+    text << (i ? ", " : "") << "0x" << static_cast<int>(items[i]);
+  }
+  text << "]";
+  return text.str();
+}
+}  // namespace
+std::string to_string(const ParameterValue & value)
+{
+  auto & message = value.to_value_msg();
+  switch (value.get_type()) {
+    case PARAMETER_NOT_SET: return "not set";
+    case PARAMETER_BOOL: return message.bool_value ? "true" : "false";
+    case PARAMETER_INTEGER: return std::to_string(message.integer_value);
+    case PARAMETER_DOUBLE: return std::to_string(message.double_value);
+    case PARAMETER_STRING: return message.string_value;
+    case PARAMETER_BYTE_ARRAY: return listed_bytes(message.byte_array_value);
+    case PARAMETER_BOOL_ARRAY: return listed(message.bool_array_value);
+    case PARAMETER_INTEGER_ARRAY: return listed(message.integer_array_value);
+    case PARAMETER_DOUBLE_ARRAY: return listed(message.double_array_value);
+    case PARAMETER_STRING_ARRAY: return listed(message.string_array_value, "\"");
+    default: return "unknown type";
+  }
+}
+std::ostream & operator<<(std::ostream & stream, const ParameterValue & value) {return stream << to_string(value);}
+std::ostream & operator<<(std::ostream & stream, const Parameter & parameter)
+{
+  return stream << "{\"name\": \"" << parameter.get_name() << "\", \"type\": \"" << parameter.get_type_name() <<
+         "\", \"value\": \"" << parameter.value_to_string() << "\"}";
+}
+std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind)
+{
+  switch (kind) {
+    case RMW_QOS_POLICY_DURABILITY: return "DURABILITY_QOS_POLICY";
+    case RMW_QOS_POLICY_DEADLINE: return "DEADLINE_QOS_POLICY";
+    case RMW_QOS_POLICY_LIVELINESS: return "LIVELINESS_QOS_POLICY";
+    case RMW_QOS_POLICY_RELIABILITY: return "RELIABILITY_QOS_POLICY";
+    case RMW_QOS_POLICY_HISTORY: return "HISTORY_QOS_POLICY";
+    case RMW_QOS_POLICY_LIFESPAN: return "LIFESPAN_QOS_POLICY";
+    default: return "INVALID_QOS_POLICY";
+  }
+}
+}  // namespace rclcpp

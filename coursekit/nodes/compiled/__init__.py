@@ -1,0 +1,1 @@
+"""Compiled rclcpp programs as processes of the session: what they ask is carried out here, by rclpy."""

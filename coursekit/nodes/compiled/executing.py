@@ -1,0 +1,86 @@
+"""What a compiled program asks of executors."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy.executors import (
+    Executor,
+    ExternalShutdownException,
+    MultiThreadedExecutor,
+    ShutdownException,
+    SingleThreadedExecutor,
+    TimeoutException,
+)
+
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+
+def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Make an executor with so many threads."""
+    threads = frame.integer()
+    executor: Any = SingleThreadedExecutor() if threads == 1 else MultiThreadedExecutor(threads)
+    executor.cancelled = False
+    return packed(host.keep(executor))
+
+
+def do_add_node(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Have an executor serve a node."""
+    host.things[frame.integer()].add_node(host.things[frame.integer()])
+
+
+def do_remove_node(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Have an executor serve a node no more."""
+    host.things[frame.integer()].remove_node(host.things[frame.integer()])
+
+
+def do_spin(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Run callbacks until the context ends or the executor is cancelled."""
+    executor = host.things[frame.integer()]
+    executor.cancelled = False
+    try:
+        while executor.context.ok() and not executor.cancelled:
+            executor.spin_once()
+    except (ShutdownException, ExternalShutdownException):
+        pass
+
+
+def do_spin_once(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Wait for one callback and run it, at most so long; negative: without end."""
+    executor, nanoseconds = host.things[frame.integer()], frame.integer()
+    try:
+        executor.spin_once(None if nanoseconds < 0 else nanoseconds / 1e9)
+    except (ShutdownException, ExternalShutdownException):
+        pass
+
+
+def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Run what is ready, at most so long (0: without end); with `all`, also what becomes ready meanwhile."""
+    executor, limit, _all = host.things[frame.integer()], frame.integer(), frame.integer()
+    end = host.clock.steady() + limit
+    while _run_one(executor) and (not limit or host.clock.steady() < end):
+        pass
+
+
+def _run_one(executor: Executor) -> bool:
+    """Run one callback that is ready now; False where there is none."""
+    try:
+        task, _entity, _node = executor.wait_for_ready_callbacks(timeout_sec=0)
+    except (TimeoutException, ShutdownException, ExternalShutdownException):
+        return False
+    task()
+    error = task.exception()
+    if error is not None:
+        raise error
+    return True
+
+
+def do_cancel(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Have a spin of this executor return."""
+    executor = host.things[frame.integer()]
+    executor.cancelled = True
+    executor.wake()

@@ -1,0 +1,224 @@
+"""A compiled rclcpp program as a process of the session: `host.py PROGRAM ARGUMENTS...`.
+
+The program is a child of the system. Each of its threads has one connection and, here, one lane that stands for it: while
+the child computes, the lane waits for it; while the child sleeps or spins, the lane sleeps or spins in its stead.
+"""
+
+from __future__ import annotations
+
+import contextvars
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+from typing import Any
+
+from rclpy.signals import shutdown_all
+
+from coursekit.core.process import ProcessKilled, current_process
+from coursekit.core.session import current
+from coursekit.nodes.compiled import entities, executing, parameters, program
+from coursekit.nodes.compiled.channel import Channel, Gone
+from coursekit.nodes.compiled.frames import Unpacker
+from coursekit.nodes.compiled.output import ChildOutput
+
+VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
+_LAST_WORDS_S = 1.0
+_ERRORS = {
+    "InvalidNodeNameException": "InvalidNodeNameError",
+    "InvalidNamespaceException": "InvalidNamespaceError",
+    "InvalidTopicNameException": "InvalidTopicNameError",
+    "InvalidServiceNameException": "InvalidServiceNameError",
+    "UnsupportedEventTypeError": "UnsupportedEventTypeException",
+    "UnknownROSArgsError": "RCLInvalidROSArgsError",
+}
+OPERATIONS = {
+    name[3:]: function
+    for room in (program, entities, parameters, executing)
+    for name, function in vars(room).items()
+    if name.startswith("do_")
+}
+
+
+class Host:
+    """One compiled program: its child, its channels, and what it has made in the session."""
+
+    def __init__(self, path: str, argv: list[str]) -> None:
+        self.path, self.argv = path, argv
+        self.session = current()
+        self.clock = self.session.clock
+        process = current_process()
+        assert process is not None, "a compiled program runs in a process of the session"
+        self.process = process
+        self.flags = VIRTUAL if self.clock.virtual else 0
+        self.things: dict[int, Any] = {}
+        """What the program has made, by number."""
+        self.of_lane: dict[Any, Channel] = {}
+        self.threads: dict[int, Channel] = {}
+        """The channels of threads that the program made on the virtual clock, by its own numbers."""
+        self.blocked: dict[int, list[Any]] = {}
+        """Who waits on the virtual clock for a mutex or condition variable, by its address."""
+        self.context = contextvars.copy_context()
+        self._lock = threading.Lock()
+        self._channels: list[Channel] = []
+        self._idle: list[Channel] = []
+        self._workers: list[Channel] = []
+        self._control: socket.socket | None = None
+        self._worker_came = self.clock.new_event()
+
+    # -- the child
+
+    def run(self) -> int:
+        """Run it to its end; its exit code, negative where a signal ended it."""
+        with tempfile.TemporaryDirectory(prefix="coursekit-") as folder, socket.socket(socket.AF_UNIX) as self._server:
+            address = os.path.join(folder, "link")
+            self._server.bind(address)
+            self._server.listen(64)
+            self._child = subprocess.Popen(
+                [self.path, *self.argv],
+                env={**self.process.env, "COURSEKIT_LINK": address},
+                cwd=self.process.cwd,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                start_new_session=True,
+            )
+            self.output = ChildOutput(self._child, self.process.out.write)
+            for number in (signal.SIGINT, signal.SIGTERM):
+                self.process.handlers[number] = self._on_signal
+            self.process.cleanups.append(self._kill)
+            return self._stand_for_it() if self.clock.virtual else self._stand_by()
+
+    def _stand_for_it(self) -> int:
+        """On the virtual clock: one thing at a time, so the order of all that happens is fixed."""
+        if self.output.wait_for(self._server):
+            self.accept()[1].serve()
+        code = self._child.wait()
+        self.output.drain()
+        self._forget()
+        return code
+
+    def _stand_by(self) -> int:
+        ended = self.clock.new_event()
+        self.session.spawn(self._accept_all)
+        self.session.spawn(self._watch, ended)
+        ended.wait()
+        for channel in list(self._channels):  # what it said last is still to be carried out
+            channel.ended.wait(_LAST_WORDS_S)
+        self._server.shutdown(socket.SHUT_RDWR)
+        self._forget()
+        return self._child.returncode
+
+    def _watch(self, ended: Any) -> None:
+        self.output.pass_all_on()
+        self._child.wait()
+        ended.set()
+
+    def _forget(self) -> None:
+        for channel in self._workers:
+            channel.close()
+        if self._control is not None:
+            self._control.close()
+
+    def accept(self) -> tuple[bytes, Channel]:
+        """The next connection: its purpose and its channel."""
+        connection, _ = self._server.accept()
+        purpose = connection.recv(1)
+        if purpose == b"C":
+            self._control = connection
+            return self.accept()
+        return purpose, Channel(self, connection)
+
+    def _accept_all(self) -> None:
+        while True:
+            try:
+                purpose, channel = self.accept()
+            except OSError:
+                return
+            if purpose == b"W":
+                self._workers.append(channel)
+                self._idle.append(channel)
+                channel.begin_worker()
+                self._worker_came.set()
+            else:
+                self._channels.append(channel)
+                self.session.spawn(channel.serve)
+
+    def _on_signal(self, signum: int, _frame: Any) -> None:
+        self.flags |= STOPPING
+        if self._child.poll() is None:
+            self._child.send_signal(signum)
+        self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
+
+    def _kill(self) -> None:
+        if self._child.poll() is None:
+            self._child.kill()
+
+    # -- what it asks
+
+    def carry_out(self, channel: Channel, name: str, frame: Unpacker) -> bytes:
+        """Do what the program asks; the packed answer."""
+        answer: bytes | None = OPERATIONS[name](self, channel, frame)
+        return answer or b""
+
+    def refusal(self, error: Exception) -> tuple[str, str]:
+        """The name of rclcpp's exception for one of rclpy's, and its text."""
+        name = type(error).__name__
+        return _ERRORS.get(name, name), str(error)
+
+    def keep(self, thing: Any) -> int:
+        """Remember what the program has made; its number."""
+        with self._lock:
+            number = len(self.things) + 1
+            while number in self.things:
+                number += 1
+            self.things[number] = thing
+            return number
+
+    def call(self, handler: int, data: bytes = b"") -> Unpacker:
+        """Call one of the program's callbacks in the thread that the running lane stands for, else in a worker's."""
+        channel = self.of_lane.get(self.session.lane())
+        if channel is not None:
+            return channel.call(handler, data)
+        channel = self._worker()
+        self.of_lane[self.session.lane()] = channel
+        try:
+            return channel.call(handler, data)
+        finally:
+            self.of_lane.pop(self.session.lane(), None)
+            self._idle.append(channel)
+
+    def _worker(self) -> Channel:
+        """A thread of the program that waits for calls; a new one where all are busy."""
+        with self._lock:
+            if self._idle:
+                return self._idle.pop()
+            if self._control is None:
+                raise Gone
+            self._control.sendall(b"W")
+            if self.clock.virtual:
+                channel = self.accept()[1]
+                self._workers.append(channel)
+                channel.begin_worker()
+                return channel
+        while True:
+            self._worker_came.wait()
+            with self._lock:
+                if self._idle:
+                    return self._idle.pop()
+                self._worker_came.clear()
+
+
+def main(argv: list[str]) -> int:
+    """Run a compiled program in a process of the session; its exit code."""
+    code = Host(argv[0], argv[1:]).run()
+    if code < 0:
+        raise ProcessKilled(-code)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,60 @@
+"""What a compiled program prints, passed on in the order in which it was printed."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.systems.pipes import wait_readable
+
+
+class ChildOutput:
+    """The child's two pipes; whoever hears of the child first passes on what it has printed so far."""
+
+    def __init__(self, child: subprocess.Popen[bytes], write: Callable[[str, str], None]) -> None:
+        assert child.stdout is not None and child.stderr is not None
+        self._streams = {child.stdout.fileno(): "stdout", child.stderr.fileno(): "stderr"}
+        self._write = write
+        self._lock = threading.Lock()
+        for pipe in self._streams:
+            os.set_blocking(pipe, False)
+
+    def drain(self) -> None:
+        """Pass on what is there."""
+        with self._lock:
+            for pipe in list(self._streams):
+                while self._pass_on(pipe):
+                    pass
+
+    def _pass_on(self, pipe: int) -> bool:
+        try:
+            data = os.read(pipe, 65_536)
+        except BlockingIOError:
+            return False
+        if not data:
+            self._streams.pop(pipe, None)
+            return False
+        self._write(self._streams[pipe], data.decode(errors="replace"))
+        return True
+
+    def wait_for(self, awaited: Any) -> bool:
+        """Wait, really, until something comes there, and pass on output meanwhile; False when both pipes are closed."""
+        while True:
+            pipes = list(self._streams)
+            ready = wait_readable([awaited, *pipes], None if pipes else 0)
+            if awaited in ready:
+                return True
+            if not pipes:
+                return False
+            self.drain()
+
+    def pass_all_on(self) -> None:
+        """Pass on output until the child has closed both pipes."""
+        never, other = socket.socketpair()
+        with never, other:
+            while self.wait_for(never):
+                pass

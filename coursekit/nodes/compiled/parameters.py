@@ -1,0 +1,93 @@
+"""What a compiled program asks of its nodes' parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
+from rcl_interfaces.msg import Parameter as ParameterMessage
+from rclpy.parameter import Parameter
+
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+
+def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Declare a parameter, with a value or with a type alone; its value."""
+    node, name, kind = host.things[frame.integer()], frame.text(), frame.integer()
+    value, descriptor = frame.message(ParameterValue), frame.message(ParameterDescriptor)
+    ignore = bool(frame.integer())
+    default: Any = Parameter.Type(kind)
+    if not kind:
+        default = Parameter.from_parameter_msg(ParameterMessage(name=name, value=value)).value
+        descriptor.dynamic_typing = descriptor.dynamic_typing or value.type == 0
+    return packed(node.declare_parameter(name, default, descriptor, ignore).get_parameter_value())
+
+
+def do_undeclare(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Forget a parameter."""
+    host.things[frame.integer()].undeclare_parameter(frame.text())
+
+
+def do_has_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether a parameter is declared."""
+    return packed(int(host.things[frame.integer()].has_parameter(frame.text())))
+
+
+def do_get_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """A parameter."""
+    return packed(host.things[frame.integer()].get_parameter(frame.text()).to_parameter_msg())
+
+
+def do_find_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether a parameter is declared, and it."""
+    node, name = host.things[frame.integer()], frame.text()
+    if not node.has_parameter(name):
+        return packed(0)
+    return packed(1, node.get_parameter(name).to_parameter_msg())
+
+
+def do_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Set parameters one by one, or all or none."""
+    node, together = host.things[frame.integer()], frame.integer()
+    wanted = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]
+    results = [node.set_parameters_atomically(wanted)] if together else node.set_parameters(wanted)
+    return packed(len(results), *results)
+
+
+def do_describe_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """A parameter's descriptor."""
+    return packed(host.things[frame.integer()].describe_parameter(frame.text()))
+
+
+def do_list_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The names of parameters below some prefixes."""
+    node, depth = host.things[frame.integer()], frame.integer()
+    prefixes = [frame.text() for _ in range(frame.integer())]
+    result: ListParametersResult = node.list_parameters(prefixes, depth)
+    return packed(result)
+
+
+def do_on_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Have a callback judge what parameters are to become."""
+    node, handler = host.things[frame.integer()], frame.integer()
+
+    def judge(wanted: list[Parameter]) -> Any:
+        data = packed(len(wanted), *(parameter.to_parameter_msg() for parameter in wanted))
+        return host.call(handler, data).message(SetParametersResult)
+
+    node.add_on_set_parameters_callback(judge)
+    return packed(host.keep((node, "remove_on_set_parameters_callback", judge)))
+
+
+def do_remove_on_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Ask that callback no more; 0 where it was not asked."""
+    entry = host.things.pop(frame.integer(), None)
+    if entry is None:
+        return packed(0)
+    node, how, judge = entry
+    getattr(node, how)(judge)
+    return packed(1)

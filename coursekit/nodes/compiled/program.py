@@ -1,0 +1,91 @@
+"""What a compiled program asks about itself: init, time, threads, logging."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import rclpy
+from rclpy.impl.logging_state import logging_state
+from rclpy.signals import shutdown_all
+
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+STOPPING = 2
+
+
+def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Start rclpy with the program's words."""
+    domain = frame.integer()
+    words = [frame.text() for _ in range(frame.integer())]
+    rclpy.init(args=words[1:], domain_id=None if domain < 0 else domain)
+    host.process.on_signal.clear()
+
+
+def do_shutdown(_host: Host, _channel: Channel, _frame: Unpacker) -> None:
+    """End it."""
+    shutdown_all()
+
+
+def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Sleep in the thread's stead; 0 when Ctrl-C came."""
+    until = host.clock.steady() + frame.integer()
+    waiter = host.clock.new_waiter()
+    while not host.flags & STOPPING and host.clock.steady() < until:
+        waiter.wait(until)
+    return packed(int(not host.flags & STOPPING))
+
+
+def do_thread(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """The program made a thread on the virtual clock: it gets its lane, and begins when that has its turn."""
+    host.threads[frame.integer()] = channel = host.accept()[1]
+    host.session.spawn(channel.serve)
+
+
+def do_join(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Wait for the end of a thread."""
+    host.threads[frame.integer()].ended.wait()
+
+
+def do_block(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Wait for a mutex or a condition variable; 0 when the time ran out."""
+    address, until = frame.integer(), frame.integer()
+    waiter = host.clock.new_waiter()
+    waiters = host.blocked.setdefault(address, [])
+    waiters.append(waiter)
+    woken = waiter.wait(None if until < 0 else until)
+    waiters.remove(waiter)
+    return packed(int(woken))
+
+
+def do_unblock(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Wake who waits for a mutex or a condition variable: one, or all."""
+    waiters, everyone = host.blocked.get(frame.integer(), []), frame.integer()
+    for waiter in waiters[: None if everyone else 1]:
+        waiter.notify()
+
+
+def do_log(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Write a line of a logger, if its level lets it through."""
+    name, level, text = frame.text(), frame.integer(), frame.text()
+    caller = (frame.text(), frame.text(), frame.integer())
+    state = logging_state()
+    if level < state.effective_level(name):
+        return
+    stamp = host.clock.now()
+    state.write(level, name, text, (caller[0], caller[1], caller[2]), stamp)
+    if listener := state.listeners.get(name):
+        listener(level, name, text, *caller, stamp)
+
+
+def do_log_level(_host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Set a logger's level."""
+    logging_state().set_level(frame.text(), frame.integer())
+
+
+def do_effective_level(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The level that lets a logger's lines through."""
+    return packed(int(logging_state().effective_level(frame.text())))

@@ -16,8 +16,7 @@ def pytest_configure(config):
     course = Path(_folder.name).resolve()
     (course / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
     name_student(course)
-    if ON_WINDOWS:
-        compare_alike()
+    compare_alike(ON_WINDOWS)
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws")}
     os.environ |= {"COLUMNS": "120", "TZ": "UTC"}
     os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions

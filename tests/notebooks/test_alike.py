@@ -2,7 +2,7 @@
 
 import pytest
 
-from .alike import alike
+from .alike import Output, alike
 
 
 @pytest.mark.parametrize(
@@ -23,3 +23,23 @@ def test_what_differs_by_system_only_is_alike(here, there):
 @pytest.mark.parametrize(("one", "other"), [("points 340", "points 343"), ("a/b", "a/c"), ("x.exec", "x"), ("/a: 1", "/b: 1")])
 def test_what_differs_otherwise_is_not(one, other):
     assert alike(one) != alike(other)
+
+
+@pytest.mark.parametrize(
+    ("here", "there"),
+    [
+        ("x: 0.14222430938558392\ny: 1.0", "x: 0.1422243093855839\ny: 1.0"),
+        ("[-1.4142135623730951e-05]", "[-1.414213562373095e-05]"),
+        ("1.1102230246251565e-16", "0.0"),
+    ],
+)
+def test_long_numbers_may_be_rounded_otherwise(here, there):
+    assert Output(here) == Output(there)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("1.25", "1.26"), ("0.14222430938558392", "0.14222430948558392"), ("x: 1.0", "y: 1.0"), ("1.0 2.0", "1.0"), ("3", "4")],
+)
+def test_what_a_reader_would_see_is_a_difference(one, other):
+    assert Output(one) != Output(other)

@@ -149,6 +149,9 @@ class RemoteWork(Work):
     def function(self, name: str) -> Any:
         answer = self._line.ask({"ask": "callable", "name": name}, self._limits.call)
         if answer.get("missing"):
+            held = self._line.ask({"ask": "value", "name": name}, self._limits.call)
+            self.variables = {} if held.get("missing") else {name: _unpacked(held)}
+            super().function(name)  # says whether there is nothing, or something that is no function
             raise Wrong(f"a function named `{name}`", NOTHING, "Was the cell above run?")
         return lambda *args: self._call(name, args)
 

@@ -205,3 +205,14 @@ def test_doubled_retyped_and_nameless_cells_are_mended(tmp_path):
 def test_a_missing_colon_is_told_as_one(tmp_path):
     verdict = grade(tmp_path / "student", "def full_name(name, node, namespace)\n    return name").verdicts[0]
     assert (verdict.points, verdict.got) == (0, "there is none") and "SyntaxError" in verdict.cause, verdict.text()
+
+
+def test_a_cell_with_nothing_but_a_tilde_is_told_as_unfinished(tmp_path):
+    verdict = grade(tmp_path / "student", "~").verdicts[0]
+    assert (verdict.points, verdict.got) == (0, "there is none"), verdict.text()
+    assert "SyntaxError" in verdict.cause and not verdict.fault, verdict.text()
+
+
+def test_a_tilde_as_the_answer_is_told_as_no_function(tmp_path):
+    verdict = grade(tmp_path / "student", 'full_name = "~"').verdicts[0]
+    assert (verdict.points, verdict.gave) == (0, "a str: '~'"), verdict.text()

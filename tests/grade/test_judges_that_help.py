@@ -136,3 +136,38 @@ def test_an_unknown_name_gets_a_short_answer_without_a_traceback(name):
 def test_the_names_of_the_chapter_are_listed():
     with pytest.raises(UnknownExercise, match=r"There are: ch02.q1, ch02.q2, ch02.q3, ch02.q4\.$"):
         find("ch02.q9")
+
+
+RULES = """def full_name(name, node, namespace):
+    inside = namespace.rstrip("/")
+    if name.startswith("/"):
+        return name
+    if name.startswith("~/"):
+        return f"{inside}/{node}{name[1:]}"
+    LONE
+    return f"{inside}/{name}"
+"""
+
+
+def named(lone):
+    """The verdict on an answer to ch02.q1 that does this with a `~` alone."""
+    scope = {}
+    exec(compile(RULES.replace("LONE", lone), "<cell>", "exec"), scope)
+    return judge(find("ch02.q1"), scope, None, tries=2)
+
+
+@pytest.mark.parametrize("lone", ["pass", 'if name == "~":\n        return f"{inside}/{node}/"'])
+def test_a_lone_tilde_is_told_as_the_only_case_that_is_missing(lone):
+    """`~` alone is the node itself; who has all the other rows right hears of this row, and keeps half."""
+    verdict = named(lone)
+    assert verdict.points == 0.5 and verdict.expected.startswith("full_name('~', "), verdict.text()
+    assert "`~` alone" in verdict.cause and verdict.hint == find("ch02.q1").hints[0]
+
+
+def test_a_lone_tilde_that_is_the_node_earns_all():
+    assert named('if name == "~":\n        return f"{inside}/{node}"').passed
+
+
+def test_what_else_is_wrong_comes_before_the_lone_tilde():
+    verdict = named("return name")
+    assert verdict.points == 0 and "~" not in verdict.expected, verdict.text()

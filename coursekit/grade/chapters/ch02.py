@@ -40,15 +40,24 @@ def full_name(work: Work) -> None:
     from coursekit.core.names import expand
 
     function, chance = work.function("full_name"), work.dice("ch02.q1")
-    for name in ("scan", "/scan", "~/scan", "a/b", "~", "/a/b", _word(chance)):
+    for name in ("scan", "/scan", "~/scan", "a/b", "/a/b", _word(chance), "~"):  # the rarest last: all else is right then
         for namespace in ("/", "/vera", f"/fleet/{_word(chance)}"):
             node = chance.choice(("lidar", _word(chance)))
             told = f"full_name({name!r}, {node!r}, {namespace!r})"
             wanted = f"{told} that follows the rules of the table"
             got = text(called(function, name, node, namespace, told=told), wanted)
             if got != expand(name, node, namespace):
-                cause = "With the namespace '/', is there one slash too many?" if "//" in got else ""
-                raise Wrong(wanted, gave=shown(got), cause=cause, hint=1 if "//" in got else 0)
+                raise _misnamed(name, wanted, got)
+
+
+def _misnamed(name: str, wanted: str, got: str) -> Wrong:
+    """What is said of a wrong name; where only `~` alone is missing, half of the points are earned."""
+    if "//" in got:
+        return Wrong(wanted, gave=shown(got), cause="With the namespace '/', is there one slash too many?", hint=1)
+    if name == "~":
+        cause = "`~` alone is the node's own name in its namespace, with nothing after it. All other names are right."
+        return Wrong(wanted, gave=shown(got), cause=cause, share=0.5, hint=0)
+    return Wrong(wanted, gave=shown(got), hint=0)
 
 
 @exercise(

@@ -31,6 +31,7 @@ COMMANDS = (
     "param",
     "pkg",
     "run",
+    "security",
     "service",
     "topic",
     "wtf",

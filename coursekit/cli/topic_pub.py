@@ -16,6 +16,8 @@ from coursekit.core.session import current
 from . import ask, topic_qos
 
 _LOOK_SECONDS = 0.1
+NOTHING_SENT = 1
+"""Exit code of a command that was ended while it waited for somebody who listens."""
 
 
 def register(verbs: Any) -> None:
@@ -66,7 +68,8 @@ def _publish(node: Any, kind: Any, values: dict[str, Any], args: Any) -> int:
     profile = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     publisher = node.create_publisher(kind, args.topic_name, topic_qos.chosen(args, profile))
     times = 1 if args.once else args.times
-    _wait_for_listeners(publisher, args, times)
+    if not _wait_for_listeners(publisher, args, times):
+        return NOTHING_SENT
     msg = kind()
     stamps = _fill(msg, values)
     print("publisher: beginning loop")
@@ -94,15 +97,19 @@ def _pause(node: Any, seconds: float, simulated: bool) -> None:
         rclpy.spin_once(node, timeout_sec=_LOOK_SECONDS)
 
 
-def _wait_for_listeners(publisher: Any, args: Any, times: int) -> None:
+def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
+    """Wait for those who listen; False when the command was told to end before they were there."""
     wanted = args.wait_matching_subscriptions
     wanted = (1 if times else 0) if wanted is None else wanted
     while publisher.get_subscription_count() < wanted:
         print(f"Waiting for at least {wanted} matching subscription(s)...")
         for _ in range(10):
             current().clock.sleep(0.1)
+            if not rclpy.ok():
+                return False
             if publisher.get_subscription_count() >= wanted:
                 break
+    return True
 
 
 def _fill(msg: Any, values: dict[str, Any]) -> list[Any]:

@@ -51,9 +51,9 @@ def run(
     return 0
 
 
-def terminate(what: str) -> int:
-    """Leave the graph and end as a C++ program does that threw a runtime_error which nobody caught."""
-    print(f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {what}", file=sys.stderr)
+def terminate(what: str, kind: str = "std::runtime_error") -> int:
+    """Leave the graph and end as a C++ program does that threw an exception of a `kind` which nobody caught."""
+    print(f"terminate called after throwing an instance of '{kind}'\n  what():  {what}", file=sys.stderr)
     rclpy.try_shutdown()
     if current_process() is not None:
         raise ProcessKilled(signal.SIGABRT)

@@ -24,11 +24,7 @@ setup(
     maintainer_email={email!r},
     description={description!r},
     license={license!r},
-    extras_require={{
-        'test': [
-            'pytest',
-        ],
-    }},
+    tests_require=['pytest'],
     entry_points={{
         'console_scripts': [
 {scripts}        ],

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .errors import MeshError
 from .model import Box, Cylinder, Geometry, Inertial, Link, Robot, Sphere
 from .shapes import matrix_of, mesh_of
 
@@ -97,7 +98,15 @@ def check(robot: Robot) -> list[Finding]:
 
     In ROS 2 nobody checks this; Gazebo's robot trembles or flies away.
     """
-    return [finding for _, link in robot.walk() for finding in check_link(link, robot.file)]
+    return [finding for _, link in robot.walk() for finding in _seen(link, robot.file)]
+
+
+def _seen(link: Link, near: Path | None) -> list[Finding]:
+    """The findings on a link; that its mesh cannot be read is one."""
+    try:
+        return check_link(link, near)
+    except MeshError as error:
+        return [Finding(link.name, f"its mass cannot be compared with its shape: {error.what}", False)]
 
 
 def total_mass(robot: Robot) -> float:

@@ -16,10 +16,16 @@ PRINTED = {
     "std_srvs/srv/SetBool": ["bool data #", "---", "bool success   #", "string message #"],
     "std_srvs/srv/Trigger": ["---", "bool success   #", "string message #"],
     "example_interfaces/srv/AddTwoInts": ["int64 a", "int64 b", "---", "int64 sum"],
-    "example_interfaces/action/Fibonacci": ["#", "int32 order", "---", "#", "int32[] sequence", "---", "#", "int32[] sequence"],
-    "action_tutorials_interfaces/action/Fibonacci": ["int32 order", "---", "int32[] sequence", "---", "int32[] partial_sequence"],
+    "example_interfaces/action/Fibonacci": [
+        "#", "int32 order", "---", "#", "int32[] sequence", "---", "#", "int32[] sequence",
+    ],
+    "action_tutorials_interfaces/action/Fibonacci": [
+        "int32 order", "---", "int32[] sequence", "---", "int32[] partial_sequence",
+    ],
     "turtlesim/msg/Color": ["uint8 r", "uint8 g", "uint8 b"],
-    "turtlesim/msg/Pose": ["float32 x", "float32 y", "float32 theta", "", "float32 linear_velocity", "float32 angular_velocity"],
+    "turtlesim/msg/Pose": [
+        "float32 x", "float32 y", "float32 theta", "", "float32 linear_velocity", "float32 angular_velocity",
+    ],
     "turtlesim/srv/Kill": ["string name", "---"],
     "turtlesim/srv/SetPen": ["uint8 r", "uint8 g", "uint8 b", "uint8 width", "uint8 off", "---"],
     "turtlesim/srv/Spawn": ["float32 x", "float32 y", "float32 theta", "string name #", "---", "string name"],
@@ -41,6 +47,8 @@ def test_fields_constants_and_blank_lines_stand_as_a_page_prints_them(name):
     assert form(shown(name)) == PRINTED[name]
 
 
-@pytest.mark.parametrize("name", ["sensor_msgs/msg/BatteryState", "rcl_interfaces/msg/ParameterType", "action_msgs/msg/GoalStatus"])
+@pytest.mark.parametrize(
+    "name", ["sensor_msgs/msg/BatteryState", "rcl_interfaces/msg/ParameterType", "action_msgs/msg/GoalStatus"]
+)
 def test_constants_are_shown_with_their_values(name):
     assert any(re.match(r"u?int8 [A-Z_]+ *= *\d+", line) for line in shown(name))

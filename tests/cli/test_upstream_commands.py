@@ -89,3 +89,19 @@ def test_a_dump_into_no_folder_is_refused(ros2: Command, tmp_path: Path) -> None
 def test_a_report_of_failures_is_asked_for(ros2: Command) -> None:
     code, text = ros2("doctor --report-failed")
     assert code == 0 and ("PLATFORM INFORMATION" in text) == ("check(s) failed" in text)
+
+
+def test_a_message_for_nobody_waits_until_it_is_told_to_end() -> None:
+    with Session(virtual=True).use() as session:
+        process = session.start(lambda: run(shlex.split("topic pub --once /nobody std_msgs/msg/String")), name="ros2")
+        session.clock.sleep(2.5)
+        assert process.output == 3 * "Waiting for at least 1 matching subscription(s)...\n"
+        process.terminate()
+        assert process.wait(10) == 1
+        assert process.output == 3 * "Waiting for at least 1 matching subscription(s)...\n"
+
+
+def test_security_says_why_there_is_nothing_to_encrypt(ros2: Command) -> None:
+    code, text = ros2("security create_enclave demo_keystore /talker_listener/talker")
+    assert code == 1 and "no message leaves the computer" in text and "sros2" in text
+    assert ros2("security create_keystore demo_keystore") == (code, text)

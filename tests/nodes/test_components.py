@@ -133,3 +133,30 @@ def test_a_component_that_is_listed_loads_under_the_name_it_is_given(session, ru
     loaded = ros2("component", "load", "/ComponentManager", package, plugin, *words, "-q")
     assert loaded == "1  /ns/tom\n"
     assert ros2("component", "unload", "/ComponentManager", "1", "-q") == "1\n"
+
+
+def test_libraries_named_on_the_command_line_give_one_process_their_nodes(session, run, ros2):
+    prefix = ros2("pkg", "prefix", "composition").strip()
+    libraries = [f"{prefix}/lib/lib{name}_component.so" for name in ("talker", "listener")]
+    process = run("composition", "dlopen_composition", *libraries)
+    session.clock.sleep(2.5)
+    assert [line.split("]: ")[1] for line in process.output.splitlines()[:4]] == [
+        f"Load library {libraries[0]}",
+        "Instantiate class rclcpp_components::NodeFactoryTemplate<composition::Talker>",
+        f"Load library {libraries[1]}",
+        "Instantiate class rclcpp_components::NodeFactoryTemplate<composition::Listener>",
+    ]
+    assert "[listener]: I heard: [Hello World: 2]" in process.output
+    assert ros2("node", "list") == "/listener\n/talker\n"
+    process.interrupt()
+    assert process.wait(10) == 0
+
+
+def test_a_library_that_cannot_be_loaded_ends_it_as_in_cpp(run):
+    process = run("composition", "dlopen_composition")
+    assert process.wait(10) == 1
+    assert process.output == "Requires at least one argument to be passed with the library to load\n"
+    process = run("composition", "dlopen_composition", "/opt/libpainter.so")
+    assert process.wait(10) == -6
+    told = "instance of 'class_loader::LibraryLoadException'\n  what():  Could not load library /opt/libpainter.so"
+    assert told in process.output

@@ -212,3 +212,9 @@ def test_folders_and_interpreters_may_have_any_name(tmp_path, shell):
     env = {**ENV, "COLCON_PYTHON_EXECUTABLE": str(tmp_path / "a python")}
     done = subprocess.run(command, cwd=folder, env=env, capture_output=True, encoding="utf-8", check=False)
     assert (done.stdout.strip(), done.stderr) == (str(folder / "install" / "s2_py_pubsub"), "")
+
+
+def test_a_plain_shell_knows_which_ros_it_is_after_sourcing(built, monkeypatch):
+    for name in ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION"):
+        monkeypatch.delitem(ENV, name, raising=False)
+    assert sourced(built, "echo $ROS_DISTRO $ROS_VERSION $ROS_PYTHON_VERSION") == "humble 2 3\n"

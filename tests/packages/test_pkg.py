@@ -177,3 +177,9 @@ def test_unknown_packages_and_tags_fail(ros2_pkg):
     assert ros2_pkg("xml", "nope")[0] == 1
     assert ros2_pkg("xml", "std_msgs", "--tag", "nope") == (1, "", "XML tag not found\n")
     assert ros2_pkg("executables", "nope")[2].startswith("Package 'nope' not found")
+
+
+def test_setup_py_asks_for_pytest_as_humble_s_template_does(ros2_pkg, tmp_path):
+    ros2_pkg("create", "p", "--build-type", "ament_python", *PEOPLE)
+    text = (tmp_path / "p" / "setup.py").read_text(encoding="utf-8")
+    assert "    license='TODO: License declaration',\n    tests_require=['pytest'],\n    entry_points={\n" in text

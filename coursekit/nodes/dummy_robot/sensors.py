@@ -10,6 +10,7 @@ from sensor_msgs.msg import JointState, LaserScan
 from coursekit.nodes.running import run
 
 STEP = 0.1  # radians of the swing between two messages
+SCAN_TIME = 0.04  # seconds of one turn of the mirror, of which a beam takes a quarter of a degree
 BEAMS = 1081  # 270 degrees, four beams a degree, both ends
 
 
@@ -22,7 +23,7 @@ class DummyLaser(Node):
         self._phase = 0.0
         self._msg = LaserScan(
             angle_min=math.radians(-135.0), angle_max=math.radians(135.0), angle_increment=math.radians(0.25),
-            scan_time=0.04, range_min=0.0, range_max=10.0,
+            time_increment=SCAN_TIME * 0.25 / 360, scan_time=SCAN_TIME, range_min=0.0, range_max=10.0,
         )  # fmt: skip
         self._msg.header.frame_id = "single_rrbot_hokuyo_link"
         log = self.get_logger()

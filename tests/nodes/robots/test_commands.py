@@ -116,3 +116,20 @@ def test_urdf_launch_takes_a_package_and_a_path(session, ros2, viewer):
     output = ros2("launch", "urdf_launch", "display.launch.py", *words)
     assert "got segment laser_link" in output
     assert "joint_state_publisher_gui-" in output
+
+
+MESHES = """<robot name="r"><link name="base">
+<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+<visual><geometry><mesh filename="package://nowhere/meshes/a.stl"/></geometry></visual>
+<collision><geometry><mesh filename="missing.dae"/></geometry></collision></link></robot>"""
+
+
+def test_check_urdf_reads_a_robot_whose_meshes_are_elsewhere(run, tmp_path):
+    """The tree stands all the same, as on a robot: check_urdf opens no mesh there."""
+    path = tmp_path / "meshes.urdf"
+    path.write_text(MESHES)
+    command = run("urdfdom", "check_urdf", str(path))
+    assert command.wait(10) == 0
+    warning, *tree = command.output.splitlines()
+    assert warning.startswith("Warning: odd: base: its mass cannot be compared with its shape: 'missing.dae' not found")
+    assert tree[0] == "robot name is: r" and tree[-1] == "root Link: base has 0 child(ren)"

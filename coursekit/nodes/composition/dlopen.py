@@ -1,0 +1,61 @@
+"""`ros2 run composition dlopen_composition LIBRARY...`: one process with the nodes of the libraries that are named."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import rclpy
+from rclpy.logging import get_logger
+from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
+
+from coursekit.nodes.composition.nodes import Client, Server
+from coursekit.nodes.demo_nodes.listener import Listener
+from coursekit.nodes.demo_nodes.talker import Talker
+from coursekit.nodes.running import spin_to_the_end, terminate
+
+_LIBRARY = re.compile(r"(?:lib)?(\w+)_component\.(?:so|dylib|dll)")
+_CLASSES: dict[str, tuple[str, Callable[[], Node]]] = {
+    "talker": ("composition::Talker", lambda: Talker(1, "'")),
+    "listener": ("composition::Listener", Listener),
+    "node_like_listener": ("composition::NodeLikeListener", Listener),
+    "server": ("composition::Server", Server),
+    "client": ("composition::Client", Client),
+}
+"""What stands for the class in each of the demo's libraries: they are Python here, so no library is opened."""
+
+
+def component_of(library: str) -> tuple[str, Callable[[], Node]] | None:
+    """The class of component in a library of the demo, told by its file's name, and what makes one; None for another.
+
+    >>> component_of("/opt/ros/humble/lib/libserver_component.so")
+    ('composition::Server', <class 'coursekit.nodes.composition.nodes.Server'>)
+    """
+    found = _LIBRARY.fullmatch(Path(library).name)
+    return _CLASSES.get(found[1]) if found else None
+
+
+def main(args: list[str] | None = None) -> int:
+    """Load the libraries and run their nodes until Ctrl-C."""
+    libraries = remove_ros_args(sys.argv if args is None else args)[1:]
+    if not libraries:
+        print("Requires at least one argument to be passed with the library to load", file=sys.stderr)
+        return 1
+    rclpy.init(args=args)
+    log, made = get_logger("dlopen_composition"), []
+    for library in libraries:
+        log.info(f"Load library {library}")
+        component = component_of(library)
+        if component is None:
+            return terminate(_unknown(library), "class_loader::LibraryLoadException")
+        log.info(f"Instantiate class rclcpp_components::NodeFactoryTemplate<{component[0]}>")
+        made.append(component[1]())
+    return spin_to_the_end(*made)
+
+
+def _unknown(library: str) -> str:
+    known = ", ".join(f"lib{name}_component.so" for name in _CLASSES)
+    return f"Could not load library {library}: no C++ library can be opened here; programs stand for {known}"

@@ -1,0 +1,31 @@
+"""`source install/setup.bash` says which ROS this is, also in a shell that nobody prepared."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from colcon_core.environment import EnvironmentExtensionPoint
+from colcon_core.plugin_system import satisfies_version
+from colcon_core.shell import ShellExtensionPoint, get_shell_extensions
+
+from coursekit.core.process import DISTRIBUTION
+
+TOLD = ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
+
+
+class Distribution(EnvironmentExtensionPoint):  # type: ignore[misc]
+    """Gives each package hooks that set ROS_DISTRO and its like: on a robot the sourced ROS below does it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        satisfies_version(EnvironmentExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
+
+    def create_environment_hooks(self, prefix_path: Path, pkg_name: str) -> list[Path]:
+        """Return the files that were made: one for each variable and kind of shell."""
+        return [
+            shell.create_hook_set_value(name.lower(), prefix_path, pkg_name, name, DISTRIBUTION[name])
+            for name in TOLD
+            for priority, shells in get_shell_extensions().items()
+            if priority > ShellExtensionPoint.PRIORITY  # those whose scripts all others use
+            for shell in shells.values()
+        ]

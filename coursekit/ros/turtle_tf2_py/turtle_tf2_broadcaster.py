@@ -1,0 +1,6 @@
+"""A turtle's pose as a frame. In ROS 2: turtle_tf2_py.turtle_tf2_broadcaster."""
+
+from coursekit.nodes.turtle_tf2.broadcasters import FramePublisher
+from coursekit.nodes.turtle_tf2.broadcasters import turtle as main
+
+__all__ = ["FramePublisher", "main"]

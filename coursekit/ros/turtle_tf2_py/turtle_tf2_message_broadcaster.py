@@ -1,0 +1,5 @@
+"""A turtle that tells its places as points. In ROS 2: turtle_tf2_py.turtle_tf2_message_broadcaster."""
+
+from coursekit.nodes.turtle_tf2.messages import PointPublisher, main
+
+__all__ = ["PointPublisher", "main"]

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from coursekit.core.arguments import RosArguments
+from rclpy.impl.log_file import logging_directory
 from rclpy.impl.logging_state import LoggingSeverity as LoggingSeverity
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
@@ -43,6 +44,7 @@ def configure(arguments: RosArguments) -> None:
     """Do what `--log-level` and `--disable-stdout-logs` of a command line say, and show its warnings."""
     state = logging_state()
     state.to_console = arguments.stdout_enabled
+    state.to_file = arguments.external_lib_enabled
     for name, level in arguments.log_levels.items():
         state.set_level(name or "", level)
     for warning in arguments.warnings:
@@ -78,8 +80,5 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Return where ROS would keep log files: ROS_LOG_DIR, else the folder log in ROS_HOME or ~/.ros."""
-    if named := os.environ.get("ROS_LOG_DIR"):
-        return Path(named).expanduser()
-    home = os.environ.get("ROS_HOME")
-    return (Path(home).expanduser() if home else Path.home() / ".ros") / "log"
+    """Return where log files are kept: ROS_LOG_DIR, else the folder log in ROS_HOME or ~/.ros."""
+    return logging_directory(os.environ)

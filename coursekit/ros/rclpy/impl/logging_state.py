@@ -11,6 +11,7 @@ from enum import IntEnum
 from typing import Any, TextIO
 
 from coursekit.core.process import current_process
+from rclpy.impl.log_file import LogFile
 
 
 class LoggingSeverity(IntEnum):
@@ -42,9 +43,11 @@ class LoggingState:
     (30, 20)
     """
 
-    def __init__(self, environ: Any) -> None:
+    def __init__(self, environ: Any, program: str = "python", pid: int | None = None) -> None:
         self.listeners: dict[str, Listener] = {}
         self.to_console = True
+        self.to_file = True
+        self._file = LogFile(environ, program, os.getpid() if pid is None else pid)
         self._levels: dict[str, int] = {"": LoggingSeverity.INFO.value}
         self._effective: dict[str, int] = {}
         self._to_stdout = environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1"
@@ -83,13 +86,17 @@ class LoggingState:
         self._effective.clear()
 
     def write(self, level: int, name: str, text: str, caller: tuple[str, str, int], stamp: int) -> None:
-        """Show one line; `caller` is file, function and line, `stamp` nanoseconds since the epoch."""
-        if not self.to_console:
+        """Show and keep one line; `caller` is file, function and line, `stamp` nanoseconds since the epoch."""
+        if not (self.to_console or self.to_file):
             return
         if self._format == DEFAULT_FORMAT:
             line = f"[{_NAMES[level]}] [{_seconds(stamp)}] [{name}]: {text}\n"
         else:
             line = _formatted(self._format, level, name, text, caller, stamp) + "\n"
+        if self.to_file:
+            self._file.append(line)
+        if not self.to_console:
+            return
         if self._colour:
             line = f"{_COLOURS[level]}{line[:-1]}\033[0m\n"
         stream: TextIO = sys.stdout if self._to_stdout else sys.stderr
@@ -126,7 +133,7 @@ def logging_state() -> LoggingState:
     if process is not None:
         state = process.locals.get(_KEY)
         if state is None:
-            state = process.locals[_KEY] = LoggingState(os.environ)
+            state = process.locals[_KEY] = LoggingState(os.environ, process.name, process.pid)
         return state
     if _outside is None:
         _outside = LoggingState(os.environ)

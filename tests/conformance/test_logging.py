@@ -7,6 +7,8 @@ from rclpy.clock import Clock, ClockType
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.logging import LoggingSeverity, get_logger, get_logging_severity_from_string
 from rclpy.time import Time
+from std_msgs.msg import String
+from std_srvs.srv import Empty
 
 LINE = re.compile(r"\[(\w+)\] \[\d+\.\d{9}\] \[([^\]]*)\]: (.*)")
 
@@ -219,3 +221,47 @@ def test_the_logging_directory_is_named_by_the_environment(monkeypatch, tmp_path
     assert rclpy.logging.get_logging_directory() == tmp_path / "ros" / "log"
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "logs"))
     assert rclpy.logging.get_logging_directory() == tmp_path / "logs"
+
+
+SAID_BY_RCL = ("Initializing ", "Using ", "Expanded ", "Node i", "Publisher i", "Subscription i", "Client i", "Service i")
+NOT_OF_THE_NODE = ("get_type_description", "wait set", "1000000000ns", "ROS client library")
+"""Of releases after Humble, of an executor, and of the context."""
+
+
+def test_rcl_says_what_it_makes(make_world, capfd):
+    rclpy.logging.set_logger_level("rcl", LoggingSeverity.DEBUG)
+    try:
+        world = make_world(args=[])
+        node = world.node("a", namespace="ns", start_parameter_services=False, enable_rosout=False)
+        node.create_publisher(String, "chat", 1)
+        node.create_subscription(String, "~/x", print, 1)
+        node.create_client(Empty, "ask")
+        node.create_service(Empty, "answer", print)
+        node.create_timer(0.5, print)
+        said = [found[3] for found in LINE.finditer(capfd.readouterr().err) if found[2] == "rcl"]
+    finally:
+        rclpy.logging.set_logger_level("rcl", LoggingSeverity.UNSET)
+    lines = [one for one in said if one.startswith(SAID_BY_RCL) and not any(word in one for word in NOT_OF_THE_NODE)]
+    assert lines[0] == "Initializing node 'a' in namespace 'ns'" and lines[1].startswith("Using domain ID of '")
+    assert lines[2:6] == [
+        "Node initialized",
+        "Initializing publisher for topic name '/parameter_events'",
+        "Expanded and remapped topic name '/parameter_events'",
+        "Publisher initialized",
+    ]
+    services = [one for one in lines[6:] if one != "Service initialized"]
+    assert services == [
+        "Initializing publisher for topic name 'chat'",
+        "Expanded and remapped topic name '/ns/chat'",
+        "Publisher initialized",
+        "Initializing subscription for topic name '~/x'",
+        "Expanded and remapped topic name '/ns/a/x'",
+        "Subscription initialized",
+        "Initializing client for service name 'ask'",
+        "Expanded and remapped service name '/ns/ask'",
+        "Client initialized",
+        "Initializing service for service name 'answer'",
+        "Expanded and remapped service name '/ns/answer'",
+        "Initializing timer with period: 500000000ns",
+    ]
+    assert lines.count("Service initialized") >= 1

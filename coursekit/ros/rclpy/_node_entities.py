@@ -13,6 +13,7 @@ from rclpy.client import Client
 from rclpy.clock import Clock
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.guard_condition import GuardCondition
+from rclpy.impl.rcl_log import entity_made
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, qos_profile_services_default
 from rclpy.qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
@@ -121,6 +122,7 @@ class NodeEntities:
             handle, msg_type, topic, profile, event_callbacks or PublisherEventCallbacks(), group
         )
         publisher._context_ok = self._context.ok
+        entity_made("publisher", "topic", topic, self._remap(full, "topic"))
         self._publishers.append(publisher)
         for handler in publisher.event_handlers:
             self.add_waitable(handler)
@@ -148,6 +150,7 @@ class NodeEntities:
         subscription = Subscription(
             handle, msg_type, topic, callback, group, profile, raw, event_callbacks or SubscriptionEventCallbacks()
         )
+        entity_made("subscription", "topic", topic, self._remap(full, "topic"))
         self._own(self._subscriptions, subscription, group)
         for handler in subscription.event_handlers:
             self.add_waitable(handler)
@@ -173,7 +176,9 @@ class NodeEntities:
         """Make a service client."""
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
-        handle = _rclpy.Client(self.handle, srv_type, self._checked(srv_name, "service"), core_qos(qos_profile))
+        full = self._checked(srv_name, "service")  # type: ignore[attr-defined]
+        handle = _rclpy.Client(self.handle, srv_type, full, core_qos(qos_profile))
+        entity_made("client", "service", srv_name, self._remap(full, "service"))
         client = Client(self._context, handle, srv_type, srv_name, qos_profile, group)
         return self._own(self._clients, client, group)
 
@@ -189,7 +194,9 @@ class NodeEntities:
         """Make a service; `callback(request, response)` fills and returns the response."""
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
-        handle = _rclpy.Service(self.handle, srv_type, self._checked(srv_name, "service"), core_qos(qos_profile))
+        full = self._checked(srv_name, "service")  # type: ignore[attr-defined]
+        handle = _rclpy.Service(self.handle, srv_type, full, core_qos(qos_profile))
+        entity_made("service", "service", srv_name, self._remap(full, "service"))
         service = Service(handle, srv_type, srv_name, callback, group, qos_profile)
         return self._own(self._services, service, group)
 

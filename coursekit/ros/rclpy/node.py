@@ -30,6 +30,7 @@ from rclpy.exceptions import (
 )
 from rclpy.expand_topic_name import expand_topic_name
 from rclpy.guard_condition import GuardCondition
+from rclpy.impl.rcl_log import node_made
 from rclpy.impl.rcutils_logger import add_rosout, remove_rosout
 from rclpy.logging import get_logger
 from rclpy.parameter import Parameter
@@ -125,7 +126,8 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
     ) -> None:
         self._arguments = self._read_arguments(cli_args, use_global)
         validate_node_name(node_name)
-        namespace = "/" + (namespace or "").removeprefix("/")
+        given = namespace or ""
+        namespace = "/" + given.removeprefix("/")
         validate_namespace(namespace)
         name = self._arguments.node_name(node_name)
         namespace = self._arguments.node_namespace(node_name, namespace)
@@ -133,6 +135,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self._graph_node = handle.graph.add_node(name, namespace, current_process())
         logger_name = self._graph_node.full_name.strip("/").replace("/", ".")
         self._handle = _rclpy.NodeHandle(self._graph_node, self._resolve, logger_name)
+        node_made(name, given, handle.domain_id)
 
     def _read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:
         try:

@@ -11,6 +11,7 @@ from coursekit.core.session import current
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._rclpy_pybind11 import Timer as _Handle
 from rclpy.exceptions import ROSInterruptException
+from rclpy.impl.rcl_log import timer_made
 from rclpy.utilities import get_default_context
 
 
@@ -42,6 +43,7 @@ class Timer:
         if timer_period_ns < 0:
             raise RCLError("failed to create timer: timer period must be non-negative")
         self.__timer = _Handle(clock.handle, self._context.handle, int(timer_period_ns))
+        timer_made(int(timer_period_ns))
         self._sources_list = [self.__timer.core]
         if not autostart:
             self.__timer.cancel_timer()

@@ -41,7 +41,7 @@ def workspace(tmp_path_factory):
     folder = tmp_path_factory.mktemp("cpp_ws")
     shutil.copytree(SOURCES, folder / "src")
     built = colcon(folder, "build")
-    assert built.returncode == 0 and "4 packages finished" in built.stdout, built.stdout + built.stderr
+    assert built.returncode == 0 and "5 packages finished" in built.stdout, built.stdout + built.stderr
     assert "stderr" not in built.stdout + built.stderr
     return folder
 
@@ -74,7 +74,8 @@ with (session := Session(virtual=True)).use():
     node.create_subscription(Leg, "legs", heard.append, 10)
     while len(heard) < 3:
         rclpy.spin_once(node)
-    print(sum(leg.to_point.x - leg.from_point.x for leg in heard), heard[-1].header.stamp.nanosec - heard[-2].header.stamp.nanosec, *sorted(node.get_node_names()))
+    total = sum(leg.to_point.x - leg.from_point.x for leg in heard)
+    print(total, heard[-1].header.stamp.nanosec - heard[-2].header.stamp.nanosec, *sorted(node.get_node_names()))
     surveyor.interrupt(), scout.interrupt()
     print(scout.wait(3.0), surveyor.wait(3.0))
 """
@@ -83,6 +84,55 @@ with (session := Session(virtual=True)).use():
 def test_programs_of_both_languages_meet_on_topics_and_services(workspace):
     said = sourced(workspace, f"'{sys.executable}' - <<'END'\n{TOGETHER}END")
     assert said.stdout == "0 length 7\n7.5 250000000 ada listener surveyor\n0 0\n", said.stdout + said.stderr
+
+
+ALONE = """
+from coursekit.core.executables import find, make_process
+from coursekit.core.session import Session
+
+with (session := Session(virtual={virtual})).use():
+    def start(name, *words):
+        return session.launch(make_process(session, find("k_parts", name), words, name=name))
+    {what}
+"""
+
+
+def alone(workspace, what, virtual=True):
+    """What a script prints that starts programs of k_parts in a session of its own."""
+    text = ALONE.format(what=what.replace("\n", "\n    "), virtual=virtual)
+    done = sourced(workspace, f"'{sys.executable}' - <<'END'\n{text}END")
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_an_action_is_rejected_canceled_and_done(workspace, virtual):
+    what = "winch, winder = start('winch_node'), start('winder')\nprint(winder.wait(20.0), winder.output)\nwinch.interrupt()"
+    said = alone(workspace, f"{what}\nprint(winch.wait(5.0), winch.output)", virtual)
+    assert said.startswith(
+        "0 nothing to wind: rejected\ntaken\ncanceling 1: canceled\n"
+        "taken\n2 left\n1 left\n0 left\nsucceeded after 3\n"
+    )
+    told = [line.rpartition("[winch]: ")[2] for line in said.splitlines() if "[winch]: " in line]
+    assert told == ["asked for 0 turns", "asked for 50 turns", "canceled", "asked for 3 turns", "done"]
+    if virtual:
+        assert "[INFO] [1700000000.300000000] [winch]: canceled" in said
+        assert "[INFO] [1700000000.600000000] [winch]: done" in said
+
+
+def test_transforms_are_broadcast_waited_for_and_refused(workspace):
+    said = alone(workspace, "mast = start('mast')\nprint(mast.wait(5.0), mast.output)")
+    assert said == (
+        '0 [WARN] [1700000000.350000000] [mast]: "nowhere" passed to lookupTransform argument source_frame '
+        "does not exist. \n"
+        "[INFO] [1700000000.350000000] [mast]: (0.00, 3.00, 1.00) in world, yaw 1.5708\n\n"
+    )
+
+
+def test_a_container_loads_a_compiled_component_under_another_name(workspace):
+    said = sourced(workspace, "COURSEKIT_STOP_AFTER=3 ros2 launch k_parts container.launch.py").stdout
+    assert "[component_container-1] [INFO] [1700000000.000000000] [yard]: Instantiate class: " in said
+    assert "[left_winch]: done" in said and "[winder-2] succeeded after 3" in said, said
 
 
 def test_interfaces_of_a_package_with_nodes_are_python_s_too(workspace):

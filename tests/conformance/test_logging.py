@@ -223,7 +223,8 @@ def test_the_logging_directory_is_named_by_the_environment(monkeypatch, tmp_path
     assert rclpy.logging.get_logging_directory() == tmp_path / "logs"
 
 
-SAID_BY_RCL = ("Initializing ", "Using domain", "Expanded ", "Node i", "Publisher i", "Subscription i", "Client i", "Service i")
+MADE = ("Node i", "Publisher i", "Subscription i", "Client i", "Service i")
+SAID_BY_RCL = ("Initializing ", "Using domain", "Expanded ", *MADE)
 NOT_OF_THE_NODE = ("get_type_description", "wait set", "1000000000ns", "ROS client library")
 """Of releases after Humble, of an executor, and of the context."""
 

@@ -55,7 +55,8 @@ def test_services_are_listed_found_and_called(sim, said):
 
 
 def test_parameters_are_read_set_dumped_and_loaded(sim, terminal, said, tmp_path):
-    assert said("ros2 param list").startswith("/teleop_turtle:\n") and "  background_b\n" in said("ros2 param list /turtlesim")
+    assert said("ros2 param list").startswith("/teleop_turtle:\n")
+    assert "  background_b\n" in said("ros2 param list /turtlesim")
     assert said("ros2 param get /turtlesim background_g") == "Integer value is: 86\n"
     assert said("ros2 param set /turtlesim background_r 150") == "Set parameter successful\n"
     (tmp_path / "turtlesim.yaml").write_text(said("ros2 param dump /turtlesim"))
@@ -73,7 +74,8 @@ def test_actions_are_listed_described_and_sent(sim, said):
         "Action: /turtle1/rotate_absolute\nAction clients: 1\n    /teleop_turtle\nAction servers: 1\n    /turtlesim\n"
     )
     sent = said("ros2 action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute '{theta: 1.57}'")
-    assert sent.startswith("Waiting for an action server to become available...\nSending goal:\n     theta: 1.57\n\nGoal accepted")
+    waiting = "Waiting for an action server to become available...\n"
+    assert sent.startswith(f"{waiting}Sending goal:\n     theta: 1.57\n\nGoal accepted")
     assert "Result:\n    delta: -1.5" in sent and sent.endswith("Goal finished with status: SUCCEEDED\n")
 
 
@@ -110,9 +112,8 @@ def test_domains_are_apart(terminal, said, monkeypatch):
 
 
 def test_node_arguments_rename_remap_and_set(terminal, said):
-    terminal(
-        "ros2 run demo_nodes_cpp talker --ros-args --remap __ns:=/demo --remap __node:=my_talker --remap chatter:=my_topic", 0.5
-    )
+    names = "--remap __ns:=/demo --remap __node:=my_talker --remap chatter:=my_topic"
+    terminal(f"ros2 run demo_nodes_cpp talker --ros-args {names}", 0.5)
     terminal("ros2 run demo_nodes_cpp parameter_blackboard --ros-args -p some_int:=42 -p 'a_string:=Hello world'", 0.5)
     assert said("ros2 node list") == "/demo/my_talker\n/parameter_blackboard\n"
     assert "/demo/my_topic\n" in said("ros2 topic list")

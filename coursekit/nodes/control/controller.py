@@ -7,7 +7,12 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from builtin_interfaces.msg import Time
+from rclpy.action import ActionServer
 from rclpy.node import Node
+from rclpy.publisher import Publisher
+from rclpy.service import Service
+from rclpy.subscription import Subscription
+from rclpy.timer import Timer
 
 
 class ControlError(Exception):
@@ -50,6 +55,7 @@ class Controller:
         self.log = node.get_logger()
         self.now_ns = 0
         """The time of the step that is done, or was done last [ns]."""
+        self._born_with = [id(one) for one in self._opened()]
 
     def parameter(self, name: str, usual: Any) -> Any:
         """The value of a parameter, declared when it is first asked for; ControlError for one of another type."""
@@ -85,6 +91,24 @@ class Controller:
 
     def update(self, now_ns: int, dt: float) -> None:
         """One step."""
+
+    def cleanup(self) -> None:
+        """Close what `configure` opened: it can be configured anew."""
+        for one in [each for each in self._opened() if id(each) not in self._born_with]:
+            if isinstance(one, Publisher):
+                self.node.destroy_publisher(one)
+            elif isinstance(one, Subscription):
+                self.node.destroy_subscription(one)
+            elif isinstance(one, Service):
+                self.node.destroy_service(one)
+            elif isinstance(one, Timer):
+                self.node.destroy_timer(one)
+            elif isinstance(one, ActionServer):
+                one.destroy()
+
+    def _opened(self) -> list[Any]:
+        node = self.node
+        return [*node.publishers, *node.subscriptions, *node.services, *node.timers, *node.waitables]
 
     def close(self) -> None:
         """It is unloaded."""

@@ -83,7 +83,7 @@ class Manager:
         return str(self.node.get_parameter(name).value or "") if self.node.has_parameter(name) else ""
 
     def configure(self, name: str) -> bool:
-        """Bring a loaded controller to inactive."""
+        """Bring a loaded controller to inactive; one that is so already is cleaned up, and reads its parameters again."""
         with self.lock:
             self.log.info(f"Configuring controller '{name}'")
             one = self.loaded.get(name)
@@ -92,9 +92,13 @@ class Manager:
                     f"Could not configure controller with name '{name}' because no controller with this name exists"
                 )
                 return False
-            if one.state != "unconfigured":
+            if one.state == "active":
                 self.log.error(f"Controller '{name}' can not be configured from '{one.state}' state.")
                 return False
+            if one.state == "inactive":
+                self.log.debug(f"Controller '{name}' is cleaned-up before being configured")
+                one.controller.cleanup()
+                one.state = "unconfigured"
             try:
                 one.controller.configure()
             except ControlError as error:

@@ -25,7 +25,8 @@ STATES = "".join(JOINT.format(name, 0.2 if name == "joint2" else 0.0) for name i
 STATES += "<joint name='finger2'><state_interface name='position'/><state_interface name='velocity'/></joint>"
 ARM = f"""<robot name='arm'><link name='world'/><joint name='fixed' type='fixed'><parent link='world'/>
 <child link='base_link'/></joint><link name='base_link'><collision><geometry><box size='0.2 0.2 0.1'/></geometry></collision>
-</link>{PARTS}{FINGERS}<ros2_control name='arm_system' type='system'><hardware><plugin>{{plugin}}</plugin></hardware>
+</link>{PARTS}{FINGERS}
+<ros2_control name='arm_system' type='system'><hardware><plugin>{{plugin}}</plugin>{{settings}}</hardware>
 {STATES}</ros2_control>{{blocks}}</robot>"""
 PARAMETERS = f"""controller_manager:
   ros__parameters:
@@ -59,9 +60,9 @@ def friend(session):
 def files(tmp_path):
     """The arm's description and its parameters, as files."""
 
-    def write(plugin="mock_components/GenericSystem", blocks="", parameters=PARAMETERS):
+    def write(plugin="mock_components/GenericSystem", blocks="", parameters=PARAMETERS, settings=""):
         (tmp_path / "arm.yaml").write_text(parameters)
-        (tmp_path / "arm.urdf").write_text(ARM.format(plugin=plugin, blocks=blocks))
+        (tmp_path / "arm.urdf").write_text(ARM.format(plugin=plugin, blocks=blocks, settings=settings))
         return tmp_path / "arm.urdf", tmp_path / "arm.yaml"
 
     return write

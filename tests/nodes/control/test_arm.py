@@ -1,11 +1,13 @@
 """An arm with mock hardware: controllers are spawned, trajectories followed, and all tell the same."""
 
 import math
+import re
 
 import pytest
 from builtin_interfaces.msg import Duration
 from control_msgs.action import FollowJointTrajectory, GripperCommand
 from control_msgs.msg import JointTolerance
+from controller_manager_msgs.srv import ConfigureController, ListControllers
 from rclpy.action import ActionClient
 from rclpy.time import Time
 from sensor_msgs.msg import JointState
@@ -80,6 +82,20 @@ def test_a_tolerance_that_is_violated_aborts_with_the_code_of_ros(arm, friend):
     result, status = send(friend, FollowJointTrajectory, "/arm_controller/follow_joint_trajectory", goal)
     assert (result.error_code, status) == (Result.PATH_TOLERANCE_VIOLATED, 6)
     assert "Aborted due to state tolerance violation" in arm.output
+
+
+def test_a_goal_that_is_not_reached_in_time_aborts_with_the_code_of_ros(manager, run, friend):
+    """The hardware stays a tenth of a radian beside what it is told: within the path's tolerance, not within the goal's."""
+    node = manager(settings="<param name='position_state_following_offset'>0.1</param>")
+    assert run("controller_manager", "spawner", "arm_controller").wait(20) == 0
+    goal = FollowJointTrajectory.Goal(trajectory=trajectory(([1.0, 0, 0, 0, 0, 0], 1)))
+    result, status = send(friend, FollowJointTrajectory, "/arm_controller/follow_joint_trajectory", goal)
+    assert (result.error_code, status) == (Result.GOAL_TOLERANCE_VIOLATED, 6)
+    assert re.fullmatch(r"Aborted due goal_time_tolerance exceeding by 0\.5\d+ seconds", result.error_string)
+    assert result.error_string in node.output
+    goal.goal_tolerance = [JointTolerance(name=name, position=0.2) for name in JOINTS]
+    result, status = send(friend, FollowJointTrajectory, "/arm_controller/follow_joint_trajectory", goal)
+    assert (result.error_code, status) == (Result.SUCCESSFUL, 4), "the goal's own tolerance comes first"
 
 
 def test_a_goal_that_cannot_be_followed_is_rejected_and_why_is_said(arm, friend):
@@ -208,3 +224,50 @@ def test_a_spawner_that_is_killed_with_u_unloads_its_controllers(manager, run, r
 def test_without_a_manager_the_command_says_so(ros2):
     says = ros2("control", "list_controllers", seconds=30.0)
     assert says.strip() == "Could not contact service /controller_manager/list_controllers"
+
+
+def service(friend, kind, called, **fields):
+    """The answer of a service of the manager."""
+    client = friend.node.create_client(kind, f"/controller_manager/{called}")
+    assert client.wait_for_service(timeout_sec=5.0)
+    asked = client.call_async(kind.Request(**fields))
+    friend.executor.spin_until_future_complete(asked, timeout_sec=5.0)
+    return asked.result()
+
+
+def test_an_inactive_controller_is_cleaned_up_and_configured_anew(manager, run, friend, ros2):
+    """Configuring again reads the parameters again; an active controller is not touched."""
+    node = manager()
+    assert run("controller_manager", "spawner", "forward", "--inactive").wait(20) == 0
+    assert "Set parameter successful" in ros2("param", "set", "/forward", "joints", "['joint2', 'joint3']")
+    assert service(friend, ConfigureController, "configure_controller", name="forward").ok
+    (told,) = service(friend, ListControllers, "list_controllers").controller
+    assert told.required_command_interfaces == ["joint2/position", "joint3/position"]
+    assert ros2("topic", "info", "/forward/commands").endswith("Subscription count: 1\n")
+    assert "Successfully switched" in ros2("control", "switch_controllers", "--activate", "forward")
+    assert not service(friend, ConfigureController, "configure_controller", name="forward").ok
+    assert "Controller 'forward' can not be configured from 'active' state." in node.output
+
+
+def test_a_trajectory_controller_configured_anew_has_one_action_and_follows(arm, friend, ros2):
+    assert "Successfully switched" in ros2("control", "switch_controllers", "--deactivate", "arm_controller")
+    assert service(friend, ConfigureController, "configure_controller", name="arm_controller").ok
+    assert "Successfully switched" in ros2("control", "switch_controllers", "--activate", "arm_controller")
+    info = ros2("action", "info", "/arm_controller/follow_joint_trajectory")
+    assert "Action servers: 1\n" in info
+    goal = FollowJointTrajectory.Goal(trajectory=trajectory(([0.5, 0, 0, 0, 0, 0], 1)))
+    result, status = send(friend, FollowJointTrajectory, "/arm_controller/follow_joint_trajectory", goal)
+    assert (result.error_code, status) == (Result.SUCCESSFUL, 4)
+
+
+def test_a_controller_in_a_chain_is_refused_where_the_other_exports_nothing(manager, run, ros2):
+    """A chain needs a controller that takes references; these take none, so the interface is missing, and that is said."""
+    head = "forward:\n  ros__parameters:\n    joints: "
+    chained = PARAMETERS.replace(f"{head}{JOINTS}", f"{head}[arm_controller/joint1]")
+    node = manager(parameters=chained)
+    assert run("controller_manager", "spawner", "arm_controller").wait(20) == 0
+    assert run("controller_manager", "spawner", "forward").wait(20) == 1
+    says = "Can't activate controller 'forward': command interface 'arm_controller/joint1/position' does not exist"
+    assert says in node.output
+    line = r"forward +\[forward_command_controller/ForwardCommandController\] inactive"
+    assert re.search(line, ros2("control", "list_controllers"))

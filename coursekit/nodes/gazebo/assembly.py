@@ -16,7 +16,7 @@ from coursekit.sim.world import Thing
 
 from .articulated import Articulated
 from .blueprint import Blueprint
-from .devices import ControlDevice, Device, MotorDevice, OdometryDevice
+from .devices import ControlDevice, Device, MotorDevice, OdometryDevice, TrajectoryDevice
 from .moved import moved
 from .newer_sensors import devices_of
 from .plugins import drift_of, read_plugin
@@ -63,7 +63,7 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
             devices += devices_of(sensor, link, made, floor) if newer else sensed(sensor, link, made, namespace, floor)
     done = Assembly(made.name, None, devices, [], made.notes, place=place)
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
-    if made.robot is not None and any(isinstance(one, (ControlDevice, MotorDevice)) for one in devices):
+    if made.robot is not None and any(isinstance(one, (ControlDevice, MotorDevice, TrajectoryDevice)) for one in devices):
         done.articulated = Articulated(made.robot, made, 0.0 if made.root == "world" else floor)
     done.systems = frozenset(made.systems)
     done.frames = {name: link.pose for name, link in made.links.items()}

@@ -120,6 +120,14 @@ class MotorDevice(Device):
 
 
 @dataclass(frozen=True)
+class TrajectoryDevice(Device):
+    """Motors of `joints` that follow trajectories on `topic`; these begin when they come, or at the time in their header."""
+
+    joints: tuple[str, ...] = ()
+    from_header: bool = False
+
+
+@dataclass(frozen=True)
 class ControlDevice(Device):
     """A controller manager of ros2_control; `node` is its name, `rate` how often it works."""
 
@@ -165,5 +173,6 @@ class PoseDevice(Device):
 
 __all__ = [
     "BumpDevice", "CameraDevice", "ControlDevice", "DepthDevice", "Device", "EarthDevice", "ImuDevice", "JointDevice",
-    "MotorDevice", "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TruthDevice", "WheelDevice",
+    "MotorDevice", "OdometryDevice", "PoseDevice", "RayDevice", "TouchDevice", "TrajectoryDevice", "TruthDevice",
+    "WheelDevice",
 ]  # fmt: skip

@@ -13,7 +13,7 @@ from coursekit.sim.robot import Drive
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import Blueprint
-from .devices import Device, JointDevice, MotorDevice, OdometryDevice, PoseDevice
+from .devices import Device, JointDevice, MotorDevice, OdometryDevice, PoseDevice, TrajectoryDevice
 from .values import flag, number
 
 NODE = "/gz_sim"
@@ -72,6 +72,7 @@ def read_system(system: str, plugin: Element, model: Blueprint) -> tuple[Drive |
         "joint-state-publisher": _joint_states,
         "joint-position-controller": _position,
         "joint-controller": _velocity,
+        "joint-trajectory-controller": _trajectory,
         "pose-publisher": _poses,
     }
     if system in readers:
@@ -163,8 +164,7 @@ def _odometry_publisher(plugin: Element, model: Blueprint, names: GzNames) -> tu
 
 
 def _joint_states(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
-    turning = tuple(one for one, kind in model.joints.items() if kind not in ("fixed", ""))
-    joints = _joints(plugin, model, "joint_name") or turning
+    joints = _joints(plugin, model, "joint_name") or _turning(model)
     usual = f"/world/{names.world}/model/{names.model}/joint_state"
     topic = "/" + (plugin.tell("topic") or usual).strip("/")
     return None, [JointDevice(topic, "", number(plugin, "update_rate", 100.0) or 100.0, NODE, joints)]
@@ -201,6 +201,16 @@ def _velocity(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive 
         MotorDevice(names.topic(told, f"joint/{joint}/cmd_vel"), "", 1.0, NODE, joint, "velocity")
         for joint in _joints(plugin, model, "joint_name")
     ]
+
+
+def _turning(model: Blueprint) -> tuple[str, ...]:
+    return tuple(one for one, kind in model.joints.items() if kind not in ("fixed", ""))
+
+
+def _trajectory(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+    joints = _joints(plugin, model, "joint_name") or _turning(model)
+    topic, timed = names.topic(plugin.tell("topic"), "joint_trajectory"), flag(plugin, "use_header_start_time", False)
+    return None, [TrajectoryDevice(topic, "", 100.0, NODE, joints, timed)]
 
 
 __all__ = ["NODE", "GzNames", "read_system", "system_of"]

@@ -29,6 +29,7 @@ from .devices import (
     OdometryDevice,
     PoseDevice,
     TouchDevice,
+    TrajectoryDevice,
     TruthDevice,
     WheelDevice,
 )  # fmt: skip
@@ -42,6 +43,7 @@ from .services import Services
 from .settle import settled
 from .sim_time import SimTime
 from .states import States
+from .trajectory_outlet import TrajectoryOutlet
 from .warm_up import warm_up
 from .wheel_frames import WheelOutlet
 from .whereabouts import Whereabouts
@@ -49,7 +51,7 @@ from .world_of import open_world
 
 FURTHER: dict[type, type[Outlet]] = {
     CameraDevice: CameraOutlet, DepthDevice: DepthOutlet, ControlDevice: ControlOutlet,
-    PoseDevice: PoseOutlet, TouchDevice: TouchOutlet, EarthDevice: EarthOutlet,
+    TrajectoryDevice: TrajectoryOutlet, PoseDevice: PoseOutlet, TouchDevice: TouchOutlet, EarthDevice: EarthOutlet,
     WheelDevice: WheelOutlet, OdometryDevice: OdometryOutlet, TruthDevice: TruthOutlet,
 }  # fmt: skip
 

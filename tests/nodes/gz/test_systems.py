@@ -3,12 +3,14 @@
 import math
 
 import pytest
+from builtin_interfaces.msg import Duration
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from ros_gz_interfaces.msg import Contacts
 from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2
-from std_msgs.msg import Float64
+from std_msgs.msg import Float32, Float64
 from tf2_msgs.msg import TFMessage
+from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from coursekit.nodes.gazebo.sdf_world import read_entity
 from coursekit.urdf import UrdfError
@@ -116,6 +118,53 @@ def test_a_joint_goes_where_its_controller_is_told(put, friend):
     friend.spin(2.0)
     at = dict(zip(states[-1].name, states[-1].position, strict=True))
     assert at["left_joint"] == pytest.approx(1.2) and at["right_joint"] == pytest.approx(1.0, abs=0.05)
+
+
+FOLLOWS = "joint-trajectory-controller"
+FOLLOWED = (
+    "/way@trajectory_msgs/msg/JointTrajectory]gz.msgs.JointTrajectory",
+    "/way_progress@std_msgs/msg/Float32[gz.msgs.Float",
+    "/world/yard/model/cart/joint_state@sensor_msgs/msg/JointState[gz.msgs.Model",
+)
+
+
+def way(*points, names=("left_joint", "right_joint")):
+    """Positions of the joints, each with its time [s]."""
+    made = [
+        JointTrajectoryPoint(positions=list(map(float, at)), time_from_start=Duration(sec=time)) for at, time in points
+    ]
+    return JointTrajectory(joint_names=list(names), points=made)
+
+
+def test_joints_follow_a_trajectory_point_by_point_and_progress_is_told(put, friend):
+    words = "<topic>way</topic><joint_name>left_joint</joint_name><joint_name>right_joint</joint_name>"
+    put(SYSTEM.format(FOLLOWS, words) + SYSTEM.format("joint-state-publisher", ""), bridge=FOLLOWED)
+    states, progress = friend.hear(JointState, "/world/yard/model/cart/joint_state"), friend.hear(Float32, "/way_progress")
+    out = friend.node.create_publisher(JointTrajectory, "/way", 10)
+    friend.spin(0.3)
+    out.publish(way(([0.5, -0.5], 1), ([1.0, 0.25], 2)))
+    for seconds, wanted, told in ((0.6, (0.5, -0.5), []), (1.0, (1.0, 0.25), [0.5]), (1.0, (1.0, 0.25), [0.5, 1.0])):
+        friend.spin(seconds)
+        at = dict(zip(states[-1].name, states[-1].position, strict=True))
+        assert (at["left_joint"], at["right_joint"]) == pytest.approx(wanted)
+        assert [one.data for one in progress] == told
+    out.publish(way(([9.0], 1), names=["left_joint"]))
+    friend.spin(0.5)
+    assert dict(zip(states[-1].name, states[-1].position, strict=True))["left_joint"] == pytest.approx(9.0)
+
+
+def test_a_trajectory_without_its_joints_or_times_is_told_and_moves_nothing(put, friend):
+    server = put(SYSTEM.format(FOLLOWS, "<topic>way</topic>") + SYSTEM.format("joint-state-publisher", ""), bridge=FOLLOWED)
+    states = friend.hear(JointState, "/world/yard/model/cart/joint_state")
+    out = friend.node.create_publisher(JointTrajectory, "/way", 10)
+    friend.spin(0.3)
+    for bad in (
+        way(([1.0], 1)), way(([1.0, math.nan], 1)), way(([1.0, 1.0], 2), ([1.0, 1.0], 1)), way(([1.0], 1), names=["elbow"]),
+    ):  # fmt: skip
+        out.publish(bad)
+        friend.spin(0.5)
+    assert max(map(abs, states[-1].position)) == 0.0
+    assert server.output.count("JointTrajectoryController of cart") == 4, server.output
 
 
 def test_a_pose_publisher_tells_model_and_links(put, friend):

@@ -106,11 +106,13 @@ def test_a_publisher_is_heard_by_a_subscriber_at_exact_times(build: Build) -> No
         counter.interrupt()
         hearer.interrupt()
         assert (counter.wait(5.0), hearer.wait(5.0)) == (0, 0)
-        assert counter.output == "counted to 3\n"
+        signalled = "[INFO] [1700000001.600000000] [rclcpp]: signal_handler(signum=2)\n"
+        assert counter.output == f"{signalled}counted to 3\n"
         assert hearer.output == (
             "[INFO] [1700000000.500000000] [hearer]: heard 1\n"
             "[INFO] [1700000001.000000000] [hearer]: heard 2\n"
             "[INFO] [1700000001.500000000] [hearer]: heard 3\n"
+            f"{signalled}"
         )
 
 

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import gc
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+import psutil
 
 import coursekit.nodes.compiled.host as host
 from coursekit.core.executables import make_process
@@ -92,6 +96,16 @@ int main(int argc, char ** argv)
   throw std::runtime_error("nobody catches this");
 }
 """
+BRIEF = """
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("brief");
+  auto service = node->create_wall_timer(std::chrono::milliseconds(1), [] {rclcpp::shutdown();});
+  rclcpp::spin(node);
+}
+"""
 
 
 def start(session: Session, program: Path) -> Any:
@@ -132,3 +146,20 @@ def test_a_program_that_aborts_leaves_the_graph_and_the_session_goes_on(build: B
         assert process.wait(5.0) == -6
         assert "nobody catches this" in process.output
         assert not any(node.name == "faulty" for node in session.graph(0).nodes)
+
+
+def test_starts_and_ends_leave_no_thread_no_file_and_no_process(build: Build) -> None:
+    program = build("brief", BRIEF)
+
+    def held() -> tuple[int, int, int]:
+        return threading.active_count(), psutil.Process().num_fds(), len(psutil.Process().children(recursive=True))
+
+    for virtual in (True, False):
+        with (session := Session(virtual=virtual)).use():
+            assert start(session, program).wait(20.0) == 0
+            gc.collect()
+            before = held()
+            for _ in range(20):
+                assert start(session, program).wait(20.0) == 0
+            gc.collect()
+            assert held() == before

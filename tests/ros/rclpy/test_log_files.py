@@ -59,3 +59,11 @@ def test_colours_are_for_the_screen(session, tmp_path):
     process = talks(session, ROS_LOG_DIR=str(tmp_path), RCUTILS_COLORIZED_OUTPUT="1")
     (file,) = tmp_path.iterdir()
     assert "\033[" in process.output and "\033[" not in file.read_text()
+
+
+def test_a_second_run_on_the_virtual_clock_begins_its_file_anew(tmp_path):
+    for _ in range(2):
+        with Session(virtual=True).use() as session:
+            process = talks(session, ROS_LOG_DIR=str(tmp_path))
+    (file,) = tmp_path.iterdir()
+    assert file.read_text() == process.output

@@ -41,10 +41,11 @@ class LogFile:
         if self._lost:
             return
         try:
+            begins = os.O_TRUNC if self._path is None else 0  # on the virtual clock each run has the same names
             if self._path is None:
                 self._folder.mkdir(parents=True, exist_ok=True)
                 self._path = self._folder / self._name
-            file = os.open(self._path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o644)
+            file = os.open(self._path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | begins, 0o644)
             try:
                 os.write(file, line.encode("utf-8", "backslashreplace"))
             finally:

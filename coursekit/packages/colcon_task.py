@@ -22,6 +22,8 @@ from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import cmake_tests, install_rules, interface_rules
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
+from coursekit.packages.colcon_links import stands_for_links
+from coursekit.systems import copies
 
 PACKAGE_TYPE = "ros.ament_cmake_files"
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
@@ -45,6 +47,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         try:
             env = await get_command_environment("build", args.build_base, self.context.dependencies)
             self._installed: list[str] = []
+            self._copied: dict[str, Path] = {}
             reading = read_project(Path(args.path))
             problems = interface_rules.check(package, reading, self._groups(), _prefixes(env))
             if problems:
@@ -52,6 +55,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             self._install(package, reading)
         except (CMakeError, InterfaceError, RuntimeError, OSError) as error:
             return self._fail([error])
+        self._note_copies(package)
         self._finish(package, reading)
         return 0
 
@@ -77,11 +81,20 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
                 self._create(f"{site}/{name}", text)
         for copy in install_rules.copies(reading, package, site):
             self._copy(copy.source, copy.target, copy.program)
+            self._copied[copy.target] = Path(os.path.abspath(copy.source))
         if (Path(self.context.args.path) / "package.xml").is_file():
             self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
         self._create(f"{_INDEX}/packages/{package}", "")
         if reading.targets:  # so that `ros2 run` can say why an executable is missing
             self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))
+
+    def _note_copies(self, package: str) -> None:
+        """Where links were asked for and refused, the copies are renewed without a build."""
+        prefix = Path(self.context.args.install_base)
+        if stands_for_links():
+            copies.note(prefix, package, self._copied)
+        else:
+            copies.forget(prefix, package)
 
     def _site_packages(self) -> str:
         base = Path(self.context.args.install_base)

@@ -17,6 +17,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from coursekit.files import is_file, is_folder
+from coursekit.systems import copies
 
 from .errors import MeshError, close
 
@@ -68,6 +69,7 @@ def find_package(name: str, near: Path | None = None) -> Path:
     searched = package_paths()
     for folder in searched:
         if is_folder(folder / name):
+            copies.renew(folder.parent, name)
             return folder / name
         if folder.name == name and is_folder(folder):
             return folder

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-import stat
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+
+from coursekit.systems import rights
 
 
 def folder() -> Path:
@@ -18,7 +19,7 @@ def folder() -> Path:
     worker = os.environ.get("PYTEST_XDIST_WORKER")
     if worker:
         path /= worker
-        path.mkdir(mode=0o700, exist_ok=True)
+        rights.make_folder(path)
     return path
 
 
@@ -52,17 +53,10 @@ def _places() -> Iterator[Path]:
 def _fault(path: Path) -> str:
     """Make the folder; why it cannot be used, '' when it can."""
     try:
-        path.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = path.lstat()
+        rights.make_folder(path)
+        return rights.fault(path)
     except OSError as error:
         return f"'{path}' cannot be made ({error.strerror})"
-    if not hasattr(os, "getuid"):
-        return ""
-    if path.is_symlink() or status.st_uid != os.getuid():
-        return f"'{path}' is a link or belongs to somebody else"
-    if stat.S_IMODE(status.st_mode) & 0o077:
-        return f"'{path}' can be opened by others (mend that with: chmod 700 '{path}')"
-    return ""
 
 
 __all__ = ["choose", "folder"]

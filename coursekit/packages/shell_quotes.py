@@ -10,6 +10,7 @@ import contextlib
 import importlib
 import re
 import shlex
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -120,7 +121,7 @@ def _quoted_utility_of_powershell(program: str) -> str:
     return _quoted_utility(program, "$env:", "`", "`$\"\u201c\u201d\u201e")
 
 
-_CHANGES = {
+_CHANGES: dict[str, Callable[[str], str]] = {
     **dict.fromkeys((".sh", ".bash", ".zsh"), quoted),
     ".bat": quoted_for_cmd,
     ".ps1": quoted_for_powershell,

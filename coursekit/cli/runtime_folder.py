@@ -45,8 +45,7 @@ def _places() -> Iterator[Path]:
         return
     if os.environ.get("XDG_RUNTIME_DIR"):
         yield Path(os.environ["XDG_RUNTIME_DIR"]) / "coursekit"
-    user = str(os.getuid()) if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
-    yield Path(tempfile.gettempdir()) / f"coursekit-{user}"
+    yield Path(tempfile.gettempdir()) / f"coursekit-{rights.user_name()}"
     yield Path.home() / ".cache" / "coursekit" / "run"
 
 

@@ -41,6 +41,20 @@ def fault(path: Path) -> str:
     return ""
 
 
+def is_root() -> bool:
+    """Whether this program may do everything; Windows' administrators are asked each time, and are none.
+
+    >>> is_root() == (not which.WINDOWS and os.geteuid() == 0)
+    True
+    """
+    return not which.WINDOWS and os.geteuid() == 0
+
+
+def user_name() -> str:
+    """What the user's own files are told apart by, where several share a folder."""
+    return os.environ.get("USERNAME", "user") if which.WINDOWS else str(os.getuid())
+
+
 def readers(access: str, user: str) -> list[str]:
     """Who may do something with a file beside the user and administrators, by a list as Windows writes it.
 
@@ -61,4 +75,4 @@ def write_text(path: Path, text: str) -> None:
         file.write(text)
 
 
-__all__ = ["fault", "make_folder", "readers", "write_text"]
+__all__ = ["fault", "is_root", "make_folder", "readers", "user_name", "write_text"]

@@ -6,6 +6,8 @@ import ctypes
 from pathlib import Path
 from typing import Any
 
+THERE = hasattr(ctypes, "WinDLL")
+"""Whether this system has such lists."""
 _FILE, _DACL, _PROTECTED = 1, 0x4, 0x80000000
 _TOKEN_QUERY, _TOKEN_USER = 0x8, 1
 
@@ -14,7 +16,9 @@ def read(path: Path) -> str:
     """The list of a file or folder; OSError when it cannot be read."""
     found, text = ctypes.c_void_p(), ctypes.c_wchar_p()
     names = _advapi()
-    _check(names.GetNamedSecurityInfoW(str(path), _FILE, _DACL, None, None, None, None, ctypes.byref(found)), path)
+    _check(names.GetNamedSecurityInfoW(str(path), THERE = hasattr(ctypes, "WinDLL")
+"""Whether this system has such lists."""
+_FILE, _DACL, None, None, None, None, ctypes.byref(found)), path)
     try:
         convert = names.ConvertSecurityDescriptorToStringSecurityDescriptorW
         if not convert(found, 1, _DACL, ctypes.byref(text), None):

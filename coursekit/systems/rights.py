@@ -7,7 +7,7 @@ import re
 import stat
 from pathlib import Path
 
-from . import which
+from . import access_lists, which
 
 _OURS = "D:P(A;OICI;FA;;;SY)(A;OICI;FA;;;BA)(A;OICI;FA;;;{user})"
 """The system, administrators and the user, as Windows writes lists of access; nothing comes from the folder above."""
@@ -20,17 +20,13 @@ def make_folder(path: Path) -> None:
     """Make a folder that is for this user only, unless it is there; OSError says why it cannot be made."""
     fresh = not path.exists()
     path.mkdir(mode=0o700, parents=True, exist_ok=True)
-    if fresh and which.WINDOWS:
-        from . import access_lists
-
+    if fresh and access_lists.THERE:
         access_lists.write(path, _OURS.format(user=access_lists.user()))
 
 
 def fault(path: Path) -> str:
     """Why others could look into a folder, or put another one in its place; empty when they cannot."""
-    if which.WINDOWS:
-        from . import access_lists
-
+    if access_lists.THERE:
         others = readers(access_lists.read(path), access_lists.user())
         return f"'{path}' can be opened by others: {', '.join(others)}" if others else ""
     status = path.lstat()

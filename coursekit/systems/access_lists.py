@@ -16,9 +16,7 @@ def read(path: Path) -> str:
     """The list of a file or folder; OSError when it cannot be read."""
     found, text = ctypes.c_void_p(), ctypes.c_wchar_p()
     names = _advapi()
-    _check(names.GetNamedSecurityInfoW(str(path), THERE = hasattr(ctypes, "WinDLL")
-"""Whether this system has such lists."""
-_FILE, _DACL, None, None, None, None, ctypes.byref(found)), path)
+    _check(names.GetNamedSecurityInfoW(str(path), _FILE, _DACL, None, None, None, None, ctypes.byref(found)), path)
     try:
         convert = names.ConvertSecurityDescriptorToStringSecurityDescriptorW
         if not convert(found, 1, _DACL, ctypes.byref(text), None):

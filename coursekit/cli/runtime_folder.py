@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from coursekit.systems import rights
+from coursekit.systems.computer import socket_path_bytes
 
 
 def folder() -> Path:
@@ -51,6 +52,10 @@ def _places() -> Iterator[Path]:
 
 def _fault(path: Path) -> str:
     """Make the folder; why it cannot be used, '' when it can."""
+    socket = path / f"session-{os.environ.get('ROS_DOMAIN_ID') or 0}-{os.getpid()}"
+    length, most = len(os.fsencode(socket)), socket_path_bytes() - 1
+    if length > most:
+        return f"'{path}' is too long a path: a socket in it would have {length} bytes, and {most} are allowed"
     try:
         rights.make_folder(path)
         return rights.fault(path)

@@ -1,15 +1,25 @@
 """Sockets lie where nobody else can open them, also when somebody has taken the usual place."""
 
 import tempfile
+from pathlib import Path
 
 import pytest
 
-from coursekit.cli import checks
+from coursekit.cli import checks, runtime_folder
 from coursekit.cli.runtime_folder import choose, folder
+from coursekit.systems import which
 
 
 @pytest.fixture
-def homes(tmp_path, monkeypatch):
+def short():
+    """A folder of a short name: sockets have no long ones."""
+    with tempfile.TemporaryDirectory(prefix="ck") as folder:
+        yield Path(folder)
+
+
+@pytest.fixture
+def homes(short, monkeypatch):
+    tmp_path = short
     for name in ("COURSEKIT_RUNTIME_DIR", "XDG_RUNTIME_DIR", "PYTEST_XDIST_WORKER"):
         monkeypatch.delenv(name, raising=False)
     (tmp_path / "tmp").mkdir()
@@ -48,3 +58,20 @@ def test_where_no_place_is_safe_it_says_what_to_type(homes, monkeypatch):
     with pytest.raises(PermissionError, match=r"can be opened by others.*export COURSEKIT_RUNTIME_DIR="):
         folder()
     assert checks.socket_folder().fault
+
+
+@pytest.mark.parametrize(("mac", "most"), [(False, 107), (True, 103)])
+def test_a_folder_in_which_a_socket_s_path_would_be_too_long_is_not_used(homes, monkeypatch, mac, most):
+    monkeypatch.setattr(which, "MAC", mac)
+    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(runtime_folder.os, "getpid", lambda: 4194304)
+    monkeypatch.setenv("ROS_DOMAIN_ID", "232")
+    rest = len("/coursekit/session-232-4194304")
+    fits = "/tmp/" + "x" * (most - rest - len("/tmp/"))
+    monkeypatch.setattr(runtime_folder.rights, "make_folder", lambda path: None)
+    monkeypatch.setattr(runtime_folder.rights, "fault", lambda path: "")
+    monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", fits)
+    assert choose()[1] == []
+    monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", fits + "x")
+    with pytest.raises(PermissionError, match=f"would have {most + 1} bytes, and {most} are allowed"):
+        choose()

@@ -36,6 +36,9 @@ HOLDER = "coursekit.cli.attach:holder"
 MEET = "coursekit.cli.neighbours:meet"
 """The function that has the interpreter's own nodes meet those of other programs of the same user and domain."""
 
+COMPILED = "nodes/compiled/host.py"
+"""The program that runs a compiled one, below the underlay."""
+
 
 def load(place: str) -> Callable[..., Any]:
     """The function at 'package.module:function'."""

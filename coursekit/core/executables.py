@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import mmap
 import os
 import sysconfig
 from collections.abc import Callable, Mapping, Sequence
@@ -15,6 +16,7 @@ from coursekit.interfaces.find import UNDERLAY, prefixes
 from coursekit.systems import copies, layout
 
 from .child import ChildProcess
+from .commands import COMPILED
 from .elsewhere import remark, remark_on_executable
 from .modules import use_private_modules
 from .process import Process, current_process
@@ -22,6 +24,9 @@ from .process import Process, current_process
 if TYPE_CHECKING:
     from .session import Session
 
+_PROGRAMS = (b"\x7fELF", b"\xcf\xfa\xed\xfe")
+_LINK = b"COURSEKIT_LINK"
+"""The runtime's word for its address, which only programs hold that are linked with it."""
 _HOW = "a Python node needs a line under console_scripts in setup.py, and a build; C++ is not compiled here"
 
 
@@ -143,6 +148,17 @@ def is_python(path: Path) -> bool:
     return first.startswith(b"#!") and b"python" in first
 
 
+def is_compiled_here(path: Path) -> bool:
+    """Whether a file is a C++ program that was built here: it asks the session for all that rclcpp does."""
+    if UNDERLAY in path.parents:
+        return False
+    with open(path, "rb") as file:
+        if file.read(4) not in _PROGRAMS:
+            return False
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            return data.find(_LINK) >= 0
+
+
 def python_folders(env: Mapping[str, str]) -> list[str]:
     """The folders that PYTHONPATH and the prefixes of `env` add to Python's path, without those of the interpreter."""
     folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]
@@ -166,6 +182,8 @@ def make_process(
     name = name or path.name
     if not path.exists():
         raise FileNotFoundError(f"'{path}' does not exist, so it cannot be run. Was its package built?")
+    if is_compiled_here(path):
+        path, argv = UNDERLAY / COMPILED, [str(path), *argv]
     if not is_python(path):
         return ChildProcess(session, [str(path), *argv], name=name, env=env, cwd=cwd)
     path = layout.python_script(path)

@@ -1,4 +1,7 @@
-"""colcon's build step for CMake packages, without CMake: files and interfaces are installed."""
+"""colcon's build step for CMake packages: by CMake and a compiler, where a package needs them and they are here.
+
+Other packages, and those with C++ where there is no compiler, are read by coursekit: files and interfaces are installed.
+"""
 
 from __future__ import annotations
 
@@ -16,13 +19,15 @@ from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
 from coursekit.core.executables import stand_ins
+from coursekit.cpp.toolchain import NoToolchain, Toolchain
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
-from coursekit.packages import cmake_tests, install_rules, interface_rules
+from coursekit.packages import cmake_build, cmake_tests, cpp_hints, cpp_limits, install_rules, interface_rules
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.colcon_links import stands_for_links
+from coursekit.packages.prepare_cpp import prepared_toolchain
 from coursekit.systems import copies
 
 PACKAGE_TYPE = "ros.ament_cmake_files"
@@ -39,15 +44,25 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
 
     async def build(self) -> int:
         """Return 0, or 1 when a file is missing or an interface is wrong."""
-        args, package = self.context.args, self.context.pkg.name
+        package = self.context.pkg.name
         if "manifest_error" in self.context.pkg.metadata:
             return self._fail([ValueError(self.context.pkg.metadata["manifest_error"])])
         if not _NAME.fullmatch(package):  # it becomes the name of folders and of a Python package
             return self._fail([ValueError(f"{package!r} is no package name: use small letters, digits and _")])
+        self._installed: list[str] = []
+        self._copied: dict[str, Path] = {}
+        if not cmake_build.needs_compiler(Path(self.context.args.path)):
+            return await self._copy_files("")
+        try:
+            tools = await prepared_toolchain()
+        except NoToolchain as error:
+            return await self._copy_files(str(error))
+        return await self._compile(tools)
+
+    async def _copy_files(self, why: str) -> int:
+        args, package = self.context.args, self.context.pkg.name
         try:
             env = await get_command_environment("build", args.build_base, self.context.dependencies)
-            self._installed: list[str] = []
-            self._copied: dict[str, Path] = {}
             reading = read_project(Path(args.path))
             problems = interface_rules.check(package, reading, self._groups(), _prefixes(env))
             if problems:
@@ -55,9 +70,26 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             self._install(package, reading)
         except (CMakeError, InterfaceError, RuntimeError, OSError) as error:
             return self._fail([error])
-        self._note_copies(package)
-        self._finish(package, reading)
+        self._finish(package, reading.targets, why)
         return 0
+
+    async def _compile(self, tools: Toolchain) -> int:
+        code, errors = await cmake_build.build_with_cmake(self.context, tools)
+        package = self.context.pkg.name
+        said = b"".join(errors).decode(errors="replace")
+        why = code and cpp_limits.reason(said, self._depends(), bool(stand_ins(package)))
+        if why:
+            return await self._copy_files(why)
+        hints = [f"hint: {one}\n".encode() for one in cpp_hints.hints(said)] if code else []
+        for line in [*errors, *hints]:
+            self.context.put_event_into_queue(StderrLine(line))
+        if code == 0:
+            self._installed = cmake_build.installed(Path(self.context.args.build_base), Path(self.context.args.install_base))
+            self._finish(package, [], "")
+        return code
+
+    def _depends(self) -> set[str]:
+        return {one.name for kind in self.context.pkg.dependencies.values() for one in kind}
 
     def _fail(self, problems: list[Exception]) -> int:
         for problem in problems:
@@ -79,12 +111,17 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
             for name, text in made.items():
                 self._create(f"{site}/{name}", text)
+            for name, text in interface_rules.cpp_files(package, files).items():
+                self._create(f"include/{package}/{name}", text)
         for copy in install_rules.copies(reading, package, site):
             self._copy(copy.source, copy.target, copy.program)
             self._copied[copy.target] = Path(os.path.abspath(copy.source))
         if (Path(self.context.args.path) / "package.xml").is_file():
             self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
         self._create(f"{_INDEX}/packages/{package}", "")
+        if not reading.targets:
+            config = cmake_build.package_config(package, interface_rules.dependencies(reading))
+            self._create(f"share/{package}/cmake/{package}Config.cmake", config)
         if reading.targets:  # so that `ros2 run` can say why an executable is missing
             self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))
 
@@ -116,19 +153,19 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         create_file(self.context.args, target, content=text)
         self._installed.append(target)
 
-    def _finish(self, package: str, reading: Reading) -> None:
+    def _finish(self, package: str, skipped: list[str], why: str) -> None:
         args = self.context.args
+        self._note_copies(package)
         self._forget_old()
         hooks = create_environment_hook(
             "ament_prefix_path", Path(args.install_base), package, "AMENT_PREFIX_PATH", "", mode="prepend"
         )
         create_environment_scripts(self.context.pkg, args, additional_hooks=hooks)
-        if reading.targets:
+        if skipped:
             ours = [one.name for one in stand_ins(package)]
             instead = f"; coursekit's own {', '.join(sorted(ours))} answer in their place" if ours else ""
-            names = ", ".join(reading.targets)
-            why = f"there is no compiler here; the rest is installed{instead}"
-            print(f"Skipped C++ of {package}: {names} ({why})", flush=True)
+            names = ", ".join(skipped)
+            print(f"Skipped C++ of {package}: {names} ({why}; the rest is installed{instead})", flush=True)
 
     def _forget_old(self) -> None:
         """Remove what the last build installed and this one did not."""

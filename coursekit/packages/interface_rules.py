@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursekit.files import read_text
+from coursekit.interfaces.cpp_source import header, header_name
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.find import UNDERLAY
 from coursekit.interfaces.model import Interface, Message
@@ -54,6 +55,11 @@ def _listed(call: Call) -> list[str]:
     return names
 
 
+def dependencies(reading: Reading) -> list[str]:
+    """The packages that a package's interfaces depend on."""
+    return [name for call in _calls(reading) for name in _dependencies(call)]
+
+
 def _dependencies(call: Call) -> list[str]:
     words = call.words[call.words.index("DEPENDENCIES") + 1 :] if "DEPENDENCIES" in call.words else []
     for index, word in enumerate(words):
@@ -68,12 +74,19 @@ def check(package: str, reading: Reading, groups: Iterable[str], prefixes: Itera
     if not calls:
         return []
     problems = _package_problems(reading, calls[0], groups)
-    named = {name for call in calls for name in _dependencies(call)}
-    files = interface_files(reading)
+    return problems + field_problems(package, interface_files(reading), dependencies(reading), prefixes)
+
+
+def field_problems(
+    package: str, files: Iterable[Path], dependencies: Iterable[str], prefixes: Iterable[Path]
+) -> list[Exception]:
+    """What is wrong in a package's definition files, given the packages that it says they depend on."""
+    files, named, places = list(files), set(dependencies), [*prefixes, UNDERLAY]
     own = {f"{package}/msg/{path.stem}" for path in files if path.suffix == ".msg"}
+    problems: list[Exception] = []
     for path in files:
         try:
-            problems += _field_problems(parse_file(package, path), own, named, [*prefixes, UNDERLAY])
+            problems += _field_problems(parse_file(package, path), own, named, places)
         except InterfaceError as error:
             problems.append(error)
     return problems
@@ -135,6 +148,14 @@ def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
             said = _docstring(f"{what} of {package}, made from their definition files when first used.")
             made[f"{package}/{kind}/__init__.py"] = _FACE.format(said=said)
     return made
+
+
+def cpp_files(package: str, files: Iterable[Path]) -> dict[str, str]:
+    """Return the C++ headers of the definition files, relative to the folder that is searched for them, with their text."""
+    return {
+        f"{package}/{path.suffix[1:]}/{header_name(path.stem)}.hpp": header(parse_file(package, path), path.suffix[1:])
+        for path in files
+    }
 
 
 def _docstring(text: str) -> str:

@@ -1,0 +1,113 @@
+"""What every C++ program needs, made once and kept: the runtime's library, the interfaces' headers, the packages' configs.
+
+Run as `python -m coursekit.cpp.runtime FOLDER` it makes them there.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from coursekit.cpp.headers import write_headers
+from coursekit.cpp.toolchain import Toolchain, find_toolchain, version_of
+from coursekit.files import read_bytes
+from coursekit.interfaces.find import UNDERLAY, known_interfaces
+
+ROOM = Path(__file__).parent
+PACKAGES = (
+    "rclcpp", "rclcpp_action", "rclcpp_components", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
+    "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python", "ament_cmake_gtest",
+    "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp", "ament_lint_auto", "ament_lint_common",
+    "ament_cmake_copyright", "ament_cmake_cppcheck", "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake",
+    "ament_cmake_pep257", "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
+    "python_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake", "rosidl_typesupport_cpp",
+)  # fmt: skip
+"""What packages find here beside those that have a folder in the underlay's share."""
+NOT_COMPILED = {
+    "angles", "controller_interface", "cv_bridge", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
+    "hardware_interface", "image_geometry", "image_transport", "laser_geometry", "message_filters", "nav2_util",
+    "pluginlib", "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
+}  # fmt: skip
+"""Packages that come with coursekit, but without the C++ that others would include."""
+_CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay.cmake")\n'
+
+
+def cache_folder() -> Path:
+    """The user's folder for what can be made again: COURSEKIT_CACHE, else where this system keeps such things."""
+    told = os.environ.get("COURSEKIT_CACHE")
+    if told:
+        return Path(told)
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local")) / "coursekit" / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "coursekit"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "coursekit"
+
+
+def runtime_folder(tools: Toolchain) -> Path:
+    """Where the runtime for these tools is, or will be: one for each compiler and each version of what it is made of."""
+    seen = hashlib.sha256(version_of(tools.cxx).encode())
+    for path in sorted([*_files(ROOM), UNDERLAY / "interfaces" / "cpp_source.py", *UNDERLAY.glob("share/*/*/*")]):
+        if path.suffix in (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py"):
+            seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
+    return cache_folder() / "cpp" / seen.hexdigest()[:16]
+
+
+def _files(folder: Path) -> list[Path]:
+    return [path for path in folder.rglob("*") if path.is_file()]
+
+
+def make_runtime(folder: Path, tools: Toolchain) -> None:
+    """Make the runtime in a folder that appears when it is whole; subprocess.CalledProcessError where a tool fails."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".making-") as name:
+        made = Path(name) / "runtime"
+        write_headers(made / "include", known_interfaces())
+        _write_configs(made)
+        _build_library(made, Path(name) / "build", tools)
+        try:
+            made.rename(folder)
+        except OSError:  # another build was quicker
+            if not folder.is_dir():
+                raise
+
+
+def _write_configs(folder: Path) -> None:
+    for name in {*PACKAGES, *(path.parent.name for path in UNDERLAY.glob("share/*/package.xml"))} - NOT_COMPILED:
+        path = folder / "share" / name / "cmake" / f"{name}Config.cmake"
+        path.parent.mkdir(parents=True)
+        path.write_text(_CONFIG.format(name=name), encoding="utf-8")
+
+
+def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
+    defines = {**tools.defines(), "INTERFACES": str(folder / "include"), "CMAKE_INSTALL_PREFIX": str(folder)}
+    words = [f"-D{name}={value}" for name, value in defines.items()]
+    _run(tools.cmake, "-G", tools.generator, "-S", str(ROOM), "-B", str(build), *words)
+    _run(tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1))
+    _run(tools.cmake, "--install", str(build))
+    for path in build.glob("CMakeFiles/*/CMake*Compiler.cmake"):
+        kept = folder / "compiler" / path.parent.name
+        kept.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, kept)
+
+
+def _run(*command: str) -> None:
+    subprocess.run(command, stdout=sys.stderr, check=True)
+
+
+def main(words: list[str]) -> int:
+    """Carry out a command line; its exit code."""
+    try:
+        make_runtime(Path(words[0]), find_toolchain())
+    except subprocess.CalledProcessError as error:
+        return error.returncode
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,88 @@
+"""The tools that make programs of C++: a compiler, CMake and what runs the build, of the system or from `coursekit[cpp]`."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import shutil
+import subprocess
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+MISSING = "there is no {what} here: `pip install 'coursekit[cpp]'` brings all that C++ needs"
+_COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
+
+
+class NoToolchain(RuntimeError):
+    """C++ cannot be compiled here; the text says what to type."""
+
+
+@dataclass(frozen=True)
+class Toolchain:
+    """Commands that compile C++ and C, put objects into libraries, configure and build."""
+
+    cxx: tuple[str, ...]
+    cc: tuple[str, ...]
+    archiver: str | None
+    """The program that makes libraries, where CMake would not find it itself."""
+    cmake: str
+    ninja: str | None
+    """None where make does its work."""
+
+    def defines(self) -> dict[str, str]:
+        """What CMake is to be told of them."""
+        told = {"CMAKE_CXX_COMPILER": ";".join(self.cxx), "CMAKE_C_COMPILER": ";".join(self.cc)}
+        if self.archiver:
+            told |= {"CMAKE_AR": self.archiver, "CMAKE_RANLIB": self.archiver}
+        if self.ninja:
+            told["CMAKE_MAKE_PROGRAM"] = self.ninja
+        return told
+
+    @property
+    def generator(self) -> str:
+        """CMake's name for what runs the build."""
+        return "Ninja" if self.ninja else "Unix Makefiles"
+
+
+@cache
+def find_toolchain() -> Toolchain:
+    """The tools of this computer: the system's compiler first, else zig's from PyPI; NoToolchain where some are missing."""
+    cmake, ninja = _program("cmake", "CMAKE_BIN_DIR"), _program("ninja", "BIN_DIR")
+    if cmake is None:
+        raise NoToolchain(MISSING.format(what="CMake"))
+    if ninja is None and shutil.which("make") is None:
+        raise NoToolchain(MISSING.format(what="ninja or make"))
+    for cxx, cc in _COMPILERS:
+        if os.name == "posix" and (found := shutil.which(cxx)):
+            return Toolchain((found,), (shutil.which(cc) or found,), None, cmake, ninja)
+    zig = _zig()
+    if zig is None:
+        raise NoToolchain(MISSING.format(what="C++ compiler"))
+    return Toolchain((zig, "c++"), (zig, "cc"), zig, cmake, ninja)
+
+
+def _program(name: str, folder: str) -> str | None:
+    """A program of the system, else of the wheel of that name."""
+    found = shutil.which(name)
+    if found is None and importlib.util.find_spec(name) is not None:
+        module = importlib.import_module(name)
+        found = shutil.which(name, path=str(getattr(module, folder, "")))
+    return found
+
+
+def _zig() -> str | None:
+    spec = importlib.util.find_spec("ziglang")
+    if spec is None or not spec.submodule_search_locations:
+        return None
+    return shutil.which("zig", path=str(Path(spec.submodule_search_locations[0])))
+
+
+@cache
+def version_of(command: tuple[str, ...]) -> str:
+    """What a compiler says of itself, to tell it from another."""
+    done = subprocess.run([*command, "--version"], capture_output=True, encoding="utf-8", errors="replace", check=False)
+    return f"{' '.join(command)}\n{done.stdout}"
+
+
+__all__ = ["NoToolchain", "Toolchain", "find_toolchain", "version_of"]

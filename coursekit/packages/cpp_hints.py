@@ -1,0 +1,138 @@
+"""What to do about the commonest mistakes in C++ and CMakeLists.txt: a sentence for each, behind the tools' own words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+_PROVIDERS = {
+    "rosidl_generate_interfaces": "rosidl_default_generators",
+    "rosidl_get_typesupport_target": "rosidl_default_generators",
+    "rclcpp_components_register_node": "rclcpp_components",
+    "rclcpp_components_register_nodes": "rclcpp_components",
+    "pluginlib_export_plugin_description_file": "pluginlib",
+    "ament_auto_find_build_dependencies": "ament_cmake_auto",
+    "add_launch_test": "launch_testing_ament_cmake",
+}
+_STANDARD = {
+    "cout": "iostream", "cerr": "iostream", "endl": "iostream", "string": "string", "vector": "vector", "map": "map",
+    "bind": "functional", "function": "functional", "make_shared": "memory", "shared_ptr": "memory", "unique_ptr": "memory",
+    "chrono": "chrono", "thread": "thread", "mutex": "mutex", "array": "array", "optional": "optional", "sqrt": "cmath",
+    "ofstream": "fstream", "ifstream": "fstream", "stringstream": "sstream", "numeric_limits": "limits",
+    "setprecision": "iomanip",
+}  # fmt: skip
+_Q = "['‘’`\"]"
+Mending = Callable[[re.Match[str]], str]
+
+
+def _unknown_command(found: re.Match[str]) -> str:
+    name = found["name"].lower()
+    provider = _PROVIDERS.get(name) or ("ament_cmake" if name.startswith("ament_") else "")
+    if not provider:
+        return f"CMake knows no command {name}(): look at its spelling, or for a find_package() that is missing."
+    return f"{name}() comes with {provider}: write find_package({provider} REQUIRED) above it, behind project()."
+
+
+def _missing_header(found: re.Match[str]) -> str:
+    header = found["name"]
+    package, _, rest = header.partition("/")
+    if re.match(r"(msg|srv|action)/", rest):
+        snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", rest.rpartition("/")[2].partition(".")[0]).lower()
+        kind = rest.partition("/")[0]
+        return (
+            f'headers of interfaces are written small, with _ between words: "{package}/{kind}/{snake}.hpp". If that is how '
+            f"you wrote it, look at `ros2 interface list | grep {package}`, and add {package} to find_package() and "
+            "ament_target_dependencies()."
+        )
+    if rest:
+        return f"is {package} in package.xml, in find_package() and in ament_target_dependencies() of this target?"
+    return f'is "{header}" spelled as the file is, and its folder in target_include_directories() of this target?'
+
+
+_NAMES = "|".join(_STANDARD)
+
+
+def _undeclared(names: str) -> str:
+    """How g++ and clang say that a name is not declared."""
+    return rf"{_Q}(?P<name>{names}){_Q} was not declared|undeclared identifier '(?P<other>{names})'"
+
+
+def _name(found: re.Match[str]) -> str:
+    """The name that either of the two compilers gives."""
+    groups = found.groupdict()
+    return groups["name"] or groups["other"]
+
+
+_RULES: tuple[tuple[str, str | Mending], ...] = (
+    (r"Unknown CMake command \"(?P<name>\w+)\"", _unknown_command),
+    (r"passed package name '(?P<name>\w+)' was\s+not\s+found\s+before",
+     lambda found: f"write find_package({found['name']} REQUIRED) above ament_target_dependencies()."),
+    (r"(configuration file provided by|not providing) \"(Find)?(?P<name>\w+?)(\.cmake)?\"",
+     lambda found: f"there is no package {found['name']}: is it spelled as in `ros2 pkg list`, built, and in package.xml?"),
+    (r"Cannot find source file:\s+(?P<name>\S+)",
+     lambda found: f"there is no file {found['name']}: is it spelled as it lies in the package's folder?"),
+    (r"Parse error\.\s+Function missing ending \"\)\"", "a ) is missing at the end of a command of the CMakeLists.txt."),
+    (r"install TARGETS given target \"(?P<name>\w+)\" which does not exist",
+     lambda found: f"install(TARGETS ...) names {found['name']}, but no add_executable() or add_library() makes it."),
+    (r"fatal error: '?(?P<name>[\w./+-]+?)'?(: No such file| file not found)", _missing_header),
+    (rf"error: expected {_Q};{_Q}", "a statement ends with ; and the one above this place has none."),
+    (_undeclared(_NAMES), lambda found: f"write std::{_name(found)}, with #include <{_STANDARD[_name(found)]}> at the top."),
+    (rf"{_Q}(?P<name>{_NAMES}){_Q} is not a member of {_Q}std|no member named '(?P<other>{_NAMES})' in namespace 'std'",
+     lambda found: f"add #include <{_STANDARD[_name(found)]}> at the top."),
+    (_undeclared("_[1-9]"), "write std::placeholders::_1 in std::bind(), or `using std::placeholders::_1;` at the top."),
+    (_undeclared("Node|init|spin|shutdown|ok"), "rclcpp's names are written with rclcpp:: before them."),
+    (rf"{_Q}(?P<name>\w+_msgs|example_interfaces){_Q} (has not been|was not) declared",
+     lambda found: f"include the message's header, such as \"{found['name']}/msg/...hpp\", small and with _ between words."),
+    (r"unable to find numeric literal operator .{0,3}operator\"\"(ms|s|us|ns)|no matching literal operator",
+     "write `using namespace std::chrono_literals;` at the top, for times such as 500ms."),
+    (rf"{_Q}(class|struct) \S+{_Q} has no member named {_Q}(?P<name>\w+){_Q}|no member named '(?P<other>\w+)' in ",
+     lambda found: f"there is no {_name(found)} in it: `ros2 interface show TYPE` lists a message's fields."),
+    (r"no matching function for call to .{0,3}(\w+::)*create_subscription|static assertion failed.{0,80}[Cc]allback",
+     "a subscription's callback takes the message, as SharedPtr or const &, and std::bind() one placeholder for it."),
+    (r"no match for call to .{0,3}\(std::_Bind|no type named .{0,3}type.{0,3} in .{0,3}(struct|class) std::_?(result|Bind)",
+     "the function given to std::bind() takes other arguments: one placeholder, std::placeholders::_1, ..., for each."),
+    (r"invalid use of non-static member function", "write std::bind(&Class::function, this, ...): with &Class::, and this."),
+    (r"undefined reference to [`‘']?main|undefined symbol: main", "a program needs int main(int argc, char ** argv)."),
+    (r"undefined reference to [`‘'](?P<name>[\w:~]+)|undefined symbol: (?P<other>[\w:~]+)",
+     lambda found: f"{_name(found)} is declared and not defined: is its .cpp in add_executable(), its library linked?"),
+    (rf"error: expected {_Q}[{{}}()]|expected unqualified-id|expected declaration",
+     "count the braces above this place: one is missing, or one too many."),
+    (r"passing .const \S+ as .this. argument discards qualifiers", "the function called is not const, but its object is."),
+)  # fmt: skip
+
+
+def hints(text: str) -> list[str]:
+    """What to do about an output of CMake or a compiler: at most three sentences, the first mistakes' own.
+
+    >>> hints("a.cpp:2:25: error: expected ‘;’ before ‘}’ token")
+    ['a.cpp:2: a statement ends with ; and the one above this place has none.']
+    >>> hints("all went well")
+    []
+    """
+    found = sorted(_found(text), key=lambda one: one[0])
+    said = dict.fromkeys(f"{_place(text, at)}{sentence}" for at, sentence in found)
+    return list(said)[:3]
+
+
+def _found(text: str) -> Iterator[tuple[int, str]]:
+    taken: set[int] = set()
+    for pattern, mending in _RULES:
+        for match in re.finditer(pattern, text):
+            line = text.count("\n", 0, match.start())
+            if line not in taken:  # the first rule that knows a line tells it
+                taken.add(line)
+                yield match.start(), mending if isinstance(mending, str) else mending(match)
+
+
+def _place(text: str, at: int) -> str:
+    """File and line of what was found, as far as its own or an earlier line tells."""
+    lines = text[: text.find("\n", at) if "\n" in text[at:] else len(text)].splitlines()
+    for line in reversed(lines[-6:]):
+        place = re.match(r"(?:CMake Error at )?([^\s:]+):(\d+)", line)
+        if place:
+            return f"{Path(place[1]).name}:{place[2]}: "
+    return ""
+
+
+__all__ = ["hints"]

@@ -1,0 +1,36 @@
+"""Makes the tools for C++ ready, once: the first build that needs them waits for the runtime and says so."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import sys
+import time
+
+from coursekit.cpp.runtime import runtime_folder
+from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
+
+_locks: dict[asyncio.AbstractEventLoop, asyncio.Lock] = {}
+_FAILED = "C++ could not be prepared, for the reason above"
+
+
+async def prepared_toolchain() -> Toolchain:
+    """The tools with their runtime made; NoToolchain where there are none, or where they cannot make it."""
+    tools = find_toolchain()
+    async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
+        if not runtime_folder(tools).is_dir():
+            await _prepare(tools)
+    return tools
+
+
+async def _prepare(tools: Toolchain) -> None:
+    print("Preparing C++, once, in less than a minute ...", flush=True)
+    began = time.monotonic()
+    env = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
+    command = [sys.executable, "-m", "coursekit.cpp.runtime", str(runtime_folder(tools))]
+    child = await asyncio.create_subprocess_exec(*command, env=env, stderr=asyncio.subprocess.PIPE)
+    _, errors = await child.communicate()
+    if child.returncode:
+        print(errors.decode(errors="replace"), file=sys.stderr, flush=True)
+        raise NoToolchain(_FAILED)
+    print(f"C++ is ready ({time.monotonic() - began:.0f} s).", flush=True)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-MISSING = "there is no {what} here: `pip install 'coursekit[cpp]'` brings all that C++ needs"
+MISSING = "there is no {what} here: `pip install \"coursekit[cpp]\"` brings all that C++ needs"
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
 
 

@@ -86,6 +86,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if code == 0:
             self._installed = cmake_build.installed(Path(self.context.args.build_base), Path(self.context.args.install_base))
             self._finish(package, [], "")
+            if stands_for_links():
+                print(f"{package} is copied: build it again after every change of a file", flush=True)
         return code
 
     def _depends(self) -> set[str]:

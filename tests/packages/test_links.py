@@ -130,3 +130,11 @@ def test_where_links_can_be_made_there_are_links(build):
         pytest.skip("this account may not make links")
     build("--symlink-install", refuse=False)
     assert links_under(build.folder / "build")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="NOT TESTED: no CMake here")
+def test_a_package_that_was_compiled_says_that_its_files_are_copies(build):
+    shutil.copytree(SOURCES / "s2_cpp_pubsub", build.folder / "src" / "s2_cpp_pubsub")
+    said = build("--symlink-install", "--packages-select", "s2_cpp_pubsub", refuse=True)
+    assert "s2_cpp_pubsub is copied: build it again after every change of a file" in said.splitlines()

@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from colcon_cmake.task import cmake as colcon_tools
 from colcon_cmake.task.cmake import build as colcon_cmake
 from colcon_core.event.output import StderrLine, StdoutLine
 
@@ -57,7 +58,7 @@ async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[by
     listening = _ErrorsAside(context)
     complete = partial(_complete, runtime=runtime_folder(tools))
     task.set_context(context=listening)
-    colcon_cmake.CMAKE_EXECUTABLE = tools.cmake
+    colcon_cmake.CMAKE_EXECUTABLE = colcon_tools.CMAKE_EXECUTABLE = tools.cmake  # theirs may be none, or not on PATH
     try:
         code = await task.build(skip_hook_creation=True, environment_callback=complete)
     finally:

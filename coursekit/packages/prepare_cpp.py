@@ -6,11 +6,13 @@ import asyncio
 import os
 import sys
 import time
+from pathlib import Path
 
 from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
 
 _locks: dict[asyncio.AbstractEventLoop, asyncio.Lock] = {}
+_failed: set[Path] = set()
 _FAILED = "C++ could not be prepared, for the reason above"
 
 
@@ -18,6 +20,8 @@ async def prepared_toolchain() -> Toolchain:
     """The tools with their runtime made; NoToolchain where there are none, or where they cannot make it."""
     tools = find_toolchain()
     async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
+        if runtime_folder(tools) in _failed:  # another package has said so
+            raise NoToolchain(_FAILED)
         if not runtime_folder(tools).is_dir():
             await _prepare(tools)
     return tools
@@ -32,5 +36,6 @@ async def _prepare(tools: Toolchain) -> None:
     _, errors = await child.communicate()
     if child.returncode:
         print(errors.decode(errors="replace"), file=sys.stderr, flush=True)
+        _failed.add(runtime_folder(tools))
         raise NoToolchain(_FAILED)
     print(f"C++ is ready ({time.monotonic() - began:.0f} s).", flush=True)

@@ -36,7 +36,7 @@ def test_on_windows_a_folder_is_made_for_this_user_only_and_an_open_one_is_told(
 
     folder = tmp_path / "José Luis" / "run"
     rights.make_folder(folder)
-    assert rights.fault(folder) == "" and "D:P" in access_lists.read(folder)
+    assert rights.fault(folder) == "" and access_lists.user() in access_lists.read(folder)
     rights.write_text(folder / "inside", "x")
     assert rights.fault(folder / "inside") == ""
     access_lists.write(folder, "D:P(A;;FA;;;WD)")

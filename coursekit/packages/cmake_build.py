@@ -70,7 +70,7 @@ def _words(context: Any, tools: Toolchain) -> list[str]:
     args = context.args
     linking = "ON" if getattr(args, "symlink_install", False) else "OFF"
     facts = _initial_cache(Path(args.build_base), Path(args.install_base), tools)
-    return ["-G", tools.generator, "-Wno-dev", "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
+    return ["-G", tools.generator, "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
 
 
 def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
@@ -85,6 +85,7 @@ def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "COURSEKIT_SITE_PACKAGES": layout.site_packages(prefix).relative_to(prefix),
         "CMAKE_INSTALL_LIBDIR": "lib",
         "CMAKE_INSTALL_MESSAGE": "NEVER",
+        "CMAKE_SUPPRESS_DEVELOPER_WARNINGS": "ON",
         "CMAKE_EXPORT_NO_PACKAGE_REGISTRY": "ON",
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",
     }

@@ -18,6 +18,8 @@ _FAILED = "C++ could not be prepared, for the reason above"
 
 async def prepared_toolchain() -> Toolchain:
     """The tools with their runtime made; NoToolchain where there are none, or where they cannot make it."""
+    if "COURSEKIT_GRADING" in os.environ:  # no point is for C++, and half a minute of a copy's time is much
+        raise NoToolchain("C++ is not compiled while a copy is marked")
     tools = find_toolchain()
     async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
         if runtime_folder(tools) in _failed:  # another package has said so

@@ -8,6 +8,7 @@ import pytest
 from coursekit.cli import checks, runtime_folder
 from coursekit.cli.runtime_folder import choose, folder
 from coursekit.systems import which
+from tests.needs import posix
 
 
 @pytest.fixture
@@ -28,12 +29,14 @@ def homes(short, monkeypatch):
     return tmp_path
 
 
+@posix("modes and HOME are its way; tests/systems/test_rights.py looks at Windows' lists")
 def test_the_runtime_folder_of_the_user_comes_first(homes, monkeypatch):
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(homes / "own"))
     assert folder() == homes / "own" / "coursekit"
     assert folder().stat().st_mode & 0o777 == 0o700
 
 
+@posix("modes and HOME are its way; tests/systems/test_rights.py looks at Windows' lists")
 @pytest.mark.parametrize("squat", ["open", "link", "file"])
 def test_a_folder_that_somebody_else_has_taken_is_not_used_and_that_is_told(homes, squat):
     usual = folder()
@@ -51,6 +54,7 @@ def test_a_folder_that_somebody_else_has_taken_is_not_used_and_that_is_told(home
     assert told.only_warning and str(usual) in told.fault and str(folder()) in told.cure
 
 
+@posix("modes and HOME are its way; tests/systems/test_rights.py looks at Windows' lists")
 def test_where_no_place_is_safe_it_says_what_to_type(homes, monkeypatch):
     (homes / "mine" / "coursekit").mkdir(parents=True)
     (homes / "mine" / "coursekit").chmod(0o755)

@@ -17,6 +17,8 @@ ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 NEEDED = (3, 10)
 """The oldest Python, which is Humble's."""
+NEWEST_ON_INTEL_MACS = (3, 13)
+"""The newest Python for which Numba has a package on Macs that have no processor of Apple's."""
 
 
 def refusal():
@@ -26,6 +28,11 @@ def refusal():
         return f"Python 3.10 or newer is needed, and this is {found}. Install one from https://www.python.org/downloads/"
     if sys.maxsize < 2**32:
         return f"A 64-bit Python is needed, and this one has 32: {found}. On python.org, take 'Windows installer (64-bit)'."
+    if sys.platform == "darwin" and platform.machine() == "x86_64" and sys.version_info[:2] > NEWEST_ON_INTEL_MACS:
+        return (
+            f"Numba has no package for Macs with Intel's processor and Python 3.14, and this is {found}. "
+            "Install Python 3.13 from https://www.python.org/downloads/ and type: python3.13 start.py"
+        )
     if sys.platform == "win32" and "ARM" in platform.machine().upper() and "ARM" in sys.version:
         return (
             f"OpenCV has no package for Python on ARM, and this is {found}. Windows runs the other kind, too: "

@@ -83,10 +83,12 @@ def test_an_unknown_word_is_told_with_the_known_ones(start, capsys):
         ({"version_info": (3, 9, 18)}, "3.10 or newer"),
         ({"maxsize": 2**31 - 1}, "64-bit"),
         ({"platform": "win32", "version": "3.12.1 (main) [MSC v.1943 64 bit (ARM64)]"}, "ARM"),
+        ({"platform": "darwin", "version_info": (3, 14, 0), "machine": "x86_64"}, "python3.13 start.py"),
     ],
 )
 def test_a_python_that_cannot_have_the_packages_is_told(start, monkeypatch, capsys, facts, said):
-    monkeypatch.setattr(start.platform, "machine", lambda: "ARM64")
+    machine = facts.pop("machine", "ARM64") if (facts := dict(facts)) else "ARM64"
+    monkeypatch.setattr(start.platform, "machine", lambda: machine)
     monkeypatch.setattr(start.platform, "python_version", lambda: "3")
     for name, value in facts.items():
         monkeypatch.setattr(sys, name, value)

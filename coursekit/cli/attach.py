@@ -19,11 +19,11 @@ from pathlib import Path
 from coursekit.systems.children import apart
 from coursekit.systems.endings import endings
 from coursekit.systems.folder import working_folder
+from coursekit.systems.keyboard import Keyboard
 from coursekit.systems.streams import use_utf8
 from coursekit.systems.waiting import lines
 
 from . import endpoint
-from .keyboard import Keyboard
 
 START_SECONDS = 20.0
 ATTEMPTS = 3

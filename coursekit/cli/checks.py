@@ -13,6 +13,7 @@ from socket import if_nameindex
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from coursekit.interfaces.find import UNDERLAY
+from coursekit.systems import typed
 
 from .check import Check
 from .system_checks import run_system_checks
@@ -43,12 +44,12 @@ def which_rclpy() -> Check:
 
 def kernel_version() -> Check:
     """ipykernel 7.4 stalls widgets while a cell runs."""
-    return _version("ipykernel", (7, 0), (7, 4), "pip install 'ipykernel>=7.0,<7.4'")
+    return _version("ipykernel", (7, 0), (7, 4), typed.install("ipykernel>=7.0,<7.4"))
 
 
 def setuptools_version() -> Check:
     """setuptools 80 breaks `colcon build --symlink-install`."""
-    return _version("setuptools", (30,), (80,), "pip install 'setuptools<80'")
+    return _version("setuptools", (30,), (80,), typed.install("setuptools<80"))
 
 
 def widgets() -> Check:

@@ -13,6 +13,7 @@ from urllib.parse import quote
 from coursekit.cli import compile_ahead, grading, slam
 from coursekit.cli.terminal_settings import terminal_settings
 from coursekit.packages.folder_name import refusal
+from coursekit.systems import rights
 from coursekit.systems.children import with_utf8
 from coursekit.systems.streams import use_utf8
 
@@ -116,7 +117,7 @@ def open_lab(args: argparse.Namespace) -> int:
         f"--LabApp.default_url=/lab/tree/{quote(Course(folder).first())}",
         *settings,
     ]  # fmt: skip
-    if hasattr(os, "getuid") and os.getuid() == 0:
+    if rights.is_root():
         command.append("--allow-root")
     if args.no_browser or not _has_browser():
         command.append("--no-browser")

@@ -14,7 +14,7 @@ import socket
 from pathlib import Path
 from typing import Any
 
-from coursekit.systems import which
+from coursekit.systems import rights, which
 
 from .runtime_folder import folder
 
@@ -45,12 +45,14 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
     path.unlink(missing_ok=True)
     if HAS_UNIX:
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        with contextlib.suppress(OSError):
+            os.fchmod(server.fileno(), 0o600)  # so Linux makes it; elsewhere it is the folder that nobody can enter
         server.bind(str(path))
         path.chmod(0o600)
     else:
         server = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         server.bind(("127.0.0.1", 0))
-        path.write_text(json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}), encoding="utf-8")
+        rights.write_text(path, json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}))
     server.listen(16)
     claim(domain_id)
     return server
@@ -80,7 +82,7 @@ def _lead_to(own: Path, domain_id: int) -> None:
     if HAS_UNIX:
         fresh.symlink_to(own.name)
     else:
-        fresh.write_text(json.dumps(_said_at(own)), encoding="utf-8")
+        rights.write_text(fresh, json.dumps(_said_at(own)))
     fresh.replace(address(domain_id))
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
-import stat
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+
+from coursekit.systems import rights, typed
+from coursekit.systems.computer import socket_path_bytes
 
 
 def folder() -> Path:
@@ -18,7 +20,7 @@ def folder() -> Path:
     worker = os.environ.get("PYTEST_XDIST_WORKER")
     if worker:
         path /= worker
-        path.mkdir(mode=0o700, exist_ok=True)
+        rights.make_folder(path)
     return path
 
 
@@ -32,7 +34,7 @@ def choose() -> tuple[Path, list[str]]:
         faults.append(fault)
     raise PermissionError(
         f"{'; '.join(faults)}. So there is no safe place for sessions to listen. Name a folder of yours, and start again: "
-        "export COURSEKIT_RUNTIME_DIR=~/coursekit-run"
+        + typed.set_variable("COURSEKIT_RUNTIME_DIR", "~/coursekit-run")
     )
 
 
@@ -44,25 +46,21 @@ def _places() -> Iterator[Path]:
         return
     if os.environ.get("XDG_RUNTIME_DIR"):
         yield Path(os.environ["XDG_RUNTIME_DIR"]) / "coursekit"
-    user = str(os.getuid()) if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
-    yield Path(tempfile.gettempdir()) / f"coursekit-{user}"
+    yield Path(tempfile.gettempdir()) / f"coursekit-{rights.user_name()}"
     yield Path.home() / ".cache" / "coursekit" / "run"
 
 
 def _fault(path: Path) -> str:
     """Make the folder; why it cannot be used, '' when it can."""
+    socket = path / f"session-{os.environ.get('ROS_DOMAIN_ID') or 0}-{os.getpid()}"
+    length, most = len(os.fsencode(socket)), socket_path_bytes() - 1
+    if length > most:
+        return f"'{path}' is too long a path: a socket in it would have {length} bytes, and {most} are allowed"
     try:
-        path.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = path.lstat()
+        rights.make_folder(path)
+        return rights.fault(path)
     except OSError as error:
         return f"'{path}' cannot be made ({error.strerror})"
-    if not hasattr(os, "getuid"):
-        return ""
-    if path.is_symlink() or status.st_uid != os.getuid():
-        return f"'{path}' is a link or belongs to somebody else"
-    if stat.S_IMODE(status.st_mode) & 0o077:
-        return f"'{path}' can be opened by others (mend that with: chmod 700 '{path}')"
-    return ""
 
 
 __all__ = ["choose", "folder"]

@@ -13,6 +13,8 @@ from .check import Check
 
 NEWEST = (3, 14)
 """The newest Python for which all that the course needs has packages."""
+NEWEST_ON_INTEL_MACS = (3, 13)
+"""Likewise on Macs that have no processor of Apple's, for which Numba makes no packages any more."""
 MOST_CHARACTERS = 120
 """How long a folder's path may be where Windows takes 260 characters: a build goes this much deeper."""
 ARM = (
@@ -29,6 +31,9 @@ def interpreter() -> Check | None:
         return Check("packages", found, "this Python has 32 bits; NumPy and OpenCV have packages for 64", cure)
     if computer.is_arm_python_on_windows():
         return Check("packages", found, *ARM)
+    if computer.is_intel_mac() and sys.version_info[:2] > NEWEST_ON_INTEL_MACS:
+        cure = "Install Python 3.13 from https://www.python.org/downloads/, and make .venv with that."
+        return Check("packages", found, "Numba has no package for Macs with Intel's processor and this Python", cure)
     if sys.version_info[:2] > NEWEST:
         fault = f"Python {found} is newer than the packages that the course needs"
         return Check("packages", found, fault, "Install Python 3.13 beside it, and make .venv with that.", only_warning=True)

@@ -7,6 +7,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from coursekit.packages.windows_quotes import powershell_quote
 from coursekit.systems import which
 
 _BASHRC = """\
@@ -30,7 +31,6 @@ Set-Location -LiteralPath {folder}
 """
 _POWERSHELL = ("pwsh", "powershell")
 """The newer one, which one installs, then Windows' own."""
-_QUOTES = "'\u2018\u2019\u201a\u201b"
 
 
 def terminal_settings(folder: Path) -> list[str]:
@@ -53,15 +53,10 @@ def _for_powershell(folder: Path) -> list[str]:
     shell = next(filter(None, map(shutil.which, _POWERSHELL)), None)
     if shell is None:
         return []
-    quoted = {"bin": _powershell_quote(str(_bin())), "folder": _powershell_quote(str(folder))}
+    quoted = {"bin": powershell_quote(str(_bin())), "folder": powershell_quote(str(folder))}
     text = _PROFILE.format(**quoted)
     file = _write(folder, "terminal.ps1", text, "utf-8-sig")  # without that mark the old one reads the code page
     return [shell, "-NoLogo", "-NoExit", "-ExecutionPolicy", "Bypass", "-File", str(file)]
-
-
-def _powershell_quote(text: str) -> str:
-    """A word in which PowerShell replaces nothing; it takes curly marks for straight ones."""
-    return "'" + "".join(sign * 2 if sign in _QUOTES else sign for sign in text) + "'"
 
 
 def _bin() -> Path:

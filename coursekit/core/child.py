@@ -9,11 +9,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from coursekit.systems import children
+from coursekit.systems.child_terminal import open_terminal
 from coursekit.systems.words import join_words
 
 from .clock import _Thread_start
 from .process import Output, Process, current_process
-from .terminal import open_terminal
 
 if TYPE_CHECKING:
     from .session import Session

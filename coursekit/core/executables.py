@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.files import read_text
 from coursekit.interfaces.find import UNDERLAY, prefixes
-from coursekit.systems import layout
+from coursekit.systems import copies, layout
 
 from .child import ChildProcess
 from .commands import COMPILED
@@ -94,6 +94,7 @@ def prefix_of(package: str) -> Path:
     """The prefix of a package; raises PackageNotFound."""
     for prefix in prefixes():
         if (_index(prefix) / package).exists():
+            copies.renew(prefix, package)
             return prefix
     raise PackageNotFound(package, list(packages()))
 

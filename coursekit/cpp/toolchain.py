@@ -15,7 +15,7 @@ from pathlib import Path
 
 from coursekit.files import read_text, write_whole
 
-MISSING = "there is no {what} here: `pip install 'coursekit[cpp]'` brings all that C++ needs"
+MISSING = "there is no {what} here: `pip install \"coursekit[cpp]\"` brings all that C++ needs"
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
 
 

@@ -6,6 +6,8 @@ import functools
 import os
 import subprocess
 
+from coursekit.systems import rights
+
 _SYSTEMD_RUN = "/usr/bin/systemd-run"
 SERVICE_VARIABLES = ("XDG_RUNTIME_DIR", "DBUS_SESSION_BUS_ADDRESS")
 """What it needs of the environment; the sandbox begins with an empty one."""
@@ -23,7 +25,7 @@ def confined(memory: int, processes: int) -> list[str]:
 
 
 def _words() -> list[str]:
-    manager = [] if hasattr(os, "geteuid") and os.geteuid() == 0 else ["--user"]
+    manager = [] if rights.is_root() else ["--user"]
     return [_SYSTEMD_RUN, *manager, "--scope", "--quiet", "--collect"]
 
 

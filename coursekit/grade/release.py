@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import html
 import json
-import shlex
 import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
+from coursekit.systems.words import join_words
 
 from .copy import HANDED_OUT, edition_of, student_notebook
 from .exercise import exercises_in
@@ -83,7 +83,7 @@ def release(
     rows = "\n".join(_row(Path(name).stem, one) for name, one in sources.items())
     page = out / "page.html"
     archive = "the zip with your name" if variants else f"{out.name}.zip"
-    facts = {"title": out.name, "folder": shlex.quote(out.name), "archive": archive, "wheel": wheel}
+    facts = {"title": out.name, "folder": join_words([out.name]), "archive": archive, "wheel": wheel}
     write_whole(page, _PAGE.format(rows=rows, **{name: html.escape(text) for name, text in facts.items()}))
     return [*written, page]
 

@@ -17,6 +17,7 @@ from coursekit.grade.mark import Marked
 from coursekit.grade.parcel import EVENTS, digest_of
 from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
+from coursekit.systems import typed
 
 from .errors import BadArgument, NotNow
 from .evidence_picture import page
@@ -136,4 +137,4 @@ def _expect_saved(file: Path) -> None:
     saved = {str(cell.get("id", "")): "".join(cell["source"]) for cell in read_notebook(file)["cells"]}
     changed = [cell for cell, text in ran.items() if cell in saved and text.strip() != saved[cell].strip()]
     if changed or not set(list(ran)[-1:]) <= set(saved):
-        raise NotNow(f"{file.name} is not saved as it was run: press Ctrl+S, then run this cell again.")
+        raise NotNow(f"{file.name} is not saved as it was run: press {typed.shortcut('S')}, then run this cell again.")

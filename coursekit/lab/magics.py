@@ -14,6 +14,7 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_
 
 from coursekit.core.child import ChildProcess
 from coursekit.core.session import current
+from coursekit.systems.letter_case import other_spelling
 from coursekit.systems.words import split_words
 
 from .errors import NotThere
@@ -110,6 +111,11 @@ class CourseMagics(Magics):
         name = line.strip()
         append = name.startswith("-a ")
         name = name.removeprefix("-a ").strip()
+        other = other_spelling(workspace() / name)
+        if other:
+            right = (Path(name).parent / other).as_posix()
+            print(f"Not written: {right} is there, and the same file on this computer. Type its name: %%write {right}")
+            return
         written = Written(workspace() / name)
         total = len((written.append(cell) if append else written.write(cell)).splitlines())
         print(f"Wrote {workspace().name}/{name} ({total} lines)")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import signal
 import sys
 from collections.abc import Callable, Iterator
 
@@ -12,6 +11,7 @@ from rclpy.executors import Executor, ExternalShutdownException
 from rclpy.node import Node
 
 from coursekit.core.process import ProcessKilled, current_process
+from coursekit.systems import signal_names
 
 
 @contextlib.contextmanager
@@ -56,7 +56,7 @@ def terminate(what: str, kind: str = "std::runtime_error") -> int:
     print(f"terminate called after throwing an instance of '{kind}'\n  what():  {what}", file=sys.stderr)
     rclpy.try_shutdown()
     if current_process() is not None:
-        raise ProcessKilled(signal.SIGABRT)
+        raise ProcessKilled(signal_names.ABORT)
     return 1
 
 

@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from coursekit.files import read_bytes, read_text
+from coursekit.systems import copies
 
 _RULES = ("setup.py", "setup.cfg", "CMakeLists.txt")
 """What a build reads; links to these change nothing before the next build."""
@@ -38,7 +39,8 @@ def build_fault(workspace: Path, package: str, of: Collection[str] = ()) -> str:
     if source is None or not newer:
         return ""
     installed = workspace / "install" / package
-    fresh = _linked([base, installed if installed.is_dir() else workspace / "install"])
+    prefix = installed if installed.is_dir() else workspace / "install"
+    fresh = _linked([base, prefix]) | copies.fresh_sources(prefix, package)
     for path in newer:
         if path.name in _RULES or not (_is_below(path, fresh) or _same_bytes(path, installed)):
             return f"{path.relative_to(source).as_posix()} of {package} was changed after the last build"

@@ -1,20 +1,34 @@
-"""`colcon build --symlink-install` where links are refused, as for most accounts on Windows: it copies, and says so."""
+"""`colcon build --symlink-install` where links are refused, as for most accounts on Windows: it needs none.
+
+Python modules are read from the source, whose folder comes first on PYTHONPATH, as the folder with the links does
+elsewhere. Data files are copied, and copied again by whoever looks their package up: coursekit.systems.copies.
+"""
 
 from __future__ import annotations
 
 import argparse
+import importlib
+import os
 from pathlib import Path
 from typing import Any
 
 from colcon_core.argument_parser import ArgumentParserDecorator, ArgumentParserDecoratorExtensionPoint
 from colcon_core.plugin_system import satisfies_version
+from colcon_core.shell import create_environment_hook
+from colcon_core.task.python import get_data_files_mapping, get_setup_data
+from colcon_core.task.python.build import PythonBuildTask
 
+from coursekit.systems import copies
 from coursekit.systems.links import can_link
 
-COPIES = (
-    "--symlink-install copies here, since this account may not make links: "
-    "run `colcon build` again after every change of a file"
-)
+_OWNERS = ("colcon_core.task.python.build", "colcon_ros.task.ament_python.build")
+"""The modules in which colcon finds its build of Python packages."""
+_stands_for_links = False
+
+
+def stands_for_links() -> bool:
+    """Whether links were asked for in this build and cannot be made."""
+    return _stands_for_links
 
 
 class LinksWherePossible(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
@@ -32,7 +46,57 @@ class LinksWherePossible(ArgumentParserDecoratorExtensionPoint):  # type: ignore
 class _Looking(ArgumentParserDecorator):  # type: ignore[misc]
     def parse_args(self, *args: Any, **kwargs: Any) -> argparse.Namespace:
         parsed: argparse.Namespace = self._parser.parse_args(*args, **kwargs)
-        if getattr(parsed, "symlink_install", False) and not can_link(Path(parsed.build_base).resolve()):
-            parsed.symlink_install = False
-            print(COPIES, flush=True)
+        if hasattr(parsed, "symlink_install"):
+            _prepare(parsed)
         return parsed
+
+
+def _prepare(parsed: argparse.Namespace) -> None:
+    global _stands_for_links
+    _stands_for_links = parsed.symlink_install and not can_link(Path(parsed.build_base).resolve())
+    parsed.symlink_install = parsed.symlink_install and not _stands_for_links
+    for owner in _OWNERS:
+        importlib.import_module(owner).PythonBuildTask = PythonBuild  # type: ignore[attr-defined]
+
+
+class PythonBuild(PythonBuildTask):  # type: ignore[misc]
+    """colcon's build of a Python package, which notes copies that stand for links."""
+
+    async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
+        """Return the exit code of the build."""
+        args, name = self.context.args, self.context.pkg.name
+        copies.forget(Path(args.install_base), name)
+        self._hooks = list(additional_hooks or [])
+        done = await super().build(additional_hooks=self._hooks)
+        return int(done or 0)
+
+    async def _undo_develop(self, pkg: Any, args: Any, env: Any) -> Any:
+        """colcon's step before it copies, when the environment of the build is known and scripts are not yet written."""
+        undone = await super()._undo_develop(pkg, args, env)
+        if not undone and _stands_for_links:
+            self._read_from_source(get_setup_data(pkg, env))
+        return undone
+
+    def _read_from_source(self, setup: dict[str, Any]) -> None:
+        args, name = self.context.args, self.context.pkg.name
+        source = Path(os.path.abspath(args.path))
+        folder = source / (setup.get("package_dir") or {}).get("", "")
+        modules = [folder / one for one in _modules(setup)]
+        if all(one.exists() for one in modules):
+            hook = ("pythonpath_develop", Path(args.build_base), name, "PYTHONPATH", str(folder))
+            self._hooks += create_environment_hook(*hook, mode="prepend")
+        else:  # `package_dir` gives them other names than their folders have
+            modules = []
+            print(f"{name} is copied: build it again after every change of a Python file", flush=True)
+        files = get_data_files_mapping(setup.get("data_files") or [])
+        noted = {Path(target).as_posix(): source / file for file, target in files.items()}
+        copies.note(Path(args.install_base), name, noted, modules)
+
+
+def _modules(setup: dict[str, Any]) -> list[str]:
+    """The folders and files that hold a package's modules, as their names say."""
+    folders = [one for one in setup.get("packages") or [] if "." not in one]
+    return folders + [one.replace(".", os.sep) + ".py" for one in setup.get("py_modules") or []]
+
+
+__all__ = ["LinksWherePossible", "PythonBuild", "stands_for_links"]

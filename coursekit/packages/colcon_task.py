@@ -26,7 +26,9 @@ from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import cmake_build, cmake_tests, cpp_hints, cpp_limits, install_rules, interface_rules
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
+from coursekit.packages.colcon_links import stands_for_links
 from coursekit.packages.prepare_cpp import prepared_toolchain
+from coursekit.systems import copies
 
 PACKAGE_TYPE = "ros.ament_cmake_files"
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
@@ -48,6 +50,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if not _NAME.fullmatch(package):  # it becomes the name of folders and of a Python package
             return self._fail([ValueError(f"{package!r} is no package name: use small letters, digits and _")])
         self._installed: list[str] = []
+        self._copied: dict[str, Path] = {}
         if not cmake_build.needs_compiler(Path(self.context.args.path)):
             return await self._copy_files("")
         try:
@@ -83,6 +86,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if code == 0:
             self._installed = cmake_build.installed(Path(self.context.args.build_base), Path(self.context.args.install_base))
             self._finish(package, [], "")
+            if stands_for_links():
+                print(f"{package} is copied: build it again after every change of a file", flush=True)
         return code
 
     def _depends(self) -> set[str]:
@@ -112,6 +117,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
                 self._create(f"include/{package}/{name}", text)
         for copy in install_rules.copies(reading, package, site):
             self._copy(copy.source, copy.target, copy.program)
+            self._copied[copy.target] = Path(os.path.abspath(copy.source))
         if (Path(self.context.args.path) / "package.xml").is_file():
             self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
         self._create(f"{_INDEX}/packages/{package}", "")
@@ -120,6 +126,14 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             self._create(f"share/{package}/cmake/{package}Config.cmake", config)
         if reading.targets:  # so that `ros2 run` can say why an executable is missing
             self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))
+
+    def _note_copies(self, package: str) -> None:
+        """Where links were asked for and refused, the copies are renewed without a build."""
+        prefix = Path(self.context.args.install_base)
+        if stands_for_links():
+            copies.note(prefix, package, self._copied)
+        else:
+            copies.forget(prefix, package)
 
     def _site_packages(self) -> str:
         base = Path(self.context.args.install_base)
@@ -143,6 +157,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
 
     def _finish(self, package: str, skipped: list[str], why: str) -> None:
         args = self.context.args
+        self._note_copies(package)
         self._forget_old()
         hooks = create_environment_hook(
             "ament_prefix_path", Path(args.install_base), package, "AMENT_PREFIX_PATH", "", mode="prepend"

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from coursekit.packages import cmake_templates, licenses, python_templates
 from coursekit.packages.recipe import Recipe, manifest
+from coursekit.systems.letter_case import other_spelling
 
 BUILD_TYPES = ("cmake", "ament_cmake", "ament_python")
 _NAME = re.compile(r"[a-zA-Z][a-zA-Z0-9_-]*")
@@ -108,6 +109,10 @@ def _refusal(recipe: Recipe, destination: str) -> str | None:
             cure = "use letters, digits, underscores and hyphens, as in my_node"
             return f"Aborted! {name!r} is no name of a node, a library or a package: {cure}"
     path = os.path.join(destination, recipe.name)
+    other = other_spelling(Path(path))
+    if other:
+        why = f"'{other}' and '{recipe.name}' are one folder here: this computer does not tell small letters from capitals"
+        return f"\nAborted!\n{why}. Choose another package name"
     if os.path.exists(path):
         cure = "Either remove the directory or choose a different destination directory or package name"
         return f"\nAborted!\nThe directory already exists: {path}\n{cure}"

@@ -6,9 +6,11 @@ before it is quoted, also not what runs during a build.
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import re
 import shlex
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +20,17 @@ from colcon_core.shell.template import expand_template
 
 from coursekit.files import read_text, write_whole
 from coursekit.packages.folder_name import refusal
+from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell
 
-_WRITERS = ("colcon_core.shell.sh", "colcon_bash.shell.bash", "colcon_zsh.shell.zsh")
-_SHELLS = (".sh", ".bash", ".zsh")
+_WRITERS = (
+    "colcon_core.shell.sh",
+    "colcon_core.shell.bat",
+    "colcon_bash.shell.bash",
+    "colcon_zsh.shell.zsh",
+    "colcon_powershell.shell.powershell",
+)
 _UTILITY = "_local_setup_util_sh.py"
+_UTILITY_OF_POWERSHELL = "_local_setup_util_ps1.py"
 
 _PATH_ALONE = re.compile(
     r"""^(\s*(?:export\s+)?\w+=          # NAME= or export NAME=
@@ -41,14 +50,14 @@ _QUOTING = '''class Quoting(str):
     """A line for the shell, in which a value between quotation marks stands for itself."""
 
     def format_map(self, words):
-        use = '$' + words.get('name', '')
+        use = 'USE' + words.get('name', '')
         return super().format_map({key: self.plain(value, use) for key, value in words.items()})
 
     def plain(self, value, use):
         start = use + os.pathsep if value.startswith(use + os.pathsep) else ''
         end = os.pathsep + use if value.endswith(os.pathsep + use) else ''
         inner = value[len(start):len(value) - len(end)]
-        return start + inner.translate({ord(sign): '\\\\' + sign for sign in '\\\\"$`'}) + end
+        return start + inner.translate({ord(sign): 'ESCAPE' + sign for sign in 'SIGNS'}) + end
 
 
 '''
@@ -63,7 +72,8 @@ class QuotingShell(ShellExtensionPoint):  # type: ignore[misc]
         super().__init__()
         satisfies_version(ShellExtensionPoint.EXTENSION_POINT_VERSION, "^2.2")
         for name in _WRITERS:
-            importlib.import_module(name).expand_template = expand_quoted  # type: ignore[attr-defined]
+            with contextlib.suppress(ModuleNotFoundError):  # PowerShell's is there on Windows only
+                importlib.import_module(name).expand_template = expand_quoted  # type: ignore[attr-defined]
 
     def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:
         """Write none."""
@@ -83,9 +93,9 @@ def expand_quoted(template_path: Path, destination_path: Path, data: dict[str, A
     if why:
         raise RuntimeError(why)
     expand_template(template_path, destination_path, data)
-    change = quoted if destination_path.suffix in _SHELLS else _quoted_utility if destination_path.name == _UTILITY else None
+    change = _CHANGES.get(destination_path.name) or _CHANGES.get(destination_path.suffix)
     if change is not None:
-        write_whole(destination_path, change(read_text(destination_path)))
+        write_whole(destination_path, as_bytes(change(read_text(destination_path)), destination_path.suffix))
 
 
 def quoted(script: str) -> str:
@@ -99,7 +109,23 @@ def quoted(script: str) -> str:
     return _COMMAND.sub(r'\1"\2" ', script).replace(_EXPORT, _SAFE_EXPORT)
 
 
-def _quoted_utility(program: str) -> str:
+def _quoted_utility(program: str, use: str = "$", escape: str = r"\\", signs: str = r'\\"$`') -> str:
     """The program whose output setup scripts run by `eval`: what it prints of paths is quoted."""
-    program = program.replace(_FIRST_FORMAT, _QUOTING + _FIRST_FORMAT, 1)
+    quoting = _QUOTING.replace("USE", use).replace("ESCAPE", escape).replace("SIGNS", signs)
+    program = program.replace(_FIRST_FORMAT, quoting + _FIRST_FORMAT, 1)
     return _PRINTED.sub(r"\1Quoting(\2)", program)
+
+
+def _quoted_utility_of_powershell(program: str) -> str:
+    """Likewise: `Invoke-Expression` runs what it prints, where a backquote makes the next sign one of the text."""
+    return _quoted_utility(program, "$env:", "`", "`$\"\u201c\u201d\u201e")
+
+
+_CHANGES: dict[str, Callable[[str], str]] = {
+    **dict.fromkeys((".sh", ".bash", ".zsh"), quoted),
+    ".bat": quoted_for_cmd,
+    ".ps1": quoted_for_powershell,
+    _UTILITY: _quoted_utility,
+    _UTILITY_OF_POWERSHELL: _quoted_utility_of_powershell,
+}
+"""What is done to a file, by its name or its ending."""

@@ -34,6 +34,15 @@ def is_arm_python_on_windows() -> bool:
     return which.WINDOWS and platform.machine().upper() == "ARM64" and "ARM64" in sys.version
 
 
+def socket_path_bytes() -> int:
+    """How many bytes the path of a socket may have, with the zero at its end; Windows has none of that kind.
+
+    >>> socket_path_bytes() >= 104
+    True
+    """
+    return 32767 if which.WINDOWS else 104 if which.MAC else 108
+
+
 def is_from_the_store() -> bool:
     """Whether this Python was installed from Microsoft's Store, which shows programs other folders than it writes to."""
     return which.WINDOWS and "WindowsApps" in sys.base_prefix

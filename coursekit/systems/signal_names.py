@@ -10,6 +10,7 @@ from typing import Any
 class _Elsewhere(enum.IntEnum):
     SIGHUP = 1
     SIGQUIT = 3
+    SIGABRT = 6
     SIGKILL = 9
     SIGUSR1 = 10
     SIGUSR2 = 12
@@ -19,6 +20,10 @@ class _Elsewhere(enum.IntEnum):
 
 _KNOWN: tuple[Any, ...] = (signal.Signals, _Elsewhere)
 """Those of this system, then those that Windows lacks."""
+
+
+ABORT = 6
+"""How Linux and macOS number SIGABRT, with which a C++ program ends that throws; Windows has it as 22."""
 
 
 def signal_called(which: str | int) -> signal.Signals:

@@ -17,6 +17,8 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from coursekit.files import is_file, is_folder
+from coursekit.systems import copies, which
+from coursekit.systems.uris import path_of
 
 from .errors import MeshError, close
 
@@ -68,6 +70,7 @@ def find_package(name: str, near: Path | None = None) -> Path:
     searched = package_paths()
     for folder in searched:
         if is_folder(folder / name):
+            copies.renew(folder.parent, name)
             return folder / name
         if folder.name == name and is_folder(folder):
             return folder
@@ -132,8 +135,9 @@ def find_file(uri: str, near: Path | None = None) -> Path:
     elif parts.scheme == "model":
         path = _in_models(uri, near)
     elif parts.scheme == "file":
-        path = Path(uri.removeprefix("file://"))  # most are written as they are; a '%' or '#' may be part of a name
-        path = path if path.is_absolute() and is_file(path) else Path(unquote(parts.path))
+        path = path_of(uri)  # most are written as they are; a '%' or '#' may be part of a name
+        computer = parts.netloc if which.WINDOWS else ""
+        path = path if path.is_absolute() and is_file(path) else path_of(f"file://{computer}{unquote(parts.path)}")
     elif len(parts.scheme) > 1:
         cure = "Use package://NAME/path, file:///path, or a path relative to the robot's file."
         raise MeshError(f"'{uri}' cannot be read: '{parts.scheme}://' is not known here", cure=cure)

@@ -1,7 +1,6 @@
 """Two notebooks are open: terminals speak to the one in which a cell was run last, and say so."""
 
 import os
-import pty
 import subprocess
 import sys
 
@@ -10,6 +9,7 @@ from jupyter_client.manager import start_new_kernel
 
 from coursekit.cli import endpoint
 
+pty = pytest.importorskip("pty", reason="Windows has no terminals of this kind")
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
 DOMAIN = 79
 START = "from coursekit.lab import *\nimport rclpy\nrclpy.init()\nnode = rclpy.create_node('{}')"

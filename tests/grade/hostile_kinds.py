@@ -205,5 +205,5 @@ HOSTILE = (
     Kind("results", 1, (7,), _right, called="x.results"),
     Kind("formula", 1, (7,), _right, called="=1+1;@SUM(1)"),
     Kind("terminal", 1, (7,), _right, called="a\n\x1b[2J\u202eb"),
-    Kind("no-utf-8", 1, (7,), _right, called=os.fsdecode(b"E\xffva")),
+    Kind("no-utf-8", 1, (7,), _right, called=b"E\xffva".decode("utf-8", "surrogateescape")),
 )  # fmt: skip

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from nbgrader.nbgraderformat.v3 import MetadataValidatorV3
 
 from coursekit.cli.coursekit import main
 from coursekit.grade.identifying import Identifier
@@ -21,6 +20,7 @@ from coursekit.grade.variants import Variants
 from .handed import TOPICS, cheap_mark, grade, write
 from .test_identifying import LISTS
 
+v3 = pytest.importorskip("nbgrader.nbgraderformat.v3", reason="NOT TESTED: the extra `nbgrader` is not installed")
 NOTEBOOKS = sorted((Path(__file__).resolve().parents[2] / "notebooks").glob("*.ipynb"))
 SOLUTION = re.compile(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", re.S)
 
@@ -62,7 +62,7 @@ def test_nbgrader_takes_the_metadata(file):
     for made in (json.loads(file.read_text()), released(json.loads(file.read_text()))):
         notebook = nbformat.from_dict(made)
         nbformat.validate(notebook)
-        MetadataValidatorV3().validate_nb(notebook)
+        v3.MetadataValidatorV3().validate_nb(notebook)
 
 
 def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):

@@ -8,6 +8,8 @@ from IPython.core.interactiveshell import InteractiveShell
 from coursekit.lab import magics
 from tests.paths.workspace import HOSTILE
 
+HOME = str(Path("/home") / HOSTILE)
+
 
 @pytest.fixture
 def words(monkeypatch):
@@ -28,10 +30,10 @@ def words(monkeypatch):
 
 def test_a_path_is_one_word_with_what_stands_beside_it(words):
     assert words("%ros2 run p e {place}/map -p f:={place} {real}/x") == [
-        "run", "p", "e", f"/home/{HOSTILE}/map", "-p", f"f:=/home/{HOSTILE}", f"{Path(__file__).parent}/x"
+        "run", "p", "e", f"{HOME}/map", "-p", f"f:={HOME}", f"{Path(__file__).parent}/x"
     ]  # fmt: skip
-    assert words("%ros2 service call /s t \"{{filename: {place}/graph}}\"")[-1] == f"{{filename: /home/{HOSTILE}/graph}}"
-    assert words("%ros2 run p e $place {place}")[2:] == ["e", f"/home/{HOSTILE}", f"/home/{HOSTILE}"]
+    assert words("%ros2 service call /s t \"{{filename: {place}/graph}}\"")[-1] == f"{{filename: {HOME}/graph}}"
+    assert words("%ros2 run p e $place {place}")[2:] == ["e", HOME, HOME]
 
 
 def test_other_values_are_as_many_words_as_they_hold(words):

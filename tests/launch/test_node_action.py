@@ -118,7 +118,7 @@ def test_invalid_names_are_errors(launch, workspace, entities) -> None:
 
 def test_the_log_folder_of_nodes_can_be_set(launch, workspace) -> None:
     workspace.executable("demo", "show", SHOW)
-    folder = Path("/x/y").absolute().as_posix()
+    folder = Path(workspace.prefix.anchor, "x/y").as_posix()
     assert f"[show-1] LOG {folder}" in launch([SetROSLogDir("/x/y"), node()]).lines
 
 

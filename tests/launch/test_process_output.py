@@ -114,7 +114,7 @@ def test_who_begins_to_listen_hears_the_rest_and_the_log_stays_whole(launch, tal
         handler = EventHandler(matcher=lambda event: isinstance(event, ProcessStdout), entities=hear)
     later = TimerAction(period=1.25, actions=[RegisterEventHandler(handler)])
     assert logged(launch([talk, later])) == EVERY
-    assert heard == EVERY[3:]
+    assert 0 < len(heard) < len(EVERY) and heard == EVERY[-len(heard) :]
 
 
 def test_with_debug_each_event_is_told(launch, talk) -> None:

@@ -1,5 +1,7 @@
 """The linters that packages' own tests call look at what Humble's look at."""
 
+from pathlib import Path
+
 import pytest
 from ament_copyright.main import main
 
@@ -25,7 +27,8 @@ def test_setup_py_elsewhere_needs_one(package, capsys):
     (package / "a" / "setup.py").write_text("x = 1\n")
     assert main(argv=["."]) == 1
     said = capsys.readouterr()
-    assert said.err == "a/setup.py: could not find copyright notice\n" and said.out == "1 errors, checked 3 files\n"
+    assert said.err == f"{Path('a/setup.py')}: could not find copyright notice\n"
+    assert said.out == "1 errors, checked 3 files\n"
 
 
 @pytest.mark.parametrize("folder", ["_build", ".hidden", "ignored"])

@@ -161,8 +161,8 @@ def test_executables_are_listed(ros2_pkg, tmp_path, monkeypatch):
         (tmp_path / name).chmod(0o755)
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
     assert ros2_pkg("executables", "mine")[1] == "mine a_exe\nmine b_exe\n"
-    assert ros2_pkg("executables", "mine", "--full-path")[1].splitlines()[0] == str(
-        tmp_path / "lib/mine/a_exe"
+    assert ros2_pkg("executables", "mine", "--full-path")[1].splitlines()[0] == slashed(
+        str(tmp_path / "lib/mine/a_exe")
     )
 
 

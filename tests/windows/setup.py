@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import shutil
 import sys
+from typing import Any
 
 from . import lacking, windows_python, wine
 
@@ -13,7 +14,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-ONLY_OUTSIDE = ("playwright", "nbgrader", "robot-properties", "pin>", "ruff", "mypy", "types-")
+ONLY_OUTSIDE = ("playwright", "nbgrader", "robot-properties", "pin>", "ruff", "mypy", "types-", "check-jsonschema")
 """Of the test's packages, those that are of no use in Wine: browsers, lint, types, what has no wheel for Windows."""
 _stamp = wine.HOME / "stamp"
 
@@ -42,14 +43,19 @@ def _install(*words: str) -> None:
 
 
 def _test_packages() -> list[str]:
-    with open(wine.ROOT / "pyproject.toml", "rb") as file:
-        wanted = tomllib.load(file)["project"]["optional-dependencies"]["test"]
+    wanted = _project()["optional-dependencies"]["test"]
     return [one for one in wanted if not one.startswith(ONLY_OUTSIDE)]
+
+
+def _project() -> dict[str, Any]:
+    """What is installed, and which commands it has; lint and the like, which stand in the same file, change nothing."""
+    with open(wine.ROOT / "pyproject.toml", "rb") as file:
+        return dict(tomllib.load(file)["project"])
 
 
 def _state(version: str) -> str:
     here = wine.ROOT / "tests" / "windows"
     makers = [*here.glob("*.c"), here / "lacking.py", here / "setup.py", here / "windows_python.py"]
-    files = [wine.ROOT / "pyproject.toml", wine.ROOT / "requirements.lock", *sorted(makers)]
-    said = [version.encode(), str(wine.ROOT).encode(), *(one.read_bytes() for one in files)]
+    files = [wine.ROOT / "requirements.lock", *sorted(makers)]
+    said = [version.encode(), str(wine.ROOT).encode(), repr(_project()).encode(), *(one.read_bytes() for one in files)]
     return hashlib.sha256(b"".join(said)).hexdigest()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import select
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,8 @@ HOME = Path(os.environ.get("COURSEKIT_WINE") or Path.home() / ".cache" / "course
 VENV = HOME / "venv"
 COMMANDS = HOME / "commands"
 PYTHON = VENV / "Scripts" / "python.exe"
+LOOK_SECONDS = 0.5
+"""How often it is looked whether a program that says nothing has ended."""
 _UNWANTED = ("PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED", "PIP_FIND_LINKS", "VIRTUAL_ENV")
 """Settings of the system outside that mean something else inside."""
 
@@ -77,10 +80,22 @@ def run(
         assert child.stdin and child.stdout
         child.stdin.close()
         out = to or sys.stdout.buffer
-        while data := os.read(child.stdout.fileno(), 65536):
+        while _has_more(child):
+            data = os.read(child.stdout.fileno(), 65536)
+            if not data:
+                break
             out.write(data)
             out.flush()
         return child.wait()
+
+
+def _has_more(child: subprocess.Popen[bytes]) -> bool:
+    """Whether there is something to read, or may be: what a program left in the background may hold the pipe for minutes."""
+    assert child.stdout
+    while not select.select([child.stdout], [], [], LOOK_SECONDS)[0]:
+        if child.poll() is not None:
+            return False
+    return True
 
 
 def must_run(*words: str | Path) -> None:

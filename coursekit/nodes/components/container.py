@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ from rclpy.node import Node
 from coursekit.core.components import find_component
 from coursekit.core.process import current_process
 from coursekit.nodes.running import run
+from coursekit.systems import signal_names
 
 from .loading import LoadedComponent
 
@@ -67,7 +67,7 @@ class ComponentManager(Node):
         """A component ended by itself; one that crashed takes the container along, as in ROS 2."""
         component = self._loaded.pop(number, None)
         if component is not None and component.process.exit_code and self._process is not None:
-            self._process.send_signal(signal.SIGABRT)
+            self._process.send_signal(signal_names.ABORT)
 
     def _unload(self, request: UnloadNode.Request, response: UnloadNode.Response) -> UnloadNode.Response:
         component = self._loaded.pop(request.unique_id, None)

@@ -9,6 +9,7 @@ from pathlib import Path
 from ament_index_python.resources import get_resource, get_resources
 from ament_index_python.search_paths import get_search_paths
 from coursekit.core.elsewhere import remark
+from coursekit.systems import copies
 
 
 class PackageNotFoundError(KeyError):
@@ -30,11 +31,13 @@ def get_package_prefix(package_name: str) -> str:
     if re.fullmatch("[a-zA-Z0-9][a-zA-Z0-9_-]+", package_name, re.ASCII) is None:
         raise ValueError(f"'{package_name}' is not a valid package name")
     try:
-        return get_resource("packages", package_name)[1]
+        prefix = get_resource("packages", package_name)[1]
     except LookupError:
         text = f"package '{package_name}' not found, searching: {get_search_paths()}"
         why = remark(package_name)
         raise PackageNotFoundError(f"{text}; {why}" if why else text) from None
+    copies.renew(Path(prefix), package_name)
+    return prefix
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:

@@ -13,6 +13,7 @@ from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
 from coursekit.files import read_text, write_whole
+from coursekit.systems.uris import path_of
 
 default_camera_info_url = "file://${ROS_HOME}/camera_info/${NAME}.yaml"
 """Where a calibration is kept that has no other place."""
@@ -46,7 +47,7 @@ def _file_of(url: str) -> Path:
         except PackageNotFoundError as fault:
             raise CameraInfoError(f"{url}: {fault}") from fault
     if url.startswith("file://"):
-        return Path(url.removeprefix("file://"))
+        return path_of(url)
     raise CameraInfoError(f"Invalid camera info URL: '{url}': give file:///PATH or package://PACKAGE/PATH")
 
 

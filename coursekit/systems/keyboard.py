@@ -1,4 +1,7 @@
-"""The keyboard of a terminal, which belongs to the job in its foreground: a job in the background waits for its turn."""
+"""The keyboard of a terminal, which belongs to the job in its foreground: a job in the background waits for its turn.
+
+On Windows it is the console's: a key that a terminal of Linux sends as several bytes comes as these bytes.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,8 @@ import time
 from types import TracebackType
 from typing import Any
 
+from . import console
+
 try:
     import termios
     import tty
@@ -19,6 +24,8 @@ except ImportError:  # Windows
 
 TURN_SECONDS = 0.2
 """A job in the background looks so often whether it was brought to the front."""
+KEY_SECONDS = 0.01
+"""Windows' console is looked at so often: a read could not be ended, once a program wants keys instead of lines."""
 _JOB_SIGNALS = [getattr(signal, name) for name in ("SIGTTIN", "SIGTTOU") if hasattr(signal, name)]
 
 
@@ -31,6 +38,7 @@ class Keyboard:
     def __init__(self) -> None:
         self._number = sys.stdin.fileno()
         self._is_terminal = termios is not None and os.isatty(self._number)
+        self._is_console = console.is_there(self._number)
         self._wants_keys = False
         self._before: Any = None
         self._handlers: dict[Any, Any] = {}
@@ -71,12 +79,25 @@ class Keyboard:
         """What was typed, empty at the end; in the background it waits."""
         while True:
             self._set()
+            if self._is_console and (key := self._key_of_console()):
+                return key
             try:
                 return os.read(self._number, 4096)
             except OSError as error:
                 if error.errno != errno.EIO or not self._is_terminal or self.in_front() or not _has_shell(self._number):
                     raise
             time.sleep(TURN_SECONDS)
+
+
+    def _key_of_console(self) -> bytes:
+        """The next key; nothing when a line is being typed, which is then to be read."""
+        while True:
+            while not console.has_key():
+                time.sleep(KEY_SECONDS)
+            if not self._wants_keys:
+                return b""
+            if key := console.key():
+                return key.encode()
 
 
 def _has_shell(number: int) -> bool:

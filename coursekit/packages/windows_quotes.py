@@ -1,0 +1,72 @@
+"""Setup scripts for Windows' shells, made right for folders of any name: PowerShell runs nothing that stands in one."""
+
+from __future__ import annotations
+
+import re
+
+QUOTES = "'\u2018\u2019\u201a\u201b"
+"""What ends a word between single quotation marks in PowerShell: curly marks count as straight ones."""
+_ABSOLUTE = r"(?:[A-Za-z]:|\\\\|/).*"
+_ALONE = re.compile(
+    r"""^(\s*(?:\$_colcon_python_executable=|\.\ |_colcon_prefix_chain_powershell_source_script\ ))"""
+    rf""""({_ABSOLUTE})"$""",
+    re.M | re.X,
+)
+_HOOK = re.compile(rf'^(colcon_\w+_unique_value \w+ )"\$env:COLCON_CURRENT_PREFIX[\\/]({_ABSOLUTE})"$', re.M)
+_WILD = re.compile(r"\b(Test-Path|Get-Item) (?=\$_colcon_\w+_param\b|\$_colcon_package_source|\"\$|\$PSCommandPath)")
+
+_CMD_HOOK = re.compile(rf'^(call:colcon_\w+_unique_value \w+ )"({_ABSOLUTE})"$', re.M)
+_CMD_CHAIN = re.compile(rf'^(call:_colcon_prefix_chain_bat_call_script )"({_ABSOLUTE})"$', re.M)
+_CMD_PYTHON = re.compile(rf'^(\s*set "_colcon_python_executable=)({_ABSOLUTE})"$', re.M)
+
+
+def powershell_quote(text: str) -> str:
+    """A word in which PowerShell replaces nothing.
+
+    >>> print(powershell_quote("C:/Tim's $(calc)"))
+    'C:/Tim''s $(calc)'
+    """
+    return "'" + "".join(sign * 2 if sign in QUOTES else sign for sign in text) + "'"
+
+
+def quoted_for_powershell(script: str) -> str:
+    r"""A script of colcon's in which every path stands for itself, and a folder elsewhere is not sought below the prefix.
+
+    >>> print(quoted_for_powershell('. "C:\\$(calc)\\package.ps1"'))
+    . 'C:\$(calc)\package.ps1'
+    """
+    script = _ALONE.sub(lambda found: found[1] + powershell_quote(found[2]), script)
+    script = _HOOK.sub(lambda found: found[1] + powershell_quote(found[2]), script)
+    return _WILD.sub(r"\1 -LiteralPath ", script)
+
+
+def quoted_for_cmd(script: str) -> str:
+    r"""A batch file of colcon's in which a percent sign or a caret of a path is one.
+
+    `call` reads its line twice, so it is given the name of a variable instead of the path.
+
+    >>> print(quoted_for_cmd('call:colcon_prepend_unique_value PYTHONPATH "C:\\100%d"'))
+    set "_colcon_path=C:\100%%d"
+    call:colcon_prepend_unique_value PYTHONPATH "%%_colcon_path%%"
+    """
+    for line in (_CMD_HOOK, _CMD_CHAIN):
+        script = line.sub(lambda found: f'set "_colcon_path={_percent(found[2])}"\n{found[1]}"%%_colcon_path%%"', script)
+    return _CMD_PYTHON.sub(lambda found: f'{found[1]}{_percent(found[2])}"', script)
+
+
+def as_bytes(script: str, ending: str) -> bytes:
+    """A script as its shell reads it: cmd wants Windows' line ends and its code page, PowerShell a mark of UTF-8."""
+    if ending == ".bat":
+        lines = script.replace("\n", "\r\n")
+        try:
+            return lines.encode("oem")
+        except (LookupError, UnicodeEncodeError):  # not on Windows, or a letter that no page of this computer has
+            return lines.encode()
+    return script.encode("utf-8-sig" if ending == ".ps1" and not script.isascii() else "utf-8")
+
+
+def _percent(path: str) -> str:
+    return path.replace("%", "%%")
+
+
+__all__ = ["as_bytes", "powershell_quote", "quoted_for_cmd", "quoted_for_powershell"]

@@ -1,0 +1,59 @@
+"""Copies that stand for links: renewed when their package is looked up, and never anything else than its own files."""
+
+import os
+
+import pytest
+
+from coursekit.core.executables import prefix_of
+from coursekit.systems import copies
+
+
+@pytest.fixture
+def prefix(tmp_path, monkeypatch):
+    """A prefix with one package, one file of which is a copy."""
+    index = tmp_path / "install" / "share" / "ament_index" / "resource_index" / "packages"
+    index.mkdir(parents=True)
+    (index / "talks").touch()
+    (tmp_path / "install" / "copy.yaml").write_text("old", encoding="utf-8")
+    (tmp_path / "source.yaml").write_text("new text", encoding="utf-8")
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path / "install"))
+    return tmp_path / "install"
+
+
+def test_who_looks_a_package_up_gets_files_as_new_as_their_sources(prefix):
+    copies.note(prefix, "talks", {"copy.yaml": prefix.parent / "source.yaml"})
+    assert prefix_of("talks") == prefix
+    assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "new text"
+    assert sorted(one.name for one in prefix.iterdir()) == ["copy.yaml", "share"]
+
+
+def test_a_copy_that_is_newer_stays(prefix):
+    source = prefix.parent / "source.yaml"
+    source.write_text("NEW", encoding="utf-8")
+    os.utime(source, ns=(0, 0))
+    copies.note(prefix, "talks", {"copy.yaml": source})
+    copies.renew(prefix, "talks")
+    assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "old"
+
+
+def test_a_source_that_is_gone_leaves_the_copy(prefix):
+    copies.note(prefix, "talks", {"copy.yaml": prefix / "gone.yaml"})
+    copies.renew(prefix, "talks")
+    assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "old"
+
+
+def test_nothing_outside_of_the_prefix_is_written(prefix):
+    outside = prefix.parent / "mine.txt"
+    outside.write_text("mine", encoding="utf-8")
+    source = prefix.parent / "source.yaml"
+    copies.note(prefix, "talks", {"../mine.txt": source, str(outside): source})
+    copies.renew(prefix, "talks")
+    assert outside.read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"files": 3, "modules": "x"}', '{"files": {"a": null}, "modules": {}}'])
+def test_a_list_that_is_none_is_no_list(prefix, text):
+    copies.note(prefix, "talks", {})
+    (prefix / copies.LISTS / "talks").write_text(text, encoding="utf-8")
+    copies.renew(prefix, "talks")
+    copies.fresh_sources(prefix, "talks")

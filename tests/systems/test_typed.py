@@ -1,0 +1,54 @@
+"""Messages name what the reader's computer has: its shell's words, and the key beside the space bar."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from coursekit.cli import checks, runtime_folder
+from coursekit.systems import typed, which
+
+ROOT = Path(__file__).resolve().parents[2]
+PLACES = ("coursekit/systems/typed.py", "coursekit/systems/rights.py")
+_ONLY_ONE_SYSTEM = re.compile(r"press Ctrl[+-]|[\"']export [A-Z_]+=|source install/|pip install '")
+
+
+@pytest.fixture(params=["linux", "mac", "windows"])
+def system(request, monkeypatch):
+    """One of the three, as the room for systems sees it."""
+    monkeypatch.setattr(which, "WINDOWS", request.param == "windows")
+    monkeypatch.setattr(which, "MAC", request.param == "mac")
+    return request.param
+
+
+def test_each_system_is_told_its_own_words(system):
+    assert typed.source_workspace() == {
+        "linux": "source install/setup.bash",
+        "mac": "source install/setup.zsh",
+        "windows": r". install\setup.ps1",
+    }[system]
+    assert typed.shortcut("S") == ("Cmd+S" if system == "mac" else "Ctrl+S")
+    assert typed.set_variable("A", "b") == ('$env:A = "b"' if system == "windows" else "export A=b")
+
+
+def test_where_no_runtime_folder_is_safe_the_cure_is_this_system_s(system, monkeypatch):
+    monkeypatch.setattr(runtime_folder, "_fault", lambda path: "it is taken")
+    with pytest.raises(PermissionError, match=re.escape(typed.set_variable("COURSEKIT_RUNTIME_DIR", "~/coursekit-run"))):
+        runtime_folder.choose()
+
+
+def test_a_version_is_asked_for_in_marks_that_every_shell_knows(monkeypatch):
+    monkeypatch.setattr(checks, "_installed", lambda name: "99.0")
+    assert checks.kernel_version().cure.endswith('pip install "ipykernel>=7.0,<7.4"')
+
+
+def test_no_message_has_words_of_one_system_only():
+    files = [one for one in sorted((ROOT / "coursekit").rglob("*.py")) if one.relative_to(ROOT).as_posix() not in PLACES]
+    found = [
+        f"{file.relative_to(ROOT)}:{number}: {line.strip()}"
+        for file in files
+        if "share" not in file.parts and "chapters" not in file.parts
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1)
+        if _ONLY_ONE_SYSTEM.search(line) and '"""' not in line
+    ]
+    assert not found, "ask coursekit.systems.typed in:\n" + "\n".join(found)

@@ -1,0 +1,55 @@
+"""The lock names one version of each package for every computer, and one that there is for it."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.version import Version
+
+LINES = (Path(__file__).resolve().parents[1] / "requirements.lock").read_text(encoding="utf-8").splitlines()
+LOCKED = [Requirement(line) for line in LINES if line and not line.startswith("#")]
+COMPUTERS = [("linux", "x86_64"), ("linux", "aarch64"), ("darwin", "arm64"), ("darwin", "x86_64"), ("win32", "AMD64")]
+PYTHONS = ["3.10", "3.11", "3.12", "3.13", "3.14"]
+NEWEST_FOR_INTEL_MACS = {"numba": "0.62.1", "llvmlite": "0.45.1", "numpy": "2.3.5", "scipy": "1.17.1"}
+"""Of packages that make none any more for these, or that Numba 0.62 does not take newer."""
+
+
+def locked(computer: tuple[str, str], python: str) -> list[Requirement]:
+    """What the lock names for such a computer."""
+    system = {"linux": "Linux", "darwin": "Darwin", "win32": "Windows"}[computer[0]]
+    facts = {
+        "sys_platform": computer[0],
+        "platform_machine": computer[1],
+        "platform_system": system,
+        "os_name": "nt" if system == "Windows" else "posix",
+        "python_version": python,
+        "python_full_version": f"{python}.5",
+        "implementation_name": "cpython",
+        "platform_python_implementation": "CPython",
+    }
+    return [one for one in LOCKED if one.marker is None or one.marker.evaluate(facts)]
+
+
+@pytest.mark.parametrize(("computer", "python"), list(itertools.product(COMPUTERS, PYTHONS)))
+def test_no_package_has_two_versions(computer: tuple[str, str], python: str) -> None:
+    names = [one.name for one in locked(computer, python)]
+    assert len(names) == len(set(names)) and set(NEWEST_FOR_INTEL_MACS) <= set(names)
+
+
+@pytest.mark.parametrize("python", PYTHONS[:-1])
+def test_a_mac_with_intel_s_processor_gets_versions_that_there_are_for_it(python: str) -> None:
+    versions = {one.name: Version(str(one.specifier).removeprefix("==")) for one in locked(("darwin", "x86_64"), python)}
+    assert all(versions[name] <= Version(newest) for name, newest in NEWEST_FOR_INTEL_MACS.items())
+
+
+def test_other_computers_are_not_held_back_by_it() -> None:
+    for computer in COMPUTERS:
+        if computer != ("darwin", "x86_64"):
+            assert all(
+                Version(str(one.specifier).removeprefix("==")) > Version(NEWEST_FOR_INTEL_MACS[one.name])
+                for one in locked(computer, "3.12")
+                if one.name in NEWEST_FOR_INTEL_MACS
+            )

@@ -69,6 +69,8 @@ class Process(Interruptible):
         self.locals: dict[Any, Any] = {}
         """What other rooms keep per process: the default rclpy context, log levels, ..."""
         self.cleanups: list[Callable[[], None]] = []
+        self.before_join: list[Callable[[], None]] = []
+        """Called when its main() has ended, before its threads are waited for: pools let go of those without work."""
         self.at_exit: list[functools.partial[Any]] = []
         self.out = Output()
         self.tty = False
@@ -154,6 +156,7 @@ class Process(Interruptible):
         try:
             enter_folder(self.cwd)
             code = self._call_main()
+            self._call_all(self.before_join)
             self._join_threads()
             self._call_all(reversed(self.at_exit))
         except ProcessKilled as death:
@@ -213,7 +216,7 @@ class Process(Interruptible):
         self.session.forget(self)
         for listener in self._exit_listeners:
             listener(self)
-        for kept in (self._exit_listeners, self.cleanups, self.on_signal, self.locals):
+        for kept in (self._exit_listeners, self.before_join, self.cleanups, self.on_signal, self.locals):
             kept.clear()  # type: ignore[attr-defined]
         self._ended.set()
 

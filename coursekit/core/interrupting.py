@@ -117,6 +117,8 @@ class Interruptible:
     def _cut_off(self) -> None:
         if self.exit_code is None:
             self.abandoned = True
+            if self._lane is not None and not self.session.clock.virtual:
+                self.session.cut_off.append(self._lane.ident)
             self.out.write(
                 "stderr",
                 f"[coursekit] process {self.name} [{self.pid}] does not answer: it was cut off from the graph, "

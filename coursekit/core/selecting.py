@@ -16,7 +16,7 @@ STEP = 0.02
 """Seconds between two looks at the files."""
 
 
-def _patient(real: Callable[..., Any]) -> Callable[..., Any]:
+def patient(real: Callable[..., Any]) -> Callable[..., Any]:
     """Such a `select` for a process of a session: on the virtual clock the others go on while it waits."""
 
     def select(self: Any, timeout: float | None = None) -> Any:
@@ -42,10 +42,4 @@ def _kinds() -> list[Any]:
     return [selectors.DefaultSelector, *windows]
 
 
-_PATIENT = [(kind, _patient(kind.select)) for kind in _kinds()]
-
-
-def install() -> None:
-    """Put it in place; harmless when it is there already."""
-    for kind, select in _PATIENT:
-        kind.select = select
+KINDS = tuple(_kinds())

@@ -13,7 +13,6 @@ from typing import Any
 import ipywidgets
 
 from coursekit.cli.kernel import hear_all, keep_output_in_cells
-from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
 
@@ -42,7 +41,7 @@ def start() -> Session:
     os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
     with contextlib.suppress(OSError):  # a folder that can only be read may still be looked at; writing says what is wrong
         os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
-    streams.install()
+    session.open()
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
         session.embedded = True

@@ -72,12 +72,16 @@ def _help(helper: str) -> None:
 
 
 def watch_imports(_nothing: object = None) -> Callable[[], None]:
-    """Lend a hand to what is imported already, and to the rest when it comes; returns what ends it."""
+    """Lend a hand to what will be imported; returns what ends it."""
     sys.meta_path.insert(0, _finder)
+    return lambda: _remove(_finder)
+
+
+def lend_to_imported() -> None:
+    """Lend a hand to what has been imported already; harmless when that is done."""
     for name, helper in HELPERS.items():
         if is_imported(name):
             _help(helper)
-    return lambda: _remove(_finder)
 
 
 def tell_elsewhere(_nothing: object = None) -> Callable[[], None]:

@@ -5,6 +5,7 @@ What is replaced stands in the table of `coursekit.core.patches`; no other modul
 
 from __future__ import annotations
 
+import contextlib
 import pkgutil
 import sys
 import threading
@@ -40,6 +41,7 @@ class Patch:
     versions: str = "3.10 to 3.14"
     bare: Callable[[Any], Any] = field(default=lambda value: value, repr=False)
     """What a value is without a replacement around it that came back in the meantime."""
+    _owner: Any = field(default=None, init=False, repr=False)
     _found: Any = field(default=_MISSING, init=False, repr=False)
     _ours: Any = field(default=_MISSING, init=False, repr=False)
 
@@ -67,10 +69,10 @@ class Patch:
 
     def _place(self) -> tuple[Any, str]:
         path, _, name = self.target.rpartition(".")
-        try:
-            return pkgutil.resolve_name(path), name
-        except (ImportError, AttributeError):  # another system's module
-            return None, name
+        if self._owner is None:
+            with contextlib.suppress(ImportError, AttributeError):  # another system's module
+                self._owner = pkgutil.resolve_name(path)
+        return self._owner, name
 
 
 @dataclass(eq=False)
@@ -110,11 +112,16 @@ class Door:
 
     def enter(self, session: Any, *groups: str) -> None:
         """Put the patches of `groups` in place until `session` closes; also those that somebody has overwritten."""
+        from .on_import import lend_to_imported
+
         with self._lock:
+            is_new = session not in self._wanted[IMPORTS]
             for group in groups:
                 if session not in self._wanted[group]:
                     self._wanted[group].append(session)
             self.renew()
+        if is_new:
+            lend_to_imported()  # outside of the lock: it imports, and who imports a library may be waiting to lend
 
     def renew(self) -> None:
         """Put in place again what is wanted, and has been overwritten: pytest gives each test streams of its own."""
@@ -140,7 +147,9 @@ class Door:
         with self._lock:
             known = {patch.target for patch in self._lent}
             self._lent += [patch for patch in patches if patch.target not in known]
-            self.renew()
+            for patch in self._lent:
+                if self._wanted[patch.group]:
+                    patch.put()
 
     def is_open(self) -> bool:
         """Whether any session wants patches."""

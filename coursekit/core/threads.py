@@ -96,9 +96,30 @@ def start(self: threading.Thread) -> None:
         try:
             run()
         finally:
+            _tell_python_of_end(self)
             ended.set()
 
     session.clock.spawn(lane_main, self.name)
+
+
+class _EndedHandle:
+    """What a thread has from Python 3.13 on to ask the system whether it has ended."""
+
+    ident = 0
+
+    def is_done(self) -> bool:
+        return True
+
+    def join(self, timeout: float | None = None) -> None:
+        pass
+
+
+def _tell_python_of_end(thread: threading.Thread) -> None:
+    """Let `is_alive` and `join` of Python's own know that a lane has ended: ours are taken back with the session."""
+    if hasattr(thread, "_handle"):
+        thread._handle = _EndedHandle()
+    else:
+        thread._is_stopped = True  # type: ignore[attr-defined]
 
 
 def join(self: threading.Thread, timeout: float | None = None) -> None:

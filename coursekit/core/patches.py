@@ -1,7 +1,7 @@
 """The table of all that stands in the place of something of Python's: what, why, and which test shows it.
 
 Libraries' patches are lent when the library is imported (`coursekit.view.highgui`, `coursekit.view.plots`). The
-document docs/patches.md is made from this table: `python -m coursekit.core.patches`.
+document docs/patches.md is made from this table: `python -m tests.core.patch_table`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from .patching import IMPORTS, PRIVATE, VIRTUAL, Change, Patch, always
 _STREAMS, _THREADS = "tests/core/test_streams.py", "tests/core/test_threads.py"
 _KEYBOARD, _SESSION, _LEAVING = "tests/core/test_keyboard.py", "tests/core/test_session.py", "tests/core/test_leaving.py"
 _OWN_CLOCK = "on the virtual clock a program reads the session's time"
+_ASYNCIO, _SELECTING = "asyncio waits by the session's clock", "tests/core/test_selecting.py"
 _LOCK = "a lane that waits for a lock lets the others run"
 _KEYS = "a program that wants single keys gets those that are typed to its process"
 
@@ -36,12 +37,14 @@ TABLE: tuple[Patch, ...] = (
     *(Patch(f"{module}.{name}", always(function), _KEYS, _KEYBOARD)
       for module in ("termios", "tty")
       for name, function in (("tcgetattr", keyboard.tcgetattr), ("tcsetattr", keyboard.tcsetattr))),
-    *(Patch(f"msvcrt.{function.__name__}", always(function), f"{_KEYS}, on Windows", "tests/core/test_console_keys.py")
+    *(Patch(f"msvcrt.{function.__name__}", always(function), f"{_KEYS}, on Windows", "tests/core/test_console_keys.py",
+            only_on="win32")
       for function in console_keys.FUNCTIONS),
     Patch("atexit.register", always(leaving.register), "what a program registers runs when it ends", _LEAVING),
     Patch("atexit.unregister", always(leaving.unregister), "what a program registers runs when it ends", _LEAVING),
-    *(Patch(f"{kind.__module__}.{kind.__qualname__}.select", selecting.patient, "asyncio waits by the session's clock",
-            "tests/core/test_selecting.py") for kind in selecting.KINDS),
+    Patch("selectors.DefaultSelector.select", selecting.patient, _ASYNCIO, _SELECTING),
+    Patch("asyncio.windows_events.IocpProactor.select", selecting.patient, f"{_ASYNCIO}, on Windows", _SELECTING,
+          only_on="win32"),
     Patch("threading.Thread.start", always(threads.start), "a thread belongs to the process that starts it", _THREADS),
     Patch("threading.Thread.join", always(threads.join), "Ctrl-C ends the wait for a thread", _THREADS),
     Patch("threading.Thread.is_alive", always(threads.is_alive), "a lane of the virtual clock is a thread", _THREADS),

@@ -14,9 +14,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 _MISSING: Any = object()
-PROCESSES, VIRTUAL, IMPORTS, PRIVATE = "processes", "virtual", "imports", "private modules"
+IMPORTS, PROCESSES, VIRTUAL, PRIVATE = "any session", "processes", "virtual clock", "private modules"
+KERNEL = "kernel"
 GROUPS = (IMPORTS, PROCESSES, VIRTUAL, PRIVATE)
-"""When a patch is in place: with any session; once a process runs; on the virtual clock; once modules are private."""
+"""While what a patch is in place: any session; one with processes; a virtual clock; processes with modules of their own.
+
+Those of KERNEL mend a notebook's kernel for as long as it runs; the door does not look after them.
+"""
 
 
 @dataclass(eq=False)
@@ -24,7 +28,7 @@ class Patch:
     """One name of Python's or of a library's, and what stands there while sessions are open.
 
     >>> import string
-    >>> patch = Patch("string.digits", lambda real: real[::-1], "an example", "tests/core/test_patching.py")
+    >>> patch = Patch("string.digits", lambda real: real[::-1], "an example", "tests/core/test_patches.py")
     >>> patch.put(); string.digits
     '9876543210'
     >>> patch.take_back(); string.digits
@@ -39,9 +43,11 @@ class Patch:
     """The test file that shows what it is for."""
     group: str = PROCESSES
     versions: str = "3.10 to 3.14"
+    only_on: str = ""
+    """The value of sys.platform without which there is no such name."""
     bare: Callable[[Any], Any] = field(default=lambda value: value, repr=False)
     """What a value is without a replacement around it that came back in the meantime."""
-    _owner: Any = field(default=None, init=False, repr=False)
+    _owner: Any = field(default=_MISSING, init=False, repr=False)
     _found: Any = field(default=_MISSING, init=False, repr=False)
     _ours: Any = field(default=_MISSING, init=False, repr=False)
 
@@ -69,9 +75,11 @@ class Patch:
 
     def _place(self) -> tuple[Any, str]:
         path, _, name = self.target.rpartition(".")
-        if self._owner is None:
-            with contextlib.suppress(ImportError, AttributeError):  # another system's module
-                self._owner = pkgutil.resolve_name(path)
+        if self._owner is _MISSING:
+            self._owner = None
+            if self.only_on in ("", sys.platform):
+                with contextlib.suppress(ImportError, AttributeError):  # another system's module
+                    self._owner = pkgutil.resolve_name(path)
         return self._owner, name
 
 
@@ -128,6 +136,13 @@ class Door:
         with self._lock:
             for patch in self.table():
                 if self._wanted[patch.group]:
+                    patch.put()
+
+    def put_at_once(self, target: str) -> None:
+        """Put one patch in place before any session wants it; it goes when the last session does."""
+        with self._lock:
+            for patch in self.table():
+                if patch.target == target:
                     patch.put()
 
     def leave(self, session: Any) -> None:

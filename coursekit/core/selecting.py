@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import importlib
-import selectors
 from collections.abc import Callable
 from typing import Any
-
-from coursekit.systems import which
 
 from .clock import waited_ns
 from .whose import current_process
@@ -34,12 +30,3 @@ def patient(real: Callable[..., Any]) -> Callable[..., Any]:
                 clock.sleep(left)
 
     return select
-
-
-def _kinds() -> list[Any]:
-    """What asyncio's loops wait with; on Windows they have one more, of that system's own."""
-    windows = [importlib.import_module("asyncio.windows_events").IocpProactor] if which.WINDOWS else []
-    return [selectors.DefaultSelector, *windows]
-
-
-KINDS = tuple(_kinds())

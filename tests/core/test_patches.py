@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.core import patches
-from coursekit.core.patching import GROUPS, Patch, always
+from coursekit.core.patching import GROUPS, KERNEL, Patch, always
+from tests.core.patch_table import DOCUMENT, document, rows
 
 ROOT = Path(__file__).parents[2]
 
@@ -137,19 +137,17 @@ def names(place):
 
 
 def test_each_row_names_a_test_that_there_is_and_a_group():
-    for row in door_rows():
+    for row in rows():
         assert (ROOT / row.test).is_file(), row
-        assert row.group in GROUPS and row.reason and row.versions
+        assert row.group in (*GROUPS, KERNEL) and row.reason and row.versions
 
 
-def door_rows():
-    from coursekit.view import highgui, plots
-
-    return [*patches.TABLE, *highgui.patches(), *plots.patches()]
+def test_the_document_is_current():
+    assert DOCUMENT.read_text(encoding="utf-8") == document(), "write it anew: python -m tests.core.patch_table"
 
 
 def test_no_target_has_two_rows():
-    targets = [row.target for row in door_rows()]
+    targets = [row.target for row in rows()]
     assert len(targets) == len(set(targets))
 
 
@@ -201,6 +199,39 @@ with Session().use():
 print(sys.stdout is real)
 """)
     assert said == "is heard\nTrue\n"
+
+
+@pytest.mark.parametrize("ended", [True, False])
+def test_handlers_of_rclpy_go_with_its_shutdown_or_with_the_session(ended):
+    said = in_fresh_interpreter(f"""
+import signal
+import rclpy
+from coursekit.core.session import Session
+handlers = lambda: [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)]
+before = handlers()
+for _ in range(2):
+    with Session(virtual=True).use():
+        context = None if {ended} else rclpy.Context()
+        rclpy.init(context=context)
+        rclpy.signals.install_signal_handlers()
+        assert handlers() != before
+        if {ended}:
+            rclpy.shutdown()
+            assert handlers() == before
+    print(handlers() == before)
+""")
+    assert said == "True\nTrue\n"
+
+
+def test_a_plain_script_is_told_where_packages_are():
+    said = in_fresh_interpreter("""
+import rclpy
+try:
+    import moveit_configs_utils
+except ModuleNotFoundError as error:
+    print(error)
+""")
+    assert said.startswith("No module named 'moveit_configs_utils': ") and "; " in said
 
 
 def test_locks_and_threads_of_an_ended_program_go_on_without_its_session():

@@ -13,6 +13,7 @@ import importlib.util
 from typing import Any
 
 from coursekit.core import script
+from coursekit.core.patching import door
 from rclpy._lent import lender
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from rclpy.utilities import (
@@ -187,3 +188,4 @@ def spin_until_future_complete(
 
 
 script.join()
+door.put_at_once("sys.meta_path (last)")

@@ -63,7 +63,7 @@ TABLE: tuple[Patch, ...] = (
     Patch("importlib.import_module", always(modules.import_module), "two runs of a program share no globals",
           "tests/core/test_modules.py", PRIVATE),
     Patch("importlib.metadata.import_module", always(modules.import_module), "two runs of a program share no globals",
-          "tests/core/test_modules.py", PRIVATE, "3.10 to 3.13"),
+          "tests/core/test_modules.py", PRIVATE),
     Change("sys.path", modules.own_path, "packages of a process's workspace can be imported", "tests/core/test_modules.py",
            PRIVATE),
 )  # fmt: skip

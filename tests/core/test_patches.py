@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.core.patching import GROUPS, KERNEL, Patch, always
-from tests.core.patch_table import DOCUMENT, document, rows
+from coursekit.core.patching import Patch, always
 
 ROOT = Path(__file__).parents[2]
 
@@ -134,21 +133,6 @@ def names(place):
     return found
 
 """
-
-
-def test_each_row_names_a_test_that_there_is_and_a_group():
-    for row in rows():
-        assert (ROOT / row.test).is_file(), row
-        assert row.group in (*GROUPS, KERNEL) and row.reason and row.versions
-
-
-def test_the_document_is_current():
-    assert DOCUMENT.read_text(encoding="utf-8") == document(), "write it anew: python -m tests.core.patch_table"
-
-
-def test_no_target_has_two_rows():
-    targets = [row.target for row in rows()]
-    assert len(targets) == len(set(targets))
 
 
 def test_what_others_put_in_its_place_stays(monkeypatch):

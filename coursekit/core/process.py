@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextvars
 import ctypes
 import functools
-import itertools
 import os
 import signal
 import sys
@@ -27,7 +26,6 @@ from .whose import owner
 if TYPE_CHECKING:
     from .session import Session
 
-_numbers = itertools.count(1)
 _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
 DISTRIBUTION = {
     "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",

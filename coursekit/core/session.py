@@ -57,8 +57,11 @@ class Session:
         self.cut_off: list[int] = []
         """Threads of processes that could not be ended."""
         self.graphs: dict[int, Graph] = {}
+        self.locals: dict[Any, Any] = {}
+        """What other rooms keep per session; for the interpreter's own code also what they keep per process."""
         self.on_start: list[Callable[[Process], None]] = []
         self._pids = itertools.count(1000)
+        self._endpoints = itertools.count(1)
         self._uuids = itertools.count(1)
         self._stop_planned = False
 
@@ -182,7 +185,7 @@ class Session:
         """The graph of a domain."""
         graph = self.graphs.get(domain_id)
         if graph is None:
-            graph = self.graphs.setdefault(domain_id, Graph(self.clock))
+            graph = self.graphs.setdefault(domain_id, Graph(self.clock, self._endpoints))
         return graph
 
     def new_pid(self) -> int:
@@ -212,6 +215,12 @@ class Session:
         finally:
             self.close()
             present.session = previous
+
+
+def locals_here() -> dict[Any, Any]:
+    """Where a room keeps what belongs to the calling program: its process's, or the session's for the interpreter's own."""
+    process = current_process()
+    return current().locals if process is None else process.locals
 
 
 def current() -> Session:
@@ -244,4 +253,4 @@ def _close_at_exit(session: Session) -> None:
         process.kill()
 
 
-__all__ = ["Clock", "Session", "current"]
+__all__ = ["Clock", "Session", "current", "locals_here"]

@@ -129,16 +129,15 @@ def reset() -> None:
     nodes = sum(len(graph.nodes) for graph in session.graphs.values())
     for graph in session.graphs.values():
         graph.clear()
-    _forget_interpreter_contexts()
+    _forget_interpreter_contexts(session)
     print(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty.")
 
 
-def _forget_interpreter_contexts() -> None:
+def _forget_interpreter_contexts(session: Session) -> None:
     from rclpy.context import shutdown_all
-    from rclpy.utilities import _locals
 
     shutdown_all()
-    _locals().clear()
+    session.locals.clear()
 
 
 class Cells:

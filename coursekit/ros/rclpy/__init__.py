@@ -14,10 +14,10 @@ from typing import Any
 
 from coursekit.core import script
 from coursekit.core.patching import door
+from coursekit.core.session import locals_here
 from rclpy._lent import lender
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from rclpy.utilities import (
-    _locals,
     get_default_context,
     get_rmw_implementation_identifier,
     ok,
@@ -84,7 +84,7 @@ def init(
 
 def get_global_executor() -> Any:
     """The executor that the spin functions use by default; one per process."""
-    kept = _locals()
+    kept = locals_here()
     executor = kept.get("executor")
     if executor is None or executor.context is not get_default_context() or executor._is_shutdown:
         from rclpy.executors import SingleThreadedExecutor
@@ -114,7 +114,7 @@ def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None)
 
 
 def _close_executor() -> None:
-    executor = _locals().pop("executor", None)
+    executor = locals_here().pop("executor", None)
     if executor is not None:
         executor.shutdown(0)
 

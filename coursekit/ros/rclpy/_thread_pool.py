@@ -10,8 +10,9 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.core.process import current_process
+from coursekit.core.session import locals_here
 
-_numbers = itertools.count()
+_KEY = "rclpy.thread_pools"
 
 
 class ThreadPool:
@@ -31,7 +32,7 @@ class ThreadPool:
         self._clock = clock
         self._on_free = None if on_free is None else weakref.WeakMethod(on_free)  # threads must not keep an executor alive
         self._lock = threading.Lock()
-        self._name = f"ThreadPoolExecutor-{next(_numbers)}"
+        self._name = f"ThreadPoolExecutor-{next(locals_here().setdefault(_KEY, itertools.count()))}"
         self._started = 0
         self._idle: deque[_Worker] = deque()
         self._closed = False

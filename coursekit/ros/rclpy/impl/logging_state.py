@@ -10,7 +10,7 @@ from datetime import datetime
 from enum import IntEnum
 from typing import Any, TextIO
 
-from coursekit.core.process import current_process
+from coursekit.core.session import locals_here
 
 
 class LoggingSeverity(IntEnum):
@@ -115,19 +115,13 @@ def _formatted(
     return _TOKEN.sub(lambda found: values.get(found[1], found[0]), pattern)
 
 
-_outside: LoggingState | None = None
 _KEY = "rclpy.logging"
 
 
 def logging_state() -> LoggingState:
-    """Return the state of the process that is running, or of the interpreter when none is."""
-    global _outside
-    process = current_process()
-    if process is not None:
-        state = process.locals.get(_KEY)
-        if state is None:
-            state = process.locals[_KEY] = LoggingState(os.environ)
-        return state
-    if _outside is None:
-        _outside = LoggingState(os.environ)
-    return _outside
+    """Return the state of the process that is running, or of the session for the interpreter's own code."""
+    kept = locals_here()
+    state: LoggingState | None = kept.get(_KEY)
+    if state is None:
+        state = kept[_KEY] = LoggingState(os.environ)
+    return state

@@ -20,7 +20,7 @@ from coursekit.interfaces.find import UNDERLAY, known_interfaces
 
 ROOM = Path(__file__).parent
 PACKAGES = (
-    "rclcpp", "rmw", "rosidl_runtime_cpp",
+    "rclcpp", "rclcpp_action", "rclcpp_components", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
     "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python", "ament_cmake_gtest",
     "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp", "ament_lint_auto", "ament_lint_common",
     "ament_cmake_copyright", "ament_cmake_cppcheck", "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake",
@@ -31,7 +31,7 @@ PACKAGES = (
 NOT_COMPILED = {
     "angles", "controller_interface", "cv_bridge", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
     "hardware_interface", "image_geometry", "image_transport", "laser_geometry", "message_filters", "nav2_util",
-    "pluginlib", "tf2", "tf2_eigen", "tf2_geometry_msgs", "tf2_kdl", "tf2_ros", "tf2_sensor_msgs", "urdf",
+    "pluginlib", "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 _CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay.cmake")\n'
@@ -97,15 +97,15 @@ def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
 
 
 def _run(*command: str) -> None:
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", errors="replace")
-    if done.returncode:
-        print(done.stdout, file=sys.stderr)
-        raise SystemExit(done.returncode)
+    subprocess.run(command, stdout=sys.stderr, check=True)
 
 
 def main(words: list[str]) -> int:
     """Carry out a command line; its exit code."""
-    make_runtime(Path(words[0]), find_toolchain())
+    try:
+        make_runtime(Path(words[0]), find_toolchain())
+    except subprocess.CalledProcessError as error:
+        return error.returncode
     return 0
 
 

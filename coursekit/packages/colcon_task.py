@@ -19,7 +19,7 @@ from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
 from coursekit.core.executables import stand_ins
-from coursekit.cpp.toolchain import MISSING, Toolchain
+from coursekit.cpp.toolchain import NoToolchain, Toolchain
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
@@ -48,9 +48,13 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if not _NAME.fullmatch(package):  # it becomes the name of folders and of a Python package
             return self._fail([ValueError(f"{package!r} is no package name: use small letters, digits and _")])
         self._installed: list[str] = []
-        if cmake_build.needs_compiler(Path(self.context.args.path)) and (tools := await prepared_toolchain()):
-            return await self._compile(tools)
-        return await self._copy_files(MISSING.format(what="compiler"))
+        if not cmake_build.needs_compiler(Path(self.context.args.path)):
+            return await self._copy_files("")
+        try:
+            tools = await prepared_toolchain()
+        except NoToolchain as error:
+            return await self._copy_files(str(error))
+        return await self._compile(tools)
 
     async def _copy_files(self, why: str) -> int:
         args, package = self.context.args, self.context.pkg.name

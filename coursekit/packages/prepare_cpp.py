@@ -10,23 +10,20 @@ import time
 from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
 
-_preparing: dict[asyncio.AbstractEventLoop, asyncio.Lock] = {}
+_locks: dict[asyncio.AbstractEventLoop, asyncio.Lock] = {}
+_FAILED = "C++ could not be prepared, for the reason above"
 
 
-async def prepared_toolchain() -> Toolchain | None:
-    """The tools with their runtime made; None where there are none, or where they cannot make it."""
-    try:
-        tools = find_toolchain()
-    except NoToolchain:
-        return None
-    lock = _preparing.setdefault(asyncio.get_running_loop(), asyncio.Lock())
-    async with lock:
-        if not runtime_folder(tools).is_dir() and not await _prepare(tools):
-            return None
+async def prepared_toolchain() -> Toolchain:
+    """The tools with their runtime made; NoToolchain where there are none, or where they cannot make it."""
+    tools = find_toolchain()
+    async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
+        if not runtime_folder(tools).is_dir():
+            await _prepare(tools)
     return tools
 
 
-async def _prepare(tools: Toolchain) -> bool:
+async def _prepare(tools: Toolchain) -> None:
     print("Preparing C++, once, in less than a minute ...", flush=True)
     began = time.monotonic()
     env = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
@@ -34,7 +31,6 @@ async def _prepare(tools: Toolchain) -> bool:
     child = await asyncio.create_subprocess_exec(*command, env=env, stderr=asyncio.subprocess.PIPE)
     _, errors = await child.communicate()
     if child.returncode:
-        print(f"C++ cannot be prepared:\n{errors.decode(errors='replace')}", file=sys.stderr, flush=True)
-        return False
+        print(errors.decode(errors="replace"), file=sys.stderr, flush=True)
+        raise NoToolchain(_FAILED)
     print(f"C++ is ready ({time.monotonic() - began:.0f} s).", flush=True)
-    return True

@@ -6,11 +6,13 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Parameter as ParameterMessage
+from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.clock import Clock, ClockType
 from rclpy.duration import Duration
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile
+from tf2_ros import TransformListener
 
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
@@ -33,6 +35,10 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
     elif isinstance(thing, tuple):  # (node, how to destroy it, it)
         node, how, entity = thing
         getattr(node, how)(entity)
+    elif isinstance(thing, (ActionClient, ActionServer)):
+        thing.destroy()
+    elif isinstance(thing, TransformListener):
+        thing.executor.shutdown(0)
 
 
 def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -101,7 +101,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         if not self._context.ok():
             raise NotInitializedException("cannot create node")
         if component := take_for_first_node():  # as rclcpp_components makes the nodes of a container
-            cli_args, use_global_arguments = [*component.arguments, *(cli_args or [])], False
+            cli_args, use_global_arguments = [*component.arguments, "--", *(cli_args or [])], False
             parameter_overrides = [*(parameter_overrides or []), *component.parameters]
         self._join_graph(node_name, namespace, cli_args, use_global_arguments)
         self._logger = get_logger(self._handle.logger_name())

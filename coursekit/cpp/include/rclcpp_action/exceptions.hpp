@@ -1,0 +1,2 @@
+#pragma once
+#include "rclcpp_action/client.hpp"

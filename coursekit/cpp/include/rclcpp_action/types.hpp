@@ -1,0 +1,63 @@
+// What clients and servers of actions have in common.
+#pragma once
+#include <array>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "action_msgs/msg/goal_info.hpp"
+#include "action_msgs/msg/goal_status.hpp"
+#include "action_msgs/srv/cancel_goal.hpp"
+#include "rclcpp/rclcpp.hpp"
+
+/// How long a server keeps results, as rcl_action has it.
+struct rcl_action_server_options_t
+{
+  struct
+  {
+    int64_t nanoseconds = 900'000'000'000;
+  } result_timeout;
+};
+struct rcl_action_client_options_t {};
+inline rcl_action_server_options_t rcl_action_server_get_default_options() {return {};}
+inline rcl_action_client_options_t rcl_action_client_get_default_options() {return {};}
+
+namespace rclcpp_action
+{
+using GoalUUID = std::array<uint8_t, 16>;
+using GoalStatus = action_msgs::msg::GoalStatus;
+using GoalInfo = action_msgs::msg::GoalInfo;
+
+inline std::string to_string(const GoalUUID & goal_id)
+{
+  std::ostringstream text;
+  text << std::hex;
+  for (auto byte : goal_id) {
+    text << static_cast<int>(byte);
+  }
+  return text.str();
+}
+inline std::string bytes_of(const GoalUUID & goal_id) {return std::string(goal_id.begin(), goal_id.end());}
+inline GoalUUID goal_id_of(const std::string & bytes)
+{
+  GoalUUID goal_id{};
+  std::copy_n(bytes.begin(), std::min(bytes.size(), goal_id.size()), goal_id.begin());
+  return goal_id;
+}
+
+namespace exceptions
+{
+class UnknownGoalHandleError : public std::invalid_argument
+{
+public:
+  UnknownGoalHandleError()
+  : std::invalid_argument("Goal handle is not known to this client.") {}
+};
+class UnawareGoalHandleError : public std::runtime_error
+{
+public:
+  explicit UnawareGoalHandleError(const std::string & text = "Goal handle is not tracking the goal result.")
+  : std::runtime_error(text) {}
+};
+}  // namespace exceptions
+}  // namespace rclcpp_action

@@ -1,0 +1,2 @@
+#pragma once
+#include "rclcpp_components/node_factory.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2/LinearMath/Matrix3x3.h"

@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2/LinearMath/Transform.h"

@@ -1,0 +1,125 @@
+// Geometry messages to what tf2 counts with, back, and through transforms.
+#pragma once
+#include "geometry_msgs/msg/point_stamped.hpp"
+#include "geometry_msgs/msg/pose_stamped.hpp"
+#include "geometry_msgs/msg/pose_with_covariance_stamped.hpp"
+#include "geometry_msgs/msg/quaternion_stamped.hpp"
+#include "geometry_msgs/msg/transform_stamped.hpp"
+#include "geometry_msgs/msg/vector3_stamped.hpp"
+#include "tf2/LinearMath/Transform.h"
+#include "tf2/convert.h"
+
+namespace tf2
+{
+namespace gm = geometry_msgs::msg;
+
+// -- one message, one class of tf2's
+
+inline gm::Vector3 toMsg(const Vector3 & v) {return gm::Vector3().set__x(v.x()).set__y(v.y()).set__z(v.z());}
+inline void fromMsg(const gm::Vector3 & m, Vector3 & v) {v = Vector3(m.x, m.y, m.z);}
+inline gm::Point & toMsg(const Vector3 & v, gm::Point & m)
+{
+  m.x = v.x();
+  m.y = v.y();
+  m.z = v.z();
+  return m;
+}
+inline void fromMsg(const gm::Point & m, Vector3 & v) {v = Vector3(m.x, m.y, m.z);}
+inline gm::Quaternion toMsg(const Quaternion & q)
+{
+  return gm::Quaternion().set__x(q.x()).set__y(q.y()).set__z(q.z()).set__w(q.w());
+}
+inline void fromMsg(const gm::Quaternion & m, Quaternion & q) {q = Quaternion(m.x, m.y, m.z, m.w);}
+inline gm::Transform toMsg(const Transform & t)
+{
+  return gm::Transform().set__translation(toMsg(t.getOrigin())).set__rotation(toMsg(t.getRotation()));
+}
+inline void fromMsg(const gm::Transform & m, Transform & t)
+{
+  Quaternion turn;
+  Vector3 shift;
+  fromMsg(m.rotation, turn);
+  fromMsg(m.translation, shift);
+  t = Transform(turn, shift);
+}
+inline gm::Pose & toMsg(const Transform & t, gm::Pose & m)
+{
+  toMsg(t.getOrigin(), m.position);
+  m.orientation = toMsg(t.getRotation());
+  return m;
+}
+inline void fromMsg(const gm::Pose & m, Transform & t)
+{
+  Quaternion turn;
+  Vector3 place;
+  fromMsg(m.orientation, turn);
+  fromMsg(m.position, place);
+  t = Transform(turn, place);
+}
+
+// -- messages stay messages
+
+template<class M, class = std::enable_if_t<coursekit::is_message<M>::value>>
+M toMsg(const M & message) {return message;}
+template<class M, class = std::enable_if_t<coursekit::is_message<M>::value>>
+void fromMsg(const M & message, M & out) {out = message;}
+
+// -- through a transform
+
+inline void doTransform(const gm::Point & in, gm::Point & out, const gm::TransformStamped & transform)
+{
+  Transform t;
+  Vector3 v;
+  fromMsg(transform.transform, t);
+  fromMsg(in, v);
+  toMsg(t * v, out);
+}
+inline void doTransform(const gm::Vector3 & in, gm::Vector3 & out, const gm::TransformStamped & transform)
+{
+  Transform t;
+  Vector3 v;
+  fromMsg(transform.transform, t);
+  fromMsg(in, v);
+  out = toMsg(t.getBasis() * v);  // a direction is turned, not shifted
+}
+inline void doTransform(const gm::Quaternion & in, gm::Quaternion & out, const gm::TransformStamped & transform)
+{
+  Quaternion turn, q;
+  fromMsg(transform.transform.rotation, turn);
+  fromMsg(in, q);
+  out = toMsg(turn * q);
+}
+inline void doTransform(const gm::Pose & in, gm::Pose & out, const gm::TransformStamped & transform)
+{
+  Transform t, pose;
+  fromMsg(transform.transform, t);
+  fromMsg(in, pose);
+  toMsg(t * pose, out);
+}
+inline void doTransform(const gm::Transform & in, gm::Transform & out, const gm::TransformStamped & transform)
+{
+  Transform t, own;
+  fromMsg(transform.transform, t);
+  fromMsg(in, own);
+  out = toMsg(t * own);
+}
+#define COURSEKIT_STAMPED(Type, field) \
+  inline void doTransform(const gm::Type & in, gm::Type & out, const gm::TransformStamped & transform) \
+  { \
+    gm::Type moved = in; \
+    doTransform(in.field, moved.field, transform); \
+    moved.header.stamp = transform.header.stamp; \
+    moved.header.frame_id = transform.header.frame_id; \
+    out = moved; \
+  } \
+  inline TimePoint getTimestamp(const gm::Type & m) \
+  { \
+    return TimePoint(std::chrono::seconds(m.header.stamp.sec) + std::chrono::nanoseconds(m.header.stamp.nanosec)); \
+  } \
+  inline std::string getFrameId(const gm::Type & m) {return m.header.frame_id;}
+COURSEKIT_STAMPED(PointStamped, point)
+COURSEKIT_STAMPED(Vector3Stamped, vector)
+COURSEKIT_STAMPED(QuaternionStamped, quaternion)
+COURSEKIT_STAMPED(PoseStamped, pose)
+COURSEKIT_STAMPED(TransformStamped, transform)
+}  // namespace tf2

@@ -1,0 +1,24 @@
+// Fills a buffer with what is broadcast, in a thread of the session's.
+#pragma once
+#include "tf2_ros/buffer.h"
+#include "tf2_ros/qos.hpp"
+
+namespace tf2_ros
+{
+class TransformListener : public coursekit::Entity
+{
+public:
+  using SharedPtr = std::shared_ptr<TransformListener>;
+  explicit TransformListener(Buffer & buffer, bool = true, bool static_only = false) {listen(buffer, static_only);}
+  template<class N, class = std::enable_if_t<!std::is_same_v<std::decay_t<N>, bool>>>
+  TransformListener(
+    Buffer & buffer, N &&, bool = true, const rclcpp::QoS & = DynamicListenerQoS(), const rclcpp::QoS & = StaticListenerQoS(),
+    bool static_only = false)
+  {
+    listen(buffer, static_only);
+  }
+
+private:
+  void listen(Buffer & buffer, bool static_only);
+};
+}  // namespace tf2_ros

@@ -1,0 +1,221 @@
+"""What a compiled program asks of actions: the servers and clients are rclpy's, their decisions the program's."""
+
+from __future__ import annotations
+
+from functools import partial
+from threading import local
+from typing import TYPE_CHECKING, Any
+
+from action_msgs.msg import GoalStatus
+from action_msgs.srv import CancelGoal
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.action.goal_state import GoalEvent
+from rclpy.time import Time
+
+from coursekit.interfaces.cdr import deserialize, serialize
+from coursekit.interfaces.registry import load
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+_ACCEPT_AND_EXECUTE, _ACCEPT_AND_DEFER = 2, 3
+_ACCEPT_CANCEL = 2
+
+
+class CompiledActionServer(ActionServer):
+    """Asks the program whether to take a goal, by its id too, and tells it of those that were taken."""
+
+    def __init__(self, host: Host, handlers: tuple[int, int, int], node: Any, kind: Any, name: str, **options: Any) -> None:
+        self._host = host
+        self._goal_handler, self._accepted_handler, self._cancel_handler = handlers
+        self._asked = local()
+        super().__init__(
+            node,
+            kind,
+            name,
+            _nothing,
+            goal_callback=self._decide,
+            handle_accepted_callback=self._tell,
+            cancel_callback=self._decide_cancel,
+            **options,
+        )
+
+    async def _accepted(self, request: Any) -> Any:
+        self._asked.key = bytes(request.goal_id.uuid)
+        handle = await super()._accepted(request)
+        if handle is not None and self._asked.answer == _ACCEPT_AND_EXECUTE:
+            handle._update_state(GoalEvent.EXECUTE)
+        return handle
+
+    def _decide(self, goal: Any) -> GoalResponse:
+        answer = self._host.call(self._goal_handler, packed(self._asked.key) + serialize(goal)).integer()
+        self._asked.answer = answer
+        return GoalResponse.ACCEPT if answer in (_ACCEPT_AND_EXECUTE, _ACCEPT_AND_DEFER) else GoalResponse.REJECT
+
+    def _tell(self, handle: Any) -> None:
+        self._host.call(self._accepted_handler, packed(bytes(handle.goal_id.uuid)))
+
+    def _decide_cancel(self, handle: Any) -> CancelResponse:
+        answer = self._host.call(self._cancel_handler, packed(bytes(handle.goal_id.uuid))).integer()
+        return CancelResponse.ACCEPT if answer == _ACCEPT_CANCEL else CancelResponse.REJECT
+
+    def goal(self, key: bytes) -> Any:
+        """The handle of a goal."""
+        return self._goal_handles[key]
+
+    def end(self, key: bytes, how: str, result: bytes) -> None:
+        """End a goal: succeed, abort or canceled; whoever asked for its result gets it."""
+        handle = self._goal_handles[key]
+        getattr(handle, how)()
+        response = self._action_type.Impl.GetResultService.Response(status=handle.status)
+        response.result = deserialize(result, self._action_type.Result)
+        self._result_futures[key].set_result(response)
+
+    def drop(self, key: bytes) -> None:
+        """The program has let go of a goal: one that has not ended is canceled, as nobody works for it."""
+        handle = self._goal_handles.get(key)
+        if handle is None or not handle.is_active:
+            return
+        if not handle.is_cancel_requested:
+            if handle.status == GoalStatus.STATUS_ACCEPTED:
+                handle._update_state(GoalEvent.EXECUTE)
+            handle._update_state(GoalEvent.CANCEL_GOAL)
+        self.end(key, "canceled", serialize(self._action_type.Result()))
+
+
+def _nothing(_handle: Any) -> None:
+    """Never called: the program executes its goals itself."""
+
+
+def do_action_server(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Make an action server."""
+    node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
+    handlers = (frame.integer(), frame.integer(), frame.integer())
+    group, keep_ns = host.things.get(frame.integer()), frame.integer()
+    server = CompiledActionServer(host, handlers, node, kind, name, callback_group=group, result_timeout=keep_ns / 1e9)
+    return packed(host.keep(server), name)
+
+
+def _server(host: Host, frame: Unpacker) -> tuple[CompiledActionServer, bytes]:
+    return host.things[frame.integer()], frame.blob()
+
+
+def do_goal_status(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """How a goal stands: a number of action_msgs/msg/GoalStatus."""
+    server, key = _server(host, frame)
+    return packed(server.goal(key).status)
+
+
+def do_goal_execute(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Begin a goal that was deferred."""
+    server, key = _server(host, frame)
+    server.goal(key)._update_state(GoalEvent.EXECUTE)
+
+
+def do_goal_end(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """End a goal, with its result."""
+    server, key = _server(host, frame)
+    server.end(key, frame.text(), frame.blob())
+
+
+def do_goal_dropped(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """The program's handle of a goal is gone."""
+    server = host.things.get(frame.integer())
+    if server is not None:
+        server.drop(frame.blob())
+
+
+def do_feedback(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Tell the clients of a goal how it goes."""
+    server, key = _server(host, frame)
+    server.goal(key).publish_feedback(deserialize(frame.blob(), server.action_type.Feedback))
+
+
+# -- clients
+
+
+class CompiledActionClient(ActionClient):
+    """Knows its goals by their ids, until their results are there."""
+
+    def __init__(self, host: Host, handlers: tuple[int, int, int, int], *names: Any, **options: Any) -> None:
+        super().__init__(*names, **options)
+        self.host = host
+        self.goal_handler, self.feedback_handler, self.result_handler, self.cancel_handler = handlers
+        self.goals: dict[bytes, Any] = {}
+
+    def send(self, number: int, goal: bytes) -> None:
+        """Send a goal; the program hears of the answer by its number."""
+        future = self.send_goal_async(deserialize(goal, self._action_type.Goal), feedback_callback=self._tell_feedback)
+        future.add_done_callback(partial(self._tell_answer, number))
+
+    def _tell_answer(self, number: int, future: Any) -> None:
+        handle = future.result()
+        key = bytes(handle.goal_id.uuid)
+        if handle.accepted:
+            self.goals[key] = handle
+        stamp = Time.from_msg(handle.stamp).nanoseconds
+        self.host.call(self.goal_handler, packed(number, int(handle.accepted), key, stamp))
+
+    def _tell_feedback(self, message: Any) -> None:
+        self.host.call(self.feedback_handler, packed(bytes(message.goal_id.uuid)) + serialize(message.feedback))
+
+    def get_result(self, key: bytes) -> None:
+        """Ask for a goal's result; the program hears of it."""
+        self.goals[key].get_result_async().add_done_callback(partial(self._tell_result, key))
+
+    def _tell_result(self, key: bytes, future: Any) -> None:
+        response = future.result()
+        self.goals.pop(key, None)
+        self.host.call(self.result_handler, packed(key, response.status) + serialize(response.result))
+
+    def cancel(self, number: int, key: bytes, stamp_ns: int) -> None:
+        """Ask to cancel one goal, or those before a time, or all; the program hears of the answer by its number."""
+        request = CancelGoal.Request()
+        request.goal_info.goal_id.uuid = list(key)
+        request.goal_info.stamp = Time(nanoseconds=stamp_ns).to_msg()
+        self._cancel_client.call_async(request).add_done_callback(partial(self._tell_cancelled, number))
+
+    def _tell_cancelled(self, number: int, future: Any) -> None:
+        self.host.call(self.cancel_handler, packed(number) + serialize(future.result()))
+
+
+def do_action_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Make an action client."""
+    node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
+    handlers = (frame.integer(), frame.integer(), frame.integer(), frame.integer())
+    client = CompiledActionClient(host, handlers, node, kind, name, callback_group=host.things.get(frame.integer()))
+    return packed(host.keep(client), name)
+
+
+def do_action_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether a client's server is there."""
+    return packed(int(host.things[frame.integer()].server_is_ready()))
+
+
+def do_wait_for_action(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Wait for a client's server."""
+    client, nanoseconds = host.things[frame.integer()], frame.integer()
+    return packed(int(client.wait_for_server(None if nanoseconds < 0 else nanoseconds / 1e9)))
+
+
+def do_send_goal(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Send a goal."""
+    host.things[frame.integer()].send(frame.integer(), frame.rest())
+
+
+def do_get_result(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Ask for a goal's result."""
+    host.things[frame.integer()].get_result(frame.blob())
+
+
+def do_cancel_goals(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Ask to cancel goals."""
+    host.things[frame.integer()].cancel(frame.integer(), frame.blob(), frame.integer())
+
+
+def do_client_goal_status(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The last that was heard of a goal."""
+    client, key = host.things[frame.integer()], frame.blob()
+    return packed(client.goals[key].status if key in client.goals else GoalStatus.STATUS_UNKNOWN)

@@ -1,0 +1,84 @@
+"""What a compiled program asks of tf2."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.duration import Duration
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformListener
+
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+
+def do_tf_buffer(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Make a buffer that keeps transforms so long; for a node it answers `tf2_frames`."""
+    return packed(host.keep(Buffer(Duration(nanoseconds=frame.integer()), host.things.get(frame.integer()))))
+
+
+def do_tf_listener(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Fill a buffer with what is broadcast, in a thread and a node of its own, so that a callback may wait for it."""
+    buffer, static_only = host.things[frame.integer()], bool(frame.integer())
+    return packed(host.keep(TransformListener(buffer, None, spin_thread=True, static_only=static_only)))
+
+
+def _buffer(host: Host, frame: Unpacker) -> tuple[Any, Duration]:
+    return host.things[frame.integer()], Duration(nanoseconds=frame.integer())
+
+
+def do_tf_lookup(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The transform from a source to a target, waited for."""
+    buffer, timeout = _buffer(host, frame)
+    return packed(buffer.lookup_transform(frame.text(), frame.text(), _time(frame), timeout))
+
+
+def do_tf_lookup_full(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The transform between two times, by a frame that did not move in between."""
+    buffer, timeout = _buffer(host, frame)
+    return packed(
+        buffer.lookup_transform_full(frame.text(), _time(frame), frame.text(), _time(frame), frame.text(), timeout)
+    )
+
+
+def do_tf_can(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether there is a transform, waited for, and why not."""
+    buffer, timeout = _buffer(host, frame)
+    can, why = buffer.can_transform(frame.text(), frame.text(), _time(frame), timeout, return_debug_tuple=True)
+    return packed(int(can), why)
+
+
+def do_tf_set(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Put a transform into a buffer."""
+    buffer, authority, is_static = host.things[frame.integer()], frame.text(), frame.integer()
+    put = buffer.set_transform_static if is_static else buffer.set_transform
+    put(frame.message(TransformStamped), authority)
+
+
+def do_tf_clear(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Empty a buffer."""
+    host.things[frame.integer()].clear()
+
+
+def do_tf_text(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """All frames, in words."""
+    return packed(host.things[frame.integer()].all_frames_as_string())
+
+
+def do_tf_yaml(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """All frames, as YAML."""
+    return packed(host.things[frame.integer()].all_frames_as_yaml())
+
+
+def do_tf_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The names of all frames."""
+    names = host.things[frame.integer()].get_frame_names()
+    return packed(len(names), *names)
+
+
+def _time(frame: Unpacker) -> Time:
+    return Time(nanoseconds=frame.integer())

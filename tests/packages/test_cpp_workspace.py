@@ -1,0 +1,198 @@
+"""A workspace of packages in C++, built by colcon with real CMake, and run among Python's programs on the virtual clock."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+from tests.needs import ON_WINDOWS
+
+SOURCES = Path(__file__).parent.parent / "fixtures" / "cpp_ws" / "src"
+BIN = Path(sys.executable).parent
+ENV = {k: v for k, v in os.environ.items() if k not in ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH")}
+ENV |= {"PATH": f"{BIN}{os.pathsep}{ENV['PATH']}", "COURSEKIT_TIME": "virtual"}
+
+
+def colcon(folder, *words):
+    command = [str(BIN / "colcon"), "--log-base", "log", *words]
+    return subprocess.run(command, cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=False)
+
+
+def sourced(folder, command):
+    line = f"source install/setup.bash && {command}"
+    return subprocess.run(["bash", "-c", line], cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=False)
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory):
+    if ON_WINDOWS:
+        pytest.skip("Windows: C++ is not compiled there yet")
+    try:
+        find_toolchain()
+    except NoToolchain as error:
+        pytest.skip(str(error))
+    folder = tmp_path_factory.mktemp("cpp_ws")
+    shutil.copytree(SOURCES, folder / "src")
+    built = colcon(folder, "build")
+    assert built.returncode == 0 and "5 packages finished" in built.stdout, built.stdout + built.stderr
+    assert "stderr" not in built.stdout + built.stderr
+    return folder
+
+
+def test_nodes_of_a_launch_file_speak_at_exact_times(workspace):
+    said = sourced(workspace, "COURSEKIT_STOP_AFTER=0.8 ros2 launch k_survey survey.launch.py").stdout
+    spoken = [line for line in said.splitlines() if "[surveyor]: leg" in line]
+    assert spoken == [
+        f"[surveyor-2] [INFO] [1700000000.{250 * leg:03}000000] [surveyor]: leg {leg} ends at x = {2 * leg}.00"
+        for leg in (1, 2, 3)
+    ]
+    assert "process has died" not in said
+
+
+TOGETHER = """
+from coursekit.core.executables import find, make_process
+from coursekit.core.session import Session
+from k_survey.msg import Leg
+import rclpy
+
+with (session := Session(virtual=True)).use():
+    def start(package, name, *words):
+        return session.launch(make_process(session, find(package, name), words, name=name))
+    surveyor, asker = start("k_survey", "surveyor"), start("k_auto", "asker")
+    print(asker.wait(10.0), asker.output, end="")
+    scout = start("k_survey", "scout", "--ros-args", "-p", "step:=2.5", "-r", "__node:=ada")
+    heard = []
+    rclpy.init()
+    node = rclpy.create_node("listener")
+    node.create_subscription(Leg, "legs", heard.append, 10)
+    while len(heard) < 3:
+        rclpy.spin_once(node)
+    total = sum(leg.to_point.x - leg.from_point.x for leg in heard)
+    print(total, heard[-1].header.stamp.nanosec - heard[-2].header.stamp.nanosec, *sorted(node.get_node_names()))
+    surveyor.interrupt(), scout.interrupt()
+    print(scout.wait(3.0), surveyor.wait(3.0))
+"""
+
+
+def test_programs_of_both_languages_meet_on_topics_and_services(workspace):
+    said = sourced(workspace, f"'{sys.executable}' - <<'END'\n{TOGETHER}END")
+    assert said.stdout == "0 length 7\n7.5 250000000 ada listener surveyor\n0 0\n", said.stdout + said.stderr
+
+
+ALONE = """
+from coursekit.core.executables import find, make_process
+from coursekit.core.session import Session
+
+with (session := Session(virtual={virtual})).use():
+    def start(name, *words):
+        return session.launch(make_process(session, find("k_parts", name), words, name=name))
+    {what}
+"""
+
+
+def alone(workspace, what, virtual=True):
+    """What a script prints that starts programs of k_parts in a session of its own."""
+    text = ALONE.format(what=what.replace("\n", "\n    "), virtual=virtual)
+    done = sourced(workspace, f"'{sys.executable}' - <<'END'\n{text}END")
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_an_action_is_rejected_canceled_and_done(workspace, virtual):
+    what = "winch, winder = start('winch_node'), start('winder')\nprint(winder.wait(20.0), winder.output)\nwinch.interrupt()"
+    said = alone(workspace, f"{what}\nprint(winch.wait(5.0), winch.output)", virtual)
+    assert said.startswith(
+        "0 nothing to wind: rejected\ntaken\ncanceling 1: canceled\n"
+        "taken\n2 left\n1 left\n0 left\nsucceeded after 3\n"
+    )
+    told = [line.rpartition("[winch]: ")[2] for line in said.splitlines() if "[winch]: " in line]
+    assert told == ["asked for 0 turns", "asked for 50 turns", "canceled", "asked for 3 turns", "done"]
+    if virtual:
+        assert "[INFO] [1700000000.300000000] [winch]: canceled" in said
+        assert "[INFO] [1700000000.600000000] [winch]: done" in said
+
+
+def test_transforms_are_broadcast_waited_for_and_refused(workspace):
+    said = alone(workspace, "mast = start('mast')\nprint(mast.wait(5.0), mast.output)")
+    assert said == (
+        '0 [WARN] [1700000000.350000000] [mast]: "nowhere" passed to lookupTransform argument source_frame '
+        "does not exist. \n"
+        "[INFO] [1700000000.350000000] [mast]: (0.00, 3.00, 1.00) in world, yaw 1.5708\n\n"
+    )
+
+
+def test_a_container_loads_a_compiled_component_under_another_name(workspace):
+    said = sourced(workspace, "COURSEKIT_STOP_AFTER=3 ros2 launch k_parts container.launch.py").stdout
+    assert "[component_container-1] [INFO] [1700000000.000000000] [yard]: Instantiate class: " in said
+    assert "[left_winch]: done" in said and "[winder-2] succeeded after 3" in said, said
+
+
+def test_interfaces_of_a_package_with_nodes_are_python_s_too(workspace):
+    code = "from k_survey.msg import Leg; from k_survey.srv import MeasureRoute as M; print(Leg().remarks, M.Response())"
+    said = sourced(workspace, f'"{sys.executable}" -c "{code}" && ros2 interface show k_survey/srv/MeasureRoute')
+    assert said.stdout.startswith("[] k_survey.srv.MeasureRoute_Response(length=0.0, closed=False)\n"), said.stderr
+    assert "\tgeometry_msgs/Point from_point\n" in said.stdout
+
+
+def test_a_second_build_compiles_what_changed_and_nothing_else(workspace):
+    program, other = (workspace / "install/k_survey/lib/k_survey" / name for name in ("scout", "surveyor"))
+    objects = workspace / "build/k_survey/CMakeFiles"
+    before = {path: path.stat().st_mtime_ns for path in objects.rglob("*.o")}
+    source = workspace / "src/k_survey/src/scout.cpp"
+    source.write_text(source.read_text().replace('"leg "', '"walk "'))
+    assert colcon(workspace, "build", "--packages-select", "k_survey").returncode == 0
+    changed = [path.name for path, stamp in before.items() if path.stat().st_mtime_ns != stamp]
+    assert changed == ["scout.cpp.o"]
+    assert b"walk " in program.read_bytes() and b"walk " not in other.read_bytes()
+
+
+def copied(tmp_path, package):
+    shutil.copytree(SOURCES / package, tmp_path / "src" / package)
+    return tmp_path / "src" / package
+
+
+def test_a_mistake_is_shown_by_the_compiler_with_a_hint(workspace, tmp_path):
+    package = copied(tmp_path, "k_geometry")
+    (package / "CMakeLists.txt").write_text(
+        (package / "CMakeLists.txt").read_text().replace("ament_package()", "add_executable(near near.cpp)\nament_package()")
+    )
+    (package / "near.cpp").write_text("#include <iostream>\nint main()\n{\n  std::cout << 1\n}\n")
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 1
+    assert f"{package / 'near.cpp'}:4:" in built.stderr and re.search("error: expected .;", built.stderr)
+    assert "hint: near.cpp:4: a statement ends with ;" in built.stderr
+    assert "g++ " not in built.stderr and "ninja" not in built.stderr
+
+
+def test_a_package_that_needs_what_only_a_robot_has_keeps_its_files(workspace, tmp_path):
+    package = copied(tmp_path, "k_auto")
+    manifest = package / "package.xml"
+    manifest.write_text(manifest.read_text().replace("<depend>k_survey</depend>", "<depend>robot_driver_sdk</depend>"))
+    (package / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.8)\nproject(k_auto)\nfind_package(ament_cmake REQUIRED)\n"
+        "find_package(robot_driver_sdk REQUIRED)\nadd_executable(asker src/asker.cpp)\n"
+        "install(TARGETS asker DESTINATION lib/${PROJECT_NAME})\n"
+        "install(FILES package.xml DESTINATION share/${PROJECT_NAME}/kept)\nament_package()\n"
+    )
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 0, built.stderr
+    assert "Skipped C++ of k_auto: asker (C++ has no robot_driver_sdk here; the rest is installed)" in built.stdout
+    assert (tmp_path / "install/k_auto/share/k_auto/kept/package.xml").is_file()
+
+
+def test_a_package_whose_name_is_misspelled_is_told(workspace, tmp_path):
+    package = copied(tmp_path, "k_geometry")
+    text = (package / "CMakeLists.txt").read_text()
+    (package / "CMakeLists.txt").write_text(text.replace("find_package(geometry_msgs", "find_package(geometry_mgs"))
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 1
+    assert 'By not providing "Findgeometry_mgs.cmake"' in built.stderr
+    assert "hint: CMakeLists.txt:5: there is no package geometry_mgs" in built.stderr

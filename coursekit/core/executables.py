@@ -27,7 +27,10 @@ if TYPE_CHECKING:
 _PROGRAMS = (b"\x7fELF", b"\xcf\xfa\xed\xfe")
 _LINK = b"COURSEKIT_LINK"
 """The runtime's word for its address, which only programs hold that are linked with it."""
-_HOW = "a Python node needs a line under console_scripts in setup.py, and a build; C++ is not compiled here"
+_HOW = (
+    "a Python node needs a line under console_scripts in setup.py, a C++ node "
+    "install(TARGETS ... DESTINATION lib/${PROJECT_NAME}) in CMakeLists.txt, both a build"
+)
 
 
 class PackageNotFound(LookupError):
@@ -58,7 +61,7 @@ def why_missing(package: str, executable: str) -> str:
 def why_skipped(package: str, executable: str) -> str:
     """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
     if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
-        return f"'{executable}' is written in C++, which is not compiled here: write it in Python"
+        return f"'{executable}' is written in C++, which the last build of '{package}' skipped: `colcon build` says why"
     return ""
 
 

@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 from coursekit.cpp.headers import write_headers
-from coursekit.cpp.toolchain import Toolchain, find_toolchain, version_of
+from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
 from coursekit.files import read_bytes
 from coursekit.interfaces.find import UNDERLAY, known_interfaces
 
@@ -35,18 +35,6 @@ NOT_COMPILED = {
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 _CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay.cmake")\n'
-
-
-def cache_folder() -> Path:
-    """The user's folder for what can be made again: COURSEKIT_CACHE, else where this system keeps such things."""
-    told = os.environ.get("COURSEKIT_CACHE")
-    if told:
-        return Path(told)
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local")) / "coursekit" / "cache"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "coursekit"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "coursekit"
 
 
 def runtime_folder(tools: Toolchain) -> Path:

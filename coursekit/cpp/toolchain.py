@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import platform
+import shlex
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+
+from coursekit.files import read_text, write_whole
 
 MISSING = "there is no {what} here: `pip install 'coursekit[cpp]'` brings all that C++ needs"
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
@@ -34,7 +39,7 @@ class Toolchain:
         """What CMake is to be told of them."""
         told = {"CMAKE_CXX_COMPILER": ";".join(self.cxx), "CMAKE_C_COMPILER": ";".join(self.cc)}
         if self.archiver:
-            told |= {"CMAKE_AR": self.archiver, "CMAKE_RANLIB": self.archiver}
+            told |= {"CMAKE_AR": self.archiver, "CMAKE_RANLIB": "true"}  # zig's ar writes the index itself
         if self.ninja:
             told["CMAKE_MAKE_PROGRAM"] = self.ninja
         return told
@@ -57,9 +62,10 @@ def find_toolchain() -> Toolchain:
         if os.name == "posix" and (found := shutil.which(cxx)):
             return Toolchain((found,), (shutil.which(cc) or found,), None, cmake, ninja)
     zig = _zig()
-    if zig is None:
+    if zig is None or os.name != "posix":
         raise NoToolchain(MISSING.format(what="C++ compiler"))
-    return Toolchain((zig, "c++"), (zig, "cc"), zig, cmake, ninja)
+    cxx, cc, archiver = (_as_program(zig, name) for name in ("c++", "cc", "ar"))
+    return Toolchain((cxx,), (cc,), archiver, cmake, ninja)
 
 
 def _program(name: str, folder: str) -> str | None:
@@ -78,6 +84,29 @@ def _zig() -> str | None:
     return shutil.which("zig", path=str(Path(spec.submodule_search_locations[0])))
 
 
+def _as_program(zig: str, name: str) -> str:
+    """A program that is one of zig's tools: CMake wants a program for each, and zig's usual flags are not a robot's."""
+    target = ["-target", f"{platform.machine()}-linux-gnu.2.28"] if sys.platform == "linux" else []
+    flags = [] if name == "ar" else [*target, "-fno-sanitize=undefined"]  # what would trap goes on under g++
+    path = cache_folder() / "zig" / name
+    text = f'#!/bin/sh\nexec {shlex.quote(zig)} {name} {" ".join(flags)} "$@"\n'
+    if not path.is_file() or read_text(path) != text:
+        write_whole(path, text, 0o755, parents=True)
+    return str(path)
+
+
+def cache_folder() -> Path:
+    """The user's folder for what can be made again: COURSEKIT_CACHE, else where this system keeps such things."""
+    told = os.environ.get("COURSEKIT_CACHE")
+    if told:
+        return Path(told)
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local")) / "coursekit" / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "coursekit"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "coursekit"
+
+
 @cache
 def version_of(command: tuple[str, ...]) -> str:
     """What a compiler says of itself, to tell it from another."""
@@ -85,4 +114,4 @@ def version_of(command: tuple[str, ...]) -> str:
     return f"{' '.join(command)}\n{done.stdout}"
 
 
-__all__ = ["NoToolchain", "Toolchain", "find_toolchain", "version_of"]
+__all__ = ["NoToolchain", "Toolchain", "cache_folder", "find_toolchain", "version_of"]

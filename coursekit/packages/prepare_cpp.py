@@ -24,7 +24,7 @@ async def prepared_toolchain() -> Toolchain:
 
 
 async def _prepare(tools: Toolchain) -> None:
-    print("Preparing C++, once, in less than a minute ...", flush=True)
+    print("Preparing C++, once: half a minute with the system's compiler, three with coursekit[cpp]'s ...", flush=True)
     began = time.monotonic()
     env = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
     command = [sys.executable, "-m", "coursekit.cpp.runtime", str(runtime_folder(tools))]

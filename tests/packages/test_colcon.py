@@ -89,7 +89,7 @@ def without_compiler(tmp_path_factory):
 def test_without_a_compiler_cpp_is_skipped_in_one_line(without_compiler):
     lines = [one for one in (without_compiler / "output.txt").read_text().splitlines() if "C++ of s2_cpp_pubsub" in one]
     assert lines == [
-        "Skipped C++ of s2_cpp_pubsub: publisher_exe, subscriber_exe (there is no compiler here: "
+        "Skipped C++ of s2_cpp_pubsub: publisher_exe, subscriber_exe (there is no CMake here: "
         "`pip install 'coursekit[cpp]'` brings all that C++ needs; the rest is installed)"
     ]
     assert (without_compiler / "install/s2_cpp_pubsub/share/s2_cpp_pubsub/launch/pair.launch.py").is_file()
@@ -98,7 +98,7 @@ def test_without_a_compiler_cpp_is_skipped_in_one_line(without_compiler):
 @pytest.mark.parametrize("command", ["run s2_cpp_pubsub publisher_exe", "launch s2_cpp_pubsub pair.launch.py"])
 def test_an_executable_that_was_skipped_is_told_as_such(without_compiler, command):
     said = sourced(without_compiler, f'COURSEKIT_TIME=virtual "{BIN}/ros2" {command} 2>&1 || true')
-    assert "'publisher_exe' is written in C++, which is not compiled here" in said
+    assert "'publisher_exe' is written in C++, which the last build of 's2_cpp_pubsub' skipped" in said
 
 
 def test_coursekits_own_programs_answer_for_those_of_a_clone_that_are_written_in_cpp(tmp_path):

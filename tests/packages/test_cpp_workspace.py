@@ -154,6 +154,14 @@ def test_a_second_build_compiles_what_changed_and_nothing_else(workspace):
     assert b"walk " in program.read_bytes() and b"walk " not in other.read_bytes()
 
 
+def test_a_package_that_ros2_pkg_creates_builds_and_runs(workspace, tmp_path):
+    (tmp_path / "src").mkdir()
+    words = "--build-type ament_cmake --node-name hello --dependencies rclcpp --destination-directory src first_steps"
+    assert sourced(workspace, f"ros2 pkg create {words.replace('src ', str(tmp_path / 'src') + ' ')}").returncode == 0
+    assert colcon(tmp_path, "build").returncode == 0
+    assert sourced(tmp_path, "ros2 run first_steps hello").stdout == "hello world first_steps package\n"
+
+
 def copied(tmp_path, package):
     shutil.copytree(SOURCES / package, tmp_path / "src" / package)
     return tmp_path / "src" / package

@@ -166,7 +166,9 @@ bool install_signal_handlers(SignalHandlerOptions signals)
     return false;
   }
   bool all = signals == SignalHandlerOptions::All;
-  coursekit::catch_signals(all || signals == SignalHandlerOptions::SigInt, all || signals == SignalHandlerOptions::SigTerm);
+  bool interrupt = all || signals == SignalHandlerOptions::SigInt, terminate = all || signals == SignalHandlerOptions::SigTerm;
+  coursekit::catch_signals(interrupt, terminate);
+  coursekit::note("catch_signals", Packer{}.i(interrupt).i(terminate));
   return true;
 }
 bool signal_handlers_installed() {return g_handles_signals;}
@@ -176,6 +178,7 @@ bool uninstall_signal_handlers()
     return false;
   }
   coursekit::release_signals();
+  coursekit::note("catch_signals", Packer{}.i(false).i(false));
   return true;
 }
 namespace

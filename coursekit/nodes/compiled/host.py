@@ -62,6 +62,8 @@ class Host:
         self.blocked: dict[int, list[Any]] = {}
         """Who waits on the virtual clock for a mutex or condition variable, by its address."""
         self.context = contextvars.copy_context()
+        self.caught: set[int] = set()
+        """The signals that end what the program waits for, and not the program."""
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
         self._idle: list[Channel] = []
@@ -149,6 +151,8 @@ class Host:
 
     def _on_signal(self, signum: int, _frame: Any) -> None:
         self.flags |= STOPPING
+        if signum in self.caught:
+            self.context.copy().run(program.tell_signal, self, signum)
         if self._child.poll() is None:
             self._child.send_signal(signum)
         self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from typing import TYPE_CHECKING
 
 import rclpy
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 STOPPING = 2
+_INFO = 20
 
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -23,6 +25,18 @@ def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
     words = [frame.text() for _ in range(frame.integer())]
     rclpy.init(args=words[1:], domain_id=None if domain < 0 else domain)
     host.process.on_signal.clear()
+
+
+def do_catch_signals(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """The program lets Ctrl-C and `kill` end its spinning, or no more."""
+    interrupt, terminate = frame.integer(), frame.integer()
+    host.caught = {number for number, caught in ((signal.SIGINT, interrupt), (signal.SIGTERM, terminate)) if caught}
+
+
+def tell_signal(host: Host, number: int) -> None:
+    """The line that rclcpp's handler of signals writes."""
+    text, caller = f"signal_handler(signum={number})", ("signal_handler.cpp", "signal_handler", 0)
+    logging_state().write(_INFO, "rclcpp", text, caller, host.clock.now())
 
 
 def do_shutdown(_host: Host, _channel: Channel, _frame: Unpacker) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from socket import if_nameindex
 
+from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from coursekit.interfaces.find import UNDERLAY
 
 from .check import Check
@@ -65,6 +66,15 @@ def colcon() -> Check:
     return Check("colcon", "missing", "colcon is not installed", "Run: pip install colcon-core colcon-ros")
 
 
+def cpp_tools() -> Check:
+    """What compiles packages in C++."""
+    try:
+        tools = find_toolchain()
+    except NoToolchain as error:
+        return Check("C++", f"{error}; the course needs none")
+    return Check("C++", f"{' '.join(tools.cxx)}, {tools.cmake}, {tools.generator}")
+
+
 def socket_folder() -> Check:
     """Where terminals find the session."""
     from .runtime_folder import choose
@@ -106,6 +116,7 @@ CHECKS: tuple[Callable[[], Check], ...] = (
     kernel_version,
     widgets,
     colcon,
+    cpp_tools,
     setuptools_version,
     socket_folder,
     session_of_domain,

@@ -34,6 +34,20 @@ NOT_COMPILED = {
     "pluginlib", "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
+FORWARDED = {
+    "rclcpp/rclcpp.hpp": (
+        "create_client create_generic_publisher create_generic_subscription create_publisher create_service "
+        "create_subscription create_timer event executor_options generic_publisher generic_subscription init_options "
+        "intra_process_setting is_ros_compatible_type message_info parameter_map publisher_base qos_overriding_options "
+        "scope_exit subscription_base subscription_options time_source topic_statistics_state contexts/default_context "
+        "executors/multi_threaded_executor executors/single_threaded_executor executors/static_single_threaded_executor "
+        "node_interfaces/node_clock_interface node_interfaces/node_graph_interface node_interfaces/node_logging_interface "
+        "node_interfaces/node_parameters_interface node_interfaces/node_services_interface "
+        "node_interfaces/node_time_source_interface node_interfaces/node_timers_interface "
+        "node_interfaces/node_topics_interface node_interfaces/node_waitables_interface"
+    ),
+}
+"""Headers whose names are Humble's: by the header that has what is in them."""
 _CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay.cmake")\n'
 
 
@@ -57,6 +71,7 @@ def make_runtime(folder: Path, tools: Toolchain) -> None:
         made = Path(name) / "runtime"
         write_headers(made / "include", known_interfaces())
         _write_configs(made)
+        _write_forwarded(made / "include")
         _build_library(made, Path(name) / "build", tools)
         try:
             made.rename(folder)
@@ -70,6 +85,15 @@ def _write_configs(folder: Path) -> None:
         path = folder / "share" / name / "cmake" / f"{name}Config.cmake"
         path.parent.mkdir(parents=True)
         path.write_text(_CONFIG.format(name=name), encoding="utf-8")
+
+
+def _write_forwarded(folder: Path) -> None:
+    for target, names in FORWARDED.items():
+        package = target.partition("/")[0]
+        for name in names.split():
+            path = folder / package / f"{name}.hpp"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f'#pragma once\n#include "{target}"\n', encoding="utf-8")
 
 
 def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:

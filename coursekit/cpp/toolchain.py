@@ -29,8 +29,8 @@ class Toolchain:
 
     cxx: tuple[str, ...]
     cc: tuple[str, ...]
-    archiver: str | None
-    """The program that makes libraries, where CMake would not find it itself."""
+    archiver: tuple[str, str] | None
+    """The programs that make libraries and index them, where CMake would not find them itself."""
     cmake: str
     ninja: str | None
     """None where make does its work."""
@@ -39,7 +39,7 @@ class Toolchain:
         """What CMake is to be told of them."""
         told = {"CMAKE_CXX_COMPILER": ";".join(self.cxx), "CMAKE_C_COMPILER": ";".join(self.cc)}
         if self.archiver:
-            told |= {"CMAKE_AR": self.archiver, "CMAKE_RANLIB": "true"}  # zig's ar writes the index itself
+            told |= {"CMAKE_AR": self.archiver[0], "CMAKE_RANLIB": self.archiver[1]}
         if self.ninja:
             told["CMAKE_MAKE_PROGRAM"] = self.ninja
         return told
@@ -64,8 +64,8 @@ def find_toolchain() -> Toolchain:
     zig = _zig()
     if zig is None or os.name != "posix":
         raise NoToolchain(MISSING.format(what="C++ compiler"))
-    cxx, cc, archiver = (_as_program(zig, name) for name in ("c++", "cc", "ar"))
-    return Toolchain((cxx,), (cc,), archiver, cmake, ninja)
+    cxx, cc, ar, ranlib = (_as_program(zig, name) for name in ("c++", "cc", "ar", "ranlib"))
+    return Toolchain((cxx,), (cc,), (ar, ranlib), cmake, ninja)
 
 
 def _program(name: str, folder: str) -> str | None:
@@ -87,7 +87,7 @@ def _zig() -> str | None:
 def _as_program(zig: str, name: str) -> str:
     """A program that is one of zig's tools: CMake wants a program for each, and zig's usual flags are not a robot's."""
     target = ["-target", f"{platform.machine()}-linux-gnu.2.28"] if sys.platform == "linux" else []
-    flags = [] if name == "ar" else [*target, "-fno-sanitize=undefined"]  # what would trap goes on under g++
+    flags = [] if name in ("ar", "ranlib") else [*target, "-fno-sanitize=undefined"]  # what would trap goes on under g++
     path = cache_folder() / "zig" / name
     text = f'#!/bin/sh\nexec {shlex.quote(zig)} {name} {" ".join(flags)} "$@"\n'
     if not path.is_file() or read_text(path) != text:

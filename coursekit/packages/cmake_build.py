@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from colcon_cmake.task import cmake as colcon_tools
 from colcon_cmake.task.cmake import build as colcon_cmake
 from colcon_core.event.output import StderrLine, StdoutLine
 
@@ -57,7 +58,7 @@ async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[by
     listening = _ErrorsAside(context)
     complete = partial(_complete, runtime=runtime_folder(tools))
     task.set_context(context=listening)
-    colcon_cmake.CMAKE_EXECUTABLE = tools.cmake
+    colcon_cmake.CMAKE_EXECUTABLE = colcon_tools.CMAKE_EXECUTABLE = tools.cmake  # theirs may be none, or not on PATH
     try:
         code = await task.build(skip_hook_creation=True, environment_callback=complete)
     finally:
@@ -69,7 +70,7 @@ def _words(context: Any, tools: Toolchain) -> list[str]:
     args = context.args
     linking = "ON" if getattr(args, "symlink_install", False) else "OFF"
     facts = _initial_cache(Path(args.build_base), Path(args.install_base), tools)
-    return ["-G", tools.generator, "-Wno-dev", "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
+    return ["-G", tools.generator, "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
 
 
 def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
@@ -84,6 +85,7 @@ def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "COURSEKIT_SITE_PACKAGES": layout.site_packages(prefix).relative_to(prefix),
         "CMAKE_INSTALL_LIBDIR": "lib",
         "CMAKE_INSTALL_MESSAGE": "NEVER",
+        "CMAKE_SUPPRESS_DEVELOPER_WARNINGS": "ON",
         "CMAKE_EXPORT_NO_PACKAGE_REGISTRY": "ON",
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",
     }

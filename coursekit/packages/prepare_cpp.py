@@ -6,18 +6,24 @@ import asyncio
 import os
 import sys
 import time
+from pathlib import Path
 
 from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
 
 _locks: dict[asyncio.AbstractEventLoop, asyncio.Lock] = {}
+_failed: set[Path] = set()
 _FAILED = "C++ could not be prepared, for the reason above"
 
 
 async def prepared_toolchain() -> Toolchain:
     """The tools with their runtime made; NoToolchain where there are none, or where they cannot make it."""
+    if "COURSEKIT_GRADING" in os.environ:  # no point is for C++, and half a minute of a copy's time is much
+        raise NoToolchain("C++ is not compiled while a copy is marked")
     tools = find_toolchain()
     async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
+        if runtime_folder(tools) in _failed:  # another package has said so
+            raise NoToolchain(_FAILED)
         if not runtime_folder(tools).is_dir():
             await _prepare(tools)
     return tools
@@ -32,5 +38,6 @@ async def _prepare(tools: Toolchain) -> None:
     _, errors = await child.communicate()
     if child.returncode:
         print(errors.decode(errors="replace"), file=sys.stderr, flush=True)
+        _failed.add(runtime_folder(tools))
         raise NoToolchain(_FAILED)
     print(f"C++ is ready ({time.monotonic() - began:.0f} s).", flush=True)

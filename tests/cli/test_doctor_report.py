@@ -70,4 +70,4 @@ def test_a_topic_with_one_end_is_a_warning_and_no_failure():
 
 def test_one_ended_topics_fail_when_warnings_count():
     text = doctor("--include-warnings", ("talker",))
-    assert "1/11 check(s) failed" in text and "Failed modules: topic" in text
+    assert "1/12 check(s) failed" in text and "Failed modules: topic" in text

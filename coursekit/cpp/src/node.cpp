@@ -37,7 +37,7 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
 CallbackGroup::SharedPtr NodeFace::create_callback_group(CallbackGroupType type, bool automatic)
 {
   bool reentrant = type == CallbackGroupType::Reentrant;
-  int64_t number = ask("callback_group", Packer{}.i(base_->id).i(reentrant)).i();
+  int64_t number = ask("callback_group", Packer{}.i(base_->id).i(reentrant).i(automatic)).i();
   return std::make_shared<CallbackGroup>(number, type, automatic);
 }
 

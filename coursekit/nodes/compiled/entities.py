@@ -2,35 +2,38 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Collection
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Parameter as ParameterMessage
+from rclpy._rclpy_info import as_bytes
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.clock import Clock, ClockType
-from rclpy.duration import Duration
 from rclpy.parameter import Parameter
-from rclpy.qos import QoSProfile
 from tf2_ros import TransformListener
 
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
+from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.cpp_node import CppNode
+from coursekit.nodes.compiled.node import CompiledNode
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
 _FOREVER = 2**63 - 1
+_requests = itertools.count(1)
 _SYSTEM_TIME, _STEADY_TIME = 2, 3
 
 
 def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """The program has destroyed something."""
     thing = host.things.pop(frame.integer(), None)
-    if isinstance(thing, CppNode):
+    if isinstance(thing, CompiledNode):
         thing.destroy_node()
     elif isinstance(thing, tuple):  # (node, how to destroy it, it)
         node, how, entity = thing
@@ -47,7 +50,7 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     use_global, allow, automatic, rosout, services = (bool(frame.integer()) for _ in range(5))
     arguments = [frame.text() for _ in range(frame.integer())]
     overrides = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]
-    node = CppNode(
+    node = CompiledNode(
         name,
         namespace=namespace,
         cli_args=arguments,
@@ -64,9 +67,12 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a callback group."""
-    frame.integer()
-    return packed(host.keep(ReentrantCallbackGroup() if frame.integer() else MutuallyExclusiveCallbackGroup()))
+    """Make a callback group, which is served with its node, or apart."""
+    node, reentrant, automatic = host.things[frame.integer()], frame.integer(), frame.integer()
+    group = ReentrantCallbackGroup() if reentrant else MutuallyExclusiveCallbackGroup()
+    if not automatic:
+        node.set_apart(group)
+    return packed(host.keep(group))
 
 
 def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
@@ -113,40 +119,21 @@ def do_count_subscribers(host: Host, _channel: Channel, frame: Unpacker) -> byte
 # -- topics
 
 
-def _qos(frame: Unpacker) -> QoSProfile:
-    history, depth, reliability, durability, deadline, lifespan, liveliness, lease = (frame.integer() for _ in range(8))
-    return QoSProfile(
-        history=history,
-        depth=depth,
-        reliability=reliability,
-        durability=durability,
-        liveliness=liveliness,
-        deadline=Duration(nanoseconds=deadline),
-        lifespan=Duration(nanoseconds=lifespan),
-        liveliness_lease_duration=Duration(nanoseconds=lease),
-    )
-
-
-def _packed_qos(qos: QoSProfile) -> bytes:
-    return packed(
-        int(qos.history),
-        qos.depth,
-        int(qos.reliability),
-        int(qos.durability),
-        qos.deadline.nanoseconds,
-        qos.lifespan.nanoseconds,
-        int(qos.liveliness),
-        qos.liveliness_lease_duration.nanoseconds,
-    )
-
-
 def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a publisher."""
     node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
     group = host.things.get(frame.integer())
-    publisher = node.create_publisher(kind, topic, _qos(frame), callback_group=group)
+    publisher = node.create_publisher(
+        kind,
+        topic,
+        qos.profile(frame),
+        callback_group=group,
+        event_callbacks=qos.publisher_events(host, node, topic, frame),
+        qos_overriding_options=qos.overriding(host, frame),
+    )
+    host.own_gids.add(publisher._core.gid)
     number = host.keep((node, "destroy_publisher", publisher))
-    return packed(number, publisher.topic_name) + _packed_qos(publisher.qos_profile)
+    return packed(number, publisher.topic_name) + qos.packed_profile(publisher.qos_profile)
 
 
 def do_publish(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -170,15 +157,33 @@ def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a subscription."""
     node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
-    heard = partial(_heard, host, handler)
-    qos = _qos(frame)
-    subscription = node.create_subscription(kind, topic, heard, qos, callback_group=group, raw=True)
+    wanted = qos.profile(frame)
+    events = qos.subscription_events(host, node, topic, frame)
+    heard = partial(_heard, host, handler, host.own_gids if frame.integer() else ())
+    subscription = node.create_subscription(
+        kind,
+        topic,
+        heard,
+        wanted,
+        callback_group=group,
+        event_callbacks=events,
+        qos_overriding_options=qos.overriding(host, frame),
+        raw=True,
+    )
     number = host.keep((node, "destroy_subscription", subscription))
-    return packed(number, subscription.topic_name) + _packed_qos(qos)
+    return packed(number, subscription.topic_name) + qos.packed_profile(subscription.qos_profile)
 
 
-def _heard(host: Host, handler: int, data: bytes, info: Any) -> None:
+def _heard(host: Host, handler: int, ignored: Collection[bytes], data: bytes, info: Any) -> None:
+    if info["publisher_gid"] in ignored:  # what this program publishes itself
+        return
     host.call(handler, packed(info["source_timestamp"], info["received_timestamp"]) + data)
+
+
+def do_take(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The next message that waits, without its callback: 0 where there is none."""
+    entry = host.things[frame.integer()][2]._core.take()
+    return packed(0) if entry is None else packed(1, entry[1], entry[1]) + as_bytes(entry[0])
 
 
 def do_publisher_count(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
@@ -228,28 +233,51 @@ def do_timer_left(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(_FOREVER if left is None else left)
 
 
+def do_timer_call(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Call a timer's callback now, as when it is due."""
+    timer = host.things[frame.integer()][2]
+    timer.callback()
+    timer.reset()
+
+
 # -- services
 
 
 def do_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a service; its callback answers at once."""
+    """Make a service; its callback answers at once, or later by `send_response`."""
     node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
-
-    def answer(request: Any, _response: Any) -> Any:
-        result = host.call(handler, packed(0) + serialize(request))
-        result.integer()
-        return result.message(kind.Response)
-
-    service = node.create_service(kind, name, answer, qos_profile=_qos(frame), callback_group=group)
+    service = node.create_service(kind, name, _unused, qos_profile=qos.profile(frame), callback_group=group)
+    service.unanswered = {}
+    service._answer = partial(_answer, host, handler, service)
     return packed(host.keep((node, "destroy_service", service)), service.service_name)
+
+
+def _unused(_request: Any, response: Any) -> Any:
+    return response
+
+
+def _answer(host: Host, handler: int, service: Any, request: Any, header: Any) -> None:
+    number = next(_requests)
+    service.unanswered[number] = header
+    result = host.call(handler, packed(number) + serialize(request))
+    if result.integer():
+        service.send_response(result.message(service.srv_type.Response), service.unanswered.pop(number))
+
+
+def do_send_response(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Answer a request that was put off."""
+    service, number = host.things[frame.integer()][2], frame.integer()
+    header = service.unanswered.pop(number, None)
+    if header is not None:
+        service.send_response(frame.message(service.srv_type.Response), header)
 
 
 def do_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a client."""
     node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
-    client = node.create_client(kind, name, qos_profile=_qos(frame), callback_group=group)
+    client = node.create_client(kind, name, qos_profile=qos.profile(frame), callback_group=group)
     client.handler = handler
     return packed(host.keep((node, "destroy_client", client)), client.service_name)
 

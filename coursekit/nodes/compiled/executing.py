@@ -38,6 +38,21 @@ def do_remove_node(host: Host, _channel: Channel, frame: Unpacker) -> None:
     host.things[frame.integer()].remove_node(host.things[frame.integer()])
 
 
+def do_add_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Have an executor serve one group of a node, apart from the node's own."""
+    executor, group, node = (host.things[frame.integer()] for _ in range(3))
+    node.set_apart(group, executor)
+    executor.apart = {**getattr(executor, "apart", {}), group: node}
+
+
+def do_remove_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Have an executor serve a group no more."""
+    executor, group = (host.things[frame.integer()] for _ in range(2))
+    node = executor.apart.pop(group, None)
+    if node is not None:
+        node.set_apart(group)
+
+
 def do_spin(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Run callbacks until the context ends or the executor is cancelled."""
     executor = host.things[frame.integer()]

@@ -61,6 +61,8 @@ class Host:
         """The channels of threads that the program made on the virtual clock, by its own numbers."""
         self.blocked: dict[int, list[Any]] = {}
         """Who waits on the virtual clock for a mutex or condition variable, by its address."""
+        self.own_gids: set[bytes] = set()
+        """The publishers of this program, for subscriptions that ignore them."""
         self.context = contextvars.copy_context()
         self.caught: set[int] = set()
         """The signals that end what the program waits for, and not the program."""

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import gc
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+import psutil
 
 import coursekit.nodes.compiled.host as host
 from coursekit.core.executables import make_process
@@ -92,6 +96,16 @@ int main(int argc, char ** argv)
   throw std::runtime_error("nobody catches this");
 }
 """
+BRIEF = """
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("brief");
+  auto service = node->create_wall_timer(std::chrono::milliseconds(1), [] {rclcpp::shutdown();});
+  rclcpp::spin(node);
+}
+"""
 
 
 def start(session: Session, program: Path) -> Any:
@@ -106,11 +120,13 @@ def test_a_publisher_is_heard_by_a_subscriber_at_exact_times(build: Build) -> No
         counter.interrupt()
         hearer.interrupt()
         assert (counter.wait(5.0), hearer.wait(5.0)) == (0, 0)
-        assert counter.output == "counted to 3\n"
+        signalled = "[INFO] [1700000001.600000000] [rclcpp]: signal_handler(signum=2)\n"
+        assert counter.output == f"{signalled}counted to 3\n"
         assert hearer.output == (
             "[INFO] [1700000000.500000000] [hearer]: heard 1\n"
             "[INFO] [1700000001.000000000] [hearer]: heard 2\n"
             "[INFO] [1700000001.500000000] [hearer]: heard 3\n"
+            f"{signalled}"
         )
 
 
@@ -130,3 +146,20 @@ def test_a_program_that_aborts_leaves_the_graph_and_the_session_goes_on(build: B
         assert process.wait(5.0) == -6
         assert "nobody catches this" in process.output
         assert not any(node.name == "faulty" for node in session.graph(0).nodes)
+
+
+def test_starts_and_ends_leave_no_thread_no_file_and_no_process(build: Build) -> None:
+    program = build("brief", BRIEF)
+
+    def held() -> tuple[int, int, int]:
+        return threading.active_count(), psutil.Process().num_fds(), len(psutil.Process().children(recursive=True))
+
+    for virtual in (True, False):
+        with (session := Session(virtual=virtual)).use():
+            assert start(session, program).wait(20.0) == 0
+            gc.collect()
+            before = held()
+            for _ in range(20):
+                assert start(session, program).wait(20.0) == 0
+            gc.collect()
+            assert held() == before

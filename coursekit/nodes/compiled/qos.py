@@ -1,0 +1,102 @@
+"""QoS of a compiled program's publishers and subscriptions: profiles, events, and policies that parameters override."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import astuple
+from typing import TYPE_CHECKING, Any
+
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.duration import Duration
+from rclpy.qos import QoSPolicyKind, QoSProfile
+from rclpy.qos_event import PublisherEventCallbacks, SubscriptionEventCallbacks
+from rclpy.qos_overriding_options import QoSOverridingOptions
+
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.host import Host
+
+_WARNINGS = {
+    "publisher": "New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. ",
+    "subscription": "New publisher discovered on topic '{}', offering incompatible QoS. No messages will be sent to it. ",
+}
+
+
+def profile(frame: Unpacker) -> QoSProfile:
+    """The profile that a frame goes on with."""
+    history, depth, reliability, durability, deadline, lifespan, liveliness, lease = (frame.integer() for _ in range(8))
+    return QoSProfile(
+        history=history,
+        depth=depth,
+        reliability=reliability,
+        durability=durability,
+        liveliness=liveliness,
+        deadline=Duration(nanoseconds=deadline),
+        lifespan=Duration(nanoseconds=lifespan),
+        liveliness_lease_duration=Duration(nanoseconds=lease),
+    )
+
+
+def packed_profile(qos: QoSProfile) -> bytes:
+    """A profile as C++'s QoS::unpack reads it."""
+    return packed(
+        int(qos.history),
+        qos.depth,
+        int(qos.reliability),
+        int(qos.durability),
+        qos.deadline.nanoseconds,
+        qos.lifespan.nanoseconds,
+        int(qos.liveliness),
+        qos.liveliness_lease_duration.nanoseconds,
+    )
+
+
+def publisher_events(host: Host, node: Any, topic: str, frame: Unpacker) -> PublisherEventCallbacks:
+    """The callbacks of a publisher's events; rclcpp's own warning where the program has none and wants it."""
+    deadline, liveliness, incompatible = (_telling(host, frame.integer()) for _ in range(3))
+    warn = _warning(node, "publisher", topic) if frame.integer() else None
+    return PublisherEventCallbacks(
+        deadline=deadline, liveliness=liveliness, incompatible_qos=incompatible or warn, use_default_callbacks=False
+    )
+
+
+def subscription_events(host: Host, node: Any, topic: str, frame: Unpacker) -> SubscriptionEventCallbacks:
+    """The callbacks of a subscription's events."""
+    deadline, liveliness, incompatible, lost = (_telling(host, frame.integer()) for _ in range(4))
+    warn = _warning(node, "subscription", topic) if frame.integer() else None
+    return SubscriptionEventCallbacks(
+        deadline=deadline,
+        liveliness=liveliness,
+        incompatible_qos=incompatible or warn,
+        message_lost=lost,
+        use_default_callbacks=False,
+    )
+
+
+def _telling(host: Host, handler: int) -> Callable[[Any], None] | None:
+    def tell(info: Any) -> None:
+        host.call(handler, packed(*map(int, astuple(info))))
+
+    return tell if handler else None
+
+
+def _warning(node: Any, who: str, topic: str) -> Callable[[Any], None]:
+    def warn(info: Any) -> None:
+        policy = QoSPolicyKind(info.last_policy_kind).name
+        full = node.resolve_topic_name(topic)
+        node.get_logger().warning(f"{_WARNINGS[who].format(full)}Last incompatible policy: {policy}_QOS_POLICY")
+
+    return warn
+
+
+def overriding(host: Host, frame: Unpacker) -> QoSOverridingOptions | None:
+    """Which policies parameters may override, and who judges the result; None for none."""
+    name, kinds = frame.text(), [QoSPolicyKind(frame.integer()) for _ in range(frame.integer())]
+    judge = frame.integer()
+
+    def verdict(qos: QoSProfile) -> SetParametersResult:
+        answer = host.call(judge, packed_profile(qos))
+        return SetParametersResult(successful=bool(answer.integer()), reason=answer.text())
+
+    return QoSOverridingOptions(kinds, callback=verdict if judge else None, entity_id=name or None) if kinds else None

@@ -15,6 +15,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from coursekit.core.patching import KERNEL, Change, Patch
+
 _STILLS = Path(__file__).parent / "labextension"
 
 
@@ -56,6 +58,17 @@ def keep_output_in_cells(shell: Any) -> None:
 
     take.for_cells = True  # type: ignore[attr-defined]
     shell.set_parent = take
+
+
+def patches() -> list[Patch]:
+    """What is done to a kernel of the course, for as long as it runs."""
+    test = "tests/cli/test_kernel"
+    return [
+        Change("ipykernel: shell_channel_thread.manager", hear_all, "ipykernel 7.3 goes deaf when a request meets a reply",
+               f"{test}.py", KERNEL),
+        Change("ipykernel: shell.set_parent", keep_output_in_cells, "what threads print goes to a cell, not to a widget",
+               f"{test}_output.py", KERNEL),
+    ]  # fmt: skip
 
 
 def write_kernelspec(folder: Path) -> Path:

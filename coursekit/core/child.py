@@ -5,22 +5,23 @@ from __future__ import annotations
 import os
 import subprocess
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from coursekit.systems import children
 from coursekit.systems.child_terminal import open_terminal
 from coursekit.systems.words import join_words
 
-from .clock import _Thread_start
-from .process import Output, Process, current_process
+from .base_process import BaseProcess
+from .clock import start_outside
+from .process import current_process
 
 if TYPE_CHECKING:
     from .session import Session
 
 
-class ChildProcess:
-    """A real child process behind the interface of `Process`.
+class ChildProcess(BaseProcess):
+    """A real child process behind the interface of a process.
 
     On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all. With
     `one_stream` its errors come among its other output in the order in which it wrote them, as in a terminal. With
@@ -38,31 +39,12 @@ class ChildProcess:
         takes_time: bool = True,
         one_stream: bool = False,
     ) -> None:
-        self.session = session
-        self.name = name
+        super().__init__(session, name, command, current_process())
         self._one_stream = one_stream
         self.takes_time = takes_time
-        self.argv = list(command)
-        self.pid = session.new_pid()
-        self.parent = current_process()
-        self.exit_code: int | None = None
-        self.abandoned = False
-        self.out = Output()
-        self.tty = False
         self.env = children.with_utf8(os.environ if env is None else env)
         self.cwd = None if cwd is None else os.fspath(cwd)
-        self._ended = session.clock.new_event()
-        self._exit_listeners: list[Callable[[Any], None]] = []
         self._child: subprocess.Popen[str] | None = None
-
-    state = Process.state
-    output = Process.output
-    on_output = Process.on_output
-    on_exit = Process.on_exit
-    wait = Process.wait
-    interrupt = Process.interrupt
-    terminate = Process.terminate
-    __repr__ = Process.__repr__
 
     def begin(self) -> None:
         """Start it, and threads that read what it writes."""
@@ -93,8 +75,8 @@ class ChildProcess:
             if pipe is not None
         ]
         for thread in readers:
-            _start_outside(thread)
-        _start_outside(threading.Thread(target=self._watch, args=(readers,), daemon=True))
+            start_outside(thread)
+        start_outside(threading.Thread(target=self._watch, args=(readers,), daemon=True))
 
     def _count_child(self, change: int) -> None:
         clock = self.session.clock
@@ -114,9 +96,7 @@ class ChildProcess:
         for thread in readers:
             threading.Thread.join(thread, 1.0)
         self.exit_code = code
-        self.session.forget(self)
-        for listener in self._exit_listeners:
-            listener(self)
+        self._tell_of_end()
         self._ended.set()
         self._count_child(-1)  # last: from here on virtual time may run, and whoever waits has been woken
 
@@ -131,10 +111,6 @@ class ChildProcess:
         if self._child is not None and self._child.stdin is not None:
             self._child.stdin.close()
 
-    def kill(self) -> None:
-        """End it at once."""
-        self.send_signal(9)
-
     def send_signal(self, signum: int) -> None:
         """Deliver a signal to it."""
         if self._child is not None and self.exit_code is None:
@@ -148,7 +124,3 @@ class ChildProcess:
 def _outputs(child: subprocess.Popen[str]) -> tuple[Any, Any]:
     return child.stdout, child.stderr
 
-
-def _start_outside(thread: threading.Thread) -> None:
-    """Start a real thread, also where threads are lanes of the virtual clock."""
-    _Thread_start(thread)

@@ -24,6 +24,11 @@ _Thread_start = threading.Thread.start
 _allocate_lock = threading.Lock
 
 
+def start_outside(thread: threading.Thread) -> None:
+    """Start a real thread, also where the threads of programs are lanes of the virtual clock."""
+    _Thread_start(thread)
+
+
 def waited_ns(seconds: float) -> int:
     """How long a wait for so many seconds takes [ns]: none for 0 or less, else at least one.
 
@@ -188,7 +193,7 @@ class WallClock:
         """Run `function` in a daemon thread that inherits the caller's context."""
         context = contextvars.copy_context()
         thread = threading.Thread(target=context.run, args=(function,), name=name, daemon=True)
-        _Thread_start(thread)
+        start_outside(thread)
         return thread
 
     def call_at(self, deadline: int, function: Callable[[], None]) -> Alarm:
@@ -214,7 +219,7 @@ class _Alarms:
             heapq.heappush(self._heap, (alarm.deadline, next(self._numbers), alarm))
             if self._thread is None:
                 self._thread = threading.Thread(target=self._run, name="coursekit-alarms", daemon=True)
-                _Thread_start(self._thread)
+                start_outside(self._thread)
             self._changed.notify()
         return alarm
 

@@ -75,8 +75,4 @@ def _want(process: Process) -> None:
         process.want_keys()
 
 
-def install() -> None:
-    """Put it in place where there is an msvcrt; harmless when it is there already."""
-    if _msvcrt is not None:
-        for function in (getwch, getwche, getch, getche, kbhit):
-            setattr(_msvcrt, function.__name__, function)
+FUNCTIONS = (getwch, getwche, getch, getche, kbhit)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, TypeVar
 
 from .qos import Qos
@@ -66,8 +67,9 @@ class Graph:
     '/talker'
     """
 
-    def __init__(self, clock: Any) -> None:
+    def __init__(self, clock: Any, numbers: Iterator[int] | None = None) -> None:
         self.clock = clock
+        self._numbers = itertools.count(1) if numbers is None else numbers
         self.nodes: list[GraphNode] = []
         self.publishers: dict[str, list[Publisher]] = {}
         self.subscriptions: dict[str, list[Subscription]] = {}
@@ -80,6 +82,10 @@ class Graph:
         self._watchers: list[Callable[[], None]] = []
 
     # -- change
+
+    def new_number(self) -> int:
+        """A number for an endpoint; the graphs of a session share them."""
+        return next(self._numbers)
 
     def add_node(self, name: str, namespace: str, process: Any = None) -> GraphNode:
         """A new node; two may have the same name, as in ROS."""

@@ -5,14 +5,17 @@ from __future__ import annotations
 import ctypes
 import signal
 import sys
-from collections.abc import Callable
+from abc import abstractmethod
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from .base_process import BaseProcess
 from .lane import Lane, ProcessKilled
-from .output import Input, Output
+from .output import Input
 from .whose import owner
 
 if TYPE_CHECKING:
+    from .process import Process
     from .session import Session
 
 
@@ -20,35 +23,18 @@ RETRY_NS = 2_000_000
 """When it is tried again to reach a thread that was importing."""
 
 
-class Interruptible:
-    """The part of a process that others interrupt, terminate and kill."""
+class Interruptible(BaseProcess):
+    """The part of a process in this interpreter that others interrupt, terminate and kill."""
 
-    session: Session
-    name: str
-    pid: int
-    exit_code: int | None
     stdin: Input
-    out: Output
     _main: Callable[[], Any]
     _lane: Lane | None
 
-    def __init__(self) -> None:
-        self.abandoned = False
+    def __init__(self, session: Session, name: str, argv: Sequence[str], parent: Process | None) -> None:
+        super().__init__(session, name, argv, parent)
         self.handlers: dict[int, Any] = {}
         self.on_signal: list[Callable[[int], bool]] = []
         """Called in the main lane when a signal arrives; True means that it has been dealt with."""
-
-    def interrupt(self) -> None:
-        """Press Ctrl-C."""
-        self.send_signal(signal.SIGINT)
-
-    def terminate(self) -> None:
-        """Ask it to end, as `kill PID` does."""
-        self.send_signal(signal.SIGTERM)
-
-    def kill(self) -> None:
-        """End it whatever it does; if it cannot be ended, it is cut off and `abandoned` is set."""
-        self.send_signal(9)
 
     def send_signal(self, signum: int) -> None:
         """Deliver a signal the way the system would, in the process's own main lane."""
@@ -117,6 +103,8 @@ class Interruptible:
     def _cut_off(self) -> None:
         if self.exit_code is None:
             self.abandoned = True
+            if self._lane is not None and not self.session.clock.virtual:
+                self.session.cut_off.append(self._lane.ident)
             self.out.write(
                 "stderr",
                 f"[coursekit] process {self.name} [{self.pid}] does not answer: it was cut off from the graph, "
@@ -124,9 +112,9 @@ class Interruptible:
             )
             self._end(-9)
 
-    if TYPE_CHECKING:
-
-        def _end(self, code: int) -> None: ...
+    @abstractmethod
+    def _end(self, code: int) -> None:
+        """Let it have ended, with this exit code."""
 
 
 def _like(error: BaseException) -> type[BaseException]:

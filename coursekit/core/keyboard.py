@@ -39,7 +39,7 @@ def _settings(process: Process) -> list[Any]:
     return process.stdin.settings or first
 
 
-def _tcgetattr(fd: Any) -> list[Any]:
+def tcgetattr(fd: Any) -> list[Any]:
     process = _typed_at(fd)
     if process is None:
         return _real_tcgetattr(fd)
@@ -47,7 +47,7 @@ def _tcgetattr(fd: Any) -> list[Any]:
     return [*flags, list(letters)]
 
 
-def _tcsetattr(fd: Any, when: int, attributes: list[Any]) -> None:
+def tcsetattr(fd: Any, when: int, attributes: list[Any]) -> None:
     process = _typed_at(fd)
     if process is None:
         _real_tcsetattr(fd, when, attributes)
@@ -59,7 +59,7 @@ def _tcsetattr(fd: Any, when: int, attributes: list[Any]) -> None:
         process.want_keys()
 
 
-def _fcntl(fd: Any, cmd: int, arg: Any = 0) -> Any:
+def fcntl_(fd: Any, cmd: int, arg: Any = 0) -> Any:
     process = _typed_at(fd)
     if process is None or cmd not in (fcntl.F_GETFL, fcntl.F_SETFL):
         return _real_fcntl(fd, cmd, arg)
@@ -68,7 +68,7 @@ def _fcntl(fd: Any, cmd: int, arg: Any = 0) -> Any:
     return 0 if process.stdin.blocking or cmd == fcntl.F_SETFL else os.O_NONBLOCK
 
 
-def _select(
+def select_(
     rlist: Sequence[Any], wlist: Sequence[Any], xlist: Sequence[Any], timeout: float | None = None, /
 ) -> tuple[list[Any], list[Any], list[Any]]:
     process = current_process()
@@ -79,12 +79,3 @@ def _select(
         typed = []
     return typed, [], []
 
-
-def install() -> None:
-    """Put it in place; harmless when it is there already."""
-    select.select = _select  # type: ignore[assignment]
-    if fcntl is not None:
-        fcntl.fcntl = _fcntl
-    for module in (termios, tty) if termios is not None else ():
-        module.tcgetattr = _tcgetattr  # type: ignore[attr-defined]
-        module.tcsetattr = _tcsetattr  # type: ignore[attr-defined]

@@ -44,9 +44,4 @@ def unregister(func: Callable[..., Any], /) -> None:
         process.at_exit[:] = [kept for kept in process.at_exit if kept.func != func]
 
 
-def install() -> None:
-    """Put these in place of the standard ones; harmless when they are."""
-    atexit.register, atexit.unregister = register, unregister
-
-
-__all__ = ["install"]
+__all__ = ["register", "unregister"]

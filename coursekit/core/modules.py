@@ -5,21 +5,23 @@ from __future__ import annotations
 import builtins
 import importlib
 import importlib.machinery
-import importlib.metadata
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from .patching import PRIVATE, door
 from .process import Process, current_process
 
 _real_import = builtins.__import__
 _real_import_module = importlib.import_module
 _lock = threading.RLock()
 _path_lock = threading.Lock()
+_added: set[str] = set()
+"""Folders of sys.path that are there for processes."""
 _KEY = "coursekit.modules"
 _NEVER = ("__pycache__", "coursekit")
 
@@ -89,7 +91,7 @@ def _is_elsewhere(folder: Path) -> bool:
 
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:
     """Give `process` fresh modules of the packages in `folders`, which also come first on sys.path."""
-    install()
+    door.enter(process.session, PRIVATE)
     _put_first(folders)
     process.locals[_KEY] = PrivateModules(folders)
 
@@ -97,6 +99,7 @@ def use_private_modules(process: Process, folders: Sequence[str]) -> None:
 def _put_first(folders: Sequence[str]) -> None:
     """Into a new list: another process that looks through the old one must not miss a folder that moves meanwhile."""
     with _path_lock:
+        _added.update(folder for folder in folders if folder not in sys.path)
         sys.path = list(dict.fromkeys([*folders, *sys.path]))
 
 
@@ -106,7 +109,7 @@ def _private_of_caller(top: str) -> PrivateModules | None:
     return private if private is not None and top in private.names else None
 
 
-def _import(
+def import_(
     name: str,
     globals: dict[str, Any] | None = None,
     locals: dict[str, Any] | None = None,
@@ -126,7 +129,7 @@ def _import(
         return _real_import(name, globals, locals, fromlist, level)
 
 
-def _import_module(name: str, package: str | None = None) -> ModuleType:
+def import_module(name: str, package: str | None = None) -> ModuleType:
     top = (package or "") if name.startswith(".") else name
     private = _private_of_caller(top.partition(".")[0])
     if private is None:
@@ -135,8 +138,15 @@ def _import_module(name: str, package: str | None = None) -> ModuleType:
         return _real_import_module(name, package)
 
 
-def install() -> None:
-    """Put the per-process imports in place; harmless when they are."""
-    builtins.__import__ = _import  # type: ignore[assignment]
-    importlib.import_module = _import_module
-    importlib.metadata.import_module = _import_module  # type: ignore[attr-defined]
+def own_path(_nothing: object = None) -> Callable[[], None]:
+    """Remember sys.path; returns what puts it back, without the folders of processes and with what others have added."""
+    found, before = sys.path, list(sys.path)
+
+    def undo() -> None:
+        with _path_lock:
+            others = [folder for folder in sys.path if folder not in _added and folder not in before]
+            found[:] = [*others, *(folder for folder in before if folder in sys.path)]
+            sys.path = found
+            _added.clear()
+
+    return undo

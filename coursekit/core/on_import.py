@@ -6,11 +6,12 @@ import importlib
 import importlib.abc
 import importlib.machinery
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import ModuleType
 from typing import Any
 
 from .elsewhere import remark
+from .patching import is_imported
 
 HELPERS = {"cv2": "coursekit.view.highgui", "matplotlib.pyplot": "coursekit.view.plots"}
 """Module: who lends it a hand, with a function `install()`."""
@@ -61,7 +62,7 @@ class _Elsewhere(importlib.abc.MetaPathFinder):
 
 
 _finder = _Finder()
-sys.meta_path.append(_Elsewhere())
+_elsewhere = _Elsewhere()
 
 
 def _help(helper: str) -> None:
@@ -70,11 +71,25 @@ def _help(helper: str) -> None:
         install()
 
 
-def watch() -> None:
-    """Lend a hand to what is imported already, and to the rest when it comes; harmless when done before."""
-    if _finder not in sys.meta_path:
-        sys.meta_path.insert(0, _finder)
-        for name, helper in HELPERS.items():
-            spec = getattr(sys.modules.get(name), "__spec__", None)
-            if spec is not None and not getattr(spec, "_initializing", False):
-                _help(helper)
+def watch_imports(_nothing: object = None) -> Callable[[], None]:
+    """Lend a hand to what will be imported; returns what ends it."""
+    sys.meta_path.insert(0, _finder)
+    return lambda: _remove(_finder)
+
+
+def lend_to_imported() -> None:
+    """Lend a hand to what has been imported already; harmless when that is done."""
+    for name, helper in HELPERS.items():
+        if is_imported(name):
+            _help(helper)
+
+
+def tell_elsewhere(_nothing: object = None) -> Callable[[], None]:
+    """Tell of packages that are elsewhere; returns what ends it."""
+    sys.meta_path.append(_elsewhere)
+    return lambda: _remove(_elsewhere)
+
+
+def _remove(finder: Any) -> None:
+    if finder in sys.meta_path:
+        sys.meta_path.remove(finder)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextvars
 import ctypes
 import functools
-import itertools
 import os
 import signal
 import sys
@@ -20,14 +19,13 @@ from coursekit.systems.folder import working_folder
 
 from .interrupting import Interruptible, raise_killed
 from .lane import Lane, ProcessKilled, thread_lane
-from .output import Input, Output
+from .output import Input
 from .whose import current_process as current_process
 from .whose import owner
 
 if TYPE_CHECKING:
     from .session import Session
 
-_numbers = itertools.count(1)
 _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
 DISTRIBUTION = {
     "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
@@ -38,8 +36,7 @@ DISTRIBUTION = {
 class Process(Interruptible):
     """One running program of the session.
 
-    Made by `Session.start`; see there. `exit_code` is None while it runs, as in `subprocess`: 0 is success,
-    a negative number the signal that ended it.
+    Made by `Session.start`; see there.
     """
 
     def __init__(
@@ -53,26 +50,19 @@ class Process(Interruptible):
         cwd: str | os.PathLike[str] | None = None,
         parent: Process | None = None,
     ) -> None:
-        super().__init__()
-        self.session = session
-        self.pid = session.new_pid()
-        self.name = name
-        self.argv = [name, *argv]
-        self.parent = parent
+        super().__init__(session, name, [name, *argv], parent)
         inherited = parent.env if parent is not None else dict(session.environ)
         self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
         with_underlay(self.env)
         above = working_folder() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.started = session.clock.steady()
-        self.exit_code: int | None = None
         self.locals: dict[Any, Any] = {}
         """What other rooms keep per process: the default rclpy context, log levels, ..."""
         self.cleanups: list[Callable[[], None]] = []
+        self.before_join: list[Callable[[], None]] = []
+        """Called when its main() has ended, before its threads are waited for: pools let go of those without work."""
         self.at_exit: list[functools.partial[Any]] = []
-        self.out = Output()
-        self.tty = False
-        """Whether its streams say that they are a terminal's."""
         self.stdin = Input(session)
         self.on_wants_keys: Callable[[], None] | None = None
         """Called when it wants each key as it is typed, not whole lines; set by who types."""
@@ -83,36 +73,8 @@ class Process(Interruptible):
         self.lanes: list[Lane] = []
         self._main = main
         self._lane: Lane | None = None
-        self._ended = session.clock.new_event()
-        self._exit_listeners: list[Callable[[Process], None]] = []
 
-    # -- what others see
-
-    @property
-    def state(self) -> str:
-        """'running' or 'exited'."""
-        return "running" if self.exit_code is None else "exited"
-
-    @property
-    def output(self) -> str:
-        """What it wrote to stdout and stderr, in order."""
-        return self.out.text()
-
-    def on_output(self, callback: Callable[[str, str], None]) -> None:
-        """Call `callback(stream, text)` for all that it writes from now on."""
-        self.out.listeners.append(callback)
-
-    def on_exit(self, callback: Callable[[Process], None]) -> None:
-        """Call `callback(process)` when it has ended, at once if it has already."""
-        if self.exit_code is not None:
-            callback(self)
-        else:
-            self._exit_listeners.append(callback)
-
-    def wait(self, timeout_sec: float | None = None) -> int | None:
-        """Wait for its end, at most `timeout_sec` seconds; the exit code, None if it still runs."""
-        self._ended.wait(timeout_sec)
-        return self.exit_code
+    # -- what is typed to it
 
     def write_stdin(self, text: str) -> None:
         """Type `text` into its standard input."""
@@ -134,10 +96,6 @@ class Process(Interruptible):
         else:
             self.stdin.end()
 
-    def __repr__(self) -> str:
-        ended = "" if self.exit_code is None else f" {self.exit_code}"
-        return f"<Process {self.pid} {self.name!r} {self.state}{ended}>"
-
     # -- running
 
     def begin(self) -> None:
@@ -154,6 +112,7 @@ class Process(Interruptible):
         try:
             enter_folder(self.cwd)
             code = self._call_main()
+            self._call_all(self.before_join)
             self._join_threads()
             self._call_all(reversed(self.at_exit))
         except ProcessKilled as death:
@@ -210,10 +169,8 @@ class Process(Interruptible):
         for lane in self.lanes:
             if lane is not self._lane:
                 lane.post(raise_killed)
-        self.session.forget(self)
-        for listener in self._exit_listeners:
-            listener(self)
-        for kept in (self._exit_listeners, self.cleanups, self.on_signal, self.locals):
+        self._tell_of_end()
+        for kept in (self.before_join, self.cleanups, self.on_signal, self.locals):
             kept.clear()  # type: ignore[attr-defined]
         self._ended.set()
 

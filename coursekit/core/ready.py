@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .timer import Timer
 
-_numbers = itertools.count()
-
 
 class Source:
     """Something that can become ready: a subscription with a message, a timer that is due, ...
@@ -56,6 +54,7 @@ class ReadyQueue:
         self.clock = clock
         self.items: deque[Any] = deque()
         self._timers: list[tuple[int, int, Timer, int]] = []
+        self._numbers = itertools.count()
         self._waiter = clock.new_waiter()
         self._sleeping = False
 
@@ -71,7 +70,7 @@ class ReadyQueue:
 
     def arm(self, timer: Timer, deadline: int) -> None:
         """Ring `timer` at `deadline` (steady nanoseconds)."""
-        heapq.heappush(self._timers, (deadline, next(_numbers), timer, timer.generation))
+        heapq.heappush(self._timers, (deadline, next(self._numbers), timer, timer.generation))
         if self._sleeping:
             self._waiter.notify()
 

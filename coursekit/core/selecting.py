@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import importlib
-import selectors
 from collections.abc import Callable
 from typing import Any
-
-from coursekit.systems import which
 
 from .clock import waited_ns
 from .whose import current_process
@@ -16,7 +12,7 @@ STEP = 0.02
 """Seconds between two looks at the files."""
 
 
-def _patient(real: Callable[..., Any]) -> Callable[..., Any]:
+def patient(real: Callable[..., Any]) -> Callable[..., Any]:
     """Such a `select` for a process of a session: on the virtual clock the others go on while it waits."""
 
     def select(self: Any, timeout: float | None = None) -> Any:
@@ -34,18 +30,3 @@ def _patient(real: Callable[..., Any]) -> Callable[..., Any]:
                 clock.sleep(left)
 
     return select
-
-
-def _kinds() -> list[Any]:
-    """What asyncio's loops wait with; on Windows they have one more, of that system's own."""
-    windows = [importlib.import_module("asyncio.windows_events").IocpProactor] if which.WINDOWS else []
-    return [selectors.DefaultSelector, *windows]
-
-
-_PATIENT = [(kind, _patient(kind.select)) for kind in _kinds()]
-
-
-def install() -> None:
-    """Put it in place; harmless when it is there already."""
-    for kind, select in _PATIENT:
-        kind.select = select

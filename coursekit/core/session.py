@@ -20,18 +20,16 @@ from typing import Any
 
 from coursekit.systems.children import interrupt_self
 
-from . import on_import, present, streams, threads
+from . import present
 from .clock import Clock, WallClock
 from .commands import MEET, load
 from .graph import Graph
 from .lane import Lane, ProcessKilled, thread_lane
+from .patching import IMPORTS, PROCESSES, VIRTUAL, door
 from .process import Process, current_process
 from .virtual import VirtualClock, is_lane_thread
 
 _making = threading.RLock()
-
-SWITCH_INTERVAL = 0.0005
-"""Seconds a thread keeps the interpreter: with Python's 5 ms a busy cell makes every hand-off between threads slow."""
 
 ALONE = ("COURSEKIT_ALONE", "COURSEKIT_STOP_AFTER")
 """Variables of the environment that have an interpreter's nodes meet nobody."""
@@ -56,13 +54,20 @@ class Session:
         self.in_cell = False
         self.meets = False
         """Set where its nodes meet those of other programs on this computer: in a plain interpreter on the wall clock."""
+        self.cut_off: list[int] = []
+        """Threads of processes that could not be ended."""
         self.graphs: dict[int, Graph] = {}
+        self.locals: dict[Any, Any] = {}
+        """What other rooms keep per session; for the interpreter's own code also what they keep per process."""
         self.on_start: list[Callable[[Process], None]] = []
         self._pids = itertools.count(1000)
+        self._endpoints = itertools.count(1)
         self._uuids = itertools.count(1)
         self._stop_planned = False
-        if virtual:
-            threads.install_virtual()
+
+    def open(self) -> None:
+        """Give each process its own view of what Python keeps once (streams, signals, time, ...), until `close`."""
+        door.enter(self, IMPORTS, PROCESSES, *([VIRTUAL] if self.clock.virtual else []))
 
     # -- processes
 
@@ -91,7 +96,7 @@ class Session:
     def launch(self, process: Any, on_output: Callable[[str, str], None] | None = None, tty: bool = False) -> Any:
         """Register a process that was made and begin it."""
         process.tty = tty
-        streams.install()
+        self.open()
         self.plan_stop()
         self.processes.append(process)
         if on_output is not None:
@@ -165,6 +170,9 @@ class Session:
         for graph in self.graphs.values():
             graph.clear()
         self.clock.close()
+        running = sys._current_frames()
+        if not any(ident in running for ident in self.cut_off):  # else what is still running would print as the interpreter
+            door.leave(self)
 
     # -- shared things
 
@@ -177,7 +185,7 @@ class Session:
         """The graph of a domain."""
         graph = self.graphs.get(domain_id)
         if graph is None:
-            graph = self.graphs.setdefault(domain_id, Graph(self.clock))
+            graph = self.graphs.setdefault(domain_id, Graph(self.clock, self._endpoints))
         return graph
 
     def new_pid(self) -> int:
@@ -201,13 +209,18 @@ class Session:
     def use(self) -> Iterator[Session]:
         """Make this the current session for a while, and close it afterwards."""
         previous, present.session = present.session, self
-        streams.install()
-        on_import.watch()
+        self.open()
         try:
             yield self
         finally:
             self.close()
             present.session = previous
+
+
+def locals_here() -> dict[Any, Any]:
+    """Where a room keeps what belongs to the calling program: its process's, or the session's for the interpreter's own."""
+    process = current_process()
+    return current().locals if process is None else process.locals
 
 
 def current() -> Session:
@@ -228,11 +241,9 @@ def _make() -> Session:
         raise ValueError(f"COURSEKIT_TIME is '{kind}', which is no clock. Set it to 'wall' or 'virtual'.")
     session = Session(virtual=kind == "virtual")
     session.meets = kind == "wall" and not any(os.environ.get(name) for name in ALONE)
-    on_import.watch()
-    if sys.getswitchinterval() > SWITCH_INTERVAL:
-        sys.setswitchinterval(SWITCH_INTERVAL)
+    door.enter(session, IMPORTS)
     if session.clock.virtual:
-        streams.install()
+        session.open()
     atexit.register(_close_at_exit, session)
     return session
 
@@ -242,4 +253,4 @@ def _close_at_exit(session: Session) -> None:
         process.kill()
 
 
-__all__ = ["Clock", "Session", "current"]
+__all__ = ["Clock", "Session", "current", "locals_here"]

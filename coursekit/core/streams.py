@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import builtins
-import os
 import signal
 import sys
 import time
@@ -17,7 +15,6 @@ from .process import Process, current_process
 _real_sleep = time.sleep
 _real_signal = signal.signal
 _real_getsignal = signal.getsignal
-_real_input = builtins.input
 
 
 class StreamProxy:
@@ -185,7 +182,7 @@ class _Sys(types.ModuleType):
             process.argv = value
 
 
-def _sleep(seconds: float) -> None:
+def sleep(seconds: float) -> None:
     process = current_process()
     session = process.session if process is not None else virtual_session_here()
     if session is None or sys._getframe(1).f_globals.get("__name__") == "subprocess":
@@ -196,7 +193,7 @@ def _sleep(seconds: float) -> None:
     session.clock.sleep(seconds)
 
 
-def _signal(signum: int, handler: Any) -> Any:
+def set_handler(signum: int, handler: Any) -> Any:
     process = current_process()
     if process is None:
         return _real_signal(signum, handler)
@@ -205,7 +202,7 @@ def _signal(signum: int, handler: Any) -> Any:
     return previous
 
 
-def _getsignal(signum: int) -> Any:
+def handler_of(signum: int) -> Any:
     process = current_process()
     if process is None:
         return _real_getsignal(signum)
@@ -216,38 +213,42 @@ def _default_handler(signum: int) -> Any:
     return signal.default_int_handler if signum == signal.SIGINT else signal.SIG_DFL
 
 
-def _input(prompt: object = "", /) -> str:
-    process = current_process()
-    if process is None:
-        return _real_input(prompt)
-    process.out.write("stdout", str(prompt))
-    line = process.stdin.readline()
-    if not line:
-        raise EOFError("EOF when reading a line")
-    return line.removesuffix("\n")
+def input_of(real: Callable[..., str]) -> Callable[..., str]:
+    """`input` of each process; `real` is everybody else's."""
+
+    def read_line(prompt: object = "", /) -> str:
+        process = current_process()
+        if process is None:
+            return real(prompt)
+        process.out.write("stdout", str(prompt))
+        line = process.stdin.readline()
+        if not line:
+            raise EOFError("EOF when reading a line")
+        return line.removesuffix("\n")
+
+    return read_line
 
 
-def install() -> None:
-    """Put the per-process views in place; harmless when they are there already."""
-    for name in ("stdout", "stderr", "stdin"):
-        if not isinstance(getattr(sys, name), StreamProxy):
-            setattr(sys, name, StreamProxy(name, getattr(sys, name)))
-    if not isinstance(sys, _Sys):
-        sys.__dict__["_real_argv"] = sys.__dict__.pop("argv")
-        sys.__class__ = _Sys
-    if not isinstance(os.environ, Environ):
-        os.environ = Environ(os.environ)  # type: ignore[assignment] # noqa: B003
-    time.sleep = _sleep  # type: ignore[assignment]
-    signal.signal = _signal  # type: ignore[assignment]
-    signal.getsignal = _getsignal  # type: ignore[assignment]
-    global _real_input
-    if builtins.input is not _input:
-        _real_input = builtins.input
-        builtins.input = _input
-    from . import console_keys, keyboard, leaving, selecting, threads
+def proxy_of(name: str) -> Callable[[Any], StreamProxy]:
+    """What puts a proxy around the stream `sys.NAME`."""
+    return lambda real: StreamProxy(name, real)
 
-    keyboard.install()
-    console_keys.install()
-    leaving.install()
-    selecting.install()
-    threads.install()
+
+def bare(value: Any) -> Any:
+    """A stream or environment without the view of each process around it."""
+    while isinstance(value, (StreamProxy, Environ)):
+        value = value._real
+    return value
+
+
+def own_arguments(_nothing: object = None) -> Callable[[], None]:
+    """Give each process its own sys.argv; returns what undoes it."""
+    kind = sys.__class__
+    sys.__dict__["_real_argv"] = sys.__dict__.pop("argv")
+    sys.__class__ = _Sys
+
+    def undo() -> None:
+        sys.__class__ = kind
+        sys.__dict__["argv"] = sys.__dict__.pop("_real_argv")
+
+    return undo

@@ -27,10 +27,12 @@ _is_alive = threading.Thread.is_alive
 _condition_wait = threading.Condition.wait
 _current_thread = threading.current_thread
 _RealLock = threading.Lock
-_real_clocks = {name: getattr(time, name) for name in ("time", "monotonic", "perf_counter")}
-_real_clocks_ns = {name: getattr(time, f"{name}_ns") for name in ("time", "monotonic", "perf_counter")}
+CLOCKS = ("time", "monotonic", "perf_counter", "time_ns", "monotonic_ns", "perf_counter_ns")
+_real_clocks = {name: getattr(time, name) for name in CLOCKS}
 
 
+SWITCH_INTERVAL = 0.0005
+"""Seconds a thread keeps the interpreter: with Python's 5 ms a busy cell makes every hand-off between threads slow."""
 _OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywidgets", "tornado", "traitlets", "zmq")
 _COMPILER = "numba"
 """It reads the time to measure itself, thousands of times for each function: no loop that waits."""
@@ -94,9 +96,30 @@ def start(self: threading.Thread) -> None:
         try:
             run()
         finally:
+            _tell_python_of_end(self)
             ended.set()
 
     session.clock.spawn(lane_main, self.name)
+
+
+class _EndedHandle:
+    """What a thread has from Python 3.13 on to ask the system whether it has ended."""
+
+    ident = 0
+
+    def is_done(self) -> bool:
+        return True
+
+    def join(self, timeout: float | None = None) -> None:
+        pass
+
+
+def _tell_python_of_end(thread: threading.Thread) -> None:
+    """Let `is_alive` and `join` of Python's own know that a lane has ended: ours are taken back with the session."""
+    if hasattr(thread, "_handle"):
+        thread._handle = _EndedHandle()
+    else:
+        thread._is_stopped = True  # type: ignore[attr-defined]
 
 
 def join(self: threading.Thread, timeout: float | None = None) -> None:
@@ -258,8 +281,17 @@ class LaneRLock:
         self.release()
 
 
-def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
-    real = (_real_clocks if unit != 1 else _real_clocks_ns)[name]
+def switch_often(_nothing: object = None) -> Callable[[], None]:
+    """Let threads take turns more often; returns what undoes it."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(min(before, SWITCH_INTERVAL))
+    return lambda: sys.setswitchinterval(before)
+
+
+def _reader(name: str) -> Callable[[], Any]:
+    real = _real_clocks[name]
+    in_seconds = not name.endswith("_ns")
+    is_system_time = name.startswith("time")
 
     def read() -> Any:
         process = current_process()
@@ -268,27 +300,17 @@ def _clock_reader(name: str, unit: int) -> Callable[[], Any]:
         clock = process.session.clock
         if sys._getframe(1).f_globals.get("__name__", "").partition(".")[0] != _COMPILER:
             clock.poll()
-        nanoseconds = clock.now() if name == "time" else clock.steady()
-        return nanoseconds if unit == 1 else nanoseconds / unit
+        nanoseconds = clock.now() if is_system_time else clock.steady()
+        return nanoseconds / 1_000_000_000 if in_seconds else nanoseconds
 
     return read
 
 
-def install() -> None:
-    """Put these in place of the standard ones."""
-    threading.Thread.start = start  # type: ignore[method-assign]
-    threading.Thread.join = join  # type: ignore[method-assign]
-    threading.Thread.is_alive = is_alive  # type: ignore[method-assign]
-    threading.Condition.wait = condition_wait  # type: ignore[method-assign]
+_readers = {name: _reader(name) for name in CLOCKS}
+monotonic = _readers["monotonic"]
+PythonQueue = queue._PySimpleQueue  # type: ignore[attr-defined]
 
 
-def install_virtual() -> None:
-    """What only a session on the virtual clock needs."""
-    threading.current_thread = current_thread
-    threading.Lock = LaneLock  # type: ignore[misc,assignment]
-    threading.RLock = LaneRLock  # type: ignore[misc,assignment]
-    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined,misc] # the C one blocks all lanes
-    for name in _real_clocks:
-        setattr(time, name, _clock_reader(name, 1_000_000_000))
-        setattr(time, f"{name}_ns", _clock_reader(name, 1))
-    threading._time = queue.time = time.monotonic  # type: ignore[attr-defined] # they took the real one when imported
+def clock_reader(name: str) -> Callable[[Any], Any]:
+    """What gives `time.NAME` of the session's clock."""
+    return lambda _real: _readers[name]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -26,6 +27,7 @@ class TimeBase:
         self.active = False
         self.override = 0
         self._watchers: list[tuple[Any, JumpCallback | None, JumpCallback | None]] = []
+        self._numbers = itertools.count()
         self._timers: weakref.WeakSet[Any] = weakref.WeakSet()
 
     def now(self) -> int:
@@ -33,6 +35,10 @@ class TimeBase:
         if self.active:
             return self.override
         return self.clock.steady() if self.kind == STEADY_TIME else self.clock.now()
+
+    def new_number(self) -> int:
+        """A number for a timer of this clock: timers hear of changes in the order in which they were made."""
+        return next(self._numbers)
 
     def add_timer(self, timer: Any) -> None:
         """Tell `timer` when this clock is set or jumps."""

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
-
 from .ready import ReadyQueue, Source
 from .timebase import TimeBase
-
-_numbers = itertools.count()
 
 
 class Timer(Source):
@@ -21,7 +17,7 @@ class Timer(Source):
         self.period = period
         self.canceled = False
         self.generation = 0
-        self.number = next(_numbers)
+        self.number = base.new_number()
         self.last = base.now()
         self.next = self.last + period
         base.add_timer(self)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -13,8 +12,6 @@ from .status import DEADLINE, INCOMPATIBLE, LIVELINESS, MATCHED, Status
 
 if TYPE_CHECKING:
     from .graph import Graph, GraphNode
-
-_gids = itertools.count(1)
 
 
 class Endpoint(Source):
@@ -30,7 +27,7 @@ class Endpoint(Source):
         self.msg_type = msg_type
         self.qos = qos.resolved()
         self.alive = True
-        self.gid = b"\x01\x0f" + (0).to_bytes(10, "big") + next(_gids).to_bytes(4, "big") + bytes(8)
+        self.gid = b"\x01\x0f" + (0).to_bytes(10, "big") + graph.new_number().to_bytes(4, "big") + bytes(8)
         self.statuses: dict[str, Status] = {}
 
     @property

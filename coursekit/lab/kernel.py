@@ -13,7 +13,6 @@ from typing import Any
 import ipywidgets
 
 from coursekit.cli.kernel import hear_all, keep_output_in_cells
-from coursekit.core import streams
 from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
 
@@ -42,7 +41,7 @@ def start() -> Session:
     os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
     with contextlib.suppress(OSError):  # a folder that can only be read may still be looked at; writing says what is wrong
         os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
-    streams.install()
+    session.open()
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
         session.embedded = True
@@ -130,16 +129,15 @@ def reset() -> None:
     nodes = sum(len(graph.nodes) for graph in session.graphs.values())
     for graph in session.graphs.values():
         graph.clear()
-    _forget_interpreter_contexts()
+    _forget_interpreter_contexts(session)
     print(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty.")
 
 
-def _forget_interpreter_contexts() -> None:
+def _forget_interpreter_contexts(session: Session) -> None:
     from rclpy.context import shutdown_all
-    from rclpy.utilities import _locals
 
     shutdown_all()
-    _locals().clear()
+    session.locals.clear()
 
 
 class Cells:

@@ -10,6 +10,7 @@ import os
 import subprocess
 from typing import Any
 
+from coursekit.core.patching import KERNEL, Change, Patch
 from coursekit.systems import which
 from coursekit.systems.children import with_utf8
 
@@ -18,6 +19,12 @@ def install(shell: Any) -> None:
     """Put it in place, where it is needed."""
     if which.WINDOWS:
         shell.system = functools.partial(run_line, shell)
+
+
+def patches() -> list[Patch]:
+    """What is done to a kernel's shell, for as long as it runs."""
+    reason, test = "on Windows what `!command` prints stands in its cell", "tests/lab/test_shell_lines.py"
+    return [Change("IPython: shell.system", install, reason, test, KERNEL)]
 
 
 def run_line(shell: Any, line: str) -> None:
@@ -43,4 +50,4 @@ def run_line(shell: Any, line: str) -> None:
     shell.user_ns["_exit_code"] = child.returncode
 
 
-__all__ = ["install", "run_line"]
+__all__ = ["install", "patches", "run_line"]

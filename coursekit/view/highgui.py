@@ -22,6 +22,7 @@ from typing import Any
 import cv2
 import numpy as np
 
+from coursekit.core.patching import IMPORTS, Patch, always, door
 from coursekit.core.session import current
 
 from .capture import VirtualCapture
@@ -235,10 +236,23 @@ def has_camera() -> bool:
 
 
 def install() -> None:
-    """Give cv2 what it lacks here; harmless when it has it."""
+    """Lend cv2 what it lacks here, while sessions are open."""
     if not has_display():
-        for function in _WINDOWS:
-            setattr(cv2, function.__name__, function)
-        cv2.waitKeyEx = waitKey
+        door.lend(*_WINDOW_PATCHES)
     if not has_camera():
-        setattr(cv2, "VideoCapture", VideoCapture)  # noqa: B010 - a class in place of another
+        door.lend(_CAMERA_PATCH)
+
+
+def patches() -> list[Patch]:
+    """All that may be lent, whatever this computer has."""
+    return [*_WINDOW_PATCHES, _CAMERA_PATCH]
+
+
+_TEST = "tests/view/test_highgui.py"
+_WINDOW_PATCHES = [
+    Patch(f"cv2.{name}", always(function), "windows of a program are shown by the session", _TEST, IMPORTS)
+    for name, function in [*((function.__name__, function) for function in _WINDOWS), ("waitKeyEx", waitKey)]
+]
+_CAMERA_PATCH = Patch(
+    "cv2.VideoCapture", always(VideoCapture), "where there is no camera one is simulated", _TEST, IMPORTS
+)

@@ -15,13 +15,20 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib._pylab_helpers import Gcf
 
+from coursekit.core.patching import IMPORTS, Patch, always, door
 from coursekit.core.process import Process, current_process
 
 from .highgui import desk, imshow
 
 FRAME = 0.1
 """Longest time between two looks at the figures [s]."""
-_real: dict[str, Any] = {}
+_real: dict[str, Any] = {
+    "show": plt.show,
+    "pause": plt.pause,
+    "new_timer": bases.FigureCanvasBase.new_timer,
+    "flush_events": bases.FigureCanvasBase.flush_events,
+    "set_new": Gcf._set_new_active_manager,
+}
 
 
 class Plots:
@@ -150,13 +157,22 @@ def _set_new_active_manager(cls: Any, manager: Any) -> None:
         own.add(manager)
 
 
+def patches() -> list[Patch]:
+    """What is lent to pyplot."""
+    return _PATCHES
+
+
 def install() -> None:
-    """Put it in place; harmless when it is there already."""
-    if _real:
-        return
-    canvas = bases.FigureCanvasBase
-    _real.update(show=plt.show, pause=plt.pause, new_timer=canvas.new_timer, flush_events=canvas.flush_events)
-    _real["set_new"] = Gcf._set_new_active_manager
-    plt.show, plt.pause = show, pause
-    canvas.new_timer, canvas.flush_events = _new_timer, _flush_events  # type: ignore
-    Gcf._set_new_active_manager = classmethod(_set_new_active_manager)  # type: ignore
+    """Lend pyplot these, while sessions are open."""
+    door.lend(*_PATCHES)
+
+
+_REASON, _TEST = "a program's figures become windows of the session", "tests/view/test_plots.py"
+_CANVAS, _MANAGERS = "matplotlib.backend_bases.FigureCanvasBase", "matplotlib._pylab_helpers.Gcf"
+_PATCHES = [
+    Patch("matplotlib.pyplot.show", always(show), _REASON, _TEST, IMPORTS),
+    Patch("matplotlib.pyplot.pause", always(pause), _REASON, _TEST, IMPORTS),
+    Patch(f"{_CANVAS}.new_timer", always(_new_timer), "animations keep the session's time", _TEST, IMPORTS),
+    Patch(f"{_CANVAS}.flush_events", always(_flush_events), _REASON, _TEST, IMPORTS),
+    Patch(f"{_MANAGERS}._set_new_active_manager", always(classmethod(_set_new_active_manager)), _REASON, _TEST, IMPORTS),
+]

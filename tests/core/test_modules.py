@@ -16,12 +16,15 @@ def path(monkeypatch):
 
 
 def started_with(*folders):
+    """What sys.path is once a process has these folders for itself."""
+
     def main():
         modules.use_private_modules(current_process(), list(folders))
 
     with Session(virtual=True).use() as session:
         process = session.start(main, name="starts")
         assert process.wait(1.0) == 0, process.output
+        return sys.path
 
 
 def test_a_process_that_looks_for_its_package_misses_none_while_another_starts(path):
@@ -33,8 +36,12 @@ def test_a_process_that_looks_for_its_package_misses_none_while_another_starts(p
 
 
 def test_the_folders_of_the_newest_process_come_first_and_once(path):
+    assert started_with("/old/b", "/new") == ["/old/b", "/new", "/old/a", "/old/c"]
+
+
+def test_after_the_last_session_the_path_is_as_it_was_found(path):
     started_with("/old/b", "/new")
-    assert sys.path == ["/old/b", "/new", "/old/a", "/old/c"]
+    assert sys.path is path and path == ["/old/a", "/old/b", "/old/c"]
 
 
 def test_a_launch_folder_beside_a_package_hides_no_launch(tmp_path):

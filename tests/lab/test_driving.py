@@ -5,8 +5,8 @@ import pytest
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import Image
 
-from coursekit.core import streams
 from coursekit.core.executables import find
+from coursekit.core.patching import door
 from coursekit.core.qos import Qos
 from coursekit.core.session import Session
 from coursekit.lab.drive import SILENCE_SECONDS, Driver, meaning
@@ -21,7 +21,7 @@ from coursekit.view import highgui
 def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
     with Session(virtual=True).use() as made:
-        streams.install()
+        door.renew()
         yield made
 
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from coursekit.cli.parser import run as run_cli
-from coursekit.core import streams
 from coursekit.core.executables import find
+from coursekit.core.patching import door
 from coursekit.core.session import Session
 from coursekit.lab.map_view import map_view
 from coursekit.lab.tour import drive_along
@@ -21,7 +21,7 @@ CART = Path(__file__).parents[2] / "robots" / "urdf" / "robot_lidar.urdf"
 def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
     with Session(virtual=True).use() as made:
-        streams.install()
+        door.renew()
         yield made
 
 

@@ -25,25 +25,30 @@ class Board(Protocol):
     def randomize(self) -> None: ...
 
 
-_running: list[Board] = []
+_KEY = "running joint_state_publisher_gui"
 _listeners: list[Listener] = []
 
 
 def running(session: Any) -> list[Board]:
     """The boards of a session, in the order of their start."""
-    return [one for one in list(_running) if one.session is session]
+    return list(_of(session))
+
+
+def _of(session: Any) -> list[Board]:
+    return session.locals.setdefault(_KEY, [])  # type: ignore[no-any-return]
+
 
 
 def add(board: Board) -> None:
     """Enter one that has started."""
-    _running.append(board)
+    _of(board.session).append(board)
     tell(board)
 
 
 def remove(board: Board) -> None:
     """Take one out that has ended; harmless when it is out."""
-    if board in _running:
-        _running.remove(board)
+    if board in _of(board.session):
+        _of(board.session).remove(board)
         tell(board)
 
 

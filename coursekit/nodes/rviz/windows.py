@@ -20,25 +20,30 @@ class RvizWindow(Protocol):
 
 
 Listener = Callable[[RvizWindow], bool]
-_running: list[RvizWindow] = []
+_KEY = "running rviz2"
 _listeners: list[Listener] = []
 
 
 def running(session: Any) -> list[RvizWindow]:
     """The windows of a session, in the order of their start."""
-    return [one for one in list(_running) if one.session is session]
+    return list(_of(session))
+
+
+def _of(session: Any) -> list[RvizWindow]:
+    return session.locals.setdefault(_KEY, [])  # type: ignore[no-any-return]
+
 
 
 def add(window: RvizWindow) -> bool:
     """Enter one that has started; whether somebody draws it."""
-    _running.append(window)
+    _of(window.session).append(window)
     return tell(window)
 
 
 def remove(window: RvizWindow) -> None:
     """Take one out that has ended; harmless when it is out."""
-    if window in _running:
-        _running.remove(window)
+    if window in _of(window.session):
+        _of(window.session).remove(window)
         tell(window)
 
 

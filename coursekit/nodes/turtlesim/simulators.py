@@ -26,25 +26,30 @@ class Simulator(Protocol):
     def background(self) -> tuple[int, int, int]: ...
 
 
-_running: list[Simulator] = []
+_KEY = "running turtlesim"
 _listeners: list[Listener] = []
 
 
 def running(session: Any) -> list[Simulator]:
     """The turtlesims of a session, in the order of their start."""
-    return [one for one in list(_running) if one.session is session]
+    return list(_of(session))
+
+
+def _of(session: Any) -> list[Simulator]:
+    return session.locals.setdefault(_KEY, [])  # type: ignore[no-any-return]
+
 
 
 def add(simulator: Simulator) -> None:
     """Enter one that has started."""
-    _running.append(simulator)
+    _of(simulator.session).append(simulator)
     tell(simulator)
 
 
 def remove(simulator: Simulator) -> None:
     """Take one out that has ended; harmless when it is out."""
-    if simulator in _running:
-        _running.remove(simulator)
+    if simulator in _of(simulator.session):
+        _of(simulator.session).remove(simulator)
         tell(simulator)
 
 

@@ -120,9 +120,9 @@ def finalize_launch_service(launch_service: Any, eprefix: str = "", auto_shutdow
     Raises:
         AssertionError: when it failed.
     """
-    from coursekit.core import streams
+    from coursekit.core.patching import door
 
-    streams.install()  # pytest may have put its own in their place since the launch began
+    door.renew()  # pytest may have put its own in their place since the launch began
     if auto_shutdown:
         launch_service.shutdown(force_sync=True)
     loop = launch_service.event_loop

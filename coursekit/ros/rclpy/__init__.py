@@ -13,10 +13,11 @@ import importlib.util
 from typing import Any
 
 from coursekit.core import script
+from coursekit.core.patching import door
+from coursekit.core.session import locals_here
 from rclpy._lent import lender
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from rclpy.utilities import (
-    _locals,
     get_default_context,
     get_rmw_implementation_identifier,
     ok,
@@ -83,7 +84,7 @@ def init(
 
 def get_global_executor() -> Any:
     """The executor that the spin functions use by default; one per process."""
-    kept = _locals()
+    kept = locals_here()
     executor = kept.get("executor")
     if executor is None or executor.context is not get_default_context() or executor._is_shutdown:
         from rclpy.executors import SingleThreadedExecutor
@@ -113,7 +114,7 @@ def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None)
 
 
 def _close_executor() -> None:
-    executor = _locals().pop("executor", None)
+    executor = locals_here().pop("executor", None)
     if executor is not None:
         executor.shutdown(0)
 
@@ -187,3 +188,4 @@ def spin_until_future_complete(
 
 
 script.join()
+door.put_at_once("sys.meta_path (last)")

@@ -11,7 +11,7 @@ from typing import Any
 
 from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, parse_ros_arguments
 from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.core.session import current, locals_here
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 
 
@@ -182,18 +182,15 @@ def _domain() -> int:
     return int(text)
 
 
-_interpreter_contexts: list[Context] = []
-
-
 def _contexts_here() -> list[Context]:
     """The contexts that live in this process, oldest first."""
-    process = current_process()
-    if process is None:
-        return _interpreter_contexts
-    contexts = process.locals.get("contexts")
+    kept = locals_here()
+    contexts: list[Context] | None = kept.get("contexts")
     if contexts is None:
-        contexts = process.locals["contexts"] = []
-        process.cleanups.append(lambda: _end_all(process))
+        contexts = kept["contexts"] = []
+        process = current_process()
+        if process is not None:
+            process.cleanups.append(lambda: _end_all(process))
     return contexts
 
 

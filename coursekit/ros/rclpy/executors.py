@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.core.lane import ProcessKilled
 from coursekit.core.session import current
 from rclpy._executor_base import Executor
 from rclpy._executor_work import (
+    _POLL_WEIGHT,
     ConditionReachedException,
     ExternalShutdownException,
     ShutdownException,
     TimeoutException,
     TimeoutObject,
     await_or_execute,
+    deadline_of,
     never,
 )
 from rclpy._lent import lender
+from rclpy._thread_pool import ThreadPool
 from rclpy.task import Future
 
 __getattr__ = lender(__name__)  # names that programs import from here
@@ -33,6 +38,8 @@ __all__ = [
     "TimeoutObject",
     "await_or_execute",
 ]
+
+_ONE_THREAD = "MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead."
 
 
 class SingleThreadedExecutor(Executor):
@@ -59,41 +66,77 @@ class SingleThreadedExecutor(Executor):
 
 
 class MultiThreadedExecutor(Executor):
-    """Runs callbacks in several threads, as far as their callback groups allow."""
+    """Runs callbacks in a pool of threads, as far as their callback groups allow.
+
+    Without `num_threads` there are as many as processors that this program may use. What a callback raises is raised by
+    the next spin. `shutdown` does not wait for callbacks that run; a program that ends does.
+    """
 
     def __init__(self, num_threads: int | None = None, *, context: Any = None) -> None:
+        self._free = current().clock.new_event()
         super().__init__(context=context)
         if num_threads is None:
-            num_threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-        self._num_threads = max(1, num_threads or 2)
-        self._working = 0
-        self._free = self._clock.new_event()
+            num_threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 2
+        if num_threads == 1:
+            warnings.warn(_ONE_THREAD, stacklevel=1)
+        if num_threads <= 0:
+            raise ValueError("max_workers must be greater than 0")
+        self._pool = ThreadPool(num_threads, self._clock, self.wake)
+
+    def wake(self) -> None:
+        """Have a blocked spin look again, also one that waits for a thread."""
+        super().wake()
+        self._free.set()
+
+    def __del__(self) -> None:
+        if "_pool" in self.__dict__:
+            self._pool.close()
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """Stop; True. Threads that run a callback end with it."""
+        stopped = super().shutdown(timeout_sec)
+        self._pool.close()
+        return stopped
 
     def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool]) -> None:
         self._raise_error()
+        deadline = deadline_of(timeout_sec)
         try:
+            if self._pool.is_full():
+                self._wait_for_thread(deadline, condition)
             entity, work = self._next_work(timeout_sec, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
             self._raise_error()
             return
-        while self._working >= self._num_threads:
+        self._pool.submit(lambda: self._work(entity, work))
+
+    def _wait_for_thread(self, deadline: int | None, condition: Callable[[], bool]) -> None:
+        """Wait until a thread is free; what else ends a spin ends this wait."""
+        while True:
             self._free.clear()
-            if self._working >= self._num_threads:
-                self._free.wait()
-        with self._lock:
-            self._working += 1
-        current().spawn(self._work, entity, work)
+            if not self._pool.is_full():
+                return
+            if self._is_shutdown:
+                raise ShutdownException()
+            if not self._context.ok():
+                raise ExternalShutdownException()
+            if self._errors or condition():
+                raise ConditionReachedException()
+            left = None if deadline is None else (deadline - self._clock.steady()) * 1e-9
+            if left is not None and left <= 0:
+                self._clock.poll(_POLL_WEIGHT)
+                raise TimeoutException()
+            self._free.wait(left)
 
     def _work(self, entity: Any, work: Any) -> None:
         try:
             self._run(entity, work)
+        except ProcessKilled:
+            raise
         except Exception as error:
             self._errors.append(error)
-        finally:
-            with self._lock:
-                self._working -= 1
-            self._free.set()
-            self.wake()
+        except BaseException:  # such as SystemExit: it ends a callback, and neither its thread nor the program
+            pass
 
     def _raise_error(self) -> None:
         if self._errors:

@@ -6,6 +6,7 @@ import signal
 import threading
 from typing import Any
 
+from coursekit.core.patching import IMPORTS, Change, door
 from coursekit.core.process import current_process
 from coursekit.core.session import current
 from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
@@ -64,6 +65,7 @@ def _install_in_interpreter(options: SignalHandlerOptions) -> None:
         if options & bit and signum not in _interpreter["previous"]:
             _interpreter["previous"][signum] = signal.signal(signum, _handle)
     _interpreter["options"] = options
+    door.lend(_HANDLERS)
 
 
 def _handle(signum: int, frame: Any) -> None:
@@ -87,12 +89,31 @@ def uninstall_signal_handlers() -> None:
     if process is not None:
         process.locals["signal_options"] = SignalHandlerOptions.NO
         return
+    _uninstall_in_interpreter()
+
+
+def _uninstall_in_interpreter() -> None:
     if threading.current_thread() is not threading.main_thread():
         return
     for signum, previous in _interpreter["previous"].items():
-        signal.signal(signum, previous)
+        if signal.getsignal(signum) is _handle:
+            signal.signal(signum, previous)
     _interpreter["previous"].clear()
     _interpreter["options"] = SignalHandlerOptions.NO
+
+
+_HANDLERS = Change(
+    "handlers of SIGINT and SIGTERM",
+    lambda _nothing: _uninstall_in_interpreter,
+    "Ctrl-C and kill end the contexts of rclpy, between init() and shutdown()",
+    "tests/core/test_patches.py",
+    IMPORTS,
+)
+
+
+def patches() -> list[Change]:
+    """What `rclpy.init` changes in a plain interpreter."""
+    return [_HANDLERS]
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:

@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from coursekit.core.arguments import remove_ros_arguments as _remove
-from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.core.session import current, locals_here
 from rclpy.context import Context
-
-_interpreter_locals: dict[str, Any] = {}
-
-
-def _locals() -> dict[Any, Any]:
-    process = current_process()
-    return _interpreter_locals if process is None else process.locals
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
     """The process's default context, made on first use."""
-    kept = _locals()
+    kept = locals_here()
     context = kept.get("context")
     if context is None:
         context = kept["context"] = Context()

@@ -11,6 +11,7 @@ from enum import IntEnum
 from typing import Any, TextIO
 
 from coursekit.core.process import current_process
+from coursekit.core.session import locals_here
 from rclpy.impl.log_file import LogFile
 
 
@@ -122,19 +123,15 @@ def _formatted(
     return _TOKEN.sub(lambda found: values.get(found[1], found[0]), pattern)
 
 
-_outside: LoggingState | None = None
 _KEY = "rclpy.logging"
 
 
 def logging_state() -> LoggingState:
-    """Return the state of the process that is running, or of the interpreter when none is."""
-    global _outside
-    process = current_process()
-    if process is not None:
-        state = process.locals.get(_KEY)
-        if state is None:
-            state = process.locals[_KEY] = LoggingState(os.environ, process.name, process.pid)
-        return state
-    if _outside is None:
-        _outside = LoggingState(os.environ)
-    return _outside
+    """Return the state of the process that is running, or of the session for the interpreter's own code."""
+    kept = locals_here()
+    state: LoggingState | None = kept.get(_KEY)
+    if state is None:
+        process = current_process()
+        own = (process.name, process.pid) if process is not None else ()
+        state = kept[_KEY] = LoggingState(os.environ, *own)
+    return state

@@ -1,0 +1,106 @@
+"""The threads of a multi-threaded executor: started when they are needed, kept, and never more than were asked for."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+import weakref
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.core.process import current_process
+from coursekit.core.session import locals_here
+
+_KEY = "rclpy.thread_pools"
+
+
+class ThreadPool:
+    """Runs jobs in at most `size` threads; one that has ended its job takes the next.
+
+    A thread waits for work on the session's clock, so a Ctrl-C or the end of its process reaches it, and on the virtual
+    clock the order is the same in every run. `concurrent.futures` would wait in C code, which nothing can interrupt.
+
+    >>> from coursekit.core.clock import WallClock
+    >>> clock = WallClock(); pool = ThreadPool(2, clock); done = clock.new_event()
+    >>> pool.submit(done.set); done.wait(5.0)
+    True
+    """
+
+    def __init__(self, size: int, clock: Any, on_free: Callable[[], None] | None = None) -> None:
+        self.size = size
+        self._clock = clock
+        self._on_free = None if on_free is None else weakref.WeakMethod(on_free)  # threads must not keep an executor alive
+        self._lock = threading.Lock()
+        self._name = f"ThreadPoolExecutor-{next(locals_here().setdefault(_KEY, itertools.count()))}"
+        self._started = 0
+        self._idle: deque[_Worker] = deque()
+        self._closed = False
+        process = current_process()
+        if process is not None:
+            process.before_join.append(self.close)
+
+    def is_full(self) -> bool:
+        """Whether every thread that there may be has work."""
+        return self._started >= self.size and not self._idle
+
+    def submit(self, job: Callable[[], Any]) -> None:
+        """Have a thread run `job`, which must not raise; the caller has seen that the pool is not full."""
+        with self._lock:
+            worker = self._idle.popleft() if self._idle else None
+            if worker is None:
+                worker = _Worker(self, self._clock, f"{self._name}_{self._started}")
+                self._started += 1
+        worker.give(job)
+
+    def close(self) -> None:
+        """End the threads that have no work now, and the others after theirs."""
+        with self._lock:
+            self._closed = True
+            idle = list(self._idle)
+            self._idle.clear()
+        for worker in idle:
+            worker.give(None)
+
+    def rest(self, worker: _Worker) -> bool:
+        """Note that a thread has no work; False if it is to end."""
+        with self._lock:
+            goes_on = not self._closed
+            if goes_on:
+                self._idle.append(worker)
+        on_free = self._on_free() if self._on_free is not None else None
+        if on_free is not None:
+            on_free()
+        return goes_on
+
+
+class _Worker:
+    """One thread of a pool."""
+
+    def __init__(self, pool: ThreadPool, clock: Any, name: str) -> None:
+        self._pool = pool
+        self._waiter = clock.new_waiter()
+        self._jobs: deque[Callable[[], Any] | None] = deque()
+        in_process = current_process() is not None  # which waits for threads that are no daemons, as Python does
+        self._thread: threading.Thread | None = threading.Thread(target=self._work, name=name, daemon=not in_process)
+
+    def give(self, job: Callable[[], Any] | None) -> None:
+        """Have it run `job`; None ends it."""
+        self._jobs.append(job)
+        thread, self._thread = self._thread, None
+        if thread is not None:
+            thread.start()
+        else:
+            self._waiter.notify()
+
+    def _work(self) -> None:
+        while (job := self._next()) is not None:
+            job()
+            del job  # it knows the executor, which would live on in a thread that waits
+            if not self._pool.rest(self):
+                return
+
+    def _next(self) -> Callable[[], Any] | None:
+        while not self._jobs:
+            self._waiter.wait()
+        return self._jobs.popleft()

@@ -86,6 +86,7 @@ def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "CMAKE_INSTALL_LIBDIR": "lib",
         "CMAKE_INSTALL_MESSAGE": "NEVER",
         "CMAKE_SUPPRESS_DEVELOPER_WARNINGS": "ON",
+        "CMAKE_WARN_DEPRECATED": "OFF",  # Humble's packages ask for a CMake that newer ones call old
         "CMAKE_EXPORT_NO_PACKAGE_REGISTRY": "ON",
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",
     }

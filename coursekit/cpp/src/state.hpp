@@ -34,15 +34,20 @@ void serve_calls();
 /// Start a thread past the replaced pthread_create: one that the session need not know of.
 void start_real_thread(void * (*function)(void *), void * argument);
 
-/// The function of the C library that one of ours hides.
+/// The function of the C library that one of ours hides; `known` is a static with a constant value, since the guard of any
+/// other static would lock a mutex, which is one of the functions that are hidden.
 template<class F>
-F real(const char * name)
+F real(std::atomic<void *> & known, const char * name)
 {
-  return reinterpret_cast<F>(dlsym(RTLD_NEXT, name));
+  if (!known) {
+    known = dlsym(RTLD_NEXT, name);
+  }
+  return reinterpret_cast<F>(known.load());
 }
 }  // namespace coursekit
 
 /// In a function that hides one of the C library: go on there unless time is virtual.
 #define COURSEKIT_REAL(name, ...) \
-  static const auto next = coursekit::real<decltype(&name)>(#name); \
+  static std::atomic<void *> known{nullptr}; \
+  const auto next = coursekit::real<decltype(&name)>(known, #name); \
   if (!coursekit::g_state.is_virtual) {return next(__VA_ARGS__);}

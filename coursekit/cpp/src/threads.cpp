@@ -50,7 +50,8 @@ int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
 
 void start_real_thread(void * (*function)(void *), void * argument)
 {
-  static const auto create = real<decltype(&pthread_create)>("pthread_create");
+  static std::atomic<void *> known{nullptr};
+  const auto create = real<decltype(&pthread_create)>(known, "pthread_create");
   pthread_t thread;
   if (create(&thread, nullptr, function, argument) == 0) {
     pthread_detach(thread);
@@ -87,7 +88,8 @@ int pthread_mutex_lock(pthread_mutex_t * m)
 }
 int pthread_mutex_unlock(pthread_mutex_t * m)
 {
-  static const auto next = coursekit::real<decltype(&pthread_mutex_unlock)>("pthread_mutex_unlock");
+  static std::atomic<void *> known{nullptr};
+  const auto next = coursekit::real<decltype(&pthread_mutex_unlock)>(known, "pthread_mutex_unlock");
   int error = next(m);
   coursekit::unblock(m, false);
   return error;

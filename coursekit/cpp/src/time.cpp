@@ -18,7 +18,8 @@ void on_signal(int) {g_stop = true;}
 
 int real_clock(clockid_t id, timespec * t)
 {
-  static const auto next = real<int (*)(clockid_t, timespec *)>("clock_gettime");
+  static std::atomic<void *> known{nullptr};
+  const auto next = real<int (*)(clockid_t, timespec *)>(known, "clock_gettime");
   return next(id, t);
 }
 int64_t real_ns(clockid_t id)

@@ -1,4 +1,4 @@
-"""The compiler, CMake and ninja of `coursekit[cpp]` alone build and run a workspace; skipped where they are not installed."""
+"""The compiler, CMake and ninja of `coursekit[cpp]` alone build a workspace that runs; skipped where they are missing."""
 
 from __future__ import annotations
 

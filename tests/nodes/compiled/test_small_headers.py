@@ -1,0 +1,54 @@
+"""What C++ programs find beside rclcpp: the package index, options, clouds and encodings."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+
+from coursekit.interfaces.find import UNDERLAY
+
+PROGRAM = """
+#include <iostream>
+#include "ament_index_cpp/get_package_share_directory.hpp"
+#include "ament_index_cpp/has_resource.hpp"
+#include "rcutils/cmdline_parser.h"
+#include "sensor_msgs/image_encodings.hpp"
+#include "sensor_msgs/point_cloud2_iterator.hpp"
+int main(int argc, char ** argv)
+{
+  std::cout << ament_index_cpp::get_package_share_directory("std_msgs") << std::endl;
+  try {
+    ament_index_cpp::get_package_prefix("nowhere");
+  } catch (const ament_index_cpp::PackageNotFoundError & error) {
+    std::cout << error.package_name << " " << ament_index_cpp::has_resource("packages", "nowhere") << std::endl;
+  }
+  std::cout << rcutils_cli_option_exist(argv, argv + argc, "-h") << rcutils_cli_get_option(argv, argv + argc, "-n")
+            << (rcutils_cli_get_option(argv, argv + argc, "-z") == nullptr) << std::endl;
+
+  sensor_msgs::msg::PointCloud2 cloud;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
+  modifier.resize(3);
+  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x"), z(cloud, "z");
+  sensor_msgs::PointCloud2Iterator<uint8_t> red(cloud, "r");
+  for (int i = 0; i < 3; ++i, ++x, ++z, ++red) {
+    *x = i;
+    *z = 0.5f * i;
+    *red = 10 * i;
+  }
+  float sum = 0;
+  for (sensor_msgs::PointCloud2ConstIterator<float> it(cloud, "x"); it != it.end(); ++it) {sum += it[0] + it[2];}
+  std::cout << cloud.point_step << " " << cloud.width << " " << sum << " " << int(cloud.data[2 * 32 + 16 + 2]) << std::endl;
+
+  namespace enc = sensor_msgs::image_encodings;
+  std::cout << enc::numChannels(enc::BGR8) << enc::bitDepth(enc::MONO16) << enc::numChannels("32FC2");
+  std::cout << enc::isBayer("mono8") << std::endl;
+}
+"""
+
+
+def test_they_do_as_humbles(build):
+    env = {**os.environ, "AMENT_PREFIX_PATH": str(UNDERLAY)}
+    command = [build("small", PROGRAM), "-n", "five", "-z"]
+    done = subprocess.run(command, env=env, capture_output=True, encoding="utf-8", check=True)
+    assert done.stdout == f"{UNDERLAY}/share/std_msgs\nnowhere 0\n0five1\n32 3 4.5 20\n31620\n"

@@ -91,11 +91,23 @@ def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",
     }
     told = {name: value.as_posix() if isinstance(value, Path) else value for name, value in facts.items()}
-    text = "".join(f'set({name} [==[{value}]==] CACHE STRING "" FORCE)\n' for name, value in told.items())
+    text = "".join(f'set({name} {bracketed(value)} CACHE STRING "" FORCE)\n' for name, value in told.items())
     path = build / f"coursekit-{hashlib.sha256(text.encode()).hexdigest()[:8]}.cmake"  # a new name: CMake configures again
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
     return path
+
+
+def bracketed(value: str) -> str:
+    """A value as CMake reads it without looking at what is in it.
+
+    >>> bracketed('my "$ENV{HOME}"'), bracketed("a]=]b")
+    ('[=[my "$ENV{HOME}"]=]', '[==[a]=]b]==]')
+    """
+    level = "="
+    while f"]{level}]" in value:
+        level += "="
+    return f"[{level}[{value}]{level}]"
 
 
 def _complete(env: dict[str, str], runtime: Path) -> None:

@@ -90,7 +90,7 @@ def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "CMAKE_EXPORT_NO_PACKAGE_REGISTRY": "ON",
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",
     }
-    told = {name: value.as_posix() if isinstance(value, Path) else value for name, value in facts.items()}
+    told = {name: value.as_posix() if isinstance(value, Path) else str(value) for name, value in facts.items()}
     text = "".join(f'set({name} {bracketed(value)} CACHE STRING "" FORCE)\n' for name, value in told.items())
     path = build / f"coursekit-{hashlib.sha256(text.encode()).hexdigest()[:8]}.cmake"  # a new name: CMake configures again
     path.parent.mkdir(parents=True, exist_ok=True)

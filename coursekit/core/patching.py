@@ -61,6 +61,11 @@ class Patch:
         self._ours = self.make(self._found)
         setattr(owner, name, self._ours)
 
+    def put_once(self) -> None:
+        """Replace, unless that was done: what somebody else has put there since stays."""
+        if self._ours is _MISSING:
+            self.put()
+
     def take_back(self) -> None:
         """Put back what was found; what somebody else has put there since stays."""
         if self._ours is _MISSING:
@@ -132,11 +137,14 @@ class Door:
             lend_to_imported()  # outside of the lock: it imports, and who imports a library may be waiting to lend
 
     def renew(self) -> None:
-        """Put in place again what is wanted, and has been overwritten: pytest gives each test streams of its own."""
+        """Put in place again what is wanted, and has been overwritten: pytest gives each test streams of its own.
+
+        What a program has put into a library stays: it may have a camera of its own.
+        """
         with self._lock:
             for patch in self.table():
                 if self._wanted[patch.group]:
-                    patch.put()
+                    patch.put_once() if patch in self._lent else patch.put()
 
     def put_at_once(self, target: str) -> None:
         """Put one patch in place before any session wants it; it goes when the last session does."""
@@ -164,7 +172,7 @@ class Door:
             self._lent += [patch for patch in patches if patch.target not in known]
             for patch in self._lent:
                 if self._wanted[patch.group]:
-                    patch.put()
+                    patch.put_once()
 
     def is_open(self) -> bool:
         """Whether any session wants patches."""

@@ -101,17 +101,20 @@ def test_a_program_may_handle_its_signals_itself(session):
 
 
 def test_killing_ends_a_program_that_swallows_ctrl_c(session):
+    refused = session.clock.new_event()
+
     def main():
         while True:
             try:
                 time.sleep(1000)
             except KeyboardInterrupt:
                 print("no")
+                refused.set()
 
     process = session.start(main, name="stubborn")
     session.clock.sleep(0.01)
     process.interrupt()
-    session.clock.sleep(0.01)
+    refused.wait()
     assert process.state == "running" and process.output == "no\n"
     process.kill()
     assert process.wait(10) == -9 and not process.abandoned

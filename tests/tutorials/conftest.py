@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from coursekit.core.session import Session
+from coursekit.interfaces import find
 from coursekit.packages.overlay import overlay_environment
 from coursekit.systems.words import split_words
 
@@ -43,6 +44,7 @@ def session(workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     """A session on the virtual clock with the workspace sourced, in a folder of its own."""
     for name, value in overlay_environment(workspace / "install", os.environ).items():
         monkeypatch.setenv(name, value)
+    monkeypatch.setattr(find, "_remembered", [])  # a package that is imported has its workspace searched, from then on
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     monkeypatch.setenv("PATH", f"{BIN}{os.pathsep}{os.environ['PATH']}")
     monkeypatch.setenv("PAINTER", "mario")

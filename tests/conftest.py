@@ -2,6 +2,8 @@
 
 import importlib
 import os
+import subprocess
+import sys
 import tempfile
 
 from hypothesis import settings
@@ -16,3 +18,23 @@ os.environ["ROS_LOG_DIR"] = os.path.join(_sessions.name, "log")  # not among the
 
 # Its first import sources ROS: not within a test that sets AMENT_PREFIX_PATH for a while, and takes it back.
 importlib.import_module("ament_index_python")
+
+
+def pytest_sessionstart(session):
+    """What all tests of C++ need is made before they begin, so that it takes none of them its time."""
+    if getattr(session.config.option, "numprocesses", None) and not hasattr(session.config, "workerinput"):
+        make_cpp_runtime()
+
+
+def make_cpp_runtime():
+    """Compile the runtime of C++ programs, where there are tools for it and it is not there."""
+    from coursekit.cpp.runtime import runtime_folder  # not before the settings above
+    from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+
+    try:
+        folder = runtime_folder(find_toolchain())
+    except NoToolchain:
+        return
+    if not folder.is_dir():
+        env = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
+        subprocess.run([sys.executable, "-m", "coursekit.cpp.runtime", str(folder)], env=env, stderr=subprocess.DEVNULL)

@@ -14,6 +14,7 @@ import pytest
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.needs import ON_WINDOWS
 
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 SOURCES = Path(__file__).parent.parent / "fixtures" / "cpp_ws" / "src"
 BIN = Path(sys.executable).parent
 ENV = {k: v for k, v in os.environ.items() if k not in ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH")}

@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 
 import coursekit.cpp
-from coursekit.cpp.runtime import make_runtime, runtime_folder
+from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+from tests.conftest import make_cpp_runtime
 
 ROOM = Path(coursekit.cpp.__file__).parent
 
@@ -26,8 +27,7 @@ def cpp_library() -> Path:
         tools = find_toolchain()
     except NoToolchain as error:
         pytest.skip(str(error))
-    if not runtime_folder(tools).is_dir():
-        make_runtime(runtime_folder(tools), tools)
+    make_cpp_runtime()
     return runtime_folder(tools)
 
 

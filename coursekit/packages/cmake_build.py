@@ -83,6 +83,7 @@ def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "COURSEKIT_ROOT": ROOM,
         "COURSEKIT_PYTHON": Path(sys.executable),
         "COURSEKIT_SITE_PACKAGES": layout.site_packages(prefix).relative_to(prefix),
+        "BUILD_TESTING": "OFF",  # tests in C++ are named by `colcon test`, and not compiled
         "CMAKE_INSTALL_LIBDIR": "lib",
         "CMAKE_INSTALL_MESSAGE": "NEVER",
         "CMAKE_SUPPRESS_DEVELOPER_WARNINGS": "ON",

@@ -163,6 +163,11 @@ def test_a_package_that_ros2_pkg_creates_builds_and_runs(workspace, tmp_path):
     assert sourced(tmp_path, "ros2 run first_steps hello").stdout == "hello world first_steps package\n"
 
 
+def test_tests_in_cpp_are_named_and_keep_nothing_from_being_built(workspace):
+    tested = colcon(workspace, "test", "--packages-select", "k_route")
+    assert tested.returncode == 0 and "Skipped tests of k_route: test_route" in tested.stdout
+
+
 def copied(tmp_path, package):
     shutil.copytree(SOURCES / package, tmp_path / "src" / package)
     return tmp_path / "src" / package

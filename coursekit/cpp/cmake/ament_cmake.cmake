@@ -1,7 +1,7 @@
 # ament_cmake: what packages say of themselves, and what other packages then find of them.
 
 include_guard(GLOBAL)
-option(BUILD_TESTING "Build the testing tree." ON)
+option(BUILD_TESTING "Build the testing tree." OFF)
 
 macro(_coursekit_gather variable)
   set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY ${variable} ${ARGN})

@@ -101,7 +101,7 @@ class Channel:
         buffer = self._buffer
         while len(buffer) < size:
             if self._host.clock.virtual:
-                self._host.output.wait_for(self._connection)
+                self._host.wait_for(self._connection)
             try:
                 part = self._connection.recv(262_144)
             except OSError:

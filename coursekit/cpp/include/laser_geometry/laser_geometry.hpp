@@ -146,7 +146,8 @@ private:
     return name == "distances" ? scan.ranges[i] : static_cast<float>(i) * scan.time_increment;
   }
   template<class Buffer>
-  static tf2::Transform looked_up(Buffer & tf, const std::string & target, const std::string & source, const rclcpp::Time & time)
+  static tf2::Transform looked_up(
+    Buffer & tf, const std::string & target, const std::string & source, const rclcpp::Time & time)
   {
     auto found = tf.lookupTransform(target, source, time).transform;
     auto & r = found.rotation;

@@ -111,10 +111,10 @@ public:
   {
     return signal_.add(
       [callback](const EventType & event) {
-        if constexpr (std::is_invocable_v<const C &, const EventType &> && !std::is_invocable_v<const C &, const MConstPtr &>) {
-          callback(event);
-        } else {
+        if constexpr (std::is_invocable_v<const C &, const MConstPtr &>) {
           callback(event.getMessage());
+        } else {
+          callback(event);
         }
       });
   }

@@ -53,7 +53,8 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(WaitSet)
   struct SubscriptionEntry
   {
-    SubscriptionEntry(SubscriptionBase::SharedPtr subscription_ = nullptr, const SubscriptionWaitSetMask & mask_ = {})  // NOLINT
+    SubscriptionEntry(  // NOLINT: as Humble's, it stands for its subscription
+      SubscriptionBase::SharedPtr subscription_ = nullptr, const SubscriptionWaitSetMask & mask_ = {})
     : subscription(std::move(subscription_)), mask(mask_) {}
     SubscriptionBase::SharedPtr subscription;
     SubscriptionWaitSetMask mask;

@@ -13,7 +13,10 @@ inline std::string whole_path(const std::string & path) {return std::filesystem:
 }  // namespace detail
 
 /// The image in a file; an empty one where there is none.
-inline Mat imread(const std::string & path, int flags = IMREAD_COLOR) {return call("imread", detail::whole_path(path), flags).mat;}
+inline Mat imread(const std::string & path, int flags = IMREAD_COLOR)
+{
+  return call("imread", detail::whole_path(path), flags).mat;
+}
 inline bool imwrite(const std::string & path, InputArray image, const std::vector<int> & params = {})
 {
   return call("imwrite", detail::whole_path(path), image, kw("params", params)).integer != 0;

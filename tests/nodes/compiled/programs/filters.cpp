@@ -31,7 +31,9 @@ std::string pairs(const std::string & came, Close policy)
   std::ostringstream found;
   message_filters::Synchronizer<Close> sync(policy);
   sync.registerCallback(
-    [&](const Imu::ConstSharedPtr & imu, const Range::ConstSharedPtr & range) {found << ms(imu) << "+" << ms(range) << " ";});
+    [&](const Imu::ConstSharedPtr & imu, const Range::ConstSharedPtr & range) {
+      found << ms(imu) << "+" << ms(range) << " ";
+    });
   std::istringstream words(came);
   for (std::string word; words >> word; ) {
     int stamp = std::stoi(word.substr(1));
@@ -98,7 +100,8 @@ int main(int argc, char ** argv)
   auto stamp = [](int t) {return rclcpp::Time(t * 1000000LL, RCL_ROS_TIME);};
   auto & cache = node->cache();
   std::cout << ms(cache.getElemBeforeTime(stamp(350))) << ms(cache.getElemAfterTime(stamp(300)))
-            << cache.getInterval(stamp(200), stamp(300)).size() << cache.getSurroundingInterval(stamp(250), stamp(350)).size()
+            << cache.getInterval(stamp(200), stamp(300)).size()
+            << cache.getSurroundingInterval(stamp(250), stamp(350)).size()
             << (cache.getElemBeforeTime(stamp(200)) == nullptr) << cache.getOldestTime().nanoseconds() / 1000000
             << cache.getLatestTime().nanoseconds() / 1000000 << std::endl;
 

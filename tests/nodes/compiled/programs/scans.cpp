@@ -34,7 +34,8 @@ int main(int argc, char ** argv)
   sensor_msgs::msg::PointCloud2 cloud;
   projection.projectLaser(scan, cloud);
   print(cloud);
-  projection.projectLaser(scan, cloud, 3.0, laser_geometry::channel_option::Distance | laser_geometry::channel_option::Timestamp);
+  namespace option = laser_geometry::channel_option;
+  projection.projectLaser(scan, cloud, 3.0, option::Distance | option::Timestamp);
   print(cloud);
 
   tf2_ros::Buffer buffer(std::make_shared<rclcpp::Clock>(RCL_ROS_TIME));

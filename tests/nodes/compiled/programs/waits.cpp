@@ -25,18 +25,21 @@ using Adapted = rclcpp::TypeAdapter<std::string, String>;
 static void wait_sets(rclcpp::Node::SharedPtr node)
 {
   auto heard = [](const String & message) {std::cout << "called with " << message.data << std::endl;};
-  auto first = node->create_subscription<String>("first", 10, heard), second = node->create_subscription<String>("second", 10, heard);
+  auto first = node->create_subscription<String>("first", 10, heard);
+  auto second = node->create_subscription<String>("second", 10, heard);
   auto publisher = node->create_publisher<String>("second", 10);
   auto guard = std::make_shared<rclcpp::GuardCondition>();
   auto timer = node->create_wall_timer(300ms, [] {std::cout << "timer's callback" << std::endl;});
   rclcpp::WaitSet set({{{first}, {second}}}, {guard}, {timer});
-  std::cout << (set.wait(100ms).kind() == rclcpp::WaitResultKind::Timeout) << (rclcpp::WaitSet().wait(1s).kind() == rclcpp::WaitResultKind::Empty);
+  std::cout << (set.wait(100ms).kind() == rclcpp::WaitResultKind::Timeout)
+            << (rclcpp::WaitSet().wait(1s).kind() == rclcpp::WaitResultKind::Empty);
   String message;
   message.data = "hello";
   publisher->publish(message);
   auto result = set.wait(1s);
   auto & state = result.get_wait_set().get_rcl_wait_set();
-  std::cout << (result.kind() == rclcpp::WaitResultKind::Ready) << (state.subscriptions[0] != nullptr) << (state.subscriptions[1] != nullptr)
+  std::cout << (result.kind() == rclcpp::WaitResultKind::Ready) << (state.subscriptions[0] != nullptr)
+            << (state.subscriptions[1] != nullptr)
             << (state.guard_conditions[0] != nullptr) << state.size_of_subscriptions << state.size_of_timers << std::endl;
   rclcpp::MessageInfo info;
   String taken;
@@ -51,10 +54,12 @@ static void wait_sets(rclcpp::Node::SharedPtr node)
     });
   auto before = node->now();
   auto woken = set.wait();
-  std::cout << (set.get_rcl_wait_set().guard_conditions[0] != nullptr) << " after " << (node->now() - before).nanoseconds() / 1000000;
+  std::cout << (set.get_rcl_wait_set().guard_conditions[0] != nullptr) << " after "
+            << (node->now() - before).nanoseconds() / 1000000;
   other.join();
   woken = set.wait();
-  std::cout << " " << (set.get_rcl_wait_set().timers[0] != nullptr) << (set.get_rcl_wait_set().guard_conditions[0] != nullptr)
+  std::cout << " " << (set.get_rcl_wait_set().timers[0] != nullptr)
+            << (set.get_rcl_wait_set().guard_conditions[0] != nullptr)
             << timer->is_ready() << timer->call() << timer->is_ready() << std::endl;
   timer->execute_callback();
   timer->cancel();
@@ -81,7 +86,9 @@ static void bytes(rclcpp::Node::SharedPtr node)
   auto generic = node->create_generic_publisher("bytes", "std_msgs/msg/String", 10);
   auto typed = node->create_subscription<String>("bytes", 10, [](String::UniquePtr m) {std::cout << " typed " << m->data;});
   auto raw = node->create_generic_subscription(
-    "bytes", "std_msgs/msg/String", 10, [](std::shared_ptr<rclcpp::SerializedMessage> m) {std::cout << " raw " << m->size();});
+    "bytes", "std_msgs/msg/String", 10, [](std::shared_ptr<rclcpp::SerializedMessage> m) {
+      std::cout << " raw " << m->size();
+    });
   auto also = node->create_subscription<String>(
     "bytes", 10, [](std::shared_ptr<rclcpp::SerializedMessage> m) {std::cout << " also " << m->size();});
   publisher->publish(packed);
@@ -95,7 +102,8 @@ static void bytes(rclcpp::Node::SharedPtr node)
 static void adapters(rclcpp::Node::SharedPtr node)
 {
   auto publisher = node->create_publisher<Adapted>("adapted", 10);
-  auto custom = node->create_subscription<Adapted>("adapted", 10, [](const std::string & text) {std::cout << "custom " << text;});
+  auto custom = node->create_subscription<Adapted>(
+    "adapted", 10, [](const std::string & text) {std::cout << "custom " << text;});
   auto plain = node->create_subscription<String>("adapted", 10, [](const String & m) {std::cout << " plain " << m.data;});
   publisher->publish(std::string("one"));
   publisher->publish(std::make_unique<std::string>("two"));

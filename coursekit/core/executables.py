@@ -162,6 +162,11 @@ def is_compiled_here(path: Path) -> bool:
             return data.find(_LINK) >= 0
 
 
+def has_compiled_here(command: Sequence[str]) -> bool:
+    """Whether a command runs a C++ program that was built here, perhaps under a debugger: `gdb -ex run --args PATH`."""
+    return any(is_compiled_here(Path(word)) for word in command if os.path.isfile(word))
+
+
 def python_folders(env: Mapping[str, str]) -> list[str]:
     """The folders that PYTHONPATH and the prefixes of `env` add to Python's path, without those of the interpreter."""
     folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]

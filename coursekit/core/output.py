@@ -92,6 +92,10 @@ class Input(io.TextIOBase):
         self._closed_by_writer = True
         self._changed.set()
 
+    def wake(self) -> None:
+        """End the present wait for keys: there is something else to look at."""
+        self._changed.set()
+
     def readable(self) -> bool:
         return True
 

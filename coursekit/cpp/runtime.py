@@ -20,8 +20,9 @@ from coursekit.interfaces.find import UNDERLAY, known_interfaces
 
 ROOM = Path(__file__).parent
 PACKAGES = (
-    "OpenCV", "cv_bridge", "image_transport", "rclcpp", "rclcpp_action", "rclcpp_components",
-    "rclcpp_lifecycle", "rcutils", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
+    "OpenCV", "message_filters", "laser_geometry", "cv_bridge", "image_transport",
+    "rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle",
+    "rcutils", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
     "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python",
     "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
@@ -33,21 +34,24 @@ PACKAGES = (
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
     "angles", "controller_interface", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
-    "hardware_interface", "image_geometry", "laser_geometry", "message_filters", "nav2_util", "pluginlib",
+    "hardware_interface", "image_geometry", "nav2_util", "pluginlib",
     "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 FORWARDED = {
     "rclcpp/rclcpp.hpp": (
-        "create_client create_generic_publisher create_generic_subscription create_publisher create_service "
-        "create_subscription create_timer event executor_options generic_publisher generic_subscription init_options "
-        "intra_process_setting is_ros_compatible_type message_info parameter_map publisher_base qos_overriding_options "
-        "scope_exit subscription_base subscription_options time_source topic_statistics_state contexts/default_context "
-        "executors/multi_threaded_executor executors/single_threaded_executor executors/static_single_threaded_executor "
-        "node_interfaces/node_clock_interface node_interfaces/node_graph_interface node_interfaces/node_logging_interface "
-        "node_interfaces/node_parameters_interface node_interfaces/node_services_interface "
-        "node_interfaces/node_time_source_interface node_interfaces/node_timers_interface "
-        "node_interfaces/node_topics_interface node_interfaces/node_waitables_interface"
+        "wait_result wait_result_kind wait_set_template serialization loaned_message create_client "
+        "create_generic_publisher create_generic_subscription create_publisher create_service create_subscription "
+        "create_timer event executor_options generic_publisher generic_subscription init_options "
+        "intra_process_setting is_ros_compatible_type message_info parameter_map publisher_base "
+        "qos_overriding_options scope_exit subscription_base subscription_options time_source "
+        "topic_statistics_state contexts/default_context executors/multi_threaded_executor "
+        "executors/single_threaded_executor executors/static_single_threaded_executor "
+        "node_interfaces/node_clock_interface node_interfaces/node_graph_interface "
+        "node_interfaces/node_logging_interface node_interfaces/node_parameters_interface "
+        "node_interfaces/node_services_interface node_interfaces/node_time_source_interface "
+        "node_interfaces/node_timers_interface node_interfaces/node_topics_interface "
+        "node_interfaces/node_waitables_interface"
     ),
 }
 """Headers whose names are Humble's: by the header that has what is in them."""

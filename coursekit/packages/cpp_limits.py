@@ -8,7 +8,7 @@ from collections.abc import Collection
 _PACKAGE = re.compile(r'(?:configuration file provided by|not providing) "(?:Find)?([\w.+-]+?)(?:\.cmake)?"')
 _HEADER = re.compile(r"fatal error: '?([\w./+-]+)'?(?::| file)")
 _NOT_YET = re.compile(
-    r"(tf2_(eigen|kdl|sensor_msgs|bullet)|message_filters|image_transport|laser_geometry|pluginlib"
+    r"(tf2_(eigen|kdl|sensor_msgs|bullet)|image_transport|laser_geometry|pluginlib"
     r"|class_loader|opencv2|Eigen|rcl|rcl_\w+|rcpputils|rclcpp/(wait_set\w*|guard_condition"
     r"|parameter_client|parameter_event_\w+|serialization|loaned_message|node_interfaces|executors|strategies|experimental|topic_\w+"
     r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl))(/|\.hpp|\.h)"

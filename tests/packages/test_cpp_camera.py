@@ -64,7 +64,7 @@ with (session := Session(virtual=True)).use():
     desk().press("q")
     print(user.wait(5.0), sorted(desk().windows))
     camera.interrupt()
-    print(camera.wait(5.0), camera.output.splitlines()[0].split("] ")[-1])
+    print(camera.wait(5.0), camera.output.splitlines()[1].split("] ")[-1])
 """
 
 

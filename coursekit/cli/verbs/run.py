@@ -6,10 +6,20 @@ import argparse
 import sys
 from typing import Any
 
-from coursekit.core.executables import ExecutableNotFound, PackageNotFound, executables_of, find, packages
+from coursekit.core.commands import COMPILED
+from coursekit.core.executables import (
+    ExecutableNotFound,
+    PackageNotFound,
+    executables_of,
+    find,
+    has_compiled_here,
+    make_process,
+    packages,
+)
 from coursekit.core.prefixed import prefixed
 from coursekit.core.process import current_process
 from coursekit.core.session import current
+from coursekit.interfaces.find import UNDERLAY
 from coursekit.systems.signal_names import described
 from coursekit.systems.words import split_words
 
@@ -91,5 +101,8 @@ def _outcome(code: int) -> int:
 def _run_with_prefix(command: list[str]) -> int:
     from coursekit.core.child import ChildProcess
 
-    process = ChildProcess(current(), command, name=command[0])
+    if has_compiled_here(command):
+        process: Any = make_process(current(), UNDERLAY / COMPILED, command, name=command[0])
+    else:
+        process = ChildProcess(current(), command, name=command[0])
     return _outcome(_wait(current().launch(process, _pass_on())))

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "state.hpp"
+#include "threads.hpp"
 
 namespace coursekit
 {
@@ -25,7 +26,15 @@ void * begin(void * given)
   return start.function(start.argument);
 }
 int64_t address_of(const void * p) {return static_cast<int64_t>(reinterpret_cast<uintptr_t>(p));}
-/// Wait until somebody wakes those that wait on `what`, at most until then (steady; negative: without end).
+int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
+{
+  pthread_mutex_unlock(m);
+  bool woken = block(c, left < 0 ? -1 : g_state.steady + left);
+  pthread_mutex_lock(m);
+  return woken ? 0 : ETIMEDOUT;
+}
+}  // namespace
+
 bool block(const void * what, int64_t until)
 {
   ++g_state.blocked;
@@ -39,14 +48,6 @@ void unblock(const void * what, bool all)
     note("unblock", Packer{}.i(address_of(what)).i(all));
   }
 }
-int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
-{
-  pthread_mutex_unlock(m);
-  bool woken = block(c, left < 0 ? -1 : g_state.steady + left);
-  pthread_mutex_lock(m);
-  return woken ? 0 : ETIMEDOUT;
-}
-}  // namespace
 
 void start_real_thread(void * (*function)(void *), void * argument)
 {

@@ -6,7 +6,7 @@ import socket
 import struct
 from typing import TYPE_CHECKING
 
-from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
@@ -67,7 +67,7 @@ class Channel:
                 return frame
             if kind == b"E":
                 raise CallbackFailed
-            name = frame.text()
+            name = _name(kind, frame)
             try:
                 answer = self._host.carry_out(self, name, frame)
             except CallbackFailed:
@@ -101,7 +101,7 @@ class Channel:
         buffer = self._buffer
         while len(buffer) < size:
             if self._host.clock.virtual:
-                self._host.output.wait_for(self._connection)
+                self._host.wait_for(self._connection)
             try:
                 part = self._connection.recv(262_144)
             except OSError:
@@ -112,3 +112,13 @@ class Channel:
         data = bytes(buffer[:size])
         del buffer[:size]
         return data
+
+
+def _name(kind: bytes, frame: Unpacker) -> str:
+    """What is asked; Gone for what is no question: such a program does not know what it says any more."""
+    try:
+        if kind in (b"Q", b"N"):
+            return frame.text()
+    except FrameError:
+        pass
+    raise Gone

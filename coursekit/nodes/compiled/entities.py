@@ -234,11 +234,12 @@ def do_timer_left(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(_FOREVER if left is None else left)
 
 
-def do_timer_call(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Call a timer's callback now, as when it is due."""
-    timer = host.things[frame.integer()][2]
-    timer.callback()
-    timer.reset()
+def do_timer_call(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Count a call of a timer, whose callback the program runs itself; 0 for one that is stopped."""
+    core = host.things[frame.integer()][2]._sources()[0]
+    if not core.canceled:
+        core.call()
+    return packed(int(not core.canceled))
 
 
 # -- services

@@ -19,14 +19,32 @@ from typing import Any
 from rclpy.signals import shutdown_all
 
 from coursekit.core.process import ProcessKilled, current_process
+from coursekit.core.ready import ReadyQueue
 from coursekit.core.session import current
-from coursekit.nodes.compiled import actions, entities, executing, lifecycle, parameters, program, transforms, vision
+from coursekit.nodes.compiled import (
+    actions,
+    entities,
+    executing,
+    lifecycle,
+    parameters,
+    program,
+    transforms,
+    vision,
+    waiting,
+)
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
+from coursekit.systems import children
+from coursekit.systems.signal_names import signal_called
 
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
+_COMPUTE_LIMIT_S = 60.0
+_TOO_LONG = (
+    "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
+    "stands still meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
+)
 _ERRORS = {
     "InvalidNodeNameException": "InvalidNodeNameError",
     "InvalidNamespaceException": "InvalidNamespaceError",
@@ -37,7 +55,7 @@ _ERRORS = {
 }
 OPERATIONS = {
     name[3:]: function
-    for room in (program, entities, parameters, executing, lifecycle, actions, transforms, vision)
+    for room in (program, entities, parameters, executing, waiting, lifecycle, actions, transforms, vision)
     for name, function in vars(room).items()
     if name.startswith("do_")
 }
@@ -61,6 +79,12 @@ class Host:
         """The channels of threads that the program made on the virtual clock, by its own numbers."""
         self.blocked: dict[int, list[Any]] = {}
         """Who waits on the virtual clock for a mutex or condition variable, by its address."""
+        self.typed = b""
+        """What was typed and not read yet."""
+        self.over = False
+        """Whether the program has ended."""
+        self.waiting: list[ReadyQueue] = []
+        """The queues of wait sets that wait now."""
         self.own_gids: set[bytes] = set()
         """The publishers of this program, for subscriptions that ignore them."""
         self.context = contextvars.copy_context()
@@ -100,6 +124,7 @@ class Host:
         """On the virtual clock: one thing at a time, so the order of all that happens is fixed."""
         if self.output.wait_for(self._server):
             self.accept()[1].serve()
+        self.over = True
         code = self._child.wait()
         self.output.drain()
         self._forget()
@@ -110,6 +135,8 @@ class Host:
         self.session.spawn(self._accept_all)
         self.session.spawn(self._watch, ended)
         ended.wait()
+        self.over = True
+        self._wake()
         for channel in list(self._channels):  # what it said last is still to be carried out
             channel.ended.wait(_LAST_WORDS_S)
         self._server.shutdown(socket.SHUT_RDWR)
@@ -153,15 +180,32 @@ class Host:
 
     def _on_signal(self, signum: int, _frame: Any) -> None:
         self.flags |= STOPPING
+        self._wake()
         if signum in self.caught:
             self.context.copy().run(program.tell_signal, self, signum)
         if self._child.poll() is None:
-            self._child.send_signal(signum)
+            children.send_signal(self._child, signum)
         self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
+
+    def _wake(self) -> None:
+        """Have whoever waits in the program's stead look at what has happened."""
+        self.process.stdin.wake()
+        for queue in list(self.waiting):
+            queue.wake()
 
     def _kill(self) -> None:
         if self._child.poll() is None:
-            self._child.kill()
+            children.send_signal(self._child, signal_called("SIGKILL"))  # to what it has started too: a debugger's program
+
+    def wait_for(self, connection: socket.socket) -> None:
+        """Wait, really, while the program computes: virtual time stands still. One that never stops is ended."""
+        limit = float(self.process.env.get("COURSEKIT_COMPUTE_LIMIT") or _COMPUTE_LIMIT_S)
+        try:
+            self.output.wait_for(connection, limit)
+        except TimeoutError:
+            self.process.out.write("stderr", _TOO_LONG.format(name=os.path.basename(self.path), limit=limit))
+            self._kill()
+            raise Gone from None
 
     # -- what it asks
 

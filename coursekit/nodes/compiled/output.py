@@ -7,6 +7,7 @@ import socket
 import subprocess
 import threading
 from collections.abc import Callable
+from time import monotonic as _now  # the real one: in a process that of `time` is the session's
 from typing import Any
 
 from coursekit.systems.pipes import wait_readable
@@ -41,15 +42,22 @@ class ChildOutput:
         self._write(self._streams[pipe], data.decode(errors="replace"))
         return True
 
-    def wait_for(self, awaited: Any) -> bool:
-        """Wait, really, until something comes there, and pass on output meanwhile; False when both pipes are closed."""
+    def wait_for(self, awaited: Any, seconds: float | None = None) -> bool:
+        """Wait, really, until something comes there, and pass on output meanwhile; False when both pipes are closed.
+
+        TimeoutError when so many seconds have passed.
+        """
+        end = None if seconds is None else _now() + seconds
         while True:
             pipes = list(self._streams)
-            ready = wait_readable([awaited, *pipes], None if pipes else 0)
+            left = None if end is None else max(0.0, end - _now())
+            ready = wait_readable([awaited, *pipes], left if pipes else 0)
             if awaited in ready:
                 return True
             if not pipes:
                 return False
+            if not ready:
+                raise TimeoutError
             self.drain()
 
     def pass_all_on(self) -> None:

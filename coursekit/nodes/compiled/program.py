@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 STOPPING = 2
 _INFO = 20
+_LINE = 256
+"""Whoever asks for fewer bytes wants single keys."""
 
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -51,6 +53,19 @@ def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     while not host.flags & STOPPING and host.clock.steady() < until:
         waiter.wait(until)
     return packed(int(not host.flags & STOPPING))
+
+
+def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Wait for standard input: 1 and at most so many bytes, none at its end; 0 when Ctrl-C came."""
+    size, keys = frame.integer(), host.process.stdin
+    while not host.typed and not host.over:
+        if host.flags & STOPPING:
+            return packed(0)
+        if keys.wait_for_keys(None):
+            host.typed = keys.read(1).encode() if size < _LINE else keys.readline().encode()
+            break
+    data, host.typed = host.typed[:size], host.typed[size:]
+    return packed(1, data)
 
 
 def do_thread(host: Host, _channel: Channel, frame: Unpacker) -> None:

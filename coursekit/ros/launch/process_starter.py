@@ -9,9 +9,10 @@ from typing import Any
 
 from coursekit.core import script, session
 from coursekit.core.child import ChildProcess
-from coursekit.core.commands import inside
-from coursekit.core.executables import is_compiled_here
+from coursekit.core.commands import COMPILED, inside
+from coursekit.core.executables import has_compiled_here
 from coursekit.core.prefixed import is_package_executable, prefixed
+from coursekit.interfaces.find import UNDERLAY
 from coursekit.systems.layout import executable_name
 from coursekit.systems.words import plain_words, shell_command
 
@@ -58,8 +59,10 @@ def start_process(
     found = which(cmd[0], env.get("PATH"))
     if found is None:
         raise FileNotFoundError(2, "there is no such program", cmd[0])
-    if is_compiled_here(Path(found)):
-        return current.start_executable(found, list(cmd[1:]), env=env, cwd=cwd, on_output=on_output, tty=tty)
+    if has_compiled_here(cmd):
+        host, name = UNDERLAY / COMPILED, os.path.basename(found)
+        words = [found, *cmd[1:]]
+        return current.start_executable(host, words, name=name, env=env, cwd=cwd, on_output=on_output, tty=tty)
     child = ChildProcess(current, [found, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output, tty)
 

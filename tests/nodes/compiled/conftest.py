@@ -37,22 +37,26 @@ def cpp_library() -> Path:
     return runtime_folder(tools)
 
 
-@pytest.fixture
-def build(cpp_library: Path, tmp_path: Path) -> Callable[[str, str], Path]:
-    """Compile a program's text under a name."""
+@pytest.fixture(scope="session")
+def build(cpp_library: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, str], Path]:
+    """Compile a program's text under a name, once."""
+    made: dict[tuple[str, str], Path] = {}
 
     def compiled(name: str, text: str) -> Path:
-        source = tmp_path / f"{name}.cpp"
-        source.write_text(text, encoding="utf-8")
-        archive = str(cpp_library / "lib" / "libcoursekit.a")
-        library = ["-Wl,--whole-archive", archive, "-Wl,--no-whole-archive", "-ldl", "-lpthread"]
-        _compile(cpp_library, str(source), "-o", str(tmp_path / name), *library)
-        return tmp_path / name
+        if (name, text) not in made:
+            path = made[name, text] = tmp_path_factory.mktemp("programs") / name
+            source = path.with_suffix(".cpp")
+            source.write_text(text, encoding="utf-8")
+            archive = str(cpp_library / "lib" / "libcoursekit.a")
+            library = ["-Wl,--whole-archive", archive, "-Wl,--no-whole-archive", "-ldl", "-lpthread"]
+            _compile(cpp_library, str(source), "-o", str(path), *library)
+        return made[name, text]
 
     return compiled
 
 
 def _compile(library: Path, *words: str) -> None:
-    flags = ["-std=gnu++17", "-O0", "-Wall", "-Wextra", "-I", str(ROOM / "include"), "-I", str(ROOM / "opencv"), "-isystem", str(library / "include")]
+    folders = [f"-I{ROOM / 'include'}", f"-I{ROOM / 'opencv'}", "-isystem", str(library / "include")]
+    flags = ["-std=gnu++17", "-O0", "-Wall", "-Wextra", *folders]
     done = subprocess.run(["g++", *flags, *words], capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr

@@ -40,7 +40,7 @@ def drawn():
     return image
 
 
-def test_mat_is_memory_and_functions_do_what_cv2_does(said):
+def test_mat_is_memory_and_functions_do_what_cv2_does(said, tmp_path):
     lines = said("pictures")
     assert lines[:7] == [
         "177011 [3 x 2]5[  7,   1,   1,   1,   7]",
@@ -63,6 +63,7 @@ def test_mat_is_memory_and_functions_do_what_cv2_does(said):
     low, high, _, (x, y) = cv2.minMaxLoc(image[..., 0])
     assert lines[9] == f"0{low:g}{high:g}[{x}, {y}] 255"
     assert lines[10] == f"11111{cv2.GaussianBlur(image, (5, 5), 1.5)[..., 0].sum()}"
+    assert (tmp_path / "small.png").is_file()  # in the program's folder, not in the session's
     (width, height), base = cv2.getTextSize("Vera", cv2.FONT_HERSHEY_SIMPLEX, 1.0, 2)
     assert lines[11:] == [f"[{width} x {height}]{base}", "refused 1"]
 

@@ -88,7 +88,8 @@ public:
   template<class T>
   CameraSubscriber subscribeCamera(
     const std::string & base_topic, uint32_t queue_size,
-    void (T::* callback)(const ImageConstPtr &, const CameraInfoConstPtr &), T * object, const TransportHints * hints = nullptr)
+    void (T::* callback)(const ImageConstPtr &, const CameraInfoConstPtr &), T * object,
+    const TransportHints * hints = nullptr)
   {
     using std::placeholders::_1;
     using std::placeholders::_2;

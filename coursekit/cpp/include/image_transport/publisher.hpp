@@ -84,7 +84,8 @@ public:
   : transport_(transport)
   {
     if (transport != "raw") {
-      throw TransportLoadException(transport, "here C++ has the transport raw; rqt_image_view and Python read compressed images");
+      throw TransportLoadException(
+              transport, "here C++ has the transport raw; rqt_image_view and Python read compressed images");
     }
     auto heard = [callback](Image::ConstSharedPtr image) {callback(image);};
     subscription_ = node->create_subscription<Image>(base_topic, detail::qos_of(qos), heard, options);

@@ -28,6 +28,10 @@ public:
     cdr = answer.rest();
     return true;
   }
+  /// Run the callback with a message that was taken.
+  virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
+  virtual std::shared_ptr<void> create_message() = 0;
+  virtual bool take_type_erased(void * message, MessageInfo & info) = 0;
   bool take_serialized(SerializedMessage & message, MessageInfo & info)
   {
     std::string cdr;
@@ -64,6 +68,15 @@ public:
     coursekit::from_cdr(cdr, message);
     return true;
   }
+  bool take_type_erased(void * message, MessageInfo & info) override
+  {
+    return take(*static_cast<ROSMessageType *>(message), info);
+  }
+  std::shared_ptr<void> create_message() override {return std::make_shared<ROSMessageType>();}
+  void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
+  {
+    dispatch(coursekit::to_cdr(*std::static_pointer_cast<ROSMessageType>(message)), info);
+  }
 };
 
 /// Hears the bytes of a type that only its name tells.
@@ -71,5 +84,14 @@ class GenericSubscription : public SubscriptionBase
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(GenericSubscription)
+  std::shared_ptr<void> create_message() override {return std::make_shared<SerializedMessage>();}
+  bool take_type_erased(void * message, MessageInfo & info) override
+  {
+    return take_serialized(*static_cast<SerializedMessage *>(message), info);
+  }
+  void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
+  {
+    dispatch(std::static_pointer_cast<SerializedMessage>(message)->bytes(), info);
+  }
 };
 }  // namespace rclcpp

@@ -1,14 +1,25 @@
 // Images in files and in memory.
 #pragma once
+#include <filesystem>
+
 #include "opencv2/core.hpp"
 
 namespace cv
 {
+namespace detail
+{
+/// A file's whole path: the session, which opens it, works in another folder.
+inline std::string whole_path(const std::string & path) {return std::filesystem::absolute(path).string();}
+}  // namespace detail
+
 /// The image in a file; an empty one where there is none.
-inline Mat imread(const std::string & path, int flags = IMREAD_COLOR) {return call("imread", path, flags).mat;}
+inline Mat imread(const std::string & path, int flags = IMREAD_COLOR)
+{
+  return call("imread", detail::whole_path(path), flags).mat;
+}
 inline bool imwrite(const std::string & path, InputArray image, const std::vector<int> & params = {})
 {
-  return call("imwrite", path, image, kw("params", params)).integer != 0;
+  return call("imwrite", detail::whole_path(path), image, kw("params", params)).integer != 0;
 }
 inline bool imencode(
   const std::string & kind, InputArray image, std::vector<uchar> & bytes, const std::vector<int> & params = {})

@@ -1,5 +1,7 @@
 // Cameras and films: number 0 is the course's virtual camera where the computer has none.
 #pragma once
+#include <filesystem>
+
 #include "opencv2/core.hpp"
 
 namespace cv
@@ -12,7 +14,10 @@ public:
   explicit VideoCapture(const std::string & path, int backend = CAP_ANY) {open(path, backend);}
   virtual ~VideoCapture() = default;
   virtual bool open(int index, int = CAP_ANY) {return begin(index);}
-  virtual bool open(const std::string & path, int = CAP_ANY) {return begin(path);}
+  virtual bool open(const std::string & path, int = CAP_ANY)
+  {
+    return begin(std::filesystem::exists(path) ? std::filesystem::absolute(path).string() : path);  // else an address
+  }
   virtual bool isOpened() const {return object_ && object_->call("isOpened").integer;}
   virtual void release() {object_.reset();}
   virtual bool grab() {return object_ && object_->call("grab").integer;}

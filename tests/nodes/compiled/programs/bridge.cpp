@@ -47,13 +47,15 @@ int main(int argc, char ** argv)
   auto node = rclcpp::Node::make_shared("eyes");
   image_transport::ImageTransport transport(node);
   auto camera = transport.advertiseCamera("front/image", 1);
-  auto plain = transport.subscribe("front/image", 1, [](const Image::ConstSharedPtr & image) {std::cout << "image " << image->width;});
+  auto plain = transport.subscribe(
+    "front/image", 1, [](const Image::ConstSharedPtr & image) {std::cout << "image " << image->width;});
   auto both = transport.subscribeCamera(
     "front/image", 1, [](const Image::ConstSharedPtr & image, const CameraInfo::ConstSharedPtr & info) {
       std::cout << " with " << info->width << (image->header.stamp == info->header.stamp) << std::endl;
       rclcpp::shutdown();
     });
-  std::cout << camera.getTopic() << " " << camera.getInfoTopic() << " " << camera.getNumSubscribers() << both.getTransport() << std::endl;
+  std::cout << camera.getTopic() << " " << camera.getInfoTopic() << " " << camera.getNumSubscribers()
+            << both.getTransport() << std::endl;
   Image image;
   CameraInfo info;
   image.width = info.width = 640;

@@ -14,14 +14,16 @@ static void memory()
   cv::Mat colour(2, 2, CV_8UC3, cv::Scalar(1, 2, 3)), real;
   colour.at<cv::Vec3b>(1, 0)[2] = 200;
   colour.convertTo(real, CV_32F, 2.0, 0.5);
-  std::cout << real.at<cv::Vec3f>(1, 0) << colour.type() << real.type() << CV_64FC2 << " " << colour.elemSize() << colour.channels()
+  std::cout << real.at<cv::Vec3f>(1, 0) << colour.type() << real.type() << CV_64FC2 << " " << colour.elemSize()
+            << colour.channels()
             << colour.total() << colour.reshape(1).cols << std::endl;
   cv::Mat matrix = (cv::Mat_<double>(2, 3) << 1, 2, 3, 4, 5, 6);
   std::cout << matrix << matrix.t().at<double>(2, 1) << cv::Mat::eye(2, 2, CV_32F) << cv::Mat(matrix * 0.5).at<double>(1, 2)
             << std::endl;
   int sum = 0;
   for (auto it = a.begin<uchar>(); it != a.end<uchar>(); ++it) {sum += *it;}
-  std::cout << sum << " " << cv::Mat().empty() << int(cv::saturate_cast<uchar>(300.2)) << int(cv::saturate_cast<uchar>(2.5)) << std::endl;
+  std::cout << sum << " " << cv::Mat().empty() << int(cv::saturate_cast<uchar>(300.2))
+            << int(cv::saturate_cast<uchar>(2.5)) << std::endl;
   try {
     a(cv::Rect(3, 3, 9, 9));
   } catch (const cv::Exception & error) {
@@ -44,7 +46,8 @@ static void asked()
   cv::inRange(image, cv::Scalar(0, 0, 200), cv::Scalar(50, 50, 255), mask);
   cv::findContours(mask, contours, hierarchy, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
   auto moments = cv::moments(contours.at(0));
-  std::cout << limit << " " << contours.size() << hierarchy.size() << cv::boundingRect(contours[0]) << cv::contourArea(contours[0])
+  std::cout << limit << " " << contours.size() << hierarchy.size() << cv::boundingRect(contours[0])
+            << cv::contourArea(contours[0])
             << " " << moments.m10 / moments.m00 << std::endl;
   cv::drawContours(image, contours, -1, cv::Scalar(255, 255, 255), 2);
   std::vector<cv::Mat> parts;
@@ -60,7 +63,8 @@ static void asked()
   std::vector<uchar> bytes;
   bool encoded = cv::imencode(".png", image, bytes);
   std::cout << encoded << (cv::norm(cv::imdecode(bytes, cv::IMREAD_COLOR), image) == 0) << cv::imwrite("small.png", small)
-            << (cv::imread("small.png").size() == small.size()) << cv::imread("none.png").empty() << cv::sum(image)[0] << std::endl;
+            << (cv::imread("small.png").size() == small.size()) << cv::imread("none.png").empty()
+            << cv::sum(image)[0] << std::endl;
   int base = 0;
   std::cout << cv::getTextSize("Vera", cv::FONT_HERSHEY_SIMPLEX, 1.0, 2, &base) << base << std::endl;
   try {

@@ -1,0 +1,2 @@
+#pragma once
+#include "message_filters/simple_filter.h"

@@ -1,0 +1,46 @@
+// Flags that a program raises to end a wait.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <mutex>
+
+#include "coursekit/entity.hpp"
+#include "rclcpp/utilities.hpp"
+
+namespace rclcpp
+{
+class GuardCondition : public coursekit::Entity
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GuardCondition)
+  explicit GuardCondition(Context::SharedPtr context = contexts::get_global_default_context())
+  : context_(std::move(context))
+  {
+    if (!context_) {
+      throw std::invalid_argument("context argument unexpectedly nullptr");
+    }
+    id = ask("guard_condition").i();
+  }
+  Context::SharedPtr get_context() const {return context_;}
+  void trigger()
+  {
+    coursekit::note("trigger", Packer{}.i(id));
+    std::lock_guard<std::recursive_mutex> hold(lock_);
+    if (on_trigger_) {
+      on_trigger_(1);
+    }
+  }
+  bool exchange_in_use_by_wait_set_state(bool state) {return in_use_.exchange(state);}
+  void set_on_trigger_callback(std::function<void (size_t)> callback)
+  {
+    std::lock_guard<std::recursive_mutex> hold(lock_);
+    on_trigger_ = std::move(callback);
+  }
+
+private:
+  Context::SharedPtr context_;
+  std::atomic<bool> in_use_{false};
+  std::recursive_mutex lock_;
+  std::function<void (size_t)> on_trigger_;
+};
+}  // namespace rclcpp

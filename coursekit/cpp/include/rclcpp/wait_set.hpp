@@ -1,0 +1,162 @@
+// Wait sets: a program waits for subscriptions, timers and guard conditions itself, and takes what is there.
+#pragma once
+#include <array>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "rclcpp/guard_condition.hpp"
+#include "rclcpp/subscription.hpp"
+#include "rclcpp/timer.hpp"
+
+/// What was ready when a wait ended: a pointer for each entity, null for those that were not.
+struct rcl_wait_set_t
+{
+  std::vector<const void *> subscriptions, guard_conditions, timers;
+  size_t size_of_subscriptions = 0, size_of_guard_conditions = 0, size_of_timers = 0;
+};
+
+namespace rclcpp
+{
+enum WaitResultKind {Ready, Timeout, Empty};
+
+template<class S>
+class WaitResult
+{
+public:
+  WaitResult(WaitResultKind kind, S & set)
+  : kind_(kind), set_(&set) {}
+  WaitResultKind kind() const {return kind_;}
+  const S & get_wait_set() const {return valid();}
+  S & get_wait_set() {return valid();}
+
+private:
+  S & valid() const
+  {
+    if (kind_ != WaitResultKind::Ready) {
+      throw std::runtime_error("cannot access wait set when the result was not ready");
+    }
+    return *set_;
+  }
+  WaitResultKind kind_;
+  S * set_;
+};
+
+struct SubscriptionWaitSetMask
+{
+  bool include_subscription = true, include_events = true, include_intra_process_waitable = true;
+};
+
+class WaitSet
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WaitSet)
+  struct SubscriptionEntry
+  {
+    SubscriptionEntry(  // NOLINT: as Humble's, it stands for its subscription
+      SubscriptionBase::SharedPtr subscription_ = nullptr, const SubscriptionWaitSetMask & mask_ = {})
+    : subscription(std::move(subscription_)), mask(mask_) {}
+    SubscriptionBase::SharedPtr subscription;
+    SubscriptionWaitSetMask mask;
+  };
+  using Subscriptions = std::vector<SubscriptionEntry>;
+  using Guards = std::vector<GuardCondition::SharedPtr>;
+  using Timers = std::vector<TimerBase::SharedPtr>;
+  explicit WaitSet(const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {})
+  {
+    for (auto & entry : subscriptions) {
+      add_subscription(entry.subscription, entry.mask);
+    }
+    for (auto & guard : guards) {
+      add_guard_condition(guard);
+    }
+    for (auto & timer : timers) {
+      add_timer(timer);
+    }
+  }
+  ~WaitSet()
+  {
+    for (auto & guard : guards_) {
+      guard->exchange_in_use_by_wait_set_state(false);
+    }
+  }
+  WaitSet(const WaitSet &) = delete;
+
+  void add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask = {})
+  {
+    add(subscriptions_, subscription, "subscription");
+  }
+  void remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask = {})
+  {
+    remove(subscriptions_, subscription, "subscription");
+  }
+  void add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
+  void remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
+  void add_guard_condition(GuardCondition::SharedPtr guard)
+  {
+    if (guard && guard->exchange_in_use_by_wait_set_state(true)) {
+      throw std::runtime_error("guard condition already in use by another wait set");
+    }
+    add(guards_, guard, "guard condition");
+  }
+  void remove_guard_condition(GuardCondition::SharedPtr guard)
+  {
+    remove(guards_, guard, "guard condition");
+    guard->exchange_in_use_by_wait_set_state(false);
+  }
+  void prune_deleted_entities() {}
+
+  /// Wait until something is ready, at most so long (negative: without end).
+  template<class Rep = int64_t, class Period = std::milli>
+  WaitResult<WaitSet> wait(std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    return {wait_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(timeout).count()), *this};
+  }
+  const rcl_wait_set_t & get_rcl_wait_set() const {return state_;}
+
+private:
+  template<class T>
+  void add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
+  {
+    if (!one) {
+      throw std::invalid_argument(std::string(what) + " is nullptr");
+    }
+    if (std::find(all.begin(), all.end(), one) != all.end()) {
+      throw std::runtime_error(std::string(what) + " already associated with a wait set");
+    }
+    all.push_back(one);
+    look({});
+  }
+  template<class T>
+  void remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
+  {
+    auto found = std::find(all.begin(), all.end(), one);
+    if (found == all.end()) {
+      throw std::runtime_error(std::string(what) + " not in wait set");
+    }
+    all.erase(found);
+    look({});
+  }
+  WaitResultKind wait_ns(int64_t nanoseconds);
+  /// Write down which are ready; all are not where `ready` is empty.
+  void look(const std::vector<bool> & ready);
+
+  std::vector<SubscriptionBase::SharedPtr> subscriptions_;
+  Guards guards_;
+  Timers timers_;
+  rcl_wait_set_t state_;
+};
+using ThreadSafeWaitSet = WaitSet;
+
+/// A wait set whose numbers of entities are fixed.
+template<size_t NSubscriptions, size_t NGuards = 0, size_t NTimers = 0, size_t = 0, size_t = 0, size_t = 0>
+class StaticWaitSet : public WaitSet
+{
+public:
+  explicit StaticWaitSet(
+    const std::array<SubscriptionEntry, NSubscriptions> & subscriptions = {},
+    const std::array<GuardCondition::SharedPtr, NGuards> & guards = {},
+    const std::array<TimerBase::SharedPtr, NTimers> & timers = {})
+  : WaitSet({subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()}) {}
+};
+}  // namespace rclcpp

@@ -1,0 +1,66 @@
+"""What a compiled program asks of guard conditions and wait sets: which of its entities are ready."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy.guard_condition import GuardCondition
+
+from coursekit.core.ready import ReadyQueue
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+STOPPING = 2
+
+
+def do_guard_condition(host: Host, _channel: Channel, _frame: Unpacker) -> bytes:
+    """Make a guard condition."""
+    return packed(host.keep(GuardCondition(None, None)))
+
+
+def do_trigger(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Raise a guard condition."""
+    host.things[frame.integer()].trigger()
+
+
+def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Wait until entities are ready, at most so long (negative: without end); a 1 for each that is, else 0."""
+    nanoseconds = frame.integer()
+    entities = [_entity(host.things[frame.integer()]) for _ in range(frame.integer())]
+    sources = [entity._sources()[0] for entity in entities]
+    end = None if nanoseconds < 0 else host.clock.steady() + nanoseconds
+    ready = _wait(host, sources, end)
+    for entity, is_ready in zip(entities, ready, strict=True):
+        if is_ready and isinstance(entity, GuardCondition):
+            entity.handle.core.take()
+    return packed(*map(int, ready))
+
+
+def _entity(thing: Any) -> Any:
+    return thing[2] if isinstance(thing, tuple) else thing
+
+
+def _wait(host: Host, sources: list[Any], end: int | None) -> list[bool]:
+    """Which sources have work; while this waits for them they are served by no executor."""
+    queue = ReadyQueue(host.clock)
+    served = [(source, source.sink, source.item) for source in sources]
+    host.waiting.append(queue)
+    try:
+        for source in sources:
+            source.attach(queue, source)
+        while True:
+            ready = [source.has_work() for source in sources]
+            if any(ready) or host.flags & STOPPING or (end is not None and host.clock.steady() >= end):
+                return ready
+            queue.items.clear()
+            for source in sources:
+                source.queued = False
+            queue.wait(end)
+            queue.pop()
+    finally:
+        host.waiting.remove(queue)
+        for source, sink, item in served:
+            source.attach(sink, item)

@@ -202,6 +202,8 @@ class LaneLock:
             waiter = session.clock.new_waiter()
             self._waiters.append(waiter)
             try:
+                if self._lock.acquire(False):  # opened by a real thread that saw nobody wait
+                    return True
                 waiter.wait(deadline)
             finally:
                 self._waiters.remove(waiter)

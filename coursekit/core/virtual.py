@@ -49,12 +49,19 @@ class VirtualWaiter:
 
     def poke(self) -> None:
         """Wake the lane without a notification (it has something pending)."""
-        lane = self.lane
-        if lane is not None:
-            self.lane = None
-            self._clock._make_ready(lane)
-        elif self._foreign is not None:
+        if self._foreign is not None:
             self._foreign.notify()
+        elif _get_ident() == self._clock.thread:
+            self._rouse()
+        else:
+            self._clock.do_inside(self._rouse)
+
+    def _rouse(self) -> None:
+        """Make the lane ready if it still waits for this: what a thread from outside asked for may be past."""
+        lane = self.lane
+        if lane is not None and (self._flag or lane.pending):
+            self.lane = None
+            self._clock._ready.append(lane)
 
     def wait(self, deadline: int | None = None) -> bool:
         """Hand over until notified or until `deadline` (steady nanoseconds); returns whether it was notified."""
@@ -116,7 +123,7 @@ class VirtualClock:
         self._ready: deque[Lane] = deque()
         self._heap: list[tuple[int, int, Any, int]] = []
         self._numbers = itertools.count()
-        self._posted: deque[Lane | None] = deque()
+        self._posted: deque[Callable[[], Any]] = deque()
         self._outside = WallWaiter()
         self._closed = False
 
@@ -169,7 +176,10 @@ class VirtualClock:
 
         lane.__init__(greenlet(run, parent=self.main.green))  # type: ignore[misc,attr-defined]
         lane.green.gr_context = context
-        self._make_ready(lane)
+        if _get_ident() == self.thread:
+            self._ready.append(lane)
+        else:
+            self.do_inside(lambda: self._ready.append(lane))
         return lane
 
     def call_at(self, deadline: int, function: Callable[[], None]) -> Alarm:
@@ -177,7 +187,7 @@ class VirtualClock:
         alarm = Alarm(deadline, function)
         heapq.heappush(self._heap, (deadline, next(self._numbers), alarm, -1))
         if _get_ident() != self.thread:
-            self._make_ready(None)
+            self.wake()
         return alarm
 
     def close(self) -> None:
@@ -185,17 +195,14 @@ class VirtualClock:
         self._heap.clear()
         self._closed = True
 
-    def wake(self) -> None:
-        """Let the clock look again at what changed outside (safe from any thread)."""
-        self._posted.append(None)
+    def do_inside(self, function: Callable[[], Any]) -> None:
+        """Have the clock's own thread call `function` before anything else happens there: no other touches its lanes."""
+        self._posted.append(function)
         self._outside.notify()
 
-    def _make_ready(self, lane: Lane | None) -> None:
-        if _get_ident() == self.thread:
-            self._ready.append(lane)  # type: ignore[arg-type]
-        else:
-            self._posted.append(lane)
-            self._outside.notify()
+    def wake(self) -> None:
+        """Let the clock look again at what changed outside (safe from any thread)."""
+        self.do_inside(lambda: None)
 
     def _block(self, lane: Lane, waiter: VirtualWaiter, deadline: int | None) -> None:
         waiter.lane = lane
@@ -205,6 +212,8 @@ class VirtualClock:
         if deadline is not None:
             heapq.heappush(self._heap, (deadline, next(self._numbers), lane, lane.turn))
         try:
+            if waiter._flag or lane.pending:
+                return  # a thread from outside came before the lane could be seen to wait
             following = self._pick()
             if following is not lane:
                 self.running = following
@@ -223,13 +232,9 @@ class VirtualClock:
     def _pick(self) -> Lane:
         while True:
             while self._posted:
-                posted = self._posted.popleft()
-                if posted is not None:
-                    self._ready.append(posted)
-            while self._ready:
-                lane = self._ready.popleft()
-                if lane is not None:
-                    return lane
+                self._posted.popleft()()
+            if self._ready:
+                return self._ready.popleft()
             lane_due = self._advance()
             if lane_due is not None:
                 return lane_due

@@ -20,10 +20,11 @@ from coursekit.interfaces.find import UNDERLAY, known_interfaces
 
 ROOM = Path(__file__).parent
 PACKAGES = (
-    "rclcpp", "rclcpp_action", "rclcpp_components", "rcutils", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros",
-    "rosidl_runtime_cpp", "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core",
-    "ament_cmake_python", "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test",
-    "ament_index_cpp", "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
+    "OpenCV", "cv_bridge", "image_transport", "rclcpp", "rclcpp_action", "rclcpp_components",
+    "rclcpp_lifecycle", "rcutils", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
+    "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python",
+    "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
+    "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
     "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake", "ament_cmake_pep257",
     "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
     "python_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
@@ -31,9 +32,9 @@ PACKAGES = (
 )  # fmt: skip
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
-    "angles", "controller_interface", "cv_bridge", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
-    "hardware_interface", "image_geometry", "image_transport", "laser_geometry", "message_filters", "nav2_util",
-    "pluginlib", "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
+    "angles", "controller_interface", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
+    "hardware_interface", "image_geometry", "laser_geometry", "message_filters", "nav2_util", "pluginlib",
+    "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 FORWARDED = {

@@ -4,6 +4,7 @@ from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress
 from coursekit.urdf.resources import take_environment_from
 
+from .compiled import compiled
 from .frames_panel import frames
 from .graph_panel import graph
 from .handing_in import evidence, hand_in
@@ -30,6 +31,7 @@ from .windows import show_new_windows, windows
 
 __all__ = [
     "check",
+    "compiled",
     "drive_along",
     "echo",
     "edit",

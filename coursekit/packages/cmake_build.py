@@ -23,6 +23,7 @@ from coursekit.systems import layout
 _MAKES = re.compile(
     r"^\s*(add_executable|add_library|ament_auto_add_(executable|library)|pybind11_add_module)\s*\(", re.M | re.I
 )
+_COLOR = re.compile(rb"\x1b\[[\d;]*m")
 _OF_CMAKE = re.compile(rb"\[\d+/\d+\] |ninja: |FAILED: |--|loading initial cache file |\Z")
 
 
@@ -55,7 +56,7 @@ async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[by
     own_words = list(args.cmake_args or [])
     args.cmake_args = [*_words(context, tools), *own_words]
     task = colcon_cmake.CmakeBuildTask()
-    listening = _ErrorsAside(context)
+    listening = ErrorsAside(context)
     complete = partial(_complete, runtime=runtime_folder(tools))
     task.set_context(context=listening)
     colcon_cmake.CMAKE_EXECUTABLE = colcon_tools.CMAKE_EXECUTABLE = tools.cmake  # theirs may be none, or not on PATH
@@ -123,7 +124,7 @@ def reuse_compiler(build: Path, runtime: Path) -> None:
         shutil.copytree(runtime / "compiler", build / "CMakeFiles", dirs_exist_ok=True)
 
 
-class _ErrorsAside:
+class ErrorsAside:
     """colcon's context, that keeps errors and warnings; a compiler's are among them under ninja too, as under make."""
 
     def __init__(self, context: Any) -> None:
@@ -137,7 +138,7 @@ class _ErrorsAside:
     def put_event_into_queue(self, event: Any) -> None:
         """Pass an event on, or keep its line."""
         line = getattr(event, "line", b"")
-        line = line if isinstance(line, bytes) else line.encode()
+        line = _COLOR.sub(b"", line if isinstance(line, bytes) else line.encode())  # Jupyter asks programs for colours
         is_error = isinstance(event, StderrLine) or (isinstance(event, StdoutLine) and not _OF_CMAKE.match(line.strip()))
         if is_error and not self._last.startswith(b"FAILED: "):  # what ninja ran stands behind that line
             self.errors.append(line)

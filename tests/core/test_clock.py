@@ -110,6 +110,38 @@ def test_a_thread_from_outside_wakes_a_virtual_lane():
     assert event.wait()
 
 
+class InterruptedClock(VirtualClock):
+    """A clock in which a thread from outside always comes at the worst moment: when a lane has decided to wait."""
+
+    def __init__(self):
+        super().__init__()
+        self.outside = None
+
+    def _block(self, lane, waiter, deadline):
+        run_outside(self.outside)
+        super()._block(lane, waiter, deadline)
+
+
+def run_outside(function):
+    thread = threading.Thread(target=function)
+    thread.start()
+    thread.join()
+
+
+def test_a_notification_that_comes_when_a_lane_is_about_to_wait_is_not_lost():
+    clock = InterruptedClock()
+    waiter = clock.new_waiter()
+    clock.outside = waiter.notify
+    assert waiter.wait(1_000_000_000) and clock.steady() == 0
+
+
+def test_what_is_posted_when_a_lane_is_about_to_wait_is_done_at_once():
+    clock, seen = InterruptedClock(), []
+    clock.outside = lambda: clock.running.post(lambda: seen.append(clock.steady()))
+    assert not clock.new_waiter().wait(1_000_000_000)
+    assert seen == [0]
+
+
 def test_a_thread_from_outside_waits_for_a_virtual_lane():
     clock = VirtualClock()
     asked, answered, seen = clock.new_event(), clock.new_event(), []

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import _thread
 import queue
 import threading
 import time
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 from coursekit.core.session import Session
+from coursekit.core.threads import LaneLock
 
 
 def on_condition() -> None:
@@ -71,3 +74,22 @@ def test_a_compiler_that_measures_its_own_time_takes_none_on_the_virtual_clock()
     with Session(virtual=True).use() as session:
         process = session.start(main, name="compiling")
         assert process.wait() == 0 and process.output == "0\n"
+
+
+def test_a_lock_that_a_real_thread_opens_at_the_worst_moment_is_taken() -> None:
+    """The lane has found it taken, and does not wait yet: nobody is there to be woken."""
+    lock = LaneLock()
+    lock.acquire()
+
+    class Waiters(list[Any]):
+        def append(self, waiter: Any) -> None:
+            done = _thread.allocate_lock()
+            done.acquire()
+            _thread.start_new_thread(lambda: (lock.release(), done.release()), ())
+            done.acquire()
+            super().append(waiter)
+
+    lock._waiters = Waiters()
+    with Session(virtual=True).use() as session:
+        process = session.start(lambda: print(lock.acquire(timeout=5.0), time.monotonic()), name="taker")
+        assert process.wait() == 0 and process.output == "True 0.0\n"

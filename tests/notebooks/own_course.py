@@ -4,6 +4,7 @@ import os
 import tempfile
 from pathlib import Path
 
+from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.needs import ON_WINDOWS
 
 from .alike import compare_alike
@@ -20,3 +21,22 @@ def pytest_configure(config):
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws")}
     os.environ |= {"COLUMNS": "120", "TZ": "UTC"}
     os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions
+
+
+def compiles():
+    """Whether C++ is compiled here."""
+    try:
+        find_toolchain()
+    except NoToolchain:
+        return False
+    return not ON_WINDOWS
+
+
+def pytest_collection_modifyitems(items):
+    """Without a compiler the cells of C++ print something else, and what comes behind them happens at other times."""
+    after = set()
+    for item in items if not compiles() else ():
+        if "cpp" in getattr(item, "cell", {}).get("metadata", {}).get("tags", []):
+            after.add(item.parent)
+        if item.parent in after:
+            item.options["check"] = False

@@ -28,6 +28,10 @@ SAID = {
     "a.cpp:7:3: error: ‘std_msgs’ was not declared in this scope": "include the message's header",
     "a.cpp:7:9: error: unable to find numeric literal operator ‘operator\"\"ms’": "std::chrono_literals",
     "a.cpp:7:9: error: ‘class std_msgs::msg::String’ has no member named ‘dta’": "ros2 interface show",
+    "a.cpp:7:9: error: ‘using SharedPtr = class std::shared_ptr<a::B>’ {aka ‘class std::shared_ptr<a::B>’} has no member named "
+    "‘sum’": "->sum",
+    "a.cpp:7:9: error: no member named 'sum' in 'std::shared_ptr<a::B>'; did you mean to use '->' instead of '.'?": "->sum",
+    "a.cpp:7:9: error: request for member ‘sum’ in ‘msg’, which is of pointer type ‘a::B*’": "->sum",
     "a.cpp:7:9: error: invalid use of non-static member function ‘void A::f()’": "&Class::function",
     "(.text+0x1b): undefined reference to `main'": "int main",
     "a.cpp:8: undefined reference to `Robot::turn()'": "Robot::turn is declared and not defined",

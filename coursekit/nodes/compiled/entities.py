@@ -19,6 +19,7 @@ from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
 from coursekit.nodes.compiled.node import CompiledNode
 
 if TYPE_CHECKING:
@@ -46,11 +47,11 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a node."""
-    name, namespace, _lifecycle = frame.text(), frame.text(), frame.integer()
+    name, namespace, managed = frame.text(), frame.text(), frame.integer()
     use_global, allow, automatic, rosout, services = (bool(frame.integer()) for _ in range(5))
     arguments = [frame.text() for _ in range(frame.integer())]
     overrides = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]
-    node = CompiledNode(
+    node = (CompiledLifecycleNode if managed else CompiledNode)(
         name,
         namespace=namespace,
         cli_args=arguments,

@@ -21,11 +21,18 @@ class Unpacker:
     """
 
     def __init__(self, data: bytes, at: int = 0) -> None:
-        self._data, self._at = data, at
+        self._data = data
+        self.at = at
+        """How much has been read."""
 
     def integer(self) -> int:
         """The next eight bytes."""
         value: int = struct.unpack("<q", self._take(8))[0]
+        return value
+
+    def real(self) -> float:
+        """The next eight bytes, as a number with a fraction."""
+        value: float = struct.unpack("<d", self._take(8))[0]
         return value
 
     def blob(self) -> bytes:
@@ -42,13 +49,13 @@ class Unpacker:
 
     def rest(self) -> bytes:
         """All that has not been read."""
-        return self._data[self._at :]
+        return self._data[self.at :]
 
     def _take(self, size: int) -> bytes:
-        if size < 0 or self._at + size > len(self._data):
-            raise FrameError(f"A frame of {len(self._data)} bytes ends {size} bytes after its byte {self._at}.")
-        self._at += size
-        return self._data[self._at - size : self._at]
+        if size < 0 or self.at + size > len(self._data):
+            raise FrameError(f"A frame of {len(self._data)} bytes ends {size} bytes after its byte {self.at}.")
+        self.at += size
+        return self._data[self.at - size : self.at]
 
 
 def packed(*values: Any) -> bytes:

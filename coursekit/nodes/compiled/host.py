@@ -20,7 +20,7 @@ from rclpy.signals import shutdown_all
 
 from coursekit.core.process import ProcessKilled, current_process
 from coursekit.core.session import current
-from coursekit.nodes.compiled import actions, entities, executing, parameters, program, transforms
+from coursekit.nodes.compiled import actions, entities, executing, lifecycle, parameters, program, transforms, vision
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
@@ -37,7 +37,7 @@ _ERRORS = {
 }
 OPERATIONS = {
     name[3:]: function
-    for room in (program, entities, parameters, executing, actions, transforms)
+    for room in (program, entities, parameters, executing, lifecycle, actions, transforms, vision)
     for name, function in vars(room).items()
     if name.startswith("do_")
 }

@@ -10,6 +10,7 @@ from typing import Any
 from coursekit.core import script, session
 from coursekit.core.child import ChildProcess
 from coursekit.core.commands import inside
+from coursekit.core.executables import is_compiled_here
 from coursekit.core.prefixed import is_package_executable, prefixed
 from coursekit.systems.layout import executable_name
 from coursekit.systems.words import plain_words, shell_command
@@ -31,9 +32,9 @@ def start_process(
 ) -> Any:
     """Start a command and return its process.
 
-    Executables of packages, `ros2` and Python programs that use rclpy run inside the session, where they share its
-    graph and clock; everything else becomes a child process of the system. With `shell` the user's shell runs the text. A
-    terminal window before the command is left out. With `tty` what it writes to is a terminal.
+    Executables of packages, `ros2`, Python programs that use rclpy and C++ programs that were built here run inside the
+    session, where they share its graph and clock; everything else becomes a child process of the system. With `shell` the
+    user's shell runs the text. A terminal window before the command is left out. With `tty` what it writes to is a terminal.
 
     Raises:
         FileNotFoundError: when there is no such program.
@@ -57,6 +58,8 @@ def start_process(
     found = which(cmd[0], env.get("PATH"))
     if found is None:
         raise FileNotFoundError(2, "there is no such program", cmd[0])
+    if is_compiled_here(Path(found)):
+        return current.start_executable(found, list(cmd[1:]), env=env, cwd=cwd, on_output=on_output, tty=tty)
     child = ChildProcess(current, [found, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output, tty)
 

@@ -16,6 +16,12 @@ from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.conftest import make_cpp_runtime
 
 ROOM = Path(coursekit.cpp.__file__).parent
+PROGRAMS = Path(__file__).parent / "programs"
+
+
+def program(name: str) -> str:
+    """The text of one of the programs beside the tests."""
+    return (PROGRAMS / name).read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="session")
@@ -47,6 +53,6 @@ def build(cpp_library: Path, tmp_path: Path) -> Callable[[str, str], Path]:
 
 
 def _compile(library: Path, *words: str) -> None:
-    flags = ["-std=gnu++17", "-O0", "-Wall", "-Wextra", "-I", str(ROOM / "include"), "-isystem", str(library / "include")]
+    flags = ["-std=gnu++17", "-O0", "-Wall", "-Wextra", "-I", str(ROOM / "include"), "-I", str(ROOM / "opencv"), "-isystem", str(library / "include")]
     done = subprocess.run(["g++", *flags, *words], capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr

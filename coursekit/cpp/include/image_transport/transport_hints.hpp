@@ -1,0 +1,2 @@
+#pragma once
+#include "image_transport/publisher.hpp"

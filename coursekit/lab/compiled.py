@@ -1,0 +1,20 @@
+"""Whether there are programs in C++ to run: a course can be taken without a compiler."""
+
+from __future__ import annotations
+
+from coursekit.core.executables import PackageNotFound, executables_of
+
+
+def compiled(package: str) -> bool:
+    """Whether a package has programs: one in C++ has them once it was built where there is a compiler.
+
+    >>> compiled("demo_nodes_py"), compiled("geometry_msgs"), compiled("no_such_package")
+    (True, False, False)
+    """
+    try:
+        return bool(executables_of(package))
+    except PackageNotFound:
+        return False
+
+
+__all__ = ["compiled"]

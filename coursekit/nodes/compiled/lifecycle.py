@@ -1,0 +1,108 @@
+"""What a compiled program asks of its managed nodes: rclpy's state machine and services, the program's callbacks."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.lifecycle import LifecycleNodeMixin, TransitionCallbackReturn
+from rclpy.lifecycle.state_machine import STATES, Transition
+from rclpy.logging import get_logger
+
+from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.node import CompiledNode
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+_BY_ID = 1
+
+
+class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
+    """Its transitions are the program's functions; what it says of errors is in rclcpp's words."""
+
+    def __init__(self, node_name: str, **options: Any) -> None:
+        CompiledNode.__init__(self, node_name, **options)
+
+    def begin(self, host: Host, handler: int, communicates: bool) -> None:
+        """Be managed from now on; `handler` is called for each transition."""
+        self._host, self._handler = host, handler
+        LifecycleNodeMixin.__init__(self, enable_communication_interface=communicates)
+
+    def _call_back(self, before: Any) -> TransitionCallbackReturn:
+        through = self._state_machine.current_state[0]
+        told = packed(through, before.state_id)
+        answer = TransitionCallbackReturn(self._host.call(self._handler, told).integer())
+        self._state_machine.trigger_transition_by_label(answer.to_label())
+        if answer == TransitionCallbackReturn.ERROR and through != _ERROR_PROCESSING:
+            self.get_logger().warning("Error occurred while doing error handling.")
+        return answer
+
+    def _warn_of(self, wanted: object) -> str:
+        state = self._state_machine.current_state[1]
+        get_logger("rcl_lifecycle").warning(f"No transition matching {wanted} found for current state {state}")
+        return state
+
+    def _change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
+        try:
+            return self._change_state(transition_id)
+        except RCLError:
+            state = self._warn_of(transition_id)
+            why = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
+            text = f"Unable to start transition {transition_id} from current state {state}: {why}"
+            self.get_logger().error(text)
+            return TransitionCallbackReturn.ERROR
+
+    @property
+    def state_id(self) -> int:
+        """The number of the state in which it is."""
+        return self._state_machine.current_state[0]
+
+    def change(self, transition_id: int) -> int:
+        """Go through a transition; 97 for success, 98 for failure, 99 for an error."""
+        return int(self._change_if_possible(transition_id))
+
+    def change_by_name(self, label: str) -> int:
+        """Go through a transition, as `change`; 0 where the state has none of that name."""
+        try:
+            return self.change(self._state_machine.get_transition_by_label(label))
+        except RCLError:
+            self._warn_of(label)
+            return 0
+
+    def transitions(self, all_of_them: bool) -> list[Transition]:
+        """The transitions out of the state, or all."""
+        return self._state_machine.transition_graph if all_of_them else self._state_machine.available_transitions
+
+
+_ERROR_PROCESSING = 15
+
+
+def do_lifecycle(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Have a node be managed: by callbacks, and by services or without them."""
+    node: CompiledLifecycleNode = host.things[frame.integer()]
+    node.begin(host, frame.integer(), bool(frame.integer()))
+
+
+def do_lifecycle_state(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The number of a node's state."""
+    return packed(host.things[frame.integer()].state_id)
+
+
+def do_lifecycle_change(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Go through a transition, by its number or its name; how its callback ended."""
+    node, how = host.things[frame.integer()], frame.integer()
+    return packed(node.change(frame.integer()) if how == _BY_ID else node.change_by_name(frame.text()))
+
+
+def do_lifecycle_states(_host: Host, _channel: Channel, _frame: Unpacker) -> bytes:
+    """All states."""
+    return packed(len(STATES), *(word for item in STATES.items() for word in item))
+
+
+def do_lifecycle_transitions(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The transitions that a node can go through now, or all there are."""
+    found = host.things[frame.integer()].transitions(bool(frame.integer()))
+    words = [word for one in found for word in (one.transition_id, one.label, one.start, one.goal)]
+    return packed(len(found), *words)

@@ -1,0 +1,121 @@
+"""What a compiled program asks of OpenCV where the computer has none for C++: Python's cv2 answers.
+
+`cpp/opencv/opencv2/core/remote.hpp` has the other end: an argument, and an answer, is its kind and then itself.
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+NONE, INTEGER, REAL, TEXT, MAT, LIST, TUPLE, KEYWORD = range(8)
+_DTYPES = ("uint8", "int8", "uint16", "int16", "int32", "float32", "float64")
+"""By OpenCV's numbers of depths."""
+_OTHERS = {"bool": "uint8", "int64": "int32", "uint32": "int32", "float16": "float32"}
+"""What stands for types that a Mat of Humble's OpenCV does not have."""
+
+
+def _argument(frame: Unpacker) -> Any:
+    """The next argument, without its name."""
+    kind = frame.integer()
+    if kind == INTEGER:
+        return frame.integer()
+    if kind == REAL:
+        return frame.real()
+    if kind == TEXT:
+        return frame.text()
+    if kind == MAT:
+        return _array(frame)
+    if kind in (LIST, TUPLE):
+        items = [_argument(frame) for _ in range(frame.integer())]
+        return tuple(items) if kind == TUPLE else items
+    if kind == NONE:
+        return None
+    raise FrameError(f"A frame has an argument of kind {kind}, which there is not.")
+
+
+def _array(frame: Unpacker) -> Any:
+    rows, cols, depth, channels = (frame.integer() for _ in range(4))
+    if depth not in range(len(_DTYPES)):
+        raise FrameError(f"A frame has a matrix of depth {depth}, which there is not.")
+    shape = (rows, cols) if channels == 1 else (rows, cols, channels)
+    return np.frombuffer(frame.blob(), _DTYPES[depth]).reshape(shape).copy()  # cv2 draws into it
+
+
+def arguments(frame: Unpacker) -> tuple[list[Any], dict[str, Any]]:
+    """Arguments by place and by name.
+
+    >>> arguments(Unpacker(packed(2, INTEGER, 5, KEYWORD, "fx", NONE)))
+    ([5], {'fx': None})
+    """
+    by_place: list[Any] = []
+    by_name: dict[str, Any] = {}
+    for _ in range(frame.integer()):
+        mark = frame.at
+        if frame.integer() == KEYWORD:
+            name = frame.text()
+            by_name[name] = _argument(frame)
+        else:
+            frame.at = mark
+            by_place.append(_argument(frame))
+    return by_place, by_name
+
+
+def answer(value: Any) -> bytes:
+    """A result as C++ reads it.
+
+    >>> answer(7) == packed(INTEGER, 7)
+    True
+    """
+    if value is None:
+        return packed(NONE)
+    if isinstance(value, np.ndarray):
+        return _matrix(value)
+    if isinstance(value, (bool, int, np.integer, np.bool_)):
+        return packed(INTEGER, int(value))
+    if isinstance(value, (float, np.floating)):
+        return packed(REAL) + struct.pack("<d", value)
+    if isinstance(value, str):
+        return packed(TEXT, value)
+    items = list(value.values()) if isinstance(value, dict) else list(value)
+    return packed(TUPLE, len(items)) + b"".join(map(answer, items))
+
+
+def _matrix(array: Any) -> bytes:
+    name = _OTHERS.get(array.dtype.name, array.dtype.name)
+    array = np.ascontiguousarray(array, name)
+    rows, cols, channels = (*array.shape, 1, 1)[:3] if array.ndim < 4 else (array.shape[0], array[0].size, 1)
+    return packed(MAT, rows, cols, _DTYPES.index(name), channels, array.tobytes())
+
+
+def do_cv_call(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Call a function of cv2."""
+    import cv2  # only where a program needs it
+
+    function = getattr(cv2, frame.text())
+    by_place, by_name = arguments(frame)
+    return answer(function(*by_place, **by_name))
+
+
+def do_cv_make(host: Host, channel: Channel, frame: Unpacker) -> bytes:
+    """Make an object of cv2's; its number."""
+    import cv2
+
+    kind = getattr(cv2, frame.text())
+    by_place, by_name = arguments(frame)
+    return packed(INTEGER, host.keep(kind(*by_place, **by_name)))
+
+
+def do_cv_method(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Call a method of such an object."""
+    method = getattr(host.things[frame.integer()], frame.text())
+    by_place, by_name = arguments(frame)
+    return answer(method(*by_place, **by_name))

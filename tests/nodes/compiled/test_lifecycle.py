@@ -1,0 +1,120 @@
+"""Managed nodes of compiled programs: their own calls, `ros2 lifecycle`, a launch file."""
+
+from __future__ import annotations
+
+import pytest
+import rclpy
+from std_msgs.msg import String
+
+from coursekit.core.executables import make_process
+from tests.nodes.compiled.conftest import program
+
+
+@pytest.fixture
+def valve(build):
+    return build("valve", program("valve.cpp"))
+
+
+@pytest.fixture
+def start(session, valve):
+    def started(*words):
+        return session.launch(make_process(session, valve, words, name="valve"))
+
+    yield started
+    rclpy.try_shutdown()
+
+
+def lines(process):
+    """What a process logged, without the stamps."""
+    return [line.split("] ", 2)[-1] for line in process.output.splitlines() if line.startswith("[")]
+
+
+def test_a_node_goes_through_its_states_by_its_own_calls(session, start):
+    process = start()
+    session.clock.sleep(0.1)
+    said = process.output.splitlines()
+    assert said[0] == "unconfigured1 11 configure1unconfigured>configuring shutdown5unconfigured>shuttingdown 25"
+    assert said[-1] == "inactive unconfigured inactive 1 unconfigured 1 unconfigured finalized finalized"
+    assert lines(process) == [
+        "[far.alone]: Error occurred while doing error handling.",
+        "[rcl_lifecycle]: No transition matching 4 found for current state unconfigured",
+        "[far.alone]: Unable to start transition 4 from current state unconfigured: Transition is not registered., "
+        "at ./src/rcl_lifecycle.c:355",
+        "[rcl_lifecycle]: No transition matching shutdown found for current state finalized",
+    ]
+
+
+def test_ros2_lifecycle_takes_it_through_its_states(session, start, ros2):
+    process = start()
+    rclpy.init()
+    heard = []
+    listener = rclpy.create_node("listener")
+    listener.create_subscription(String, "opening", heard.append, 10)
+    session.clock.sleep(0.2)
+    assert ros2("lifecycle", "nodes") == "/valve\n"
+    assert ros2("lifecycle", "get", "/valve") == "unconfigured [1]\n"
+    assert "- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n" in ros2("lifecycle", "list", "/valve")
+    assert ros2("lifecycle", "set", "/valve", "configure") == "Transitioning successful\n"
+    session.clock.sleep(2.5)
+    assert lines(process).count(
+        "[LifecyclePublisher]: Trying to publish message on the topic '/opening', but the publisher is not activated"
+    ) == 1
+    rclpy.spin_once(listener, timeout_sec=0)
+    assert not heard
+    assert ros2("lifecycle", "set", "/valve", "activate") == "Transitioning successful\n"
+    for _ in range(2):
+        rclpy.spin_once(listener)
+    assert len(heard) == 2
+    assert ros2("lifecycle", "set", "/valve", "shutdown") == "Transitioning successful\n"
+    assert ros2("lifecycle", "get", "/valve") == "finalized [4]\n"
+    told = [line for line in lines(process) if " from " in line and line.startswith("[valve]")]
+    assert told == [
+        "[valve]: configure from unconfigured [1]",
+        "[valve]: activate from inactive [2]",
+        "[valve]: shutdown from active [3]",
+    ]
+    process.interrupt()
+    assert process.wait(5.0) == 0
+
+
+def test_what_fails_and_what_throws_leads_where_it_does_in_rclcpp(session, start, ros2):
+    process = start("--ros-args", "-p", "fault:='configure fails'")
+    session.clock.sleep(0.2)
+    assert ros2("lifecycle", "set", "/valve", "configure") == "Transitioning failed\n"
+    assert ros2("lifecycle", "get", "/valve") == "unconfigured [1]\n"
+    ros2("param", "set", "/valve", "fault", "activate throws")
+    ros2("lifecycle", "set", "/valve", "configure")
+    assert ros2("lifecycle", "set", "/valve", "activate") == "Transitioning failed\n"
+    assert ros2("lifecycle", "get", "/valve") == "finalized [4]\n"  # on_error is not overridden: FAILURE
+    assert "[valve]: Caught exception in callback for transition 13" in lines(process)
+    assert "[valve]: Original error: the valve is stuck" in lines(process)
+
+
+LAUNCH = """
+from launch import LaunchDescription
+from launch.actions import EmitEvent, RegisterEventHandler
+from launch.events import matches_action
+from launch_ros.actions import LifecycleNode
+from launch_ros.event_handlers import OnStateTransition
+from launch_ros.events.lifecycle import ChangeState
+from lifecycle_msgs.msg import Transition
+
+
+def generate_launch_description():
+    valve = LifecycleNode(executable="{program}", name="intake", namespace="yard", output="screen")
+    def change(number):
+        return EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_action(valve), transition_id=number))
+    then = [change(Transition.TRANSITION_ACTIVATE)]
+    on_inactive = RegisterEventHandler(
+        OnStateTransition(target_lifecycle_node=valve, goal_state="inactive", entities=then)
+    )
+    return LaunchDescription([valve, on_inactive, change(Transition.TRANSITION_CONFIGURE)])
+"""
+
+
+def test_a_launch_file_brings_it_to_work(valve, tmp_path, ros2):
+    file = tmp_path / "valve.launch.py"
+    file.write_text(LAUNCH.format(program=valve))
+    said = ros2("launch", str(file), seconds=4.0)
+    assert "[yard.intake]: configure from unconfigured [1]" in said
+    assert "[yard.intake]: activate from inactive [2]" in said

@@ -1,0 +1,97 @@
+"""OpenCV, cv_bridge and image_transport of compiled programs: Mat is theirs, cv2 answers the rest."""
+
+from __future__ import annotations
+
+import re
+
+import cv2
+import numpy as np
+import pytest
+
+from coursekit.core.executables import make_process
+from coursekit.nodes.compiled import vision
+from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
+from tests.nodes.compiled.conftest import ROOM, program
+
+
+@pytest.fixture
+def said(session, build, tmp_path):
+    def lines(name):
+        process = session.launch(make_process(session, build(name, program(f"{name}.cpp")), name=name, cwd=tmp_path))
+        assert process.wait(20.0) == 0, process.output
+        return process.output.splitlines()
+
+    return lines
+
+
+def test_constants_are_those_of_cv2():
+    text = (ROOM / "opencv/opencv2/core/constants.hpp").read_text()
+    pairs = re.findall(r"(\w+) = (-?\d+)", text)
+    assert len(pairs) > 400
+    assert {name: int(value) for name, value in pairs if getattr(cv2, name) != int(value)} == {}
+
+
+def drawn():
+    """What the program draws, by Python's cv2."""
+    image = np.full((60, 80, 3), (10, 20, 30), np.uint8)
+    cv2.rectangle(image, (10, 10, 30, 20), (0, 0, 255), cv2.FILLED)
+    cv2.circle(image, (60, 40), 8, (255, 0, 0), -1)
+    cv2.line(image, (0, 59), (79, 59), (0, 255, 0))
+    return image
+
+
+def test_mat_is_memory_and_functions_do_what_cv2_does(said):
+    lines = said("pictures")
+    assert lines[:7] == [
+        "177011 [3 x 2]5[  7,   1,   1,   1,   7]",
+        "[2.5, 4.5, 400.5]162114 3346",
+        "[1, 2, 3;",
+        " 4, 5, 6]6[1, 0;",
+        " 0, 1]3",
+        "104 12552",
+        "refused -215",
+    ]
+    image = drawn()
+    grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    edges = cv2.Canny(grey, 50, 150)
+    assert lines[7] == f"{image[..., 2].sum()} {cv2.countNonZero(edges)} [40 x 30]{cv2.mean(grey)[0]:.10g}"
+    limit = cv2.threshold(grey, 0, 255, cv2.THRESH_BINARY | cv2.THRESH_OTSU)[0]
+    assert lines[8] == f"{limit:g} 11[30 x 20 from (10, 10)]551 24.5"
+    red = cv2.inRange(image, (0, 0, 200), (50, 50, 255))
+    contours, _ = cv2.findContours(red, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
+    cv2.drawContours(image, contours, -1, (255, 255, 255), 2)
+    low, high, _, (x, y) = cv2.minMaxLoc(image[..., 0])
+    assert lines[9] == f"0{low:g}{high:g}[{x}, {y}] 255"
+    assert lines[10] == f"11111{cv2.GaussianBlur(image, (5, 5), 1.5)[..., 0].sum()}"
+    (width, height), base = cv2.getTextSize("Vera", cv2.FONT_HERSHEY_SIMPLEX, 1.0, 2)
+    assert lines[11:] == [f"[{width} x {height}]{base}", "refused 1"]
+
+
+def test_images_go_over_the_bridge_and_over_topics(said):
+    assert said("bridge") == [
+        "329bgr8018eye",
+        "1[30, 20, 10]rgb8 22 [2570, 5140, 7710]",
+        "25813",
+        "png[10, 20, 30]",
+        "[8UC3] is not a color format. but [bgr8] is. The conversion does not make sense",
+        "[8UC3] and [8UC1] do not have the same number of channel",
+        "Unknown encoding odd",
+        "Image is wrongly formed: step < width * byte_depth * num_channels  or  2 != 3 * 1 * 3",
+        "/front/image /front/camera_info 2raw",
+        "theora",
+        "image 640 with 6401",
+    ]
+
+
+@pytest.mark.parametrize(
+    "value", [None, 7, -0.5, "text", (1, 2.0, "x"), np.arange(24, dtype="f4").reshape(2, 4, 3), np.zeros((3, 2), bool)]
+)
+def test_what_is_answered_is_read_again(value):
+    again = vision._argument(Unpacker(vision.answer(value)))
+    assert np.array_equal(again, value) if isinstance(value, np.ndarray) else again == value
+
+
+@pytest.mark.parametrize("data", [packed(99), packed(vision.MAT, 1, 1, 9, 1, b""), packed(vision.TUPLE, 5), b"\0"])
+def test_an_argument_that_is_none_is_refused(data):
+    with pytest.raises(FrameError):
+        vision._argument(Unpacker(data))

@@ -14,8 +14,13 @@ from functools import cache
 from pathlib import Path
 
 from coursekit.files import read_text, write_whole
+from coursekit.systems import which
 
 MISSING = "there is no {what} here: `pip install \"coursekit[cpp]\"` brings all that C++ needs"
+ON_WINDOWS = (
+    "C++ is not compiled on Windows, where only Python runs; in WSL it is: type `wsl --install`, and set the course up "
+    "there as the README says for Ubuntu"
+)
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
 
 
@@ -52,17 +57,22 @@ class Toolchain:
 
 @cache
 def find_toolchain() -> Toolchain:
-    """The tools of this computer: the system's compiler first, else zig's from PyPI; NoToolchain where some are missing."""
+    """The tools of this computer: the system's compiler first, else zig's from PyPI.
+
+    NoToolchain where some are missing, and on Windows, for which nothing is linked yet.
+    """
+    if which.WINDOWS:
+        raise NoToolchain(ON_WINDOWS)
     cmake, ninja = _program("cmake", "CMAKE_BIN_DIR"), _program("ninja", "BIN_DIR")
     if cmake is None:
         raise NoToolchain(MISSING.format(what="CMake"))
     if ninja is None and shutil.which("make") is None:
         raise NoToolchain(MISSING.format(what="ninja or make"))
     for cxx, cc in _COMPILERS:
-        if os.name == "posix" and (found := shutil.which(cxx)):
+        if found := shutil.which(cxx):
             return Toolchain((found,), (shutil.which(cc) or found,), None, cmake, ninja)
     zig = _zig()
-    if zig is None or os.name != "posix":
+    if zig is None:
         raise NoToolchain(MISSING.format(what="C++ compiler"))
     cxx, cc, ar, ranlib = (_as_program(zig, name) for name in ("c++", "cc", "ar", "ranlib"))
     return Toolchain((cxx,), (cc,), (ar, ranlib), cmake, ninja)

@@ -20,6 +20,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from coursekit.systems import which
+
 from . import folders
 from .confined import SERVICE_VARIABLES, confined
 
@@ -181,6 +183,8 @@ def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratc
 
 def _bwrap() -> str | None:
     """Where bubblewrap is, never by PATH: a program of that name in some folder is not it."""
+    if which.WINDOWS or which.MAC:  # it is Linux', and what is called so is something else
+        return None
     return next((one for one in _BWRAP if os.access(one, os.X_OK)), None)
 
 

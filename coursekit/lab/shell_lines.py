@@ -14,6 +14,8 @@ from coursekit.core.patching import KERNEL, Change, Patch
 from coursekit.systems import which
 from coursekit.systems.children import with_utf8
 
+from . import cmd_words
+
 
 def install(shell: Any) -> None:
     """Put it in place, where it is needed."""
@@ -48,6 +50,8 @@ def run_line(shell: Any, line: str) -> None:
         for text in child.stdout:
             print(text, end="", flush=True)
     shell.user_ns["_exit_code"] = child.returncode
+    if child.returncode and (hint := cmd_words.hint(command)):
+        print(hint)
 
 
 __all__ = ["install", "patches", "run_line"]

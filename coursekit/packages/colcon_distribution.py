@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 
 from colcon_core.environment import EnvironmentExtensionPoint
@@ -21,11 +22,16 @@ class Distribution(EnvironmentExtensionPoint):  # type: ignore[misc]
         satisfies_version(EnvironmentExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def create_environment_hooks(self, prefix_path: Path, pkg_name: str) -> list[Path]:
-        """Return the files that were made: one for each variable and kind of shell."""
-        return [
-            shell.create_hook_set_value(name.lower(), prefix_path, pkg_name, name, DISTRIBUTION[name])
-            for name in TOLD
-            for priority, shells in get_shell_extensions().items()
-            if priority > ShellExtensionPoint.PRIORITY  # those whose scripts all others use
-            for shell in shells.values()
-        ]
+        """Return the files that were made: one for each variable and kind of shell that has such files."""
+        made = []
+        for shell in _shells():
+            with contextlib.suppress(NotImplementedError):  # PowerShell's, which reads what is written for dsv
+                for name in TOLD:
+                    made.append(shell.create_hook_set_value(name.lower(), prefix_path, pkg_name, name, DISTRIBUTION[name]))
+        return made
+
+
+def _shells() -> list[ShellExtensionPoint]:
+    """Those whose scripts all others use."""
+    ranks = get_shell_extensions().items()
+    return [one for rank, shells in ranks if rank > ShellExtensionPoint.PRIORITY for one in shells.values()]

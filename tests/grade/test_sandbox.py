@@ -8,6 +8,7 @@ import pytest
 
 from coursekit.grade import folders, sandbox
 from coursekit.grade.confined import confined
+from coursekit.systems import which
 
 walls = pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
 
@@ -153,6 +154,14 @@ def test_bubblewrap_is_never_what_lies_on_the_path(tmp_path, monkeypatch):
     (tmp_path / "bwrap").chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
     assert sandbox._bwrap() in (None, *sandbox._BWRAP)
+
+
+@pytest.mark.parametrize("system", ["WINDOWS", "MAC"])
+def test_bubblewrap_is_not_looked_for_where_there_is_none(monkeypatch, system):
+    monkeypatch.setattr(sandbox, "_BWRAP", (sys.executable,))
+    assert sandbox._bwrap() == (None if which.WINDOWS or which.MAC else sys.executable)
+    monkeypatch.setattr(which, system, True)
+    assert sandbox._bwrap() is None
 
 
 @pytest.mark.parametrize(

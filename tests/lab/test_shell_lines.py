@@ -5,7 +5,7 @@ import sys
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
-from coursekit.lab import shell_lines
+from coursekit.lab import cmd_words, shell_lines
 from coursekit.systems import which
 
 SAYS = f"\"{sys.executable}\" -c \"import sys; print('one', flush=True); print('ñ', file=sys.stderr); sys.exit(3)\""
@@ -49,3 +49,26 @@ def test_elsewhere_it_is_ipythons(monkeypatch):
     made = Shell()
     shell_lines.install(made)
     assert "system" not in vars(made)
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("source install/setup.bash && ros2 node list", "cells know what `%colcon build` has built"),
+        ("cd /nowhere_at_all || export ROS_DOMAIN_ID=7; exit 1", "no `export`: type `%env NAME=value`"),
+    ],
+)
+def test_a_command_that_only_bash_has_is_told_with_what_stands_for_it(shell, capsys, line, told):
+    shell.system(line)
+    assert shell.user_ns["_exit_code"] != 0 and told in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("line", ["exit 3", "echo source"])
+def test_what_fails_for_another_reason_and_what_succeeds_is_not_commented(shell, capsys, line):
+    shell.system(line)
+    assert "Windows' cmd" not in capsys.readouterr().out
+
+
+def test_a_program_of_git_for_windows_is_there(monkeypatch):
+    monkeypatch.setattr(cmd_words.shutil, "which", lambda name: f"/git/{name}.exe")
+    assert cmd_words.hint("ls nothing") == ""

@@ -7,7 +7,7 @@ import pytest
 
 from coursekit.cli import endpoint
 from coursekit.systems import rights, which
-from tests.needs import posix
+from tests.needs import posix, real_windows
 
 USER = "S-1-5-21-1111-2222-3333-1001"
 
@@ -37,10 +37,16 @@ def test_on_windows_a_folder_is_made_for_this_user_only_and_an_open_one_is_told(
     folder = tmp_path / "José Luis" / "run"
     rights.make_folder(folder)
     assert rights.fault(folder) == "" and access_lists.user() in access_lists.read(folder)
-    rights.write_text(folder / "inside", "x")
-    assert rights.fault(folder / "inside") == ""
     access_lists.write(folder, "D:P(A;;FA;;;WD)")
     assert rights.fault(folder).endswith("can be opened by others: WD")
+
+
+@pytest.mark.skipif(not which.WINDOWS, reason="the lists are Windows'")
+@real_windows("a file does not take over its folder's list")
+def test_on_windows_a_file_in_such_a_folder_is_for_this_user_only(tmp_path):
+    rights.make_folder(tmp_path / "run")
+    rights.write_text(tmp_path / "run" / "inside", "x")
+    assert rights.fault(tmp_path / "run" / "inside") == ""
 
 
 @posix("modes are its way")

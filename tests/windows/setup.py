@@ -29,7 +29,8 @@ def set_up(version: str = "3.11") -> None:
     lacking.get_tools()
     lacking.add_random_bytes()
     lacking.add_commands()
-    wine.must_run(python, "-m", "venv", "--clear", wine.VENV)
+    wine.must_run(python, "-m", "venv", "--clear", "--without-pip", wine.VENV)
+    windows_python.add_pip(python, wine.VENV)
     shutil.copy(wine.PYTHON, wine.PYTHON.with_name("python3.exe"))  # as launch files call it
     _install("-c", "requirements.lock", "-e", ".", *_test_packages())
     lacking.add_complex_functions()
@@ -39,7 +40,8 @@ def set_up(version: str = "3.11") -> None:
 
 
 def _install(*words: str) -> None:
-    wine.must_run(wine.PYTHON, "-m", "pip", "install", "-q", *words)
+    """With nothing compiled: in Wine that takes minutes, for modules that nobody may need."""
+    wine.must_run(wine.PYTHON, "-m", "pip", "install", "-q", "--no-compile", *words)
 
 
 def _test_packages() -> list[str]:

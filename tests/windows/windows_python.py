@@ -41,3 +41,10 @@ def unpack(version: str, home: Path) -> Path:
             zipfile.ZipFile(io.BytesIO(content.read())).extractall(home)
         archive.unlink()
     return folder / "python.exe"
+
+
+def add_pip(python: Path, venv: Path) -> None:
+    """Give an environment the pip that this Python brings: `ensurepip` takes minutes for it in Wine."""
+    [wheel] = (python.parent / "Lib" / "ensurepip" / "_bundled").glob("pip-*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(venv / "Lib" / "site-packages")

@@ -41,7 +41,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     slam.add_commands(commands)
     grading.add_commands(commands)
     args = parser.parse_args(argv)
-    return int(args.main(args) or 0)
+    try:
+        status = int(args.main(args) or 0)
+        sys.stdout.flush()
+    except BrokenPipeError:  # who read our output has gone, as `head` does when it has its lines
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    return status
 
 
 def _folder_of(args: argparse.Namespace) -> Path:

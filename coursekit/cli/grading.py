@@ -94,7 +94,8 @@ def run_grade(args: argparse.Namespace) -> int:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:
         group = _class(args)
-        with group.graded(args.jobs, Bar(), args.again) as outcome:
+        bar = Bar()
+        with group.graded(args.jobs, bar, args.again, bar.say) as outcome:
             if args.review and not outcome.interrupted:
                 _review(group, outcome)
             _tell(group, outcome, args)
@@ -155,7 +156,7 @@ def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
 
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
-    from coursekit.grade.handing_back import hand_back
+    from coursekit.grade.handing_back import hand_back, unlike_the_platform_s
     from coursekit.grade.harmless import counted, shown
     from coursekit.grade.statistics import average
 
@@ -173,6 +174,8 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     if args.platform:
         for file in hand_back(args.platform, outcome.records, group.roster, group.out):
             print(f"To hand back: {file}")
+        if said := unlike_the_platform_s(outcome.records, group.roster):
+            print(f"! {said}")
     if group.anonymity is not None:
         print(f"Who is who: {group.anonymity.names}")
     print(f"Open {group.kept / 'class.html'}; beside it are the pages, gradebook.csv, statistics and similar.csv.")

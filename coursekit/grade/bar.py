@@ -5,19 +5,29 @@ from __future__ import annotations
 import sys
 import time
 
+EVERY_S = 30.0
+"""How often a line is written where there is no terminal."""
+
 
 class Bar:
     """A progress bar on a terminal; a line now and then elsewhere."""
 
     def __init__(self) -> None:
         self._started = time.monotonic()
+        self._told: float | None = None
+
+    def say(self, line: str) -> None:
+        """Say what is done before the first is marked."""
+        print(line, file=sys.stderr, flush=True)
 
     def __call__(self, done: int, of: int, student: str) -> None:
         """Show how far it is."""
-        left = (time.monotonic() - self._started) / done * (of - done)
+        now = time.monotonic()
+        left = (now - self._started) / done * (of - done)
         if sys.stderr.isatty():
             full = round(30 * done / of)
             line = f"\r{'█' * full}{'·' * (30 - full)} {done} of {of}, about {left:.0f} s left  {student[:20]:<20}"
             print(line, end="\n" if done == of else "", file=sys.stderr, flush=True)
-        elif done == of or done % 10 == 0:
+        elif done == of or self._told is None or now - self._told >= EVERY_S:
+            self._told = now
             print(f"{done} of {of} graded, about {left:.0f} s left", file=sys.stderr, flush=True)

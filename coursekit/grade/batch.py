@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from . import sandbox
@@ -73,7 +73,9 @@ class Class:
         self.anonymity = self._codes if anonymous else None
 
     @contextlib.contextmanager
-    def graded(self, jobs: int, tell: Tell, again: Sequence[str] | None = None) -> Iterator[Outcome]:
+    def graded(
+        self, jobs: int, tell: Tell, again: Sequence[str] | None = None, say: Callable[[str], None] = lambda line: None
+    ) -> Iterator[Outcome]:
         """Grade what is not graded yet, or what is asked for `again` (everybody for an empty list), and write everything.
 
         What was handed in lies unpacked until the context ends.
@@ -94,7 +96,7 @@ class Class:
             outcome.told += [*collection.told, *by_hand.told, *_told_others(others)]
             try:
                 for name in chapters if any(one.chapters() for one in records) else ():
-                    said = expect_sound(self._reference(name, Path(scratch)), self.results, mark)
+                    said = expect_sound(self._reference(name, Path(scratch)), self.results, _announced(mark, name, say))
                     outcome.told += [said] if said else []
                 self._mark(records, jobs, tell)
             except KeyboardInterrupt:
@@ -240,6 +242,16 @@ def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
             raise ValueError(f"--again: nobody is called '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
         found += fitting
     return found
+
+
+def _announced(mark: Callable[..., Marked], chapter: str, say: Callable[[str], None]) -> Callable[..., Marked]:
+    """Marking that says first that it marks the course's own solutions, which nobody waits for otherwise."""
+
+    def first(*facts: Any) -> Marked:
+        say(f"Marking the course's own solutions first: {PurePosixPath(chapter).stem}.")
+        return mark(*facts)
+
+    return first
 
 
 def _sources(notebooks: Path) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 
 from .harmless import cell, number, shown
 from .identifying import Identifier
+from .lateness import late_by
 from .platform_names import moodle_folder, platform_name
 from .record import Record
 from .report import page
@@ -44,7 +45,7 @@ def _said(one: Record) -> str:
     """A sentence for the student."""
     late = one.marked().minutes_late
     words = [f"{number(v.points)} of {number(v.of)} for {v.name}" for v in one.marked().verdicts]
-    return "; ".join([*words, *([f"{number(late)} minutes late"] if late else []), *one.extra.values()])
+    return "; ".join([*words, *([f"{late_by(late)} late"] if late else []), *one.extra.values()])
 
 
 def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:
@@ -69,11 +70,39 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
 
 def _kept(text: str) -> str:
     """A cell of the platform's own: numbers as they are, texts harmless."""
+    return text if text.strip() == "-" or _as_number(text) is not None else cell(text)
+
+
+def _as_number(text: str) -> float | None:
     try:
-        float(text)
-        return text
+        return float(text.strip().replace(",", "."))
     except ValueError:
-        return cell(text)
+        return None
+
+
+def unlike_the_platform_s(records: Sequence[Record], roster: Roster | None) -> str:
+    """What to say before marks are uploaded into an assignment with another maximum; empty where that is not known."""
+    table = roster.table if roster is not None else None
+    known = [one.casefold() for one in table.headings] if table is not None else []
+    if table is None or not records or "maximum grade" not in known:
+        return ""
+    place = known.index("maximum grade")
+    return beside_the_platform_s(records[0].of(), [row[place] for row in table.rows if len(row) > place])
+
+
+def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
+    """The same for the platform's column of maxima.
+
+    >>> beside_the_platform_s(14.0, ["14.00"])
+    ''
+    """
+    other = next((one for one in maxima if _as_number(one) not in (None, of)), None)
+    if other is None:
+        return ""
+    return (
+        f"In your list the assignment's maximum grade is {shown(other)}, and these marks are of {number(of)} points. "
+        f"Set the maximum to {number(of)} before you upload them, or they count too little or too much."
+    )
 
 
 def _columns(platform: str, headings: list[str], title: str) -> tuple[int, int | None]:

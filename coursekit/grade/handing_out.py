@@ -40,7 +40,9 @@ def expect_numbers(roster: Roster) -> None:
     """
     without = [one.name for one in roster.people if not one.number]
     if without:
+        more = f" and {len(without) - 3} more" if len(without) > 3 else ""
+        who = f"{', '.join(without[:3])}{more} {'has' if len(without) == 1 else 'have'} none"
         raise ValueError(
-            f"--for moodle needs Moodle's number of each student, and {', '.join(without[:3])} has none. Make the "
+            f"--for moodle needs Moodle's number of each student, and {who}. Make the "
             "assignment, download its grading worksheet (it has the column Identifier), and give that as --roster."
         )

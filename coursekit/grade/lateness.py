@@ -23,7 +23,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from .harmless import identity_of
+from .harmless import counted, identity_of
 from .roster import Person, Roster
 from .tables import decoded, read_table
 
@@ -149,3 +149,15 @@ def platform_time(text: str) -> float:
             continue
         return (found.replace(tzinfo=datetime.timezone.utc) if form.endswith("UTC") else found).timestamp()
     return 0.0
+
+
+def late_by(minutes: float) -> str:
+    """How late something is, as people say it.
+
+    >>> late_by(1411), late_by(3 * 1440 + 61)
+    ('23 h 31 min', '3 days 1 h')
+    """
+    whole = max(1, int(minutes))
+    days, hours, left = whole // 1440, whole % 1440 // 60, whole % 60
+    parts = [counted(days, "day") if days else "", f"{hours} h" if hours else "", f"{left} min" if left and not days else ""]
+    return " ".join(part for part in parts if part)

@@ -12,6 +12,8 @@ from .verdict import Wrong
 _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ")
 _FRAME = re.compile(r'^ +File "(?P<file>[^"]+)", line (?P<line>\d+)')
 _OURS = str(Path(__file__).resolve().parents[1])
+DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
+_UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
 """What a program may end with when Ctrl-C is pressed at the end of a trial."""
 
@@ -64,7 +66,7 @@ def expect_node(seen: Any, name: str, program: int = 0) -> None:
         raise Wrong(
             f"a node named {name}",
             f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last_words(said(seen, program))}",
-            "Does the executable start, and are the node's name and namespace right? Was it built after the last change?",
+            DIED if exception_in(said(seen, program)) else _UNKNOWN,
         )
 
 

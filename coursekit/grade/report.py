@@ -12,6 +12,7 @@ from typing import Any
 from coursekit.files import write_whole
 
 from .harmless import lines, number, shown
+from .lateness import late_by
 from .mark import Marked
 from .page_style import STYLE
 from .pictures import as_html
@@ -31,7 +32,8 @@ h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
 @media(max-width:50rem){{.work{{grid-template-columns:1fr}}}}
 .evidence{{display:flex;flex-wrap:wrap;gap:1rem}} figure{{margin:0;max-width:36rem}} figure img{{max-width:100%}}
 figcaption{{color:var(--soft);font-size:.8rem}}
-pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem}}</style></head>
+pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem;
+white-space:pre-wrap;overflow-wrap:anywhere}}</style></head>
 <body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{off}</p>{comments}{notes}
 {verdicts}{evidence}<footer>
 <span class="status">{status}</span>{late}{tier}</footer></body></html>
@@ -66,7 +68,7 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
         evidence=as_html(record.handed.parcels()),
         status=_text(record.status().capitalize()),
         tier=f"; run in the sandbox <code>{_text(marked.tier)}</code>" if marked.tier else "",
-        late=f"; {number(marked.minutes_late)} minutes late by {_text(record.time_from())}" if marked.minutes_late else "",
+        late=f"; {late_by(marked.minutes_late)} late by {_text(record.time_from())}" if marked.minutes_late else "",
     )
 
 

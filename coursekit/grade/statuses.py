@@ -19,7 +19,7 @@ QUESTION, NOTHING, NOT_MARKED, UNREADABLE, EMPTY, TIMED_OUT, ELSEWHERE, LATE, GR
     "late",
     "graded",
 )
-"""The first that is so is the status. All but `graded` and `nothing handed in` are for the teacher to look at."""
+"""The first that is so is the status. The last two and `nothing handed in` are for no teacher to look at."""
 LOOK = tuple(one for one in STATUSES if one not in (GRADED, NOTHING, LATE))
 
 

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import html
+import re
 from dataclasses import dataclass
+
+_OURS = ("expected", "likely cause", "hint")
+"""The rows that are a check's own words; the others are the student's, and shown as they are."""
 
 
 class CheckFailed(Exception):
@@ -96,7 +100,7 @@ class Verdict:
         rows = "".join(
             f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
             f"{label}</td>"
-            f"<td style='text-align:left;white-space:pre-wrap'>{html.escape(value)}</td></tr>"
+            f"<td style='text-align:left;white-space:pre-wrap'>{_as_html(label, value)}</td></tr>"
             for label, value in self._rows()
         )
         number, _, rest = ("not judged", "", "") if self.fault else self.score().partition(" ")
@@ -115,3 +119,9 @@ def points(number: float) -> str:
     ('1 point', '2.5 points')
     """
     return f"{number:g} point{'' if number == 1 else 's'}"
+
+
+def _as_html(label: str, value: str) -> str:
+    """In a check's own words, what stands between backticks is code."""
+    escaped = html.escape(value)
+    return re.sub(r"`([^`\n]+)`", r"<code>\1</code>", escaped) if label in _OURS else escaped

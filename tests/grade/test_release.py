@@ -68,7 +68,8 @@ def test_nbgrader_takes_the_metadata(file):
 def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):
     assert main(["release", "02", "03", "--out", str(tmp_path / "week2")]) == 0
     said = capsys.readouterr().out.splitlines()
-    assert said[:4] == ["02_topics.ipynb", "03_services.ipynb", "week2.zip", "page.html"]
+    names = ["02_topics.ipynb", "03_services.ipynb", "week2.zip", "page.html"]
+    assert said[:4] == [(tmp_path / "week2" / name).as_posix() for name in names]
     assert "--wheel ADDRESS" in said[4] and "teachers.md" in said[5]
     with zipfile.ZipFile(tmp_path / "week2" / "week2.zip") as packed:
         assert packed.namelist() == ["week2/02_topics.ipynb", "week2/03_services.ipynb"]

@@ -37,7 +37,8 @@ def ask(work: Work) -> None:
     kind, count = work.value("rosout_type", str), work.value("rosout_publishers", int)
     seen = work.try_out(beside=["run demo_nodes_py talker", "run demo_nodes_py listener"], seconds=1.0)
     if kind not in seen.topics.get("/rosout", []):
-        raise Wrong("the type that `ros2 topic info /rosout` prints", gave=shown(kind), cause="Is it in full?", hint=1)
+        cause = "Is that another topic's type?" if kind.count("/msg/") == 1 else "Is it in full?"
+        raise Wrong("the type that `ros2 topic info /rosout` prints", gave=shown(kind), cause=cause, hint=1)
     right = len(seen.publishers.get("/rosout", []))
     if count != right:
         cause = "Has one of the two ended? Run its cell again, then ask again." if 0 <= count < right else ""

@@ -87,6 +87,8 @@ def listener(work: Work) -> None:
         cause = "Does the callback log msg.data with self.get_logger().info(...)?"
         if printed and logged != words and not logged:
             cause = "These are printed, not logged: self.get_logger().info(...) adds level, time and node."
+        elif not logged and all(re.search(rf"^\[INFO\] .*{word}", output, re.M) for word in words):
+            cause = "These are logged with other words: is it 'I heard: ', and then the text, and nothing else?"
         wanted = "the node's log with: " + ", ".join(f"I heard: {word}" for word in words)
         raise Wrong(wanted, output.strip()[-300:] or "nothing was printed", cause, share=0.5, hint=1)
 

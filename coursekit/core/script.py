@@ -2,7 +2,8 @@
 
 They join the session that runs for the same user and ROS domain, so that they share its graph, as on a robot every
 program does. Where none runs, or under pytest, a debugger or `python -m`, a program has a session of its own, and its
-nodes meet those of the other programs (`coursekit.cli.neighbours`).
+nodes meet those of the other programs (`coursekit.cli.neighbours`). So has a program that starts other interpreters by
+multiprocessing: they are to be copies of an interpreter that runs nothing else.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from .whose import current_process
 
 _PYTHON = re.compile(r"python(3(\.\d+)?)?(\.exe)?")
 _USES_ROS = re.compile(rb"^\s*(import|from)\s+(rclpy|tf2_ros|launch|rosbag2_py)\b", re.MULTILINE)
+_STARTS_INTERPRETERS = re.compile(rb"^\s*(import|from)\s+multiprocessing\b|\bProcessPoolExecutor\b", re.MULTILINE)
 _READ = 1_000_000
 
 
@@ -41,7 +43,7 @@ def joins() -> Path | None:
     alone = any(os.environ.get(name) for name in ("COURSEKIT_TIME", "COURSEKIT_STOP_AFTER", "COURSEKIT_ALONE"))
     if alone or sys.gettrace() is not None or sys.flags.interactive or Path(sys.prefix) in path.resolve().parents:
         return None
-    return path.resolve()
+    return None if _STARTS_INTERPRETERS.search(_beginning(path)) else path.resolve()
 
 
 def join() -> None:
@@ -66,5 +68,9 @@ def of_command(cmd: Sequence[str], folder: str | None) -> tuple[Path, list[str]]
     path = Path(folder or working_folder(), words[0]) if words else Path()
     if path.suffix != ".py" or not path.is_file():
         return None
+    return (path, words[1:]) if _USES_ROS.search(_beginning(path)) else None
+
+
+def _beginning(path: Path) -> bytes:
     with open(path, "rb") as file:
-        return (path, words[1:]) if _USES_ROS.search(file.read(_READ)) else None
+        return file.read(_READ)

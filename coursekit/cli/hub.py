@@ -14,8 +14,8 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.process import Process
-from coursekit.core.session import Session, current
+from coursekit.processes.process import Process
+from coursekit.processes.session import Session, current
 from coursekit.systems.folder import working_folder
 
 from . import endpoint

@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from coursekit.core.patching import KERNEL, Change, Patch
+from coursekit.processes.patching import KERNEL, Change, Patch
 
 _STILLS = Path(__file__).parent / "labextension"
 

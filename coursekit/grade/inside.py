@@ -61,7 +61,7 @@ def _silence() -> Iterator[None]:
 @contextlib.contextmanager
 def _virtual_alarm(seconds: float) -> Iterator[None]:
     """End what waits on the session's clock for something that never comes; no real time is lost."""
-    from coursekit.core.session import current
+    from coursekit.processes.session import current
 
     clock = current().clock
 

@@ -26,7 +26,7 @@ class Programs:
         self._started: list[Any] = []
 
     def on_event(self, event: list[Any]) -> None:
-        """An order of the watcher's; the main lane carries it out."""
+        """An order of the watcher's; the main execution context carries it out."""
         self._orders.append(event)
         self._waiter.notify()
 
@@ -61,8 +61,8 @@ def main() -> int:
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1):  # what a program writes past sys.stdout is no frame
         os.dup2(nothing, number)
-    from coursekit.core.session import current
     from coursekit.joined import Follower, Pipe
+    from coursekit.processes.session import current
 
     _source_workspace(os.environ.get("COURSEKIT_WORKSPACE", ""))
     session = current()

@@ -163,8 +163,8 @@ def _other_side() -> Any:
 
 
 def _carried_out(plan: Plan, read: int, write: int, patience: float, failed: Callable[[str], None]) -> dict[str, Any]:
-    from coursekit.core.session import current
     from coursekit.joined import Leader, Pipe
+    from coursekit.processes.session import current
 
     _know_the_types_of(os.environ.get("COURSEKIT_WORKSPACE", ""))
     session = current()

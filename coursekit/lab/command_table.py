@@ -11,8 +11,8 @@ from typing import Any
 import ipywidgets
 from IPython.core.magic import Magics, cell_magic, magics_class
 
-from coursekit.core.child import ChildProcess
-from coursekit.core.session import current
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.session import current
 from coursekit.systems.words import split_words
 
 from .bundle import with_text

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from coursekit.core.session import current
 from coursekit.nodes.robots import boards
 from coursekit.nodes.robots.boards import Board
+from coursekit.processes.session import current
 
 from .errors import NotThere
 from .hidden import appears

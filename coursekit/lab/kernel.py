@@ -13,8 +13,8 @@ from typing import Any
 import ipywidgets
 
 from coursekit.cli.kernel import hear_all, keep_output_in_cells
-from coursekit.core.session import Session, current
 from coursekit.packages.environment import source_underlay
+from coursekit.processes.session import Session, current
 
 from . import shell_lines
 from .panel import Panel, end_panels, open_panels

@@ -12,8 +12,8 @@ from typing import Any
 
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
-from coursekit.core.child import ChildProcess
-from coursekit.core.session import current
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.session import current
 from coursekit.systems.letter_case import other_spelling
 from coursekit.systems.words import split_words
 

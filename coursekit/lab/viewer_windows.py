@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core.session import current
 from coursekit.nodes.rviz import windows
 from coursekit.nodes.rviz.config import Config
 from coursekit.nodes.rviz.windows import RvizWindow
+from coursekit.processes.session import current
 
 from .node_windows import NodeWindows
 

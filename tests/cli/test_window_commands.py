@@ -6,8 +6,8 @@ import pytest
 
 from coursekit.cli import ros2, window_commands
 from coursekit.cli.parser import run
-from coursekit.core.commands import inside
-from coursekit.core.session import Session
+from coursekit.processes.commands import inside
+from coursekit.processes.session import Session
 
 
 def test_rviz2_is_run_with_its_words(monkeypatch):

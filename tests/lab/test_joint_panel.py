@@ -2,13 +2,13 @@
 
 import pytest
 
-from coursekit.core.executables import find
-from coursekit.core.patching import door
-from coursekit.core.session import Session
 from coursekit.lab import joint_windows
 from coursekit.lab.joint_panel import joint_sliders
 from coursekit.lab.panel import end_panels, open_panels
 from coursekit.nodes.robots import boards
+from coursekit.processes.executables import find
+from coursekit.processes.patching import patch_manager
+from coursekit.processes.session import Session
 from tests.urdf.oracle import ROBOTS
 
 
@@ -66,7 +66,7 @@ def test_a_slider_moves_its_joint_within_the_limits(session, gui):
 
 
 def test_the_buttons_center_and_randomize(session, gui):
-    door.renew()  # pytest changes sys.stderr between a fixture and its test
+    patch_manager.renew()  # pytest changes sys.stderr between a fixture and its test
     panel = joint_sliders()
     panel._hear(panel, {"type": "randomize"}, [])
     assert all(panel.positions.values())

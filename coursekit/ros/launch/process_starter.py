@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from coursekit.core import script, session
-from coursekit.core.child import ChildProcess
-from coursekit.core.commands import COMPILED, inside
-from coursekit.core.executables import has_compiled_here
-from coursekit.core.prefixed import is_package_executable, prefixed
 from coursekit.interfaces.find import UNDERLAY
+from coursekit.processes import script, session
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.commands import COMPILED, inside
+from coursekit.processes.executables import has_compiled_here
+from coursekit.processes.prefixed import is_package_executable, prefixed
 from coursekit.systems.layout import executable_name
 from coursekit.systems.words import plain_words, shell_command
 

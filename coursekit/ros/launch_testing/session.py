@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from coursekit.core.commands import DOOR, HOLDER, load
-from coursekit.core.session import current
-from coursekit.core.whose import current_process
+from coursekit.processes.commands import DOOR, HOLDER, load
+from coursekit.processes.current_process import current_process
+from coursekit.processes.session import current
 
 Result = TypeVar("Result")
 DOMAINS = range(101)

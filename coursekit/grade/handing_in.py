@@ -17,6 +17,7 @@ from typing import Any
 from coursekit.files import write_whole
 
 from . import events
+from .editions import notebooks_folder
 from .exercise import exercises_in
 from .harmless import shown
 from .mark import Marked, mark
@@ -92,8 +93,6 @@ def missing_checks(name: str, notebook: Mapping[str, Any], known: Recogniser) ->
 def _chapters(notebooks: Path | None) -> dict[str, Any]:
     """The chapters of the course, by file name."""
     if notebooks is None:
-        from coursekit.cli.coursekit import notebooks_folder
-
         notebooks = notebooks_folder()
     return {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks.glob("*.ipynb"))}
 

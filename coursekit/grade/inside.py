@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
-from coursekit.cli.kernel import load_lab
+from coursekit.jupyter.kernel import load_lab
 
 from .plain import error_of
 from .wire import pack, refresh, unpack_of_judge

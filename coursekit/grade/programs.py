@@ -12,6 +12,8 @@ from collections import deque
 from pathlib import Path
 from typing import Any
 
+from coursekit.wiring import COMMANDS, load
+
 from .limited import end_with_parent
 
 
@@ -42,9 +44,8 @@ class Programs:
                     self._end(float(what))
 
     def _start(self, argv: list[str]) -> None:
-        from coursekit.cli.parser import run
-
-        self._started.append(self.session.start(lambda: run(argv), name="ros2", argv=argv))
+        ros2 = load(COMMANDS["ros2"])
+        self._started.append(self.session.start(lambda: ros2(argv), name="ros2", argv=argv))
 
     def _end(self, seconds: float) -> None:
         """Press Ctrl-C in all of them, and say what they printed and how they ended."""

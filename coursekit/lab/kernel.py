@@ -1,4 +1,4 @@
-"""The session inside a Jupyter kernel: its start, its door for terminals, and what belongs to which cell."""
+"""The session inside a Jupyter kernel: its start, its server for terminals, and what belongs to which cell."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any
 
 import ipywidgets
 
-from coursekit.cli.kernel import hear_all, keep_output_in_cells
+from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
 from coursekit.processes.session import Session, current
 
@@ -54,7 +54,7 @@ def start() -> Session:
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
-        _open_door(session)
+        _serve_terminals(session)
     atexit.register(_stop)
     return session
 
@@ -77,13 +77,13 @@ def _register_magics(shell: Any) -> None:
     shell.register_magics(CourseMagics, CommandMagics)
 
 
-def _open_door(session: Session) -> None:
+def _serve_terminals(session: Session) -> None:
     """Have the terminals of the domain: the notebook that is opened last has them, until a cell of another is run."""
     from coursekit.cli.attach import domain_id
-    from coursekit.cli.hub import open_door
+    from coursekit.cli.session_server import serve
 
-    _state["door"] = open_door(session, domain_id(), notebook_name(), take=True)
-    if _state["door"] is None:
+    _state["server"] = serve(session, domain_id(), notebook_name(), take=True)
+    if _state["server"] is None:
         print("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor")
 
 
@@ -99,16 +99,16 @@ def running_variables() -> dict[str, Any]:
 
 
 def _claim_terminals() -> None:
-    door = _state.get("door")
-    if door is not None:
+    server = _state.get("server")
+    if server is not None:
         with contextlib.suppress(OSError):
-            door.claim()
+            server.claim()
 
 
 def _stop() -> None:
-    door = _state.pop("door", None)
-    if door is not None:
-        door.close()
+    server = _state.pop("server", None)
+    if server is not None:
+        server.close()
     session = _state.pop("session", None)
     if session is not None:
         session.close(grace_sec=0.5)

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 from coursekit.files import read_text
 from coursekit.interfaces.find import UNDERLAY, prefixes
 from coursekit.systems import copies, layout
+from coursekit.wiring import COMPILED_HOST
 
 from .child import ChildProcess
-from .commands import COMPILED
 from .private_modules import use_private_modules
 from .process import Process, current_process
 from .unavailable_packages import remark, remark_on_executable
@@ -191,7 +191,7 @@ def make_process(
     if not path.exists():
         raise FileNotFoundError(f"'{path}' does not exist, so it cannot be run. Was its package built?")
     if is_compiled_here(path):
-        path, argv = UNDERLAY / COMPILED, [str(path), *argv]
+        path, argv = UNDERLAY / COMPILED_HOST, [str(path), *argv]
     if not is_python(path):
         return ChildProcess(session, [str(path), *argv], name=name, env=env, cwd=cwd)
     path = layout.python_script(path)

@@ -10,11 +10,10 @@ from collections.abc import Callable, Sequence
 from types import ModuleType
 from typing import Any
 
+from coursekit.wiring import IMPORT_HOOKS
+
 from .patching import is_imported
 from .unavailable_packages import remark
-
-HELPERS = {"cv2": "coursekit.view.highgui", "matplotlib.pyplot": "coursekit.view.plots"}
-"""Module: who lends it a hand, with a function `install()`."""
 
 
 class _Loader(importlib.abc.Loader):
@@ -36,13 +35,13 @@ class _Loader(importlib.abc.Loader):
 
 
 class _Finder(importlib.abc.MetaPathFinder):
-    """Looks out for the modules of HELPERS and for the helpers; finding them is left to the others."""
+    """Looks out for the modules of IMPORT_HOOKS and for the helpers; finding them is left to the others."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        helper = HELPERS.get(fullname, fullname)
-        if helper not in HELPERS.values():
+        helper = IMPORT_HOOKS.get(fullname, fullname)
+        if helper not in IMPORT_HOOKS.values():
             return None
         for finder in sys.meta_path:
             spec = None if finder is self else finder.find_spec(fullname, path, target)
@@ -79,7 +78,7 @@ def watch_imports(_nothing: object = None) -> Callable[[], None]:
 
 def lend_to_imported() -> None:
     """Lend a hand to what has been imported already; harmless when that is done."""
-    for name, helper in HELPERS.items():
+    for name, helper in IMPORT_HOOKS.items():
         if is_imported(name):
             _help(helper)
 

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from coursekit.systems.folder import working_folder
+from coursekit.wiring import JOIN, load
 
-from .commands import JOIN, load
 from .current_process import current_process
 
 _PYTHON = re.compile(r"python(3(\.\d+)?)?(\.exe)?")

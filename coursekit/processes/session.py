@@ -23,9 +23,9 @@ from coursekit.core.execution_context import ExecutionContext, ProcessKilled, th
 from coursekit.core.graph import Graph
 from coursekit.core.virtual_clock import VirtualClock, is_virtual_thread
 from coursekit.systems.children import interrupt_self
+from coursekit.wiring import MEET, load
 
 from . import current_session
-from .commands import MEET, load
 from .patching import IMPORTS, PROCESSES, VIRTUAL, patch_manager
 from .process import Process, current_process
 

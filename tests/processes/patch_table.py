@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rclpy import signals
 
-from coursekit.cli import kernel
+from coursekit.jupyter import kernel
 from coursekit.lab import shell_lines
 from coursekit.processes import patches
 from coursekit.processes.patching import Patch

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from coursekit.processes import import_hooks
+from coursekit import wiring
 from coursekit.processes.session import Session
 from coursekit.view import capture, highgui
 
@@ -169,7 +169,7 @@ def test_helpers_are_called_after_the_import_of_their_module(session, tmp_path, 
     (tmp_path / "needy.py").write_text("ready = False\n")
     (tmp_path / "helper_of_needy.py").write_text("def install():\n    import needy\n    needy.ready = True\n")
     monkeypatch.syspath_prepend(str(tmp_path))
-    monkeypatch.setitem(import_hooks.HELPERS, "needy", "helper_of_needy")
+    monkeypatch.setitem(wiring.IMPORT_HOOKS, "needy", "helper_of_needy")
     import needy
 
     assert needy.ready

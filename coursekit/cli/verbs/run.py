@@ -7,7 +7,6 @@ import sys
 from typing import Any
 
 from coursekit.interfaces.find import UNDERLAY
-from coursekit.processes.commands import COMPILED
 from coursekit.processes.executables import (
     ExecutableNotFound,
     PackageNotFound,
@@ -22,6 +21,7 @@ from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 from coursekit.systems.signal_names import described
 from coursekit.systems.words import split_words
+from coursekit.wiring import COMPILED_HOST
 
 PREFIX = "[ros2run]:"
 
@@ -102,7 +102,7 @@ def _run_with_prefix(command: list[str]) -> int:
     from coursekit.processes.child import ChildProcess
 
     if has_compiled_here(command):
-        process: Any = make_process(current(), UNDERLAY / COMPILED, command, name=command[0])
+        process: Any = make_process(current(), UNDERLAY / COMPILED_HOST, command, name=command[0])
     else:
         process = ChildProcess(current(), command, name=command[0])
     return _outcome(_wait(current().launch(process, _pass_on())))

@@ -13,7 +13,7 @@ from ipykernel.shellchannel import ShellChannelThread
 from jupyter_client.kernelspec import KernelSpecManager
 from zmq.eventloop.zmqstream import ZMQStream
 
-from coursekit.cli.kernel import hear_all, write_kernelspec
+from coursekit.jupyter.kernel import hear_all, write_kernelspec
 
 TURNS = 200
 
@@ -83,5 +83,5 @@ def test_jupyter_finds_this_kernel_before_the_usual_one(tmp_path, monkeypatch):
     monkeypatch.setenv("JUPYTER_PATH", str(write_kernelspec(tmp_path)))
     found = json.loads(subprocess.run([sys.executable, "-m", "jupyter", "kernelspec", "list", "--json"],
                                       capture_output=True, check=True).stdout)  # fmt: skip
-    assert found["kernelspecs"]["python3"]["spec"]["argv"][1:3] == ["-m", "coursekit.cli.kernel"]
-    assert KernelSpecManager().get_kernel_spec("python3").argv[2] == "coursekit.cli.kernel"
+    assert found["kernelspecs"]["python3"]["spec"]["argv"][1:3] == ["-m", "coursekit.jupyter.kernel"]
+    assert KernelSpecManager().get_kernel_spec("python3").argv[2] == "coursekit.jupyter.kernel"

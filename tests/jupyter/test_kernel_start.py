@@ -3,7 +3,7 @@
 import pytest
 from jupyter_client.manager import KernelManager
 
-from coursekit.cli.kernel import write_kernelspec
+from coursekit.jupyter.kernel import write_kernelspec
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
 

@@ -1,4 +1,4 @@
-"""`python -m coursekit.cli.kernel`: IPython's kernel with the lab in it, which hears every request.
+"""`python -m coursekit.jupyter.kernel`: IPython's kernel with the lab in it, which hears every request.
 
 ipykernel 7.0 to 7.3 sends replies past the stream that reads requests from the same socket. A request that comes in that
 moment is never read, nor is any after it: the kernel is deaf until it is restarted (ipykernel's issue 1554). Later
@@ -8,13 +8,13 @@ versions are mended, but 7.4.0 lets widgets' synced traits get stuck, so the cou
 from __future__ import annotations
 
 import functools
-import importlib
 import json
 import shutil
 import sys
 from pathlib import Path
 from typing import Any
 
+from coursekit import wiring
 from coursekit.processes.patching import KERNEL, Change, Patch
 
 _STILLS = Path(__file__).parent / "labextension"
@@ -62,7 +62,7 @@ def keep_output_in_cells(shell: Any) -> None:
 
 def patches() -> list[Patch]:
     """What is done to a kernel of the course, for as long as it runs."""
-    test = "tests/cli/test_kernel"
+    test = "tests/jupyter/test_kernel"
     return [
         Change("ipykernel: shell_channel_thread.manager", hear_all, "ipykernel 7.3 goes deaf when a request meets a reply",
                f"{test}.py", KERNEL),
@@ -93,7 +93,7 @@ def write_kernelspec(folder: Path) -> Path:
 def load_lab(shell: Any) -> None:
     """Have the names and magics of the lab in a kernel before its first cell, also after a restart."""
     try:
-        lab = importlib.import_module("coursekit.lab")
+        lab = wiring.load(wiring.LAB)
     except Exception as error:  # a kernel that starts and says what is wrong is better than none
         shell.events.register("pre_run_cell", functools.partial(_say_once, shell, f"The lab did not start: {error!r}"))
         return

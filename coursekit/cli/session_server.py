@@ -1,7 +1,7 @@
-"""The session's door: carries out `ros2` commands that come from terminals.
+"""The session server: carries out `ros2` commands that come from terminals.
 
-A kernel opens it for its session; `python -m coursekit.cli.hub` is a session of its own, started when a command finds
-none, that ends soon after its last command.
+A kernel starts one for its session. `python -m coursekit.cli.session_server` is a session of its own, started when a
+command finds none; it ends soon after its last command.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .parser import run
 IDLE_SECONDS = 3.0
 
 
-class Door:
+class SessionServer:
     """Listens for a domain and runs what comes, each command as a process of the session.
 
     `name` is the notebook whose session it is, '' where there is none. With `take` it has the terminals of the domain
@@ -35,12 +35,12 @@ class Door:
         self.session = session
         self.domain_id = domain_id
         self.name = name
-        self.guests = 0
+        self.connections = 0
         self.last_left = time.monotonic()
         self._server = endpoint.listen(domain_id, take=take)
         session.meet(domain_id)
         self._token = endpoint.token(domain_id)
-        self._thread = threading.Thread(target=self._accept, name="coursekit-door", daemon=True)
+        self._thread = threading.Thread(target=self._accept, name="coursekit-session-server", daemon=True)
         self._thread.start()
 
     def claim(self) -> bool:
@@ -57,29 +57,29 @@ class Door:
                 client, _ = self._server.accept()
             except OSError:
                 return
-            threading.Thread(target=self._serve, args=(client,), name="coursekit-guest", daemon=True).start()
+            threading.Thread(target=self._serve, args=(client,), name="coursekit-connection", daemon=True).start()
 
     def _serve(self, client: socket.socket) -> None:
-        self.guests += 1
+        self.connections += 1
         try:
             with client, client.makefile("r", encoding="utf-8") as lines:
-                Guest(self, client).serve(lines)
+                Connection(self, client).serve(lines)
         except (OSError, ValueError):
             pass  # the terminal is gone
         finally:
-            self.guests -= 1
+            self.connections -= 1
             self.last_left = time.monotonic()
 
     def allows(self, token: str) -> bool:
-        """Whether the first line of a guest carries the right token."""
+        """Whether the first line of a connection carries the right token."""
         return token == self._token
 
 
-class Guest:
+class Connection:
     """One command of one terminal."""
 
-    def __init__(self, door: Door, client: socket.socket) -> None:
-        self._door = door
+    def __init__(self, server: SessionServer, client: socket.socket) -> None:
+        self._session_server = server
         self._client = client
         self._writing = threading.Lock()
         self._process: Process | None = None
@@ -87,9 +87,9 @@ class Guest:
     def serve(self, lines: Any) -> None:
         """Read what the terminal says until it hangs up."""
         first = json.loads(next(lines, "{}"))
-        if not self._door.allows(str(first.get("token", ""))):
+        if not self._session_server.allows(str(first.get("token", ""))):
             return
-        self._say({"session": self._door.name})
+        self._say({"session": self._session_server.name})
         if "argv" not in first:
             return  # it only wanted to know that
         self._start(first)
@@ -103,7 +103,7 @@ class Guest:
     def _start(self, first: dict[str, Any]) -> None:
         argv = [str(word) for word in first.get("argv", [])]
         script = str(first.get("script") or "")
-        session = self._door.session
+        session = self._session_server.session
         around: Any = {
             "env": {str(key): str(value) for key, value in first.get("env", {}).items()},
             "cwd": str(first.get("cwd") or working_folder()),
@@ -136,23 +136,23 @@ class Guest:
             pass  # the terminal is gone; its process is interrupted when that is seen
 
 
-def open_door(session: Session, domain_id: int, name: str = "", *, take: bool = False) -> Door | None:
+def serve(session: Session, domain_id: int, name: str = "", *, take: bool = False) -> SessionServer | None:
     """Listen for the session; None when another one has the domain's terminals, or nobody can listen."""
     try:
-        return Door(session, domain_id, name, take=take)
+        return SessionServer(session, domain_id, name, take=take)
     except OSError:
         return None
 
 
 def main(domain_id: int, ready: Callable[[], None] = lambda: None) -> int:
     """Be a session of its own until nobody has used it for a while."""
-    door = open_door(current(), domain_id)
+    server = serve(current(), domain_id)
     ready()
-    if door is None:
+    if server is None:
         return 0
-    while door.guests or time.monotonic() - door.last_left < IDLE_SECONDS:
+    while server.connections or time.monotonic() - server.last_left < IDLE_SECONDS:
         time.sleep(0.2)
-    door.close()
+    server.close()
     current().close()
     return 0
 

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursekit.cli.kernel import keep_output_in_cells
+from coursekit.jupyter.kernel import keep_output_in_cells
 
 
 class Part(SimpleNamespace):

@@ -20,6 +20,7 @@ from . import events
 from .editions import notebooks_folder
 from .exercise import exercises_in
 from .harmless import shown
+from .identifying import named_in
 from .mark import Marked, mark
 from .parcel import (
     EVENTS,
@@ -148,7 +149,7 @@ def verify(
         return found, None
     own = dict(known.chapters[name].source)
     if variants is not None:
-        student = variants.roster.find(file.stem) or variants.roster.find(str(manifest.get("student")))
+        student = named_in(file.stem, variants.roster) or named_in(str(manifest.get("student")), variants.roster)
         if not student:
             return [*found, "it is nobody's in the list of names: without a name its numbers are not known"], None
         own = variants.copies(student, {name: own})[name]

@@ -16,8 +16,8 @@ from coursekit.processes.session import current
 from coursekit.systems.words import split_words
 
 from .bundle import with_text
+from .cells import give_to, this_cell
 from .errors import BadArgument, NotThere
-from .kernel import give_to, this_cell
 from .magics import CourseMagics, workspace, workspace_environment
 from .terminal import Terminal
 

@@ -19,9 +19,10 @@ from coursekit.grade.submissions import read_notebook
 from coursekit.processes.session import current
 from coursekit.systems import typed
 
+from .cells import last_runs
 from .errors import BadArgument, NotNow
 from .evidence_picture import page
-from .kernel import last_runs, running_shell
+from .kernel import running_shell
 
 _NAME = re.compile(r"s\d+(_\d+)?(\.(png|pdf))?")
 

@@ -17,9 +17,9 @@ from coursekit.processes.session import current
 from coursekit.systems.letter_case import other_spelling
 from coursekit.systems.words import split_words
 
+from .cells import adopt
 from .errors import NotThere
 from .expanding import Values
-from .kernel import adopt
 from .terminal import Terminal, Terminals
 from .waiting import until_said
 from .written import Written

@@ -7,7 +7,7 @@ document docs/patches.md is made from this table: `python -m tests.processes.pat
 from __future__ import annotations
 
 from . import atexit_hooks, console_keys, import_hooks, keyboard, private_modules, selecting, streams, threads
-from .patching import IMPORTS, PRIVATE, VIRTUAL, Change, Patch, always
+from .patching import IMPORTS, PRIVATE, VIRTUAL, Change, Patch, always, patch_manager
 
 _HERE = "tests/processes/test_"
 _STREAMS, _THREADS, _PROCESS = f"{_HERE}streams.py", f"{_HERE}threads.py", f"{_HERE}process.py"
@@ -68,3 +68,6 @@ TABLE: tuple[Patch, ...] = (
     Change("sys.path", private_modules.own_path, "packages of a process's workspace can be imported", _MODULES,
            PRIVATE),
 )  # fmt: skip
+
+patch_manager.register(*TABLE)
+patch_manager.on_open.append(import_hooks.lend_to_imported)

@@ -115,18 +115,21 @@ class PatchManager:
     def __init__(self) -> None:
         self._lock = threading.RLock()
         self._wanted: dict[str, list[Any]] = {group: [] for group in GROUPS}
+        self._own: list[Patch] = []
         self._lent: list[Patch] = []
+        self.on_open: list[Callable[[], None]] = []
+        """Called when a session wants patches for the first time."""
+
+    def register(self, *patches: Patch) -> None:
+        """Add the patches that sessions always want."""
+        self._own += patches
 
     def table(self) -> list[Patch]:
-        """All patches: those of the core, and those lent for libraries that have been imported."""
-        from .patches import TABLE
-
-        return [*TABLE, *self._lent]
+        """All patches: those that are registered, and those lent for libraries that have been imported."""
+        return [*self._own, *self._lent]
 
     def enter(self, session: Any, *groups: str) -> None:
         """Put the patches of `groups` in place until `session` closes; also those that somebody has overwritten."""
-        from .import_hooks import lend_to_imported
-
         with self._lock:
             is_new = session not in self._wanted[IMPORTS]
             for group in groups:
@@ -134,7 +137,8 @@ class PatchManager:
                     self._wanted[group].append(session)
             self.renew()
         if is_new:
-            lend_to_imported()  # outside of the lock: it imports, and who imports a library may be waiting to lend
+            for listener in self.on_open:  # outside of the lock: it imports, and who imports a library may wait to lend
+                listener()
 
     def renew(self) -> None:
         """Put in place again what is wanted, and has been overwritten: pytest gives each test streams of its own.

@@ -26,7 +26,8 @@ from coursekit.systems.children import interrupt_self
 from coursekit.wiring import MEET, load
 
 from . import current_session
-from .patching import IMPORTS, PROCESSES, VIRTUAL, patch_manager
+from .patches import patch_manager
+from .patching import IMPORTS, PROCESSES, VIRTUAL
 from .process import Process, current_process
 
 _making = threading.RLock()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.lab import joint_windows
+from coursekit.lab import joint_panel, joint_windows
 from coursekit.lab.joint_panel import joint_sliders
 from coursekit.lab.panel import end_panels, open_panels
 from coursekit.nodes.robots import boards
@@ -99,7 +99,8 @@ def test_a_window_that_opens_while_a_cell_takes_over_does_not_stay(session):
     (board,) = boards.running(session)
     joint_windows._windows.show(board)
     session.clock.sleep(0.1)
-    joint_windows.take_over(board)
+    for listener in joint_panel.shown:
+        listener(board)
     path = find("robot_state_publisher", "robot_state_publisher")
     session.start_executable(path, [str(ROBOTS / "r2d2_2.urdf")], name="robot")
     session.clock.sleep(4.0)

@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 from ament_index_python import get_package_share_directory
 
-from coursekit.nodes.rviz.config import Config, display_config, make_config, read, save
+from coursekit.nodes.rviz.config import Config, display_config, make_config
+from coursekit.nodes.rviz.config_file import read, save
 from coursekit.processes.executables import find
 from coursekit.processes.session import Session
 

@@ -20,7 +20,8 @@ from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 
 from . import windows
-from .config import Config, DisplayConfig, make_config, read
+from .config import Config, DisplayConfig, make_config
+from .config_file import read
 from .kinds import KINDS
 
 LOOK_SECONDS = 2.0

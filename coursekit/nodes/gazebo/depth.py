@@ -9,7 +9,7 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 from coursekit.sim.view import Picture
 
 from .devices import DepthDevice
-from .outlets import SENSOR, place_at, stamp_of
+from .outlets import SENSOR, pose_at, stamp_of
 from .pictures import CameraOutlet
 
 FIELDS = (("x", 0), ("y", 4), ("z", 8), ("rgb", 16))
@@ -34,7 +34,7 @@ class DepthOutlet(CameraOutlet):
             self._depth_info.publish(self._calibration(time_ns))
         if not (self._depth.get_subscription_count() or self._cloud.get_subscription_count()):
             return
-        place = place_at(self.simulation, self.robot, time_ns)
+        place = pose_at(self.simulation, self.robot, time_ns)
         depths = self._view.depths(self.simulation, place, without=self.robot)
         near, far = self.device.reach
         depths[~((depths > near) & (depths < far))] = np.nan

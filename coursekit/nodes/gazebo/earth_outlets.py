@@ -8,11 +8,11 @@ from typing import Any
 from ros_gz_interfaces.msg import Altimeter
 from sensor_msgs.msg import FluidPressure, MagneticField, NavSatFix, NavSatStatus
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.sim.globe import pressure
-from coursekit.sim.place import Place
 
 from .devices import EarthDevice
-from .outlets import SENSOR, Outlet, place_at, stamp_of
+from .outlets import SENSOR, Outlet, pose_at, stamp_of
 
 KINDS: dict[str, Any] = {
     "navsat": NavSatFix, "altimeter": Altimeter, "magnetometer": MagneticField, "air_pressure": FluidPressure,
@@ -39,7 +39,7 @@ class EarthOutlet(Outlet):
     def publish(self, time_ns: int) -> None:
         if not self._out.get_subscription_count():
             return
-        place = place_at(self.simulation, self.robot, time_ns) @ self.device.mount
+        place = pose_at(self.simulation, self.robot, time_ns) @ self.device.mount
         msg = self._message(place)
         msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
         self._out.publish(msg)
@@ -47,7 +47,7 @@ class EarthOutlet(Outlet):
     def _shaken(self, number: int) -> float:
         return float(self.chance.standard_normal()) * self.device.noise[number]
 
-    def _navsat(self, place: Place) -> NavSatFix:
+    def _navsat(self, place: Pose2D) -> NavSatFix:
         assert self._globe is not None
         across, up = self.device.noise
         latitude, longitude, altitude = self._globe.fix(
@@ -62,12 +62,12 @@ class EarthOutlet(Outlet):
             msg.position_covariance[8] = up**2
         return msg
 
-    def _altimeter(self, place: Place) -> Altimeter:
+    def _altimeter(self, place: Pose2D) -> Altimeter:
         return Altimeter(
             vertical_position=self._shaken(0), vertical_velocity=self._shaken(1), vertical_reference=self.device.height
         )
 
-    def _magnetometer(self, place: Place) -> MagneticField:
+    def _magnetometer(self, place: Pose2D) -> MagneticField:
         x, y, z = self.simulation.world.magnetism
         c, s = math.cos(self.robot.place.theta), math.sin(self.robot.place.theta)
         msg = MagneticField()
@@ -75,7 +75,7 @@ class EarthOutlet(Outlet):
         field.x, field.y, field.z = c * x + s * y + self._shaken(0), c * y - s * x + self._shaken(0), z + self._shaken(1)
         return msg
 
-    def _air_pressure(self, place: Place) -> FluidPressure:
+    def _air_pressure(self, place: Pose2D) -> FluidPressure:
         felt = pressure(self.device.height) + self._shaken(0)
         return FluidPressure(fluid_pressure=felt, variance=self.device.noise[0] ** 2)
 

@@ -9,10 +9,10 @@ from geometry_msgs.msg import TransformStamped
 from ros_gz_interfaces.msg import Contact, Contacts, Entity
 from tf2_msgs.msg import TFMessage
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 
 from .devices import PoseDevice, TouchDevice
-from .outlets import Outlet, heading, place_at, stamp_of
+from .outlets import Outlet, heading, pose_at, stamp_of
 
 
 class PoseOutlet(Outlet):
@@ -28,7 +28,7 @@ class PoseOutlet(Outlet):
             return
         device, found = self.device, []
         if device.world:
-            place = place_at(self.simulation, self.robot, time_ns)
+            place = pose_at(self.simulation, self.robot, time_ns)
             whole = TransformStamped(child_frame_id=device.model)
             whole.header.frame_id = device.world
             whole.transform.translation.x, whole.transform.translation.y = place.x, place.y

@@ -9,10 +9,10 @@ from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
-from coursekit.sim.place import Place
+from coursekit.geometry.plane import Pose2D
 
 from .devices import OdometryDevice, TruthDevice
-from .outlets import Outlet, heading, place_at, stamp_of
+from .outlets import Outlet, heading, pose_at, stamp_of
 
 
 class OdometryOutlet(Outlet):
@@ -27,7 +27,7 @@ class OdometryOutlet(Outlet):
 
     def publish(self, time_ns: int) -> None:
         device, robot = self.device, self.robot
-        place = place_at(self.simulation, robot, time_ns) if device.exact else robot.odometer.place
+        place = pose_at(self.simulation, robot, time_ns) if device.exact else robot.odometer.place
         forward, left, turn = robot.velocity if device.exact else robot.wheels
         stamp = stamp_of(time_ns)
         if self._tf is not None:
@@ -42,7 +42,7 @@ class OdometryOutlet(Outlet):
             self._out.publish(msg)
 
 
-def odometry(place: Place, speed: tuple[float, float, float], covariance: Iterable[float] = (0, 0, 0)) -> Odometry:
+def odometry(place: Pose2D, speed: tuple[float, float, float], covariance: Iterable[float] = (0, 0, 0)) -> Odometry:
     """A place and a velocity in the robot's frame as a message without header."""
     msg = Odometry()
     msg.pose.pose.position.x, msg.pose.pose.position.y = place.x, place.y
@@ -66,7 +66,7 @@ class TruthOutlet(Outlet):
 
     def publish(self, time_ns: int) -> None:
         if self._out.get_subscription_count():
-            msg = odometry(place_at(self.simulation, self.robot, time_ns), self.robot.velocity)
+            msg = odometry(pose_at(self.simulation, self.robot, time_ns), self.robot.velocity)
             msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
             msg.child_frame_id = self.device.body
             self._out.publish(msg)

@@ -13,7 +13,7 @@ from rclpy.qos import QoSProfile
 from sensor_msgs.msg import Imu, JointState
 from std_msgs.msg import Float64
 
-from coursekit.sim.place import Place
+from coursekit.geometry.plane import Pose2D
 from coursekit.sim.robot import GRAVITY, Robot
 from coursekit.sim.simulation import Simulation
 
@@ -34,12 +34,12 @@ def heading(theta: float) -> Quaternion:
     return Quaternion(z=math.sin(theta / 2), w=math.cos(theta / 2))
 
 
-def place_at(simulation: Simulation, robot: Robot, time_ns: int) -> Place:
+def pose_at(simulation: Simulation, robot: Robot, time_ns: int) -> Pose2D:
     """Where a robot is at a time up to one step after the physics."""
     rest = (time_ns - simulation.now_ns) * 1e-9
     x, y, theta = robot.place
     speed = robot.body.velocity
-    return Place(x + speed.x * rest, y + speed.y * rest, theta + robot.body.angular_velocity * rest)
+    return Pose2D(x + speed.x * rest, y + speed.y * rest, theta + robot.body.angular_velocity * rest)
 
 
 class Nobody:
@@ -107,7 +107,7 @@ class ScanOutlet(Outlet):
         if not self._out.get_subscription_count():
             return
         lidar = self.device.lidar
-        place = place_at(self.simulation, self.robot, time_ns) @ lidar.mount
+        place = pose_at(self.simulation, self.robot, time_ns) @ lidar.mount
         ranges = lidar.measure(self.simulation.scan(lidar, self.robot, place), self.chance)
         msg = self._message(self.device, ranges)
         msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
@@ -172,7 +172,7 @@ class ImuOutlet(Outlet):
         ahead, aside = ((now - was) / seconds for now, was in zip((forward, left), last[1], strict=True)) if (
             last and seconds > 0) else (0.0, 0.0)  # fmt: skip
         noise = self.chance.standard_normal(3) * (device.turn_noise, device.push_noise, device.push_noise)
-        msg = Imu(orientation=heading(place_at(self.simulation, self.robot, time_ns).theta))
+        msg = Imu(orientation=heading(pose_at(self.simulation, self.robot, time_ns).theta))
         msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), device.frame
         msg.angular_velocity.z = turn + device.turn_bias + float(noise[0])
         push = msg.linear_acceleration
@@ -201,4 +201,4 @@ class BumpOutlet(Outlet):
 OUTLETS: dict[type, type[Outlet]] = {
     RayDevice: ScanOutlet, JointDevice: JointOutlet, ImuDevice: ImuOutlet, BumpDevice: BumpOutlet, MotorDevice: MotorOutlet,
 }  # fmt: skip
-__all__ = ["OUTLETS", "Outlet", "heading", "place_at", "stamp_of"]
+__all__ = ["OUTLETS", "Outlet", "heading", "pose_at", "stamp_of"]

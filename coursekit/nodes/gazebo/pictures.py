@@ -9,7 +9,7 @@ from sensor_msgs.msg import CameraInfo, Image
 from coursekit.sim.view import Picture, View
 
 from .devices import CameraDevice
-from .outlets import SENSOR, Outlet, place_at, stamp_of
+from .outlets import SENSOR, Outlet, pose_at, stamp_of
 
 
 class CameraOutlet(Outlet):
@@ -28,7 +28,7 @@ class CameraOutlet(Outlet):
         if self._info.get_subscription_count():
             self._info.publish(self._calibration(time_ns))
         if self._image.get_subscription_count():
-            place = place_at(self.simulation, self.robot, time_ns)
+            place = pose_at(self.simulation, self.robot, time_ns)
             picture = self._coded(self._view.render(self.simulation, place, without=self.robot))
             step = picture.nbytes // device.height
             msg = Image(height=device.height, width=device.width, encoding=device.encoding, step=step)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from tf2_msgs.msg import TFMessage
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 
 from .blueprint import Blueprint
 from .devices import WheelDevice

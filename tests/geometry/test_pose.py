@@ -6,8 +6,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from coursekit.geometry.pose import between, canonical, matrix, multiply, normalized
 from coursekit.tf import IDENTITY, compose, interpolate, inverse, rotate, slerp
-from coursekit.tf.pose import between, canonical, matrix, multiply, normalized
 
 number = st.floats(-100, 100)
 quaternion = (

@@ -9,15 +9,15 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 from coursekit.sim.view import Picture
 
 from .devices import DepthDevice
-from .outlets import SENSOR, pose_at, stamp_of
-from .pictures import CameraOutlet
+from .pictures import CameraPublisher
+from .sensor_publishers import SENSOR, pose_at, stamp_of
 
 FIELDS = (("x", 0), ("y", 4), ("z", 8), ("rgb", 16))
 POINT = 32
 """Bytes of a point, as Gazebo pads them."""
 
 
-class DepthOutlet(CameraOutlet):
+class DepthPublisher(CameraPublisher):
     """A camera's pictures, how far ahead their points are, and the points in space; each only for those who listen."""
 
     device: DepthDevice
@@ -65,4 +65,4 @@ class DepthOutlet(CameraOutlet):
         self._cloud.publish(msg)
 
 
-__all__ = ["DepthOutlet"]
+__all__ = ["DepthPublisher"]

@@ -9,10 +9,10 @@ from sensor_msgs.msg import CameraInfo, Image
 from coursekit.sim.view import Picture, View
 
 from .devices import CameraDevice
-from .outlets import SENSOR, Outlet, pose_at, stamp_of
+from .sensor_publishers import SENSOR, SensorPublisher, pose_at, stamp_of
 
 
-class CameraOutlet(Outlet):
+class CameraPublisher(SensorPublisher):
     """A camera at work: rgb8 pictures and their calibration, drawn only for those who listen."""
 
     device: CameraDevice
@@ -66,4 +66,4 @@ def view_of(device: CameraDevice, width: int = 0, height: int = 0) -> View:
     return View((x, y, turn), max(z, 0.02), tilt, device.fov, width or device.width, height or device.height, device.far)
 
 
-__all__ = ["CameraOutlet", "view_of"]
+__all__ = ["CameraPublisher", "view_of"]

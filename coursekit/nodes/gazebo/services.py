@@ -11,8 +11,8 @@ from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 
 from .assembly import renamed
-from .outlets import stamp_of
 from .sdf_world import read_entity
+from .sensor_publishers import stamp_of
 from .whereabouts import planar_pose
 
 

@@ -12,7 +12,7 @@ from geometry_msgs.msg import Pose, Twist
 
 from coursekit.geometry.plane import Pose2D
 
-from .outlets import heading, stamp_of
+from .sensor_publishers import heading, stamp_of
 from .whereabouts import WORLD, Speed, planar_pose
 from .world_plugins import StatePlugin
 

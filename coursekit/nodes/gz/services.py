@@ -11,8 +11,8 @@ from tf2_msgs.msg import TFMessage
 from coursekit.files import read_text
 from coursekit.nodes.gazebo.assembly import renamed
 from coursekit.nodes.gazebo.model_paths import find_model
-from coursekit.nodes.gazebo.outlets import heading, stamp_of
 from coursekit.nodes.gazebo.sdf_world import read_entity
+from coursekit.nodes.gazebo.sensor_publishers import heading, stamp_of
 from coursekit.nodes.gazebo.whereabouts import planar_pose
 from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError

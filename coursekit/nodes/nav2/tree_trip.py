@@ -19,12 +19,12 @@ from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, r
 from coursekit.nav.planner import length
 from coursekit.nav.second_thoughts import remaining
 from coursekit.nav.tree_controls import CONTROLS
+from coursekit.nodes.nav2.condition_nodes import CONDITIONS
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.running import Beat
 from coursekit.nodes.nav2.tree_actions import ACTIONS
-from coursekit.nodes.nav2.tree_looks import LOOKS
 
-KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **LOOKS}
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **CONDITIONS}
 MOST_BYTES = 2**20
 
 

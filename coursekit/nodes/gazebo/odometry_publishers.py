@@ -12,10 +12,10 @@ from tf2_msgs.msg import TFMessage
 from coursekit.geometry.plane import Pose2D
 
 from .devices import OdometryDevice, TruthDevice
-from .outlets import Outlet, heading, pose_at, stamp_of
+from .sensor_publishers import SensorPublisher, heading, pose_at, stamp_of
 
 
-class OdometryOutlet(Outlet):
+class OdometryPublisher(SensorPublisher):
     """Odometry at work; commands come in at `command_topic`."""
 
     device: OdometryDevice
@@ -56,7 +56,7 @@ def odometry(place: Pose2D, speed: tuple[float, float, float], covariance: Itera
     return msg
 
 
-class TruthOutlet(Outlet):
+class TruthPublisher(SensorPublisher):
     """Ground truth at work."""
 
     device: TruthDevice
@@ -72,4 +72,4 @@ class TruthOutlet(Outlet):
             self._out.publish(msg)
 
 
-__all__ = ["OdometryOutlet", "TruthOutlet", "odometry"]
+__all__ = ["OdometryPublisher", "TruthPublisher", "odometry"]

@@ -10,12 +10,12 @@ Speeds = Sequence[float]
 
 
 @dataclass(frozen=True)
-class Gentle:
+class AccelerationLimiter:
     """Bounds of speeds and of their changes a second; decelerations are negative.
 
     With `together` all three are held back alike, so that the robot stays on its curve.
 
-    >>> Gentle((0.5, 0, 1), (-0.5, 0, -1), (1, 0, 2), (-2, 0, -2)).toward((0.0, 0.0, 0.0), (0.8, 0.0, 0.1), 0.1)
+    >>> AccelerationLimiter((0.5, 0, 1), (-0.5, 0, -1), (1, 0, 2), (-2, 0, -2)).toward((0.0, 0.0, 0.0), (0.8, 0.0, 0.1), 0.1)
     [0.1, 0.0, 0.1]
     """
 

@@ -12,10 +12,10 @@ from tf2_msgs.msg import TFMessage
 from coursekit.geometry.plane import Array
 
 from .devices import PoseDevice, TouchDevice
-from .outlets import Outlet, heading, pose_at, stamp_of
+from .sensor_publishers import SensorPublisher, heading, pose_at, stamp_of
 
 
-class PoseOutlet(Outlet):
+class PosePublisher(SensorPublisher):
     """gz::sim::systems::PosePublisher: where a model is, and its links in it."""
 
     device: PoseDevice
@@ -58,7 +58,7 @@ def transform_of(pose: Array) -> TransformStamped:
     return msg
 
 
-class TouchOutlet(Outlet):
+class TouchPublisher(SensorPublisher):
     """A contact sensor: what the model touches now."""
 
     device: TouchDevice
@@ -76,4 +76,4 @@ class TouchOutlet(Outlet):
         self._out.publish(msg)
 
 
-__all__ = ["PoseOutlet", "TouchOutlet", "transform_of"]
+__all__ = ["PosePublisher", "TouchPublisher", "transform_of"]

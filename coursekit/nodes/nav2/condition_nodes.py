@@ -74,7 +74,7 @@ class TakeGoal(TreeNode):
         return self.children[0].tick()
 
 
-class Look(TreeNode):
+class ConditionNode(TreeNode):
     """A question that is answered at once: `answer(node)`."""
 
     answer: Callable[[TreeNode], bool] = staticmethod(lambda node: False)
@@ -84,8 +84,8 @@ class Look(TreeNode):
         return SUCCESS if self.answer(self) else FAILURE
 
 
-def _looks(name: str, answer: Callable[[TreeNode], bool]) -> type[Look]:
-    return type(name, (Look,), {"answer": staticmethod(answer)})
+def _condition(name: str, answer: Callable[[TreeNode], bool]) -> type[ConditionNode]:
+    return type(name, (ConditionNode,), {"answer": staticmethod(answer)})
 
 
 def _near(node: TreeNode) -> bool:
@@ -134,7 +134,7 @@ def _travelled(node: TreeNode) -> bool:
     return False
 
 
-def _chooses(what: str) -> type[Look]:
+def _chooses(what: str) -> type[ConditionNode]:
     """A selector: the name that was heard last on its topic, or the default one."""
 
     def answer(node: TreeNode) -> bool:
@@ -142,16 +142,17 @@ def _chooses(what: str) -> type[Look]:
         node.put(f"selected_{what}", heard[-1] if heard else node.get(f"default_{what}", ""))
         return True
 
-    return _looks(f"{what}_selector", answer)
+    return _condition(f"{what}_selector", answer)
 
 
-LOOKS: dict[str, type[TreeNode]] = {
+CONDITIONS: dict[str, type[TreeNode]] = {
     "RateController": Paced, "DistanceController": PacedByWay, "SpeedController": PacedBySpeed, "GoalUpdater": TakeGoal,
-    "GoalReached": _looks("GoalReached", _near), "TimeExpired": _looks("TimeExpired", _expired),
-    "DistanceTraveled": _looks("DistanceTraveled", _travelled),
-    "GoalUpdated": Look, "GlobalUpdatedGoal": Look, "IsStuck": Look,
-    "InitialPoseReceived": _looks("InitialPoseReceived", lambda node: node.board["crew"].pose() is not None),
-    "RemovePassedGoals": _looks("RemovePassedGoals", _drop_passed), "TruncatePath": _looks("TruncatePath", _truncate),
+    "GoalReached": _condition("GoalReached", _near), "TimeExpired": _condition("TimeExpired", _expired),
+    "DistanceTraveled": _condition("DistanceTraveled", _travelled),
+    "GoalUpdated": ConditionNode, "GlobalUpdatedGoal": ConditionNode, "IsStuck": ConditionNode,
+    "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: node.board["crew"].pose() is not None),
+    "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
+    "TruncatePath": _condition("TruncatePath", _truncate),
     **{f"{name}Selector": _chooses(what) for name, what in (
         ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},
 }  # fmt: skip

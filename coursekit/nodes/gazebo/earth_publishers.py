@@ -12,14 +12,14 @@ from coursekit.geometry.plane import Pose2D
 from coursekit.sim.globe import pressure
 
 from .devices import EarthDevice
-from .outlets import SENSOR, Outlet, pose_at, stamp_of
+from .sensor_publishers import SENSOR, SensorPublisher, pose_at, stamp_of
 
 KINDS: dict[str, Any] = {
     "navsat": NavSatFix, "altimeter": Altimeter, "magnetometer": MagneticField, "air_pressure": FluidPressure,
 }  # fmt: skip
 
 
-class EarthOutlet(Outlet):
+class EarthPublisher(SensorPublisher):
     """A receiver of satellites, an altimeter, a magnetometer or a barometer."""
 
     device: EarthDevice
@@ -80,4 +80,4 @@ class EarthOutlet(Outlet):
         return FluidPressure(fluid_pressure=felt, variance=self.device.noise[0] ** 2)
 
 
-__all__ = ["EarthOutlet"]
+__all__ = ["EarthPublisher"]

@@ -53,7 +53,7 @@ class Nobody:
         """Nobody hears it."""
 
 
-class Outlet:
+class SensorPublisher:
     """A device of a robot at work; the k-th message is for the time `begin + k / rate`, the next one for `due_ns`."""
 
     def __init__(self, node: Any, simulation: Simulation, robot: Robot, device: Device, seed: int, begin_ns: int) -> None:
@@ -75,7 +75,7 @@ class Outlet:
         self._begin, self._count, self.due_ns = begin_ns, 0, begin_ns
 
     def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
-        """A publisher that is closed with the outlet; without a topic, one that nobody hears."""
+        """A publisher that is closed with the sensor; without a topic, one without subscribers."""
         if not topic:
             return Nobody()
         made = self.node.create_publisher(kind, topic, qos)
@@ -94,7 +94,7 @@ class Outlet:
             self.node.destroy_publisher(one)
 
 
-class ScanOutlet(Outlet):
+class ScanPublisher(SensorPublisher):
     """A LiDAR at work."""
 
     device: RayDevice
@@ -114,7 +114,7 @@ class ScanOutlet(Outlet):
         self._out.publish(msg)
 
 
-class JointOutlet(Outlet):
+class JointPublisher(SensorPublisher):
     """Angles of wheels and of joints with motors at work; other joints stand at 0."""
 
     device: JointDevice
@@ -137,7 +137,7 @@ class JointOutlet(Outlet):
         self._out.publish(msg)
 
 
-class MotorOutlet(Outlet):
+class MotorPublisher(SensorPublisher):
     """A motor at work: it hears, and publishes nothing."""
 
     device: MotorDevice
@@ -153,7 +153,7 @@ class MotorOutlet(Outlet):
         self.node.destroy_subscription(self._heard)
 
 
-class ImuOutlet(Outlet):
+class ImuPublisher(SensorPublisher):
     """An inertial unit at work."""
 
     device: ImuDevice
@@ -182,7 +182,7 @@ class ImuOutlet(Outlet):
         self._out.publish(msg)
 
 
-class BumpOutlet(Outlet):
+class BumpPublisher(SensorPublisher):
     """A bumper at work."""
 
     device: BumpDevice
@@ -198,7 +198,8 @@ class BumpOutlet(Outlet):
         self._out.publish(msg)
 
 
-OUTLETS: dict[type, type[Outlet]] = {
-    RayDevice: ScanOutlet, JointDevice: JointOutlet, ImuDevice: ImuOutlet, BumpDevice: BumpOutlet, MotorDevice: MotorOutlet,
+PUBLISHERS: dict[type, type[SensorPublisher]] = {
+    RayDevice: ScanPublisher, JointDevice: JointPublisher, ImuDevice: ImuPublisher, BumpDevice: BumpPublisher,
+    MotorDevice: MotorPublisher,
 }  # fmt: skip
-__all__ = ["OUTLETS", "Outlet", "heading", "pose_at", "stamp_of"]
+__all__ = ["PUBLISHERS", "SensorPublisher", "heading", "pose_at", "stamp_of"]

@@ -8,10 +8,10 @@ from std_msgs.msg import Float32
 from trajectory_msgs.msg import JointTrajectory
 
 from .devices import TrajectoryDevice
-from .outlets import Outlet
+from .sensor_publishers import SensorPublisher
 
 
-class TrajectoryOutlet(Outlet):
+class TrajectoryPublisher(SensorPublisher):
     """Each joint is told the point that is next in time, as Gazebo does; `TOPIC_progress` tells the share that is done."""
 
     device: TrajectoryDevice
@@ -92,4 +92,4 @@ def fault_of(msg: JointTrajectory, joints: tuple[str, ...]) -> str:
     return ""
 
 
-__all__ = ["TrajectoryOutlet", "fault_of"]
+__all__ = ["TrajectoryPublisher", "fault_of"]

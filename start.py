@@ -62,6 +62,7 @@ def set_up(extra=""):
     stamp = VENV / (".test" if extra else ".lab")
     sources = [ROOT / "pyproject.toml", ROOT / "requirements.lock"]
     if stamp.exists() and all(stamp.stat().st_mtime >= one.stat().st_mtime for one in sources):
+        must_run([str(python_of(VENV)), "-m", "coursekit.building.underlay"])  # an update may have brought new messages
         return
     if not python_of(VENV).exists():
         must_run([sys.executable, "-m", "venv", str(VENV)])

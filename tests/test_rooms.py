@@ -13,6 +13,7 @@ ROOMS = (
     "interfaces", "bag", "cpp", "core", "rcl", "processes", "joined",  # the middleware
     "ros", "packages", "nodes", "lib", "view", "jupyter",
     "grade", "cli", "lab",  # what people use
+    "building",
 )  # fmt: skip
 """From the ground up: a room imports from those before it."""
 FACES = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import partial
 
 import rclpy
 from rclpy.node import Node
@@ -54,3 +55,6 @@ def main(kind: str) -> int:
     node.destroy_node()
     rclpy.try_shutdown()
     return 1
+
+
+graph, console, gui = partial(main, "rqt_graph"), partial(main, "rqt_console"), partial(main, "rqt_gui")

@@ -98,7 +98,7 @@ def lab(words):
 def test(words):
     """The tests, then the chapters; the exit code of the first that fails. JOBS says how many run side by side."""
     set_up("test")
-    side_by_side = ["-n", os.environ.get("JOBS", "2"), "--dist", "loadfile", "--no-loadscope-reorder"]
+    side_by_side = ["-rs", "-n", os.environ.get("JOBS", "2"), "--dist", "loadfile", "--no-loadscope-reorder"]
     pytest = [str(python_of(VENV)), "-m", "pytest", *side_by_side]
     chapters = ["-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", "120", "notebooks"]
     return run([*pytest, *words]) or run([*pytest, *chapters], COURSEKIT_TIME="virtual")

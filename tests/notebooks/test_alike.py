@@ -1,8 +1,10 @@
 """Outputs are compared as they are on Linux, and a wrong one stays wrong."""
 
+import nbformat
 import pytest
 
 from .alike import Output, alike
+from .store import WIDGET, number_widgets
 
 
 @pytest.mark.parametrize(
@@ -43,3 +45,13 @@ def test_long_numbers_may_be_rounded_otherwise(here, there):
 )
 def test_what_a_reader_would_see_is_a_difference(one, other):
     assert Output(one) != Output(other)
+
+
+def test_widgets_of_stored_outputs_are_the_same_every_time():
+    def stored(model_id):
+        cell = nbformat.v4.new_code_cell(id="abc", outputs=[nbformat.v4.new_output("display_data", {WIDGET: {"model_id": model_id}})])
+        notebook = nbformat.v4.new_notebook(cells=[cell])
+        number_widgets(notebook)
+        return notebook
+
+    assert stored("one") == stored("another")

@@ -20,6 +20,18 @@ const ParameterValue & NodeFace::declare_parameter(
   Packer with = Packer{}.i(base_->id).s(name).i(type).m(rcl_interfaces::msg::ParameterValue()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
 }
+ParameterMap detail::parameter_file(const std::string & path, const std::string & node)
+{
+  Unpacker answer = ask("parameter_file", Packer{}.s(path).s(node));
+  ParameterMap map;
+  for (int64_t nodes = answer.i(); nodes > 0; --nodes) {
+    auto & parameters = map[answer.s()];
+    for (int64_t count = answer.i(); count > 0; --count) {
+      parameters.push_back(Parameter::from_parameter_msg(answer.m<rcl_interfaces::msg::Parameter>()));
+    }
+  }
+  return map;
+}
 void NodeFace::undeclare_parameter(const std::string & name) {ask("undeclare", Packer{}.i(base_->id).s(name));}
 bool NodeFace::has_parameter(const std::string & name) const
 {

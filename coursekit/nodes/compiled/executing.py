@@ -22,8 +22,9 @@ if TYPE_CHECKING:
 
 def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make an executor with so many threads."""
-    threads = frame.integer()
-    executor: Any = SingleThreadedExecutor() if threads == 1 else MultiThreadedExecutor(threads)
+    threads, context = frame.integer(), host.context_called(frame.integer())
+    executor: Any
+    executor = SingleThreadedExecutor(context=context) if threads == 1 else MultiThreadedExecutor(threads, context=context)
     executor.cancelled = False
     return packed(host.keep(executor))
 

@@ -8,6 +8,7 @@ from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, Parame
 from rcl_interfaces.msg import Parameter as ParameterMessage
 from rclpy.parameter import Parameter
 
+from coursekit.core import parameter_file
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
 if TYPE_CHECKING:
@@ -25,6 +26,21 @@ def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         default = Parameter.from_parameter_msg(ParameterMessage(name=name, value=value)).value
         descriptor.dynamic_typing = descriptor.dynamic_typing or value.type == 0
     return packed(node.declare_parameter(name, default, descriptor, ignore).get_parameter_value())
+
+
+def do_parameter_file(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The parameters of a file, by the patterns of nodes; of one node where it is named."""
+    path, node = frame.text(), frame.text()
+    try:
+        found = parameter_file.read(path)
+    except (OSError, ValueError) as error:
+        raise RuntimeError(f"Error opening parameter file '{path}': {error}") from None
+    if node:
+        found = {node: parameter_file.values_for(found, node)}
+    parts = [packed(len(found))]
+    for name, values in found.items():
+        parts.append(packed(name, len(values), *(Parameter(one, value=value).to_parameter_msg() for one, value in values.items())))
+    return b"".join(parts)
 
 
 def do_undeclare(host: Host, _channel: Channel, frame: Unpacker) -> None:

@@ -23,9 +23,9 @@ _LINE = 256
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Start rclpy with the program's words."""
-    domain = frame.integer()
+    context, domain = host.context_called(frame.integer()), frame.integer()
     words = [frame.text() for _ in range(frame.integer())]
-    rclpy.init(args=words[1:], domain_id=None if domain < 0 else domain)
+    rclpy.init(args=words[1:], context=context, domain_id=None if domain < 0 else domain)
     host.process.on_signal.clear()
 
 
@@ -41,9 +41,13 @@ def tell_signal(host: Host, number: int) -> None:
     logging_state().write(_INFO, "rclcpp", text, caller, host.clock.now())
 
 
-def do_shutdown(_host: Host, _channel: Channel, _frame: Unpacker) -> None:
-    """End it."""
-    shutdown_all()
+def do_shutdown(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """End a context."""
+    number = frame.integer()
+    if number or any(context.ok() for context in host.contexts.values()):
+        rclpy.try_shutdown(context=host.context_called(number))
+    else:
+        shutdown_all()
 
 
 def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -24,7 +24,7 @@ public:
   Time(const builtin_interfaces::msg::Time & message, rcl_clock_type_t type = RCL_ROS_TIME)  // NOLINT
   : ns_(message.sec * 1000000000LL + message.nanosec), type_(type) {check();}
 
-  static Time max() {return Time(std::numeric_limits<int32_t>::max(), 999999999);}
+  static Time max(rcl_clock_type_t type = RCL_SYSTEM_TIME) {return Time(std::numeric_limits<int32_t>::max(), 999999999, type);}
   rcl_time_point_value_t nanoseconds() const {return ns_;}
   double seconds() const {return ns_ / 1e9;}
   rcl_clock_type_t get_clock_type() const {return type_;}

@@ -127,7 +127,7 @@ bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handl
 }
 bool Context::sleep_for(const std::chrono::nanoseconds & duration)
 {
-  return coursekit::sleep_for(duration.count()) && is_valid();
+  return coursekit::sleep_for(duration.count(), number_) && is_valid();
 }
 contexts::DefaultContext::SharedPtr contexts::get_global_default_context()
 {

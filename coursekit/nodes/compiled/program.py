@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import signal
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.impl.logging_state import logging_state
@@ -51,12 +52,26 @@ def do_shutdown(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Sleep in the thread's stead; 0 when Ctrl-C came."""
-    until = host.clock.steady() + frame.integer()
+    """Sleep in the thread's stead; 0 when Ctrl-C came, or the context whose number is told (not -1) ended meanwhile."""
+    until, number = host.clock.steady() + frame.integer(), frame.integer()
+    context = None if number < 0 else host.context_called(number)
     waiter = host.clock.new_waiter()
-    while not host.flags & STOPPING and host.clock.steady() < until:
+    if context is None or not context.ok():
+        _sleep(host, waiter, until, lambda: True)
+        return packed(int(not host.flags & STOPPING))
+
+    def wake() -> None:  # a function of its own: contexts hold methods only weakly, and waiters cannot be held so
+        waiter.notify()
+
+    context.on_shutdown(wake)
+    _sleep(host, waiter, until, context.ok)
+    context.remove_on_shutdown(wake)
+    return packed(int(not host.flags & STOPPING and context.ok()))
+
+
+def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> None:
+    while not host.flags & STOPPING and host.clock.steady() < until and goes_on():
         waiter.wait(until)
-    return packed(int(not host.flags & STOPPING))
 
 
 def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

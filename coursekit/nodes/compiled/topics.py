@@ -40,7 +40,9 @@ class Hearing:
             return
         if self.statistics is not None:
             self.statistics.hear(deserialize(data, self._kind))
-        self._host.call(self._handler, packed_info(info["source_timestamp"], info["received_timestamp"], info["publisher_gid"]) + data)
+        self._host.call(
+            self._handler, packed_info(info["source_timestamp"], info["received_timestamp"], info["publisher_gid"]) + data
+        )
 
 
 def packed_info(sent: int, received: int, gid: Any) -> bytes:
@@ -62,7 +64,9 @@ def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     )
     host.own_gids.add(publisher._core.gid)
     number = host.keep((node, "destroy_publisher", publisher))
-    return packed(number, publisher.topic_name) + qos.packed_profile(publisher.qos_profile) + packed(bytes(publisher._core.gid))
+    return (
+        packed(number, publisher.topic_name) + qos.packed_profile(publisher.qos_profile) + packed(bytes(publisher._core.gid))
+    )
 
 
 def do_publish(host: Host, _channel: Channel, frame: Unpacker) -> None:

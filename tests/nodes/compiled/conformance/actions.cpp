@@ -28,6 +28,9 @@ int main(int argc, char ** argv)
         rclcpp::sleep_for(20ms);
       }
       result->sequence = feedback->sequence;
+      if (!rclcpp::ok()) {
+        return;
+      }
       if (goal->get_goal()->order == 2) {
         goal->abort(result);
       } else {

@@ -17,7 +17,9 @@ int main(int argc, char ** argv)
   throws<std::runtime_error>("nor subtracted", [&] {(void)(time - rclcpp::Time(message));});
   throws<std::runtime_error>("no negative time", [] {rclcpp::Time(-1, 0);});
   throws<std::overflow_error>("no overflow", [] {(void)(rclcpp::Time::max() + rclcpp::Duration::max());});
-  throws<std::runtime_error>("nothing before the beginning", [] {(void)(rclcpp::Time(1, 0) - rclcpp::Duration(2, 0));});
+  equal("before the beginning", (rclcpp::Time(1, 0) - rclcpp::Duration(2, 0)).nanoseconds(), -1000000000);
+  equal("as message it has whole seconds", builtin_interfaces::msg::Time(rclcpp::Time(-500000000LL)).nanosec, 500000000u);
+  throws<std::underflow_error>("no underflow", [] {(void)(rclcpp::Time(std::numeric_limits<int64_t>::min()) - rclcpp::Duration(1, 0));});
 
   equal("duration of chrono", rclcpp::Duration(1500ms).seconds(), 1.5);
   equal("duration of seconds", rclcpp::Duration::from_seconds(0.25).nanoseconds(), 250000000);

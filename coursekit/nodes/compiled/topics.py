@@ -29,7 +29,7 @@ class Hearing:
         self.statistics: TopicStatistics | None = None
 
     def wants(self, data: bytes, gid: bytes) -> bool:
-        """Whether a message is for this subscription, and is neither filtered out nor one of this program's that it ignores."""
+        """Whether a message is to be heard: it is not filtered out, nor one of this program's that are ignored."""
         if gid in self._ignored:
             return False
         return self.filter is None or self.filter(deserialize(data, self._kind))

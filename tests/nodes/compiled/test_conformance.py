@@ -36,5 +36,21 @@ def test_it_does_as_humble_does(noun, virtual, build, tmp_path):
     assert code == 0, process.output
 
 
+def test_lines_of_loggers_are_those_of_humble(build):
+    path = build("logging", (ROOM / "logging.cpp").read_text(encoding="utf-8"))
+    with (session := Session(virtual=True)).use():
+        process = session.launch(make_process(session, path, name="logging"))
+        assert process.wait(20.0) == 0
+    said = [line.partition("LINE ")[2] for line in process.output.splitlines() if "LINE" in line]
+    assert said == [
+        "1 of text",
+        "stream 2 0.5",
+        *("once 0", "throttled 0", "throttled stream 0", "fatal 0"),
+        *("skipped first 1", "expression 1", "skipped first 2"),
+        "function",
+        "by name",
+    ]
+
+
 def test_there_are_many_checks():
     assert sum(len(checks_of(noun)) for noun in NOUNS) >= _LEAST

@@ -14,10 +14,11 @@ int main(int argc, char ** argv)
   auto client = rclcpp_action::create_client<Fibonacci>(node, "count");
   check("no server yet", !client->action_server_is_ready() && !client->wait_for_action_server(20ms));
   std::vector<std::thread> threads;
+  std::atomic<bool> enough{false};
   auto execute = [&](std::shared_ptr<Serving> goal) {
       auto result = std::make_shared<Fibonacci::Result>();
       auto feedback = std::make_shared<Fibonacci::Feedback>();
-      for (int i = 0; i < goal->get_goal()->order && rclcpp::ok(); ++i) {
+      for (int i = 0; i < goal->get_goal()->order && !enough; ++i) {
         if (goal->is_canceling()) {
           result->sequence = feedback->sequence;
           goal->canceled(result);
@@ -28,10 +29,7 @@ int main(int argc, char ** argv)
         rclcpp::sleep_for(20ms);
       }
       result->sequence = feedback->sequence;
-      if (!rclcpp::ok()) {
-        return;
-      }
-      if (goal->get_goal()->order == 2) {
+      if (goal->get_goal()->order == 2 || enough) {
         goal->abort(result);
       } else {
         goal->succeed(result);
@@ -102,8 +100,9 @@ int main(int argc, char ** argv)
   check("a goal's number as text", !rclcpp_action::to_string(handle->get_goal_id()).empty());
   std::unordered_map<rclcpp_action::GoalUUID, int> numbers{{handle->get_goal_id(), 1}};
   equal("a goal's number as key", numbers.at(handle->get_goal_id()), 1);
-  rclcpp::shutdown();
+  enough = true;
   for (auto & thread : threads) {
     thread.join();
   }
+  rclcpp::shutdown();
 }

@@ -213,13 +213,34 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         except (CMakeError, OSError) as error:
             self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
             return 1
+        names = cmake_tests.compiled(reading)
+        skipped = cmake_tests.left_out(reading)
+        if names and await self._build_tests(names, env):
+            tests += [cmake_tests.compiled_command(one, Path(args.build_base), base / reading.project) for one in names]
+        else:
+            skipped += names
         ended = [await self._run(test, env) for test in tests]
         if any(ended):
             self.context.put_event_into_queue(TestFailure(name))
-        skipped = cmake_tests.left_out(reading)
         if skipped or not tests:
             print(f"Skipped tests of {name}: {', '.join(skipped) or 'it has none that need no compiler'}", flush=True)
         return 0
+
+    async def _build_tests(self, names: list[str], env: dict[str, str]) -> bool:
+        """Compile the tests in C++ of a package that was built; whether they are there."""
+        build = Path(self.context.args.build_base)
+        if not (build / "CMakeCache.txt").is_file():
+            return False
+        try:
+            tools = await prepared_toolchain()
+        except NoToolchain as error:
+            self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
+            return False
+        for command in cmake_build.test_commands(build, tools, names):
+            done = await run(self.context, command, cwd=str(build), env=cmake_build.completed(env, tools))
+            if done.returncode:
+                return False
+        return True
 
     async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
         test.results.parent.mkdir(parents=True, exist_ok=True)

@@ -1,0 +1,73 @@
+"""Between messages and the plane: poses, the laser's seat on the robot."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from geometry_msgs.msg import Pose, TransformStamped
+from sensor_msgs.msg import LaserScan
+
+from coursekit.geometry.plane import Pose2D
+from coursekit.geometry.rotation import yaw_of
+from coursekit.slam.scan import Laser
+
+
+def plane(position: Any, orientation: Any) -> Pose2D:
+    """A position and a quaternion, seen from above."""
+    return Pose2D(position.x, position.y, yaw_of((orientation.x, orientation.y, orientation.z, orientation.w)))
+
+
+def of_transform(msg: TransformStamped) -> Pose2D:
+    """A transform, seen from above."""
+    return plane(msg.transform.translation, msg.transform.rotation)
+
+
+def put(pose: Pose2D, position: Any, orientation: Any) -> None:
+    """Write a pose of the plane into a position and a quaternion."""
+    position.x, position.y, position.z = pose.x, pose.y, 0.0
+    orientation.x = orientation.y = 0.0
+    orientation.z, orientation.w = math.sin(pose.theta / 2), math.cos(pose.theta / 2)
+
+
+def to_pose(pose: Pose2D) -> Pose:
+    """As geometry_msgs/Pose."""
+    msg = Pose()
+    put(pose, msg.position, msg.orientation)
+    return msg
+
+
+def upside_down(q: Any) -> bool:
+    """Whether a quaternion's z axis points down."""
+    return 1 - 2 * (q.x * q.x + q.y * q.y) < 0
+
+
+def laser_of(scan: LaserScan, seat: TransformStamped, farthest: float) -> Laser:
+    """The sensor of a scan: its fields, and the transform base → laser; hits beyond `farthest` [m] do not count."""
+    return Laser(
+        angle_min=scan.angle_min,
+        angle_increment=scan.angle_increment,
+        range_min=scan.range_min if math.isfinite(scan.range_min) else 0.0,
+        range_max=min(farthest, scan.range_max if scan.range_max > 0 else math.inf),
+        offset=of_transform(seat),
+        flipped=upside_down(seat.transform.rotation),
+    )
+
+
+def fault_of(scan: LaserScan) -> str:
+    """Why a scan cannot be used; empty when it can."""
+    if not len(scan.ranges):
+        return "it has no ranges"
+    if not math.isfinite(scan.angle_min) or not math.isfinite(scan.angle_increment):
+        return "angle_min or angle_increment is not finite"
+    if scan.angle_increment == 0.0 and len(scan.ranges) > 1:
+        return "angle_increment is 0: all beams would point the same way"
+    return ""
+
+
+def expected_beams(scan: LaserScan) -> int:
+    """How many ranges the scan's angles announce; 0 when they do not tell."""
+    span = scan.angle_max - scan.angle_min
+    if not scan.angle_increment or not math.isfinite(span):
+        return 0
+    return round(span / scan.angle_increment) + 1

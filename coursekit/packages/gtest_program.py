@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from coursekit.core.executables import make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 
 def main(words: list[str]) -> int:

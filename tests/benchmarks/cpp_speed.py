@@ -6,10 +6,10 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from coursekit.core.executables import make_process
-from coursekit.core.session import Session
 from coursekit.cpp.runtime import ROOM, make_runtime, runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 SOURCE = Path(__file__).parent / "cpp_speed.cpp"
 

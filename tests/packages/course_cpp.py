@@ -44,8 +44,8 @@ def build(folder: Path, env: dict[str, str]) -> str:
 
 
 RUN = """
-from coursekit.core.executables import find, make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import find, make_process
+from coursekit.processes.session import Session
 
 with (session := Session(virtual={virtual})).use():
     def start(package, name, *words, **remapped):

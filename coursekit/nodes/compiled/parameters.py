@@ -10,8 +10,8 @@ from rcl_interfaces.msg import Parameter as ParameterMessage
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.parameter_service import is_listed
 
-from coursekit.core import parameter_file
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.rcl import parameter_file
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel

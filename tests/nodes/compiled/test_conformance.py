@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.core.executables import make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 ROOM = Path(__file__).parent / "conformance"
 NOUNS = sorted(path.stem for path in ROOM.glob("*.cpp"))

@@ -22,7 +22,7 @@ MISSING = [name for name in ("ziglang", "cmake", "ninja") if importlib.util.find
 
 @pytest.fixture(scope="module")
 def tools(tmp_path_factory):
-    """An environment whose programs are this Python's, and the few that colcon's own scripts need."""
+    """An environment to build in, whose programs are this Python's, and the few that colcon's own scripts need."""
     if ON_WINDOWS or MISSING:
         pytest.skip(f"needs pip install 'coursekit[cpp]': there is no {', '.join(MISSING)}")
     folder = tmp_path_factory.mktemp("bin")
@@ -41,8 +41,8 @@ def workspace(tools, tmp_path_factory):
 
 @pytest.mark.parametrize("virtual", [True, False], ids=["virtual", "wall"])
 @pytest.mark.parametrize("what", ["PAIRS", "SERVICES", "INTERFACES", "STATES"])
-def test_the_sixteen_nodes_run_and_meet_their_twins(workspace, tools, what, virtual):
-    said = course_cpp.told(workspace, tools, getattr(course_cpp, what), virtual).splitlines()
+def test_the_sixteen_nodes_run_and_meet_their_twins(workspace, what, virtual):
+    said = course_cpp.told(workspace, ENV, getattr(course_cpp, what), virtual).splitlines()
     assert said == course_cpp.RIGHT[what], said
 
 

@@ -72,7 +72,7 @@ def cpp_tools() -> Check:
     try:
         tools = find_toolchain()
     except NoToolchain as error:
-        return Check("C++", f"{error}; the course needs none")
+        return Check("C++", f"{error}; `coursekit cpp` gets them, and the course needs none")
     return Check("C++", f"{' '.join(tools.cxx)}, {tools.cmake}, {tools.generator}")
 
 

@@ -1,4 +1,4 @@
-"""The command `coursekit`: lab, doctor, progress, course, slam, slam-error, release and grade."""
+"""The command `coursekit`: lab, doctor, cpp, progress, course, slam, slam-error, release and grade."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from urllib.parse import quote
 
-from coursekit.cli import compile_ahead, grading, slam
+from coursekit.cli import compile_ahead, cpp, grading, slam
 from coursekit.cli.terminal_settings import terminal_settings
 from coursekit.packages.folder_name import refusal
 from coursekit.systems import rights
@@ -38,6 +38,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     progress = commands.add_parser("progress", help="show your points")
     progress.add_argument("--folder", default="course")
     progress.set_defaults(main=show_progress)
+    cpp.add_commands(commands)
     slam.add_commands(commands)
     grading.add_commands(commands)
     args = parser.parse_args(argv)
@@ -123,6 +124,7 @@ def open_lab(args: argparse.Namespace) -> int:
     command += [word for word in args.jupyter if word != "--"]
     print("SLAM is compiled in the background: the first time this takes a minute or two, and you can begin at once.")
     compile_ahead.start_in_background(env)
+    cpp.offer(env)
     return _become(command, env)
 
 

@@ -87,6 +87,11 @@ class ReadyQueue:
         except IndexError:  # another thread was faster
             return None
 
+    def count_ready(self) -> int:
+        """How many stand in the queue now, with the timers that are due."""
+        self._ring(self.clock.steady())
+        return len(self.items)
+
     def wait(self, deadline: int | None) -> None:
         """Wait until something may be ready, or until `deadline` (steady nanoseconds)."""
         timers = self._timers

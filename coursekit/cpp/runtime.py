@@ -22,7 +22,7 @@ ROOM = Path(__file__).parent
 PACKAGES = (
     "OpenCV", "message_filters", "laser_geometry", "cv_bridge", "image_transport",
     "rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle",
-    "rcutils", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
+    "rcutils", "rcl", "rcpputils", "class_loader", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
     "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python",
     "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
@@ -42,8 +42,8 @@ FORWARDED = {
     "rclcpp/rclcpp.hpp": (
         "wait_result wait_result_kind wait_set_template serialization loaned_message create_client "
         "create_generic_publisher create_generic_subscription create_publisher create_service create_subscription "
-        "create_timer event executor_options generic_publisher generic_subscription init_options "
-        "intra_process_setting is_ros_compatible_type message_info parameter_map publisher_base "
+        "create_timer executor_options generic_publisher generic_subscription init_options "
+        "intra_process_setting is_ros_compatible_type message_info publisher_base "
         "qos_overriding_options scope_exit subscription_base subscription_options time_source "
         "topic_statistics_state contexts/default_context executors/multi_threaded_executor "
         "executors/single_threaded_executor executors/static_single_threaded_executor "

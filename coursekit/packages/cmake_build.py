@@ -118,6 +118,21 @@ def _complete(env: dict[str, str], runtime: Path) -> None:
     env["CMAKE_PREFIX_PATH"] = os.pathsep.join(dict.fromkeys(filter(None, known.split(os.pathsep))))
 
 
+def completed(env: dict[str, str], tools: Toolchain) -> dict[str, str]:
+    """An environment in which CMake finds what we have."""
+    full = dict(env)
+    _complete(full, runtime_folder(tools))
+    return full
+
+
+def test_commands(build: Path, tools: Toolchain, names: list[str]) -> list[list[str]]:
+    """What builds the tests of a package that has been built."""
+    return [
+        [tools.cmake, "-DBUILD_TESTING=ON", str(build)],
+        [tools.cmake, "--build", str(build), "--target", *names],
+    ]
+
+
 def reuse_compiler(build: Path, runtime: Path) -> None:
     """Spare CMake its questions to the compiler: the answers are kept from the build of the runtime."""
     if not (build / "CMakeCache.txt").exists():

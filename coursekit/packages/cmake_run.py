@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from coursekit.packages.cmake_beyond import demand
 from coursekit.packages.cmake_condition import holds
 from coursekit.packages.cmake_text import CMakeError, Command, read_commands
 
@@ -63,13 +64,21 @@ _TARGETS = (
 _TESTS = ("ament_add_pytest_test", "add_launch_test", "ament_add_gtest", "ament_add_gmock", "ament_add_test", "add_test")
 
 
-def read_project(folder: Path, *, testing: bool = False) -> Reading:
-    """Return what the CMakeLists.txt of a folder asks for, with its tests if asked; raises CMakeError."""
+class _Returned(Exception):
+    """return() was met."""
+
+
+def read_project(folder: Path, *, testing: bool = False, strict: bool = False) -> Reading:
+    """Return what the CMakeLists.txt of a folder asks for, with its tests if asked; raises CMakeError.
+
+    With `strict` it raises NeedsCMake for what cannot be carried out here; else that is passed over.
+    """
     if not (folder / "CMakeLists.txt").is_file():
         raise CMakeError("there is no such file, but this is a CMake package", folder / "CMakeLists.txt", 1)
     runner = _Runner(folder)
     runner.variables["BUILD_TESTING"] = "ON" if testing else "OFF"
-    runner.run(read_commands(folder / "CMakeLists.txt"))
+    runner.strict = strict
+    runner.run_file(folder / "CMakeLists.txt")
     return runner.reading
 
 
@@ -77,8 +86,11 @@ class _Runner:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.reading = Reading()
-        self.functions: dict[str, tuple[list[str], list[Command]]] = {}
+        self.functions: dict[str, tuple[str, list[str], list[Command]]] = {}
         self.depth = 0
+        self.strict = False
+        self.outer: list[dict[str, str]] = []
+        """The variables of those who called the functions that run, and of the folders above."""
         self.variables = {
             "CMAKE_SOURCE_DIR": str(folder),
             "CMAKE_CURRENT_SOURCE_DIR": str(folder),
@@ -94,6 +106,13 @@ class _Runner:
             "ROS_DISTRO": "humble",
         }
 
+    def run_file(self, file: Path) -> None:
+        """Carry out a file, up to its return()."""
+        try:
+            self.run(read_commands(file))
+        except _Returned:
+            pass
+
     def run(self, commands: list[Command]) -> None:
         index = 0
         while index < len(commands):
@@ -103,7 +122,7 @@ class _Runner:
                 self._block(command, commands[index + 1 : end])
                 index = end
             elif command.name == "return":
-                return
+                raise _Returned
             else:
                 self._command(command)
             index += 1
@@ -128,13 +147,15 @@ class _Runner:
         return os.environ.get(match[2], "") if match[1] else self.variables.get(match[2], "")
 
     def _block(self, command: Command, body: list[Command]) -> None:
+        if self.strict and command.name in ("foreach", "while"):
+            demand(command, self.words(command))
         if command.name == "if":
             self._if(command, body)
         elif command.name == "foreach":
             self._foreach(command, body)
         elif command.name in ("function", "macro"):
             name, *parameters = self.words(command) or [""]
-            self.functions[name.lower()] = (parameters, body)
+            self.functions[name.lower()] = (command.name, parameters, body)
 
     def _if(self, command: Command, body: list[Command]) -> None:
         branch: list[Command] = []
@@ -170,28 +191,44 @@ class _Runner:
         elif command.name in _TARGETS:
             if words and not {"INTERFACE", "IMPORTED", "ALIAS"} & set(words):
                 self.reading.targets.append(words[0])
-        elif command.name in _ACTIONS:
-            _ACTIONS[command.name](self, command, words)
+        else:
+            if self.strict:
+                demand(command, words)
+            if command.name in _ACTIONS:
+                _ACTIONS[command.name](self, command, words)
 
     def _call(self, command: Command, words: list[str]) -> None:
-        """A function or macro of the file's own; what it sets stays inside."""
+        """A function or macro of the file's own: what a function sets stays inside, what a macro sets does not."""
         if self.depth > 20:
             raise command.error(f"{command.name}() calls itself without an end")
-        parameters, body = self.functions[command.name]
-        saved = dict(self.variables)
-        self.variables |= dict(zip(parameters, words, strict=False))
-        self.variables |= {"ARGV": ";".join(words), "ARGC": str(len(words)), "ARGN": ";".join(words[len(parameters) :])}
+        kind, parameters, body = self.functions[command.name]
+        given = dict(zip(parameters, words, strict=False))
+        given |= {"ARGV": ";".join(words), "ARGC": str(len(words)), "ARGN": ";".join(words[len(parameters) :])}
+        given |= {f"ARGV{at}": word for at, word in enumerate(words)}
         self.depth += 1
-        self.run(body)
+        if kind == "function":
+            self._run_inside(body, given)
+        else:
+            before = {name: self.variables.get(name) for name in given}
+            self.variables |= given
+            self.run(body)  # its return() is its caller's
+            self.variables = {**self.variables, **{name: value or "" for name, value in before.items()}}
         self.depth -= 1
-        self.variables = saved
+
+    def _run_inside(self, body: list[Command], given: dict[str, str]) -> None:
+        outer = self.variables
+        self.outer.append(outer)
+        self.variables = outer | given
+        try:
+            self.run(body)
+        except _Returned:
+            pass
+        self.variables = self.outer.pop()
 
     def project(self, command: Command, words: list[str]) -> None:
         if not words:
             raise command.error("project() needs a name")
-        self.reading.project = self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = words[
-            0
-        ]
+        self.reading.project = self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = words[0]
 
     def find_package(self, command: Command, words: list[str]) -> None:
         self.reading.found += words[:1]
@@ -203,14 +240,21 @@ class _Runner:
         for stop in ("CACHE", "PARENT_SCOPE"):
             values = values[: values.index(stop)] if stop in values else values
         if words:
-            self.variables[words[0]] = ";".join(values)
+            above = "PARENT_SCOPE" in words and self.outer
+            (self.outer[-1] if above else self.variables)[words[0]] = ";".join(values)
+
+    def unset_variable(self, command: Command, words: list[str]) -> None:
+        above = "PARENT_SCOPE" in words and self.outer
+        (self.outer[-1] if above else self.variables).pop((words or [""])[0], None)
 
     def list_command(self, command: Command, words: list[str]) -> None:
         if len(words) > 2 and words[0] in ("APPEND", "PREPEND"):
             known = [v for v in self.variables.get(words[1], "").split(";") if v]
-            self.variables[words[1]] = ";".join(
-                known + words[2:] if words[0] == "APPEND" else words[2:] + known
-            )
+            self.variables[words[1]] = ";".join(known + words[2:] if words[0] == "APPEND" else words[2:] + known)
+        elif len(words) > 1 and words[0] in ("REMOVE_ITEM", "REMOVE_DUPLICATES"):
+            known = self.variables.get(words[1], "").split(";")
+            left = dict.fromkeys(known) if words[0] == "REMOVE_DUPLICATES" else [v for v in known if v not in words[2:]]
+            self.variables[words[1]] = ";".join(left)
 
     def file_command(self, command: Command, words: list[str]) -> None:
         if len(words) < 3 or words[0] not in ("GLOB", "GLOB_RECURSE"):
@@ -220,9 +264,7 @@ class _Runner:
             at = patterns.index("RELATIVE")
             base, patterns = Path(patterns[at + 1]), patterns[:at] + patterns[at + 2 :]
         found = [p for text in patterns if text != "CONFIGURE_DEPENDS" for p in self._glob(text, words[0])]
-        self.variables[words[1]] = ";".join(
-            os.path.relpath(p, base) if base else str(p) for p in sorted(set(found))
-        )
+        self.variables[words[1]] = ";".join(os.path.relpath(p, base) if base else str(p) for p in sorted(set(found)))
 
     def _glob(self, text: str, mode: str) -> list[Path]:
         pattern = os.path.relpath(self.folder / text, self.folder)
@@ -233,11 +275,10 @@ class _Runner:
         folder = self.folder / words[0] if words else self.folder
         if not (folder / "CMakeLists.txt").is_file():
             raise command.error(f"add_subdirectory: there is no {folder / 'CMakeLists.txt'}")
-        outer, saved = self.folder, dict(self.variables)
-        self.folder = folder
-        self.variables["CMAKE_CURRENT_SOURCE_DIR"] = self.variables["CMAKE_CURRENT_LIST_DIR"] = str(folder)
-        self.run(read_commands(folder / "CMakeLists.txt"))
-        self.folder, self.variables = outer, saved
+        outer, self.folder = self.folder, folder
+        here = {"CMAKE_CURRENT_SOURCE_DIR": str(folder), "CMAKE_CURRENT_LIST_DIR": str(folder)}
+        self._run_inside(read_commands(folder / "CMakeLists.txt"), here)
+        self.folder = outer
 
     def message(self, command: Command, words: list[str]) -> None:
         if words[:1] == ["FATAL_ERROR"]:
@@ -258,6 +299,7 @@ _ACTIONS: dict[str, Callable[[_Runner, Command, list[str]], None]] = {
     "project": _Runner.project,
     "find_package": _Runner.find_package,
     "set": _Runner.set_variable,
+    "unset": _Runner.unset_variable,
     "list": _Runner.list_command,
     "file": _Runner.file_command,
     "add_subdirectory": _Runner.add_subdirectory,

@@ -1,4 +1,4 @@
-"""The tests of a CMakeLists.txt that need no compiler: those of pytest and of launch_testing."""
+"""The tests of a CMakeLists.txt: those of pytest, of launch_testing, and programs of gtest and gmock."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from xml.sax.saxutils import quoteattr
 from coursekit.packages.cmake_run import Call, Reading
 from coursekit.packages.cmake_text import CMakeError
 
+_COMPILED = ("ament_add_gtest", "ament_add_gmock")
 _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
 
 
@@ -29,9 +30,23 @@ def commands(reading: Reading, results: Path) -> list[TestCommand]:
     return [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
 
 
+def compiled(reading: Reading) -> list[str]:
+    """The names of the tests in C++."""
+    return [call.words[0] for call in reading.tests if call.words and call.command.name in _COMPILED]
+
+
+def compiled_command(name: str, build: Path, results: Path) -> TestCommand:
+    """What runs a test in C++ that was built."""
+    program = next((path for path in sorted(build.rglob(name)) if path.is_file()), build / name)
+    file = results / f"{name}.gtest.xml"
+    words = [sys.executable, "-m", "coursekit.packages.gtest_program", str(program), f"--gtest_output=xml:{file}"]
+    return TestCommand(name, words, file)
+
+
 def left_out(reading: Reading) -> list[str]:
-    """The names of the tests that need a compiler or CMake."""
-    return [call.words[0] for call in reading.tests if call.words and call.command.name not in _RUNNABLE]
+    """The names of the tests that neither we nor gtest can run."""
+    known = {*_RUNNABLE, *_COMPILED}
+    return [call.words[0] for call in reading.tests if call.words and call.command.name not in known]
 
 
 def note_missing_result(test: TestCommand) -> None:

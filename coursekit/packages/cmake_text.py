@@ -91,9 +91,7 @@ def _tokens(text: str, file: Path) -> list[tuple[str, str, int]]:
     return tokens
 
 
-def _arguments(
-    tokens: list[tuple[str, str, int]], index: int, file: Path, line: int
-) -> tuple[tuple[Argument, ...], int]:
+def _arguments(tokens: list[tuple[str, str, int]], index: int, file: Path, line: int) -> tuple[tuple[Argument, ...], int]:
     arguments: list[Argument] = []
     depth = 1
     while index < len(tokens):

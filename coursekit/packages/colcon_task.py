@@ -23,6 +23,7 @@ from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import cmake_build, cmake_tests, cpp_hints, cpp_limits, install_rules, interface_rules
+from coursekit.packages.cmake_beyond import NeedsCMake
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.colcon_links import stands_for_links
@@ -52,22 +53,35 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         self._installed: list[str] = []
         self._copied: dict[str, Path] = {}
         if not cmake_build.needs_compiler(Path(self.context.args.path)):
-            return await self._copy_files("")
+            try:
+                return await self._copy_files("", strict=True)
+            except NeedsCMake as error:
+                return await self._hand_to_cmake(error)
         try:
             tools = await prepared_toolchain()
         except NoToolchain as error:
             return await self._copy_files(str(error))
         return await self._compile(tools)
 
-    async def _copy_files(self, why: str) -> int:
+    async def _hand_to_cmake(self, error: NeedsCMake) -> int:
+        """What our reading cannot carry out, CMake does; without it that is an error, and nothing is left out in silence."""
+        try:
+            tools = await prepared_toolchain()
+        except NoToolchain:
+            return self._fail([error])
+        return await self._compile(tools)
+
+    async def _copy_files(self, why: str, *, strict: bool = False) -> int:
         args, package = self.context.args, self.context.pkg.name
         try:
             env = await get_command_environment("build", args.build_base, self.context.dependencies)
-            reading = read_project(Path(args.path))
+            reading = read_project(Path(args.path), strict=strict)
             problems = interface_rules.check(package, reading, self._groups(), _prefixes(env))
             if problems:
                 return self._fail(problems)
             self._install(package, reading)
+        except NeedsCMake:
+            raise
         except (CMakeError, InterfaceError, RuntimeError, OSError) as error:
             return self._fail([error])
         self._finish(package, reading.targets, why)
@@ -107,9 +121,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         for path in files:
             self._copy(path, f"share/{package}/{path.suffix[1:]}/{path.name}")
         if files:
-            self._create(
-                f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files)
-            )
+            self._create(f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files))
             made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
             for name, text in made.items():
                 self._create(f"{site}/{name}", text)
@@ -201,13 +213,34 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         except (CMakeError, OSError) as error:
             self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
             return 1
+        names = cmake_tests.compiled(reading)
+        skipped = cmake_tests.left_out(reading)
+        if names and await self._build_tests(names, env):
+            tests += [cmake_tests.compiled_command(one, Path(args.build_base), base / reading.project) for one in names]
+        else:
+            skipped += names
         ended = [await self._run(test, env) for test in tests]
         if any(ended):
             self.context.put_event_into_queue(TestFailure(name))
-        skipped = cmake_tests.left_out(reading)
         if skipped or not tests:
             print(f"Skipped tests of {name}: {', '.join(skipped) or 'it has none that need no compiler'}", flush=True)
         return 0
+
+    async def _build_tests(self, names: list[str], env: dict[str, str]) -> bool:
+        """Compile the tests in C++ of a package that was built; whether they are there."""
+        build = Path(self.context.args.build_base)
+        if not (build / "CMakeCache.txt").is_file():
+            return False
+        try:
+            tools = await prepared_toolchain()
+        except NoToolchain as error:
+            self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
+            return False
+        for command in cmake_build.test_commands(build, tools, names):
+            done = await run(self.context, command, cwd=str(build), env=cmake_build.completed(env, tools))
+            if done.returncode:
+                return False
+        return True
 
     async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
         test.results.parent.mkdir(parents=True, exist_ok=True)

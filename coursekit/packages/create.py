@@ -186,9 +186,7 @@ class _Maker:
         self._file(self.folder, "CMakeLists.txt", cmake_templates.cmake_lists(recipe))
         if recipe.build_type == "cmake":
             self._file(self.folder, f"{recipe.name}Config.cmake.in", cmake_templates.config_in(recipe))
-            self._file(
-                self.folder, f"{recipe.name}ConfigVersion.cmake.in", cmake_templates.version_in(recipe)
-            )
+            self._file(self.folder, f"{recipe.name}ConfigVersion.cmake.in", cmake_templates.version_in(recipe))
         if recipe.node_name:
             self._file(source, f"{recipe.node_name}.cpp", cmake_templates.node_cpp(recipe))
         if recipe.library_name:

@@ -68,9 +68,7 @@ def _install(call: Call) -> Iterator[Copy]:
         if kind == "DIRECTORY":
             yield from _directory(call, name, target, words)
         else:
-            yield from _file(
-                call, name, f"{target}/{_after(words, 'RENAME') or Path(name).name}", kind, words
-            )
+            yield from _file(call, name, f"{target}/{_after(words, 'RENAME') or Path(name).name}", kind, words)
 
 
 def _after(words: list[str], option: str) -> str | None:
@@ -121,8 +119,6 @@ def _python_package(call: Call, site_packages: str) -> Iterator[Copy]:
     name = call.words[0]
     folder = call.folder / (_after(call.words, "PACKAGE_DIR") or name)
     if not (folder / "__init__.py").is_file():
-        raise call.command.error(
-            f"there is no Python package '{name}': {folder / '__init__.py'} does not exist"
-        )
+        raise call.command.error(f"there is no Python package '{name}': {folder / '__init__.py'} does not exist")
     for path in sorted(p for p in folder.rglob("*") if p.is_file() and "__pycache__" not in p.parts):
         yield Copy(path, f"{site_packages}/{name}/{path.relative_to(folder).as_posix()}")

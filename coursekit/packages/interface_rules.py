@@ -21,12 +21,12 @@ _KEYWORDS = (
     "SKIP_GROUP_MEMBERSHIP_CHECK",
     "ADD_LINTER_TESTS",
 )
-_FACE = '''{said}
+_FACE = """{said}
 
 from coursekit.interfaces.face import expose
 
 __getattr__, __dir__, __all__ = expose(__name__, __file__)
-'''
+"""
 
 
 def interface_files(reading: Reading) -> list[Path]:
@@ -36,9 +36,7 @@ def interface_files(reading: Reading) -> list[Path]:
         for name in _listed(call):
             path = call.folder / name
             if not path.is_file():
-                raise call.command.error(
-                    f"rosidl_generate_interfaces: there is no file '{name}' in {call.folder}"
-                )
+                raise call.command.error(f"rosidl_generate_interfaces: there is no file '{name}' in {call.folder}")
             files.append(path)
     return files
 
@@ -95,9 +93,7 @@ def field_problems(
 def _package_problems(reading: Reading, call: Call, groups: Iterable[str]) -> list[Exception]:
     problems: list[Exception] = []
     if "rosidl_default_generators" not in reading.found:
-        problems.append(
-            _problem(call, "write find_package(rosidl_default_generators REQUIRED) above this line")
-        )
+        problems.append(_problem(call, "write find_package(rosidl_default_generators REQUIRED) above this line"))
     if "rosidl_interface_packages" not in groups:
         member = "<member_of_group>rosidl_interface_packages</member_of_group>"
         problems.append(_problem(call, f"packages with interfaces need {member} in package.xml"))
@@ -108,16 +104,12 @@ def _problem(call: Call, text: str) -> CMakeError:
     return call.command.error(text)
 
 
-def _field_problems(
-    interface: Interface, own: set[str], named: set[str], prefixes: list[Path]
-) -> list[Exception]:
+def _field_problems(interface: Interface, own: set[str], named: set[str], prefixes: list[Path]) -> list[Exception]:
     messages = [interface] if isinstance(interface, Message) else list(interface.messages())
     problems: list[Exception] = []
     for message in messages:
         for field in message.fields:
-            why = (
-                None if field.type.is_primitive else _unknown(field.type.base, message, own, named, prefixes)
-            )
+            why = None if field.type.is_primitive else _unknown(field.type.base, message, own, named, prefixes)
             if why:
                 source = read_text(message.file).splitlines()[field.line - 1]
                 problems.append(InterfaceError(why, file=message.file, line=field.line, source=source))
@@ -127,13 +119,9 @@ def _field_problems(
 def _unknown(base: str, message: Message, own: set[str], named: set[str], prefixes: list[Path]) -> str | None:
     package, _, name = base.split("/")
     if package == message.package:
-        return (
-            None if base in own else f"unknown type '{name}'{suggestion(base, own)}; is it in CMakeLists.txt?"
-        )
+        return None if base in own else f"unknown type '{name}'{suggestion(base, own)}; is it in CMakeLists.txt?"
     if not any((prefix / "share" / package / "msg" / f"{name}.msg").is_file() for prefix in prefixes):
-        return (
-            f"unknown type '{package}/{name}': no package {package} with such a message is built or installed"
-        )
+        return f"unknown type '{package}/{name}': no package {package} with such a message is built or installed"
     if package not in named:
         return f"'{package}/{name}' needs DEPENDENCIES {package} in rosidl_generate_interfaces()"
     return None

@@ -118,7 +118,7 @@ def _quoted_utility(program: str, use: str = "$", escape: str = r"\\", signs: st
 
 def _quoted_utility_of_powershell(program: str) -> str:
     """Likewise: `Invoke-Expression` runs what it prints, where a backquote makes the next sign one of the text."""
-    return _quoted_utility(program, "$env:", "`", "`$\"\u201c\u201d\u201e")
+    return _quoted_utility(program, "$env:", "`", '`$"\u201c\u201d\u201e')
 
 
 _CHANGES: dict[str, Callable[[str], str]] = {

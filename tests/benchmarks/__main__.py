@@ -106,6 +106,26 @@ def viewer() -> None:
     print(f"| viewer: 15 links at 30 Hz, CPU % of one core | {ours:.1f} % | {theirs} | ≤ 5 % |")
 
 
+def cpp() -> None:
+    """Print the table of compiled nodes."""
+    told = json.loads(measure(sys.executable, "cpp_speed.py"))
+    print(
+        "\n| C++ publisher to C++ subscriber, wall clock | came | median | 99 % | sender's pace | kernel, of a core | goal |"
+    )
+    print("|---|---|---|---|---|---|---|")
+    if told is None:
+        print("| no compiler is here | | | | | | |")
+        return
+    rows = {
+        "small": ("1000 messages/s for 5 s", "none lost, pace 1"),
+        "image": ("640×480×3 at 30 Hz for 5 s", "< 20 % of a core"),
+    }
+    for key, (what, goal) in rows.items():
+        one = told[key]
+        times = f"{one['median']:.0f} µs | {one['99']:.0f} µs | {one['behind']:.2f}"
+        print(f"| {what} | {one['came']:.0f} | {times} | {one['core']:.0%} | {goal} |")
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))
@@ -120,6 +140,7 @@ def main() -> None:
     viewed, alone = json.loads(measure(sys.executable, "robot_network.py"))
     print(f"| four-robot network of chapter 7, virtual clock, with viewer | {viewed:.0f} × real time | | | ≥ 100 × |")
     print(f"| the same without viewer | {alone:.0f} × real time | | | |")
+    cpp()
     lidar()
     link_poses()
     transforms()

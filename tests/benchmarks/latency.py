@@ -21,9 +21,7 @@ def latency(nodes: int, msg: object, count: int) -> float:
     times: list[int] = []
     begun = [0]
     publisher = made[0].create_publisher(type(msg), "bench", 10)
-    made[-1].create_subscription(
-        type(msg), "bench", lambda _: times.append(time.perf_counter_ns() - begun[0]), 10
-    )
+    made[-1].create_subscription(type(msg), "bench", lambda _: times.append(time.perf_counter_ns() - begun[0]), 10)
     while publisher.get_subscription_count() < 1:
         executor.spin_once(timeout_sec=0.1)
     for index in range(count):

@@ -124,7 +124,7 @@ def server_seconds(pid: int) -> float:
     """CPU seconds of a process so far (Linux)."""
     import os
 
-    with open(f"/proc/{pid}/stat", encoding='utf-8') as file:
+    with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
         fields = file.read().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 

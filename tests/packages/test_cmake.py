@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from coursekit.packages.cmake_beyond import NeedsCMake
 from coursekit.packages.cmake_condition import holds
 from coursekit.packages.cmake_run import read_project
 from coursekit.packages.cmake_text import CMakeError, parse_commands
@@ -98,9 +99,7 @@ def test_patterns(project):
 
 def test_globs_subdirectories_and_functions(project, tmp_path):
     (tmp_path / "sub").mkdir()
-    (tmp_path / "sub" / "CMakeLists.txt").write_text(
-        "install(PROGRAMS run.py DESTINATION lib/${PROJECT_NAME})"
-    )
+    (tmp_path / "sub" / "CMakeLists.txt").write_text("install(PROGRAMS run.py DESTINATION lib/${PROJECT_NAME})")
     cmake = """
     function(unused)
       install(FILES nothing DESTINATION x)
@@ -123,9 +122,7 @@ def test_python_packages_go_to_site_packages(project):
 
 
 def test_targets_are_remembered_not_built(tmp_path):
-    (tmp_path / "CMakeLists.txt").write_text(
-        "project(p)\nadd_executable(a a.cpp)\nadd_library(h INTERFACE)\n"
-    )
+    (tmp_path / "CMakeLists.txt").write_text("project(p)\nadd_executable(a a.cpp)\nadd_library(h INTERFACE)\n")
     assert read_project(tmp_path).targets == ["a"]
 
 
@@ -145,3 +142,65 @@ def test_what_cmake_would_refuse_is_refused_with_its_line(project, cmake):
     with pytest.raises(CMakeError) as caught:
         project(cmake)
     assert caught.value.line == 2
+
+
+def test_what_a_macro_sets_stays_set_and_a_function_has_parent_scope(project):
+    cmake = """
+        macro(remember name)
+          set(kept ${name} ${ARGN})
+        endmacro()
+        function(choose name)
+          set(inside x)
+          set(chosen ${name} PARENT_SCOPE)
+        endfunction()
+        remember(a.txt b.txt)
+        choose(c.txt)
+        install(FILES ${kept} ${chosen} ${inside} DESTINATION share/pkg)
+    """
+    assert project(cmake, "a.txt", "b.txt", "c.txt").keys() == {"share/pkg/a.txt", "share/pkg/b.txt", "share/pkg/c.txt"}
+
+
+def test_return_ends_the_file_or_the_function_from_within_a_block(project):
+    cmake = """
+        function(leave)
+          if(TRUE)
+            return()
+          endif()
+          install(FILES never.txt DESTINATION share/pkg)
+        endfunction()
+        leave()
+        install(FILES a.txt DESTINATION share/pkg)
+        foreach(one x y)
+          if(one STREQUAL one)
+            return()
+          endif()
+        endforeach()
+        install(FILES never.txt DESTINATION share/pkg)
+    """
+    assert project(cmake, "a.txt", "never.txt").keys() == {"share/pkg/a.txt"}
+
+
+def test_items_are_removed_from_lists_and_variables_unset(project):
+    cmake = """
+        set(files a.txt b.txt a.txt)
+        list(REMOVE_DUPLICATES files)
+        list(REMOVE_ITEM files b.txt)
+        set(more b.txt)
+        unset(more)
+        install(FILES ${files} ${more} DESTINATION share/pkg)
+    """
+    assert project(cmake, "a.txt", "b.txt").keys() == {"share/pkg/a.txt"}
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("string(TOUPPER a b)", "get_filename_component(n a.txt NAME)", "list(SORT files)", "file(READ a.txt text)"),
+        *("foreach(i RANGE 3)\nendforeach()", "while(FALSE)\nendwhile()", "configure_file(a.in a)", "include(extra.cmake)"),
+    ],
+)
+def test_what_cannot_be_carried_out_wants_cmake_itself(tmp_path, command):
+    (tmp_path / "CMakeLists.txt").write_text(f"project(pkg)\n{command}\n")
+    with pytest.raises(NeedsCMake, match=r"CMakeLists.txt:2: .* needs CMake itself, .* pip install 'coursekit\[cpp\]'"):
+        read_project(tmp_path, strict=True)
+    assert read_project(tmp_path).project == "pkg"

@@ -13,9 +13,7 @@ from tests.needs import ON_WINDOWS
 
 WORKSPACE = Path(__file__).parent.parent / "fixtures" / "ros2_ws"
 BIN = Path(sys.executable).parent
-ENV = {
-    k: v for k, v in os.environ.items() if k not in ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH")
-}
+ENV = {k: v for k, v in os.environ.items() if k not in ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH")}
 ENV["PATH"] = f"{BIN}{os.pathsep}{ENV['PATH']}"
 ENV["CMAKE"] = "/nonexistent"
 
@@ -31,9 +29,7 @@ def sourced(folder, command):
     if ON_WINDOWS:
         pytest.skip("Windows: there is no bash to source setup.bash")
     line = f"source install/setup.bash && {command}"
-    result = subprocess.run(
-        ["bash", "-c", line], cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=True
-    )
+    result = subprocess.run(["bash", "-c", line], cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=True)
     return result.stdout
 
 
@@ -197,9 +193,7 @@ def test_a_missing_dependency_is_named(interface_package):
 
 def test_a_missing_group_or_generator_is_named(interface_package):
     manifest = interface_package / "package.xml"
-    manifest.write_text(
-        manifest.read_text().replace("<member_of_group>rosidl_interface_packages</member_of_group>", "")
-    )
+    manifest.write_text(manifest.read_text().replace("<member_of_group>rosidl_interface_packages</member_of_group>", ""))
     cmake = interface_package / "CMakeLists.txt"
     cmake.write_text(cmake.read_text().replace("find_package(rosidl_default_generators REQUIRED)", ""))
     code, errors = build_errors(interface_package)

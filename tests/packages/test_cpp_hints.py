@@ -26,7 +26,7 @@ SAID = {
     "a.cpp:7:30: error: ‘_1’ was not declared in this scope": "std::placeholders::_1",
     "a.cpp:7:3: error: ‘spin’ was not declared in this scope": "rclcpp::",
     "a.cpp:7:3: error: ‘std_msgs’ was not declared in this scope": "include the message's header",
-    "a.cpp:7:9: error: unable to find numeric literal operator ‘operator\"\"ms’": "std::chrono_literals",
+    'a.cpp:7:9: error: unable to find numeric literal operator ‘operator""ms’': "std::chrono_literals",
     "a.cpp:7:9: error: ‘class std_msgs::msg::String’ has no member named ‘dta’": "ros2 interface show",
     "a.cpp:7:9: error: ‘using SharedPtr = class std::shared_ptr<a::B>’ {aka ‘class std::shared_ptr<a::B>’} has no "
     "member named ‘sum’": "->sum",

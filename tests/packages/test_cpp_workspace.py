@@ -111,8 +111,7 @@ def test_an_action_is_rejected_canceled_and_done(workspace, virtual):
     what = "winch, winder = start('winch_node'), start('winder')\nprint(winder.wait(20.0), winder.output)\nwinch.interrupt()"
     said = alone(workspace, f"{what}\nprint(winch.wait(5.0), winch.output)", virtual)
     assert said.startswith(
-        "0 nothing to wind: rejected\ntaken\ncanceling 1: canceled\n"
-        "taken\n2 left\n1 left\n0 left\nsucceeded after 3\n"
+        "0 nothing to wind: rejected\ntaken\ncanceling 1: canceled\ntaken\n2 left\n1 left\n0 left\nsucceeded after 3\n"
     )
     told = [line.rpartition("[winch]: ")[2] for line in said.splitlines() if "[winch]: " in line]
     assert told == ["asked for 0 turns", "asked for 50 turns", "canceled", "asked for 3 turns", "done"]
@@ -163,9 +162,21 @@ def test_a_package_that_ros2_pkg_creates_builds_and_runs(workspace, tmp_path):
     assert sourced(tmp_path, "ros2 run first_steps hello").stdout == "hello world first_steps package\n"
 
 
-def test_tests_in_cpp_are_named_and_keep_nothing_from_being_built(workspace):
+def test_tests_in_cpp_are_built_and_run_or_named(workspace):
     tested = colcon(workspace, "test", "--packages-select", "k_route")
-    assert tested.returncode == 0 and "Skipped tests of k_route: test_route" in tested.stdout
+    assert tested.returncode == 0, tested.stdout + tested.stderr
+    if not os.path.isfile("/usr/include/gtest/gtest.h"):
+        assert "Skipped tests of k_route: test_route, test_with_node" in tested.stdout
+        assert "sudo apt install libgtest-dev libgmock-dev" in tested.stdout + tested.stderr
+        return
+    assert colcon(workspace, "test-result").stdout == "Summary: 2 tests, 0 errors, 0 failures, 0 skipped\n"
+    source = workspace / "src" / "k_route" / "test" / "test_route.cpp"
+    right = source.read_text(encoding="utf-8")
+    source.write_text(right + "TEST(Route, fails) {EXPECT_EQ(1, 2);}\n", encoding="utf-8")
+    colcon(workspace, "test", "--packages-select", "k_route")
+    source.write_text(right, encoding="utf-8")
+    told = colcon(workspace, "test-result", "--verbose").stdout
+    assert "Summary: 3 tests, 0 errors, 1 failure, 0 skipped" in told and "test_route.cpp" in told
 
 
 def copied(tmp_path, package):

@@ -69,9 +69,7 @@ def test_a_python_package_is_made_step_by_step(ros2_pkg, tmp_path):
 
 
 def test_a_cmake_package_is_made_step_by_step(ros2_pkg):
-    code, out, _ = ros2_pkg(
-        "create", "c", "--node-name", "n", "--library-name", "l", "--license", "MIT", *PEOPLE
-    )
+    code, out, _ = ros2_pkg("create", "c", "--node-name", "n", "--library-name", "l", "--license", "MIT", *PEOPLE)
     assert code == 0
     assert out.splitlines()[-8:] == [
         "creating source and include folder",
@@ -123,9 +121,7 @@ def test_made_python_is_valid_python(ros2_pkg, tmp_path):
 
 def test_an_unknown_license_is_said(ros2_pkg):
     _, out, _ = ros2_pkg("create", "p", "--license", "Mine", *PEOPLE)
-    assert (
-        "[WARNING]: Unknown license 'Mine'.  This has been set in the package.xml, but no LICENSE file" in out
-    )
+    assert "[WARNING]: Unknown license 'Mine'.  This has been set in the package.xml, but no LICENSE file" in out
     assert out.endswith("MIT\nMIT-0\n")
     assert ros2_pkg("create", "q", "--license", "?")[1].startswith("Supported licenses:\nApache-2.0\n")
 
@@ -161,9 +157,7 @@ def test_executables_are_listed(ros2_pkg, tmp_path, monkeypatch):
         (tmp_path / name).chmod(0o755)
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
     assert ros2_pkg("executables", "mine")[1] == "mine a_exe\nmine b_exe\n"
-    assert ros2_pkg("executables", "mine", "--full-path")[1].splitlines()[0] == slashed(
-        str(tmp_path / "lib/mine/a_exe")
-    )
+    assert ros2_pkg("executables", "mine", "--full-path")[1].splitlines()[0] == slashed(str(tmp_path / "lib/mine/a_exe"))
 
 
 def test_all_that_can_be_run_is_listed_also_where_an_install_has_dropped_the_right_to_execute(ros2_pkg):

@@ -31,9 +31,7 @@ def ros2(workspace, *words, stop_after=4, check=True):
     """A command after sourcing the workspace, alone on the virtual clock; (exit code, stdout and stderr)."""
     env = overlay_environment(workspace / "install", os.environ)
     env |= {"COURSEKIT_TIME": "virtual", "COURSEKIT_STOP_AFTER": str(stop_after)}
-    done = subprocess.run(
-        [BIN / "ros2", *words], env=env, cwd=workspace, capture_output=True, encoding="utf-8", timeout=60
-    )
+    done = subprocess.run([BIN / "ros2", *words], env=env, cwd=workspace, capture_output=True, encoding="utf-8", timeout=60)
     return done.returncode, done.stdout + done.stderr
 
 

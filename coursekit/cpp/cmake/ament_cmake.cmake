@@ -106,12 +106,55 @@ set(Python3_EXECUTABLE ${COURSEKIT_PYTHON})
 
 # -- tests are run by `colcon test`, which reads them from the CMakeLists.txt
 
-foreach(_coursekit_name ament_add_gtest ament_add_gtest_executable ament_add_gtest_test ament_add_gmock ament_add_pytest_test
-    ament_add_test add_launch_test add_ros_test ament_find_gtest ament_find_gmock
+foreach(_coursekit_name ament_add_pytest_test ament_add_test add_launch_test add_ros_test ament_find_gtest ament_find_gmock
     ament_lint_auto_find_test_dependencies ament_copyright ament_cpplint ament_cppcheck ament_uncrustify ament_lint_cmake
     ament_xmllint ament_flake8 ament_pep257 ament_clang_format ament_clang_tidy)
   cmake_language(EVAL CODE "function(${_coursekit_name})\nendfunction()")
 endforeach()
+
+# Tests in C++ are programs, which `colcon test` has built with BUILD_TESTING before it runs them.
+function(_coursekit_find_gtest)
+  if(NOT CMAKE_CXX_COMPILER MATCHES "zig")
+    find_package(GTest CONFIG QUIET GLOBAL)
+  endif()
+  if(NOT TARGET GTest::gmock AND EXISTS "/usr/src/googletest/CMakeLists.txt" AND NOT TARGET gmock)
+    add_subdirectory("/usr/src/googletest" "${CMAKE_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL)
+  endif()
+  if(NOT TARGET GTest::gmock AND NOT TARGET gmock)
+    message(FATAL_ERROR "gtest is not here: sudo apt install libgtest-dev libgmock-dev")
+  endif()
+endfunction()
+
+macro(_coursekit_add_gtest _coursekit_target _coursekit_kind)
+  cmake_parse_arguments(_coursekit_arg "SKIP_LINKING_MAIN_LIBRARIES;SKIP_TEST" "RUNNER;TIMEOUT;WORKING_DIRECTORY"
+    "APPEND_ENV;APPEND_LIBRARY_DIRS;ENV" ${ARGN})
+  _coursekit_find_gtest()
+  add_executable(${_coursekit_target} EXCLUDE_FROM_ALL ${_coursekit_arg_UNPARSED_ARGUMENTS})
+  set(_coursekit_space "")
+  if(NOT TARGET gmock)
+    set(_coursekit_space "GTest::")
+  endif()
+  set(_coursekit_libraries ${_coursekit_space}${_coursekit_kind})
+  if(NOT _coursekit_arg_SKIP_LINKING_MAIN_LIBRARIES)
+    list(PREPEND _coursekit_libraries ${_coursekit_space}${_coursekit_kind}_main)
+  endif()
+  set_property(TARGET ${_coursekit_target} APPEND PROPERTY LINK_LIBRARIES ${_coursekit_libraries})
+endmacro()
+
+macro(ament_add_gtest _coursekit_name)
+  _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
+endmacro()
+
+macro(ament_add_gmock _coursekit_name)
+  _coursekit_add_gtest(${_coursekit_name} gmock ${ARGN})
+endmacro()
+
+macro(ament_add_gtest_executable _coursekit_name)
+  _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
+endmacro()
+
+function(ament_add_gtest_test)
+endfunction()
 
 # -- the end of every package
 

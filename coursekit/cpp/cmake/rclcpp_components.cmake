@@ -18,9 +18,16 @@ macro(rclcpp_components_register_node target)
     set(_coursekit_arg_EXECUTOR SingleThreadedExecutor)
   endif()
   _coursekit_component(${target} ${_coursekit_arg_EXECUTABLE} ${_coursekit_arg_PLUGIN} ${_coursekit_arg_EXECUTOR})
+  _coursekit_link_whole(${target})
 endmacro()
 
+# Who links a library of components has its classes, though nothing names them: the linker would leave such objects out.
+function(_coursekit_link_whole target)
+  set_property(TARGET ${target} APPEND PROPERTY INTERFACE_SOURCES $<BUILD_INTERFACE:$<TARGET_OBJECTS:${target}>>)
+endfunction()
+
 macro(rclcpp_components_register_nodes target)
+  _coursekit_link_whole(${target})
   cmake_parse_arguments(_coursekit_arg "" "RESOURCE_INDEX" "" ${ARGN})
   foreach(_coursekit_plugin ${_coursekit_arg_UNPARSED_ARGUMENTS})
     string(REGEX REPLACE "[^A-Za-z0-9]+" "_" _coursekit_program "${_coursekit_plugin}")

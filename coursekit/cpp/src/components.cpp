@@ -28,6 +28,19 @@ bool enter(const std::string & plugin, std::shared_ptr<NodeFactory> factory)
 {
   return factories().emplace(without_spaces(plugin), std::move(factory)).second;
 }
+std::vector<std::string> factory_names()
+{
+  std::vector<std::string> names;
+  for (auto & entry : factories()) {
+    names.push_back(entry.first);
+  }
+  return names;
+}
+std::shared_ptr<NodeFactory> factory_called(const std::string & plugin)
+{
+  auto found = factories().find(without_spaces(plugin));
+  return found == factories().end() ? nullptr : found->second;
+}
 NodeInstanceWrapper make(const std::string & plugin, const rclcpp::NodeOptions & options)
 {
   auto found = factories().find(without_spaces(plugin));

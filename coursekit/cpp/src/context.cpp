@@ -40,6 +40,7 @@ namespace
   throw exceptions::RCLError(text);
 }
 std::atomic<bool> g_handles_signals{false};
+std::atomic<int64_t> g_contexts{0};
 }  // namespace
 
 Unpacker ask(const char * what, const Packer & with)
@@ -53,12 +54,14 @@ Unpacker ask(const char * what, const Packer & with)
 
 // -- the context
 
+Context::Context()
+: Context(++g_contexts) {}
 void Context::init(int argc, char const * const * argv, const InitOptions & options)
 {
   if (valid_) {
     throw std::runtime_error("context is already initialized");
   }
-  Packer with = Packer{}.i(options.domain_id_).i(argc);
+  Packer with = Packer{}.i(number_).i(options.domain_id_).i(argc);
   for (int i = 0; i < argc; ++i) {
     with.s(argv[i]);
   }
@@ -69,7 +72,7 @@ void Context::init(int argc, char const * const * argv, const InitOptions & opti
 bool Context::is_valid() const
 {
   coursekit::poll();
-  return valid_ && !(coursekit::stopping() && g_handles_signals);
+  return valid_ && !(coursekit::stopping() && g_handles_signals && options_.shutdown_on_signal);
 }
 bool Context::shutdown(const std::string & reason)
 {
@@ -79,7 +82,7 @@ bool Context::shutdown(const std::string & reason)
   call(before_);
   valid_ = false;
   reason_ = reason;
-  ask("shutdown");
+  ask("shutdown", Packer{}.i(number_));
   call(after_);
   return true;
 }
@@ -124,7 +127,7 @@ bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handl
 }
 bool Context::sleep_for(const std::chrono::nanoseconds & duration)
 {
-  return coursekit::sleep_for(duration.count()) && is_valid();
+  return coursekit::sleep_for(duration.count(), number_) && is_valid();
 }
 contexts::DefaultContext::SharedPtr contexts::get_global_default_context()
 {

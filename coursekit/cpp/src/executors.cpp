@@ -3,9 +3,10 @@
 
 namespace rclcpp
 {
-Executor::Executor(const ExecutorOptions &, size_t threads)
+Executor::Executor(const ExecutorOptions & options, size_t threads)
+: context_(options.context)
 {
-  id = ask("executor", Packer{}.i(static_cast<int64_t>(threads))).i();
+  id = ask("executor", Packer{}.i(static_cast<int64_t>(threads)).i(context_->number())).i();
 }
 Executor::~Executor()
 {

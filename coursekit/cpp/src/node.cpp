@@ -16,7 +16,8 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
   Packer with = Packer{}.s(name).s(space).i(lifecycle).i(options.use_global_arguments());
   with.i(options.allow_undeclared_parameters()).i(options.automatically_declare_parameters_from_overrides());
   with.i(options.enable_rosout()).i(options.start_parameter_services());
-  with.i(static_cast<int64_t>(options.arguments().size()));
+  base_->context = options.context();
+  with.i(base_->context->number()).i(static_cast<int64_t>(options.arguments().size()));
   for (auto & word : options.arguments()) {
     with.s(word);
   }
@@ -33,6 +34,7 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
   base_->logger = answer.s();
   base_->group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
   base_->clock = std::make_shared<Clock>(RCL_ROS_TIME, base_->id);
+  base_->topic_statistics = options.enable_topic_statistics();
 }
 CallbackGroup::SharedPtr NodeFace::create_callback_group(CallbackGroupType type, bool automatic)
 {
@@ -42,6 +44,16 @@ CallbackGroup::SharedPtr NodeFace::create_callback_group(CallbackGroupType type,
 }
 
 // -- QoS: events, and policies that parameters override
+
+QoSCheckCompatibleResult qos_check_compatible(const QoS & publisher, const QoS & subscription)
+{
+  Packer with;
+  publisher.pack(with);
+  subscription.pack(with);
+  Unpacker answer = ask("qos_check", with);
+  auto verdict = static_cast<QoSCompatibility>(answer.i());
+  return {verdict, answer.s()};
+}
 
 namespace
 {
@@ -115,6 +127,10 @@ void detail::make_publisher(
   made.id = answer.i();
   made.name = answer.s();
   made.qos = QoS::unpack(answer);
+  made.context = node.context;
+  std::string gid = answer.s();
+  std::copy_n(gid.begin(), std::min(gid.size(), sizeof(made.gid.data)), made.gid.data);
+  made.gid.implementation_identifier = "coursekit";
 }
 void detail::make_subscription(
   NodeBase & node, const SubscriptionBase::SharedPtr & made, const std::string & type, const std::string & topic,
@@ -137,10 +153,18 @@ void detail::make_subscription(
   pack_event(*made, options.event_callbacks.message_lost_callback, with);
   with.i(options.use_default_callbacks).i(options.ignore_local_publications);
   pack_overriding(options.qos_overriding_options, *made, with);
+  auto & statistics = options.topic_stats_options;
+  bool node_wants = statistics.state == TopicStatisticsState::NodeDefault && node.topic_statistics;
+  with.i(statistics.state == TopicStatisticsState::Enable || node_wants).s(statistics.publish_topic);
+  with.i(std::chrono::nanoseconds(statistics.publish_period).count());
   Unpacker answer = ask("subscription", with);
   made->id = answer.i();
   made->name = answer.s();
   made->qos = QoS::unpack(answer);
+  auto & filter = options.content_filter_options;
+  if (!filter.filter_expression.empty()) {
+    made->set_content_filter(filter.filter_expression, filter.expression_parameters);
+  }
 }
 void detail::make_timer(
   NodeBase & node, const TimerBase::SharedPtr & made, std::chrono::nanoseconds period, const CallbackGroup::SharedPtr & group,
@@ -172,9 +196,9 @@ std::vector<std::string> NodeFace::get_node_names() const
   }
   return names;
 }
-std::map<std::string, std::vector<std::string>> NodeFace::names_and_types(const char * what) const
+std::map<std::string, std::vector<std::string>> NodeFace::names_and_types(const char * what, const Packer & with) const
 {
-  Unpacker answer = ask(what, Packer{}.i(base_->id));
+  Unpacker answer = ask(what, with);
   std::map<std::string, std::vector<std::string>> all;
   for (int64_t count = answer.i(); count > 0; --count) {
     auto & types = all[answer.s()];
@@ -186,11 +210,11 @@ std::map<std::string, std::vector<std::string>> NodeFace::names_and_types(const 
 }
 std::map<std::string, std::vector<std::string>> NodeFace::get_topic_names_and_types() const
 {
-  return names_and_types("topics");
+  return names_and_types("topics", Packer{}.i(base_->id));
 }
 std::map<std::string, std::vector<std::string>> NodeFace::get_service_names_and_types() const
 {
-  return names_and_types("services");
+  return names_and_types("services", Packer{}.i(base_->id));
 }
 size_t NodeFace::count_publishers(const std::string & topic) const
 {
@@ -199,5 +223,69 @@ size_t NodeFace::count_publishers(const std::string & topic) const
 size_t NodeFace::count_subscribers(const std::string & topic) const
 {
   return static_cast<size_t>(ask("count_subscribers", Packer{}.i(base_->id).s(topic)).i());
+}
+std::map<std::string, std::vector<std::string>> NodeFace::get_service_names_and_types_by_node(
+  const std::string & name, const std::string & space) const
+{
+  return names_and_types("services_of", Packer{}.i(base_->id).s(name).s(space));
+}
+std::vector<TopicEndpointInfo> NodeFace::endpoints(const char * what, const std::string & topic, bool no_mangle) const
+{
+  Unpacker answer = ask(what, Packer{}.i(base_->id).s(topic).i(no_mangle));
+  std::vector<TopicEndpointInfo> all;
+  for (int64_t count = answer.i(); count > 0; --count) {
+    all.emplace_back(answer);
+  }
+  return all;
+}
+std::vector<TopicEndpointInfo> NodeFace::get_publishers_info_by_topic(const std::string & topic, bool no_mangle) const
+{
+  return endpoints("publishers_info", topic, no_mangle);
+}
+std::vector<TopicEndpointInfo> NodeFace::get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle) const
+{
+  return endpoints("subscriptions_info", topic, no_mangle);
+}
+Event::SharedPtr NodeFace::get_graph_event()
+{
+  auto event = Event::make_shared();
+  graph_seen_[event.get()] = ask("graph_changes", Packer{}.i(base_->id)).i();
+  return event;
+}
+void NodeFace::wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout)
+{
+  auto seen = graph_seen_.find(event.get());
+  if (seen == graph_seen_.end()) {
+    throw exceptions::EventNotRegisteredError();
+  }
+  int64_t now = ask("wait_for_graph", Packer{}.i(base_->id).i(seen->second).i(timeout.count())).i();
+  if (now != seen->second) {
+    seen->second = now;
+    event->set();
+  }
+}
+
+// -- sub-nodes
+
+NodeFace::NodeFace(const NodeFace & other, const std::string & sub_namespace)
+: base_(other.base_), options_(other.options_)
+{
+  if (sub_namespace.empty()) {
+    throw exceptions::NameValidationError("Invalid sub_namespace: sub-nodes should not extend nodes by an empty sub-namespace");
+  }
+  if (sub_namespace.front() == '/') {
+    throw exceptions::NameValidationError("Invalid sub_namespace: a sub-namespace should not have a leading /");
+  }
+  sub_namespace_ = other.sub_namespace_.empty() ? sub_namespace : other.sub_namespace_ + "/" + sub_namespace;
+}
+std::string NodeFace::extended(const std::string & name) const
+{
+  bool relative = !name.empty() && name.front() != '/' && name.front() != '~';
+  return sub_namespace_.empty() || !relative ? name : sub_namespace_ + "/" + name;
+}
+std::string NodeFace::get_effective_namespace() const
+{
+  std::string space = get_namespace();
+  return sub_namespace_.empty() ? space : (space.back() == '/' ? space : space + "/") + sub_namespace_;
 }
 }  // namespace rclcpp

@@ -11,6 +11,9 @@ using rcl_interfaces::msg::SetParametersResult;
 const ParameterValue & NodeFace::declare_parameter(
   const std::string & name, const ParameterValue & default_value, const ParameterDescriptor & descriptor, bool ignore_override)
 {
+  if (name.empty()) {
+    throw exceptions::InvalidParametersException("parameter name must not be empty");
+  }
   Packer with = Packer{}.i(base_->id).s(name).i(0).m(default_value.to_value_msg()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
 }
@@ -19,6 +22,18 @@ const ParameterValue & NodeFace::declare_parameter(
 {
   Packer with = Packer{}.i(base_->id).s(name).i(type).m(rcl_interfaces::msg::ParameterValue()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
+}
+ParameterMap detail::parameter_file(const std::string & path, const std::string & node)
+{
+  Unpacker answer = ask("parameter_file", Packer{}.s(path).s(node));
+  ParameterMap map;
+  for (int64_t nodes = answer.i(); nodes > 0; --nodes) {
+    auto & parameters = map[answer.s()];
+    for (int64_t count = answer.i(); count > 0; --count) {
+      parameters.push_back(Parameter::from_parameter_msg(answer.m<rcl_interfaces::msg::Parameter>()));
+    }
+  }
+  return map;
 }
 void NodeFace::undeclare_parameter(const std::string & name) {ask("undeclare", Packer{}.i(base_->id).s(name));}
 bool NodeFace::has_parameter(const std::string & name) const
@@ -133,12 +148,12 @@ std::ostream & operator<<(std::ostream & stream, ParameterType type) {return str
 namespace
 {
 template<class V>
-std::string listed(const V & items, const char * quote = "")
+std::string listed(const V & items)
 {
   std::ostringstream text;
   text << std::boolalpha << "[";
   for (size_t i = 0; i < items.size(); ++i) {
-    text << (i ? ", " : "") << quote << items[i] << quote;
+    text << (i ? ", " : "") << items[i];
   }
   text << "]";
   return text.str();
@@ -167,7 +182,7 @@ std::string to_string(const ParameterValue & value)
     case PARAMETER_BOOL_ARRAY: return listed(message.bool_array_value);
     case PARAMETER_INTEGER_ARRAY: return listed(message.integer_array_value);
     case PARAMETER_DOUBLE_ARRAY: return listed(message.double_array_value);
-    case PARAMETER_STRING_ARRAY: return listed(message.string_array_value, "\"");
+    case PARAMETER_STRING_ARRAY: return listed(message.string_array_value);
     default: return "unknown type";
   }
 }

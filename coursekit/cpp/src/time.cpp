@@ -66,10 +66,10 @@ void poll()
     sleep_for(POLL_TICK_NS);
   }
 }
-bool sleep_for(int64_t nanoseconds)
+bool sleep_for(int64_t nanoseconds, int64_t context)
 {
   g_polls = 0;
-  return request("sleep", Packer{}.i(nanoseconds)).i() != 0;
+  return request("sleep", Packer{}.i(nanoseconds).i(context)).i() != 0;
 }
 int64_t system_now()
 {

@@ -24,6 +24,19 @@ _ACCEPT_AND_EXECUTE, _ACCEPT_AND_DEFER = 2, 3
 _ACCEPT_CANCEL = 2
 
 
+class _RefusesAll:
+    """Answers as rclcpp's servers do: where no goal may be canceled, the whole request is rejected."""
+
+    def __init__(self, service: Any) -> None:
+        self._service = service
+
+    def send_response(self, response: Any, header: Any) -> None:
+        """Send the answer."""
+        if response.return_code == CancelGoal.Response.ERROR_NONE and not response.goals_canceling:
+            response.return_code = CancelGoal.Response.ERROR_REJECTED
+        self._service.send_response(response, header)
+
+
 class CompiledActionServer(ActionServer):
     """Asks the program whether to take a goal, by its id too, and tells it of those that were taken."""
 
@@ -60,6 +73,9 @@ class CompiledActionServer(ActionServer):
     def _decide_cancel(self, handle: Any) -> CancelResponse:
         answer = self._host.call(self._cancel_handler, packed(bytes(handle.goal_id.uuid))).integer()
         return CancelResponse.ACCEPT if answer == _ACCEPT_CANCEL else CancelResponse.REJECT
+
+    async def _cancel_asked(self, service: Any, request: Any, header: Any) -> None:
+        await super()._cancel_asked(_RefusesAll(service), request, header)
 
     def goal(self, key: bytes) -> Any:
         """The handle of a goal."""

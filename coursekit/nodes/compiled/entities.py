@@ -1,14 +1,12 @@
-"""What a compiled program asks of nodes, topics, timers and services."""
+"""What a compiled program asks of nodes, timers and services."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Parameter as ParameterMessage
-from rclpy._rclpy_info import as_bytes
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.clock import Clock, ClockType
@@ -39,6 +37,8 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
     elif isinstance(thing, tuple):  # (node, how to destroy it, it)
         node, how, entity = thing
         getattr(node, how)(entity)
+        if statistics := getattr(getattr(entity, "hearing", None), "statistics", None):
+            statistics.destroy()
     elif isinstance(thing, (ActionClient, ActionServer)):
         thing.destroy()
     elif isinstance(thing, TransformListener):
@@ -49,10 +49,12 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a node."""
     name, namespace, managed = frame.text(), frame.text(), frame.integer()
     use_global, allow, automatic, rosout, services = (bool(frame.integer()) for _ in range(5))
+    context = host.context_called(frame.integer())
     arguments = [frame.text() for _ in range(frame.integer())]
     overrides = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]
     node = (CompiledLifecycleNode if managed else CompiledNode)(
         name,
+        context=context,
         namespace=namespace,
         cli_args=arguments,
         use_global_arguments=use_global,
@@ -84,112 +86,6 @@ def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_ros_time_active(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Whether a node follows /clock."""
     return packed(int(host.things[frame.integer()].get_clock().ros_time_is_active))
-
-
-def do_node_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Full names of all nodes."""
-    found = host.things[frame.integer()].get_node_names_and_namespaces()
-    names = [f"{space.rstrip('/')}/{name}" for name, space in found]
-    return packed(len(names), *names)
-
-
-def do_topics(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """All topics with their types."""
-    return _names_and_types(host.things[frame.integer()].get_topic_names_and_types())
-
-
-def do_services(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """All services with their types."""
-    return _names_and_types(host.things[frame.integer()].get_service_names_and_types())
-
-
-def _names_and_types(found: list[tuple[str, list[str]]]) -> bytes:
-    return packed(len(found), *(word for name, types in found for word in (name, len(types), *types)))
-
-
-def do_count_publishers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many publish on a topic."""
-    return packed(host.things[frame.integer()].count_publishers(frame.text()))
-
-
-def do_count_subscribers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many listen to a topic."""
-    return packed(host.things[frame.integer()].count_subscribers(frame.text()))
-
-
-# -- topics
-
-
-def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a publisher."""
-    node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
-    group = host.things.get(frame.integer())
-    publisher = node.create_publisher(
-        kind,
-        topic,
-        qos.profile(frame),
-        callback_group=group,
-        event_callbacks=qos.publisher_events(host, node, topic, frame),
-        qos_overriding_options=qos.overriding(host, frame),
-    )
-    host.own_gids.add(publisher._core.gid)
-    number = host.keep((node, "destroy_publisher", publisher))
-    return packed(number, publisher.topic_name) + qos.packed_profile(publisher.qos_profile)
-
-
-def do_publish(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Publish a message's bytes."""
-    publisher = host.things[frame.integer()][2]
-    if publisher._context_ok():
-        publisher.publish(frame.rest())
-
-
-def do_subscription_count(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many hear a publisher."""
-    return packed(host.things[frame.integer()][2].get_subscription_count())
-
-
-def do_assert_liveliness(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Say that a publisher lives."""
-    host.things[frame.integer()][2].assert_liveliness()
-
-
-def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a subscription."""
-    node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
-    handler, group = frame.integer(), host.things.get(frame.integer())
-    wanted = qos.profile(frame)
-    events = qos.subscription_events(host, node, topic, frame)
-    heard = partial(_heard, host, handler, host.own_gids if frame.integer() else ())
-    subscription = node.create_subscription(
-        kind,
-        topic,
-        heard,
-        wanted,
-        callback_group=group,
-        event_callbacks=events,
-        qos_overriding_options=qos.overriding(host, frame),
-        raw=True,
-    )
-    number = host.keep((node, "destroy_subscription", subscription))
-    return packed(number, subscription.topic_name) + qos.packed_profile(subscription.qos_profile)
-
-
-def _heard(host: Host, handler: int, ignored: Collection[bytes], data: bytes, info: Any) -> None:
-    if info["publisher_gid"] in ignored:  # what this program publishes itself
-        return
-    host.call(handler, packed(info["source_timestamp"], info["received_timestamp"]) + data)
-
-
-def do_take(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The next message that waits, without its callback: 0 where there is none."""
-    entry = host.things[frame.integer()][2]._core.take()
-    return packed(0) if entry is None else packed(1, entry[1], entry[1]) + as_bytes(entry[0])
-
-
-def do_publisher_count(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many a subscription hears."""
-    return packed(host.things[frame.integer()][2].get_publisher_count())
 
 
 # -- timers

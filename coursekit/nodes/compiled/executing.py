@@ -22,9 +22,11 @@ if TYPE_CHECKING:
 
 def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make an executor with so many threads."""
-    threads = frame.integer()
-    executor: Any = SingleThreadedExecutor() if threads == 1 else MultiThreadedExecutor(threads)
+    threads, context = frame.integer(), host.context_called(frame.integer())
+    executor: Any
+    executor = SingleThreadedExecutor(context=context) if threads == 1 else MultiThreadedExecutor(threads, context=context)
     executor.cancelled = False
+    executor.is_cancelled = lambda: executor.cancelled
     return packed(host.keep(executor))
 
 
@@ -59,7 +61,7 @@ def do_spin(host: Host, _channel: Channel, frame: Unpacker) -> None:
     executor.cancelled = False
     try:
         while executor.context.ok() and not executor.cancelled:
-            executor.spin_once()
+            executor._spin_once(None, executor.is_cancelled)  # one that has nothing to do is cancelled too
     except (ShutdownException, ExternalShutdownException):
         pass
 
@@ -74,11 +76,12 @@ def do_spin_once(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Run what is ready, at most so long (0: without end); with `all`, also what becomes ready meanwhile."""
-    executor, limit, _all = host.things[frame.integer()], frame.integer(), frame.integer()
+    """Run each that is ready once, at most so long (0: without end); with the last word 1 all that is and becomes ready."""
+    executor, limit, everything = host.things[frame.integer()], frame.integer(), frame.integer()
     end = host.clock.steady() + limit
-    while _run_one(executor) and (not limit or host.clock.steady() < end):
-        pass
+    left = executor._queue.count_ready()
+    while (everything or left > 0) and _run_one(executor) and (not limit or host.clock.steady() < end):
+        left -= 1
 
 
 def _run_one(executor: Executor) -> bool:

@@ -17,16 +17,20 @@ import tempfile
 import threading
 from typing import Any
 
+from rclpy.context import Context
 from rclpy.signals import shutdown_all
+from rclpy.utilities import get_default_context
 
 from coursekit.core.ready_queue import ReadyQueue
 from coursekit.nodes.compiled import (
     actions,
     entities,
     executing,
+    graph,
     lifecycle,
     parameters,
     program,
+    topics,
     transforms,
     vision,
     waiting,
@@ -56,7 +60,7 @@ _ERRORS = {
 }
 OPERATIONS = {
     name[3:]: function
-    for room in (program, entities, parameters, executing, waiting, lifecycle, actions, transforms, vision)
+    for room in (program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision)
     for name, function in vars(room).items()
     if name.startswith("do_")
 }
@@ -86,6 +90,8 @@ class Host:
         """Whether the program has ended."""
         self.waiting: list[ReadyQueue] = []
         """The queues of wait sets that wait now."""
+        self.contexts: dict[int, Context] = {}
+        """The contexts that the program made beside the default one, by its own numbers."""
         self.own_gids: set[bytes] = set()
         """The publishers of this program, for subscriptions that ignore them."""
         self.context = contextvars.copy_context()
@@ -219,6 +225,10 @@ class Host:
         """The name of rclcpp's exception for one of rclpy's, and its text."""
         name = type(error).__name__
         return _ERRORS.get(name, name), str(error)
+
+    def context_called(self, number: int) -> Context:
+        """The program's context of that number; 0 is the default one."""
+        return self.contexts.setdefault(number, Context()) if number else get_default_context()
 
     def keep(self, thing: Any) -> int:
         """Remember what the program has made; its number."""

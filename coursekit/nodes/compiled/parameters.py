@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 from rcl_interfaces.msg import Parameter as ParameterMessage
-from rclpy.parameter import Parameter
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from rclpy.parameter_service import is_listed
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.rcl import parameter_file
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
@@ -25,6 +28,23 @@ def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         default = Parameter.from_parameter_msg(ParameterMessage(name=name, value=value)).value
         descriptor.dynamic_typing = descriptor.dynamic_typing or value.type == 0
     return packed(node.declare_parameter(name, default, descriptor, ignore).get_parameter_value())
+
+
+def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The parameters of a file, by the patterns of nodes; of one node where it is named."""
+    path, node = frame.text(), frame.text()
+    try:
+        found = parameter_file.read(os.path.join(host.process.cwd, path))
+    except (OSError, ValueError) as error:
+        raise RuntimeError(f"Error opening parameter file '{path}': {error}") from None
+    if node:
+        found = {node: parameter_file.values_for(found, node)}
+    parts = [packed(len(found))]
+    for name, values in found.items():
+        parts.append(
+            packed(name, len(values), *(Parameter(one, value=value).to_parameter_msg() for one, value in values.items()))
+        )
+    return b"".join(parts)
 
 
 def do_undeclare(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -67,8 +87,9 @@ def do_list_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The names of parameters below some prefixes."""
     node, depth = host.things[frame.integer()], frame.integer()
     prefixes = [frame.text() for _ in range(frame.integer())]
-    result: ListParametersResult = node.list_parameters(prefixes, depth)
-    return packed(result)
+    names = [name for name in node._parameters if is_listed(name, prefixes, depth)]
+    above = [name.rpartition(PARAMETER_SEPARATOR_STRING)[0] for name in names]
+    return packed(ListParametersResult(names=names, prefixes=list(dict.fromkeys(filter(None, above)))))
 
 
 def do_on_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

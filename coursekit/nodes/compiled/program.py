@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import signal
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.impl.logging_state import logging_state
@@ -23,9 +24,9 @@ _LINE = 256
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Start rclpy with the program's words."""
-    domain = frame.integer()
+    context, domain = host.context_called(frame.integer()), frame.integer()
     words = [frame.text() for _ in range(frame.integer())]
-    rclpy.init(args=words[1:], domain_id=None if domain < 0 else domain)
+    rclpy.init(args=words[1:], context=context, domain_id=None if domain < 0 else domain)
     host.process.on_signal.clear()
 
 
@@ -41,18 +42,36 @@ def tell_signal(host: Host, number: int) -> None:
     logging_state().write(_INFO, "rclcpp", text, caller, host.clock.now())
 
 
-def do_shutdown(_host: Host, _channel: Channel, _frame: Unpacker) -> None:
-    """End it."""
-    shutdown_all()
+def do_shutdown(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """End a context."""
+    number = frame.integer()
+    if number or any(context.ok() for context in host.contexts.values()):
+        rclpy.try_shutdown(context=host.context_called(number))
+    else:
+        shutdown_all()
 
 
 def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Sleep in the thread's stead; 0 when Ctrl-C came."""
-    until = host.clock.steady() + frame.integer()
+    """Sleep in the thread's stead; 0 when Ctrl-C came, or the context whose number is told (not -1) ended meanwhile."""
+    until, number = host.clock.steady() + frame.integer(), frame.integer()
+    context = None if number < 0 else host.context_called(number)
     waiter = host.clock.new_waiter()
-    while not host.flags & STOPPING and host.clock.steady() < until:
+    if context is None or not context.ok():
+        _sleep(host, waiter, until, lambda: True)
+        return packed(int(not host.flags & STOPPING))
+
+    def wake() -> None:  # a function of its own: contexts hold methods only weakly, and waiters cannot be held so
+        waiter.notify()
+
+    context.on_shutdown(wake)
+    _sleep(host, waiter, until, context.ok)
+    context.remove_on_shutdown(wake)
+    return packed(int(not host.flags & STOPPING and context.ok()))
+
+
+def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> None:
+    while not host.flags & STOPPING and host.clock.steady() < until and goes_on():
         waiter.wait(until)
-    return packed(int(not host.flags & STOPPING))
 
 
 def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -56,9 +56,12 @@ def test_ros2_lifecycle_takes_it_through_its_states(session, start, ros2):
     assert "- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n" in ros2("lifecycle", "list", "/valve")
     assert ros2("lifecycle", "set", "/valve", "configure") == "Transitioning successful\n"
     session.clock.sleep(2.5)
-    assert lines(process).count(
-        "[LifecyclePublisher]: Trying to publish message on the topic '/opening', but the publisher is not activated"
-    ) == 1
+    assert (
+        lines(process).count(
+            "[LifecyclePublisher]: Trying to publish message on the topic '/opening', but the publisher is not activated"
+        )
+        == 1
+    )
     rclpy.spin_once(listener, timeout_sec=0)
     assert not heard
     assert ros2("lifecycle", "set", "/valve", "activate") == "Transitioning successful\n"

@@ -30,8 +30,8 @@ void poll();
 /// Nanoseconds of the session's clock: since the epoch, and since its beginning.
 int64_t system_now();
 int64_t steady_now();
-/// Sleep on the session's clock; false when Ctrl-C came.
-bool sleep_for(int64_t nanoseconds);
+/// Sleep on the session's clock; false when Ctrl-C came, or the context of that number (not -1) ended meanwhile.
+bool sleep_for(int64_t nanoseconds, int64_t context = -1);
 /// Whether some node of this program follows /clock, so that ROS time must be asked for.
 bool simulated_time();
 }  // namespace coursekit

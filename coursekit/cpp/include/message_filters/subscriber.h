@@ -36,6 +36,14 @@ public:
   {
     subscribe(node, topic, qos, options);
   }
+  template<class P>
+  Subscriber(P node, const std::string & topic, const rclcpp::QoS & qos, rclcpp::SubscriptionOptions options = {})
+  : Subscriber(node, topic, qos.get_rmw_qos_profile(), options) {}
+  template<class P>
+  void subscribe(P node, const std::string & topic, const rclcpp::QoS & qos, rclcpp::SubscriptionOptions options = {})
+  {
+    subscribe(&rclcpp::node_of(node), topic, qos.get_rmw_qos_profile(), options);
+  }
   void subscribe(NodePtr node, const std::string & topic, const rmw_qos_profile_t qos = rmw_qos_profile_default)
   {
     subscribe(node.get(), topic, qos, {});

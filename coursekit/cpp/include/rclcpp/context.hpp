@@ -1,4 +1,4 @@
-// What init() starts and shutdown() ends; a program has one, the default context.
+// What init() starts and shutdown() ends: the default context, and others that a program makes itself.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -34,7 +34,7 @@ class Context : public std::enable_shared_from_this<Context>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Context)
-  Context() = default;
+  Context();
   virtual ~Context() = default;
   using OnShutdownCallback = std::function<void ()>;
 
@@ -48,9 +48,16 @@ public:
   virtual bool remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle);
   OnShutdownCallbackHandle add_pre_shutdown_callback(OnShutdownCallback callback);
   bool sleep_for(const std::chrono::nanoseconds & duration);
+  /// The session's number of it; 0 for the default one.
+  int64_t number() const {return number_;}
+
+protected:
+  explicit Context(int64_t number)
+  : number_(number) {}
 
 private:
   void call(std::vector<std::pair<int64_t, OnShutdownCallback>> & callbacks);
+  const int64_t number_;
   bool valid_ = false;
   std::string reason_;
   InitOptions options_;
@@ -65,6 +72,8 @@ class DefaultContext : public Context
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(DefaultContext)
+  DefaultContext()
+  : Context(0) {}
 };
 DefaultContext::SharedPtr get_global_default_context();
 }  // namespace contexts

@@ -12,6 +12,33 @@ struct rcl_duration_t {rcl_duration_value_t nanoseconds;};
 
 namespace rclcpp
 {
+namespace detail
+{
+/// A sum; std::overflow_error or std::underflow_error where it does not fit, with what was done in the text.
+inline int64_t added(int64_t left, int64_t right, const char * what)
+{
+  int64_t sum;
+  if (!__builtin_add_overflow(left, right, &sum)) {
+    return sum;
+  }
+  if (right > 0) {
+    throw std::overflow_error(std::string(what) + " to int64_t overflow");
+  }
+  throw std::underflow_error(std::string(what) + " to int64_t underflow");
+}
+inline int64_t subtracted(int64_t left, int64_t right)
+{
+  int64_t rest;
+  if (!__builtin_sub_overflow(left, right, &rest)) {
+    return rest;
+  }
+  if (right < 0) {
+    throw std::overflow_error("time subtraction leads to int64_t overflow");
+  }
+  throw std::underflow_error("time subtraction leads to int64_t underflow");
+}
+}  // namespace detail
+
 class Duration
 {
 public:
@@ -65,8 +92,8 @@ public:
     return message;
   }
 
-  Duration operator+(const Duration & other) const {return from_nanoseconds(added(ns_, other.ns_));}
-  Duration operator-(const Duration & other) const {return from_nanoseconds(added(ns_, -other.ns_));}
+  Duration operator+(const Duration & other) const {return from_nanoseconds(detail::added(ns_, other.ns_, "addition leads"));}
+  Duration operator-(const Duration & other) const {return from_nanoseconds(detail::added(ns_, -other.ns_, "duration subtraction leads"));}
   Duration operator*(double factor) const
   {
     if (!(factor > -1e300 && factor < 1e300)) {
@@ -93,16 +120,6 @@ public:
   bool operator>=(const Duration & other) const {return ns_ >= other.ns_;}
 
 private:
-  static int64_t added(int64_t left, int64_t right)
-  {
-    if (right > 0 && left > std::numeric_limits<int64_t>::max() - right) {
-      throw std::overflow_error("addition leads to int64_t overflow");
-    }
-    if (right < 0 && left < std::numeric_limits<int64_t>::min() - right) {
-      throw std::underflow_error("addition leads to int64_t underflow");
-    }
-    return left + right;
-  }
   int64_t ns_ = 0;
 };
 }  // namespace rclcpp

@@ -45,6 +45,12 @@ COURSEKIT_ERROR(ParameterModifiedInCallbackException, std::runtime_error)
 COURSEKIT_ERROR(ParameterUninitializedException, std::runtime_error)
 COURSEKIT_ERROR(UninitializedStaticallyTypedParameterException, std::runtime_error)
 COURSEKIT_ERROR(QoSCheckCompatibleException, std::runtime_error)
+class EventNotRegisteredError : public std::runtime_error
+{
+public:
+  EventNotRegisteredError()
+  : std::runtime_error("event already registered") {}
+};
 }  // namespace exceptions
 COURSEKIT_ERROR(ParameterTypeException, std::runtime_error)
 

@@ -4,6 +4,7 @@
 #include <future>
 
 #include "rclcpp/future_return_code.hpp"
+#include "rclcpp/memory_strategy.hpp"
 #include "rclcpp/node.hpp"
 
 namespace rclcpp
@@ -12,6 +13,7 @@ struct ExecutorOptions
 {
   Context::SharedPtr context = contexts::get_global_default_context();
   size_t max_conditions = 0;
+  memory_strategy::MemoryStrategy::SharedPtr memory_strategy;
 };
 
 class Executor : public coursekit::Entity
@@ -58,7 +60,7 @@ public:
       if (future.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         return FutureReturnCode::SUCCESS;
       }
-      if (!ok()) {
+      if (!ok(context_)) {
         return FutureReturnCode::INTERRUPTED;
       }
       int64_t left = end < 0 ? -1 : end - coursekit::steady_now();
@@ -79,6 +81,7 @@ protected:
   };
 
 private:
+  Context::SharedPtr context_;
   std::vector<NodeBase> nodes_;
   std::atomic<bool> spinning_{false};
 };

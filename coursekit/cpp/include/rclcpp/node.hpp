@@ -6,12 +6,13 @@
 #include "rcl_interfaces/msg/parameter_descriptor.hpp"
 #include "rcl_interfaces/msg/set_parameters_result.hpp"
 #include "rclcpp/detail/entities.hpp"
+#include "rclcpp/event.hpp"
+#include "rclcpp/memory_strategy.hpp"
 #include "rclcpp/node_options.hpp"
+#include "rclcpp/topic_endpoint_info.hpp"
 
 namespace rclcpp
 {
-class TopicEndpointInfo;
-
 /// All that nodes have in common, with or without a lifecycle.
 class NodeFace
 {
@@ -24,8 +25,8 @@ public:
   const char * get_name() const {return base_->get_name();}
   const char * get_namespace() const {return base_->get_namespace();}
   const char * get_fully_qualified_name() const {return base_->get_fully_qualified_name();}
-  std::string get_sub_namespace() const {return "";}
-  std::string get_effective_namespace() const {return get_namespace();}
+  const std::string & get_sub_namespace() const {return sub_namespace_;}
+  std::string get_effective_namespace() const;
   Logger get_logger() const {return base_->get_logger();}
   Clock::SharedPtr get_clock() {return base_->clock;}
   Clock::ConstSharedPtr get_clock() const {return base_->clock;}
@@ -56,14 +57,14 @@ public:
     const PublisherOptionsWithAllocator<Alloc> & options = PublisherOptionsWithAllocator<Alloc>())
   {
     auto made = std::make_shared<PublisherT>();
-    detail::make_publisher(*base_, *made, MessageOf<T>::coursekit_type, topic, qos, options);
+    detail::make_publisher(*base_, *made, MessageOf<T>::coursekit_type, extended(topic), qos, options);
     return made;
   }
   GenericPublisher::SharedPtr create_generic_publisher(
     const std::string & topic, const std::string & type, const QoS & qos, const PublisherOptions & options = {})
   {
     auto made = std::make_shared<GenericPublisher>();
-    detail::make_publisher(*base_, *made, type, topic, qos, options);
+    detail::make_publisher(*base_, *made, type, extended(topic), qos, options);
     return made;
   }
 
@@ -78,7 +79,7 @@ public:
       [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
         call_with_bytes<T>(callback, cdr, info);
       };
-    detail::make_subscription(*base_, made, MessageOf<T>::coursekit_type, topic, qos, options);
+    detail::make_subscription(*base_, made, MessageOf<T>::coursekit_type, extended(topic), qos, options);
     return made;
   }
   template<class F>
@@ -91,7 +92,7 @@ public:
       [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
         call_with(callback, std::make_unique<SerializedMessage>(cdr), info);
       };
-    detail::make_subscription(*base_, made, type, topic, qos, options);
+    detail::make_subscription(*base_, made, type, extended(topic), qos, options);
     return made;
   }
 
@@ -125,7 +126,7 @@ public:
   typename Service<S>::SharedPtr create_service(
     const std::string & name, F && callback, const QoS & qos, CallbackGroup::SharedPtr group = nullptr)
   {
-    return detail::service<S>(*base_, name, std::forward<F>(callback), qos, group);
+    return detail::service<S>(*base_, extended(name), std::forward<F>(callback), qos, group);
   }
   template<class S>
   typename Client<S>::SharedPtr create_client(
@@ -138,7 +139,7 @@ public:
   typename Client<S>::SharedPtr create_client(
     const std::string & name, const QoS & qos, CallbackGroup::SharedPtr group = nullptr)
   {
-    return detail::client<S>(*base_, name, qos, group);
+    return detail::client<S>(*base_, extended(name), qos, group);
   }
 
   // -- parameters
@@ -179,7 +180,7 @@ public:
   {
     std::vector<T> values;
     for (auto & [key, value] : parameters) {
-      values.push_back(declare_parameter(space.empty() ? key : space + "." + key, value, {}, ignore_overrides));
+      values.push_back(declare_parameter(space.empty() ? key : space + "." + key, value, rcl_interfaces::msg::ParameterDescriptor(), ignore_overrides));
     }
     return values;
   }
@@ -261,13 +262,26 @@ public:
   std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
   size_t count_publishers(const std::string & topic) const;
   size_t count_subscribers(const std::string & topic) const;
+  std::map<std::string, std::vector<std::string>> get_service_names_and_types_by_node(
+    const std::string & name, const std::string & space) const;
+  std::vector<TopicEndpointInfo> get_publishers_info_by_topic(const std::string & topic, bool no_mangle = false) const;
+  std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle = false) const;
+  /// An event that is set by wait_for_graph_change() when nodes, topics or services have come or gone since.
+  Event::SharedPtr get_graph_event();
+  void wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout);
 
 protected:
+  NodeFace(const NodeFace & other, const std::string & sub_namespace);
+  /// A name below the sub-namespace of a sub-node; absolute and private names stay.
+  std::string extended(const std::string & name) const;
   NodeBase::SharedPtr base_;
 
 private:
   std::vector<rcl_interfaces::msg::SetParametersResult> set(const std::vector<Parameter> & parameters, bool together);
-  std::map<std::string, std::vector<std::string>> names_and_types(const char * what) const;
+  std::map<std::string, std::vector<std::string>> names_and_types(const char * what, const Packer & with) const;
+  std::vector<TopicEndpointInfo> endpoints(const char * what, const std::string & topic, bool no_mangle) const;
+  std::map<const Event *, int64_t> graph_seen_;
+  std::string sub_namespace_;
   NodeOptions options_;
   std::map<std::string, ParameterValue> declared_;
 };
@@ -280,6 +294,12 @@ public:
   : Node(name, "", options) {}
   explicit Node(const std::string & name, const std::string & space, const NodeOptions & options = NodeOptions())
   : NodeFace(name, space, options, false) {}
+  /// The same node, whose relative names are below a sub-namespace.
+  SharedPtr create_sub_node(const std::string & sub_namespace) {return SharedPtr(new Node(*this, sub_namespace));}
+
+protected:
+  Node(const Node & other, const std::string & sub_namespace)
+  : NodeFace(other, sub_namespace) {}
 };
 
 /// The node, given as itself or as any kind of pointer to it.

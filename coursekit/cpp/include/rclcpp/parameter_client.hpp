@@ -9,6 +9,7 @@
 #include "rcl_interfaces/srv/set_parameters_atomically.hpp"
 #include "rclcpp/create.hpp"
 #include "rclcpp/executors.hpp"
+#include "rclcpp/parameter_map.hpp"
 
 namespace rclcpp
 {
@@ -24,6 +25,7 @@ public:
   {
     QoS qos(QoSInitialization::from_rmw(profile), profile);
     std::string name = remote.empty() ? base_->full_name : remote;
+    remote_ = name.front() == '/' ? name : base_->space + (base_->space.back() == '/' ? "" : "/") + name;
     get_ = detail::client<rcl_interfaces::srv::GetParameters>(*base_, name + "/get_parameters", qos, group);
     types_ = detail::client<rcl_interfaces::srv::GetParameterTypes>(*base_, name + "/get_parameter_types", qos, group);
     set_ = detail::client<rcl_interfaces::srv::SetParameters>(*base_, name + "/set_parameters", qos, group);
@@ -107,6 +109,12 @@ public:
     return ask_for<Descriptors>(describe_, request, callback, [](auto & response) {return response.descriptors;});
   }
 
+  /// Set what a file says of the node that this is a client of.
+  Future<Results> load_parameters(const std::string & yaml_filename)
+  {
+    return set_parameters(parameters_from_map(detail::parameter_file(yaml_filename, remote_)));
+  }
+
   template<class F, class N>
   static Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
     N && node, F && callback, const QoS & qos = ParameterEventsQoS(), const SubscriptionOptions & options = {})
@@ -150,6 +158,7 @@ private:
     return future;
   }
   node_interfaces::NodeBaseInterface::SharedPtr base_;
+  std::string remote_;
   Client<rcl_interfaces::srv::GetParameters>::SharedPtr get_;
   Client<rcl_interfaces::srv::GetParameterTypes>::SharedPtr types_;
   Client<rcl_interfaces::srv::SetParameters>::SharedPtr set_;
@@ -217,6 +226,10 @@ public:
   rcl_interfaces::msg::ListParametersResult list_parameters(const std::vector<std::string> & prefixes, uint64_t depth)
   {
     return wait(client_.list_parameters(prefixes, depth));
+  }
+  AsyncParametersClient::Results load_parameters(const std::string & yaml_filename)
+  {
+    return wait(client_.load_parameters(yaml_filename));
   }
   AsyncParametersClient::Descriptors describe_parameters(const std::vector<std::string> & names)
   {

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 
+#include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/serialized_message.hpp"
 #include "rclcpp/type_adapter.hpp"
@@ -23,6 +24,8 @@ public:
     return true;
   }
   QoS get_actual_qos() const {return qos;}
+  const rmw_gid_t & get_gid() const {return gid;}
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   bool can_loan_messages() const {return false;}
   template<class Rep = int64_t, class Period = std::milli>
   bool wait_for_all_acked(std::chrono::duration<Rep, Period> = std::chrono::duration<Rep, Period>(-1)) const
@@ -30,11 +33,13 @@ public:
     return true;  // the session has a message as soon as it is published
   }
   QoS qos{10};
+  rmw_gid_t gid{};
+  Context::SharedPtr context;
 
 protected:
   void send(const std::string & cdr) const
   {
-    if (ok()) {
+    if (ok(context)) {
       coursekit::note("publish", Packer{}.i(id).raw(cdr.data(), cdr.size()));
     }
   }
@@ -47,6 +52,9 @@ class LoanedMessage
 public:
   LoanedMessage()
   : message_(std::make_unique<M>()) {}
+  template<class P>
+  LoanedMessage(const P &, std::allocator<M>)
+  : LoanedMessage() {}
   bool is_valid() const {return message_ != nullptr;}
   M & get() const {return *message_;}
   std::unique_ptr<M> release() {return std::move(message_);}
@@ -67,7 +75,10 @@ public:
   using MessageSharedPtr = std::shared_ptr<const ROSMessageType>;
 
   virtual void publish(const PublishedType & message) {send(custom_to_cdr<T>(message));}
-  virtual void publish(std::unique_ptr<PublishedType> message) {send(custom_to_cdr<T>(*message));}
+  template<class Deleter>
+  void publish(std::unique_ptr<PublishedType, Deleter> message) {publish(*message);}
+  template<class M, class Deleter, class = std::enable_if_t<is_adapted<T> && std::is_same_v<M, ROSMessageType>>>
+  void publish(std::unique_ptr<M, Deleter> message) {publish(*message);}
   template<class M, class = std::enable_if_t<is_adapted<T> && std::is_same_v<M, ROSMessageType>>>
   void publish(const M & message) {send(coursekit::to_cdr(message));}
   void publish(const SerializedMessage & message) {send(message.bytes());}
@@ -85,5 +96,6 @@ class GenericPublisher : public PublisherBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(GenericPublisher)
   void publish(const SerializedMessage & message) {send(message.bytes());}
+  void publish_as_loaned_msg(const SerializedMessage & message) {publish(message);}
 };
 }  // namespace rclcpp

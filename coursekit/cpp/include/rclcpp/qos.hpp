@@ -148,6 +148,15 @@ public:
   }
 };
 
+enum class QoSCompatibility {Ok, Warning, Error};
+struct QoSCheckCompatibleResult
+{
+  QoSCompatibility compatibility;
+  std::string reason;
+};
+/// Whether a publisher's messages would reach a subscription, and why not.
+QoSCheckCompatibleResult qos_check_compatible(const QoS & publisher, const QoS & subscription);
+
 enum class QosPolicyKind
 {
   AvoidRosNamespaceConventions = RMW_QOS_POLICY_AVOID_ROS_NAMESPACE_CONVENTIONS,

@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "rcl_interfaces/msg/parameter_event.hpp"
+#include "rclcpp/allocator/allocator_common.hpp"
 #include "rclcpp/create.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/guard_condition.hpp"
@@ -36,4 +37,5 @@
 #include "rclcpp/parameter_client.hpp"
 #include "rclcpp/parameter_event_handler.hpp"
 #include "rclcpp/rate.hpp"
+#include "rclcpp/version.h"
 #include "rclcpp/wait_set.hpp"

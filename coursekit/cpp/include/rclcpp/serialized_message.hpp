@@ -17,6 +17,8 @@ public:
   explicit SerializedMessage(size_t capacity = 0) {reserve(capacity);}
   explicit SerializedMessage(std::string bytes)
   : bytes_(std::move(bytes)) {look();}
+  explicit SerializedMessage(const rcl_serialized_message_t & other)
+  : SerializedMessage(std::string(reinterpret_cast<const char *>(other.buffer), other.buffer_length)) {}
   SerializedMessage(const SerializedMessage & other)
   : bytes_(other.bytes()) {look();}
   SerializedMessage & operator=(const SerializedMessage & other)
@@ -27,6 +29,15 @@ public:
   }
   rcl_serialized_message_t & get_rcl_serialized_message() {return view_;}
   const rcl_serialized_message_t & get_rcl_serialized_message() const {return view_;}
+  /// Hand the bytes over: whoever gets them frees the buffer.
+  rcl_serialized_message_t release_rcl_serialized_message()
+  {
+    rcl_serialized_message_t given{static_cast<uint8_t *>(malloc(size() ? size() : 1)), size(), size()};
+    memcpy(given.buffer, view_.buffer, size());
+    bytes_.clear();
+    look();
+    return given;
+  }
   size_t size() const {return view_.buffer_length;}
   size_t capacity() const {return view_.buffer_capacity;}
   void reserve(size_t capacity)

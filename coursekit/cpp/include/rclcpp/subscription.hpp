@@ -1,6 +1,7 @@
 // Subscriptions.
 #pragma once
 #include "rclcpp/any_subscription_callback.hpp"
+#include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/publisher_options.hpp"
 
 namespace rclcpp
@@ -16,7 +17,19 @@ public:
   QoS get_actual_qos() const {return qos;}
   bool is_serialized() const {return false;}
   bool can_loan_messages() const {return false;}
-  bool is_cft_enabled() const {return false;}
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
+  /// Whether only messages for which an expression holds are heard.
+  bool is_cft_enabled() const {return !filter_.filter_expression.empty();}
+  void set_content_filter(const std::string & expression, const std::vector<std::string> & parameters = {})
+  {
+    Packer with = Packer{}.i(id).s(expression).i(static_cast<int64_t>(parameters.size()));
+    for (auto & parameter : parameters) {
+      with.s(parameter);
+    }
+    ask("content_filter", with);
+    filter_ = {expression, parameters};
+  }
+  ContentFilterOptions get_content_filter() const {return filter_;}
   /// Take the next message's bytes without waiting; false where there is none.
   bool take_bytes(std::string & cdr, MessageInfo & info)
   {
@@ -46,9 +59,15 @@ public:
     auto & rmw = info.get_rmw_message_info();
     rmw.source_timestamp = from.i();
     rmw.received_timestamp = from.i();
+    std::string gid = from.s();
+    std::copy_n(gid.begin(), std::min(gid.size(), sizeof(rmw.publisher_gid.data)), rmw.publisher_gid.data);
+    rmw.publisher_gid.implementation_identifier = "coursekit";
   }
   Dispatch dispatch;
   QoS qos{10};
+
+protected:
+  ContentFilterOptions filter_;
 };
 
 template<class T, class Allocator = std::allocator<void>, class ...>

@@ -18,13 +18,13 @@ class Time
 {
 public:
   Time(int32_t seconds, uint32_t nanoseconds, rcl_clock_type_t type = RCL_SYSTEM_TIME)
-  : ns_(seconds * 1000000000LL + nanoseconds), type_(type) {check();}
+  : ns_(seconds * 1000000000LL + nanoseconds), type_(type) {check(seconds);}
   explicit Time(int64_t nanoseconds = 0, rcl_clock_type_t type = RCL_SYSTEM_TIME)
-  : ns_(nanoseconds), type_(type) {check();}
+  : ns_(nanoseconds), type_(type) {}
   Time(const builtin_interfaces::msg::Time & message, rcl_clock_type_t type = RCL_ROS_TIME)  // NOLINT
-  : ns_(message.sec * 1000000000LL + message.nanosec), type_(type) {check();}
+  : ns_(message.sec * 1000000000LL + message.nanosec), type_(type) {check(message.sec);}
 
-  static Time max() {return Time(std::numeric_limits<int32_t>::max(), 999999999);}
+  static Time max(rcl_clock_type_t type = RCL_SYSTEM_TIME) {return Time(std::numeric_limits<int32_t>::max(), 999999999, type);}
   rcl_time_point_value_t nanoseconds() const {return ns_;}
   double seconds() const {return ns_ / 1e9;}
   rcl_clock_type_t get_clock_type() const {return type_;}
@@ -32,17 +32,18 @@ public:
   operator builtin_interfaces::msg::Time() const
   {
     builtin_interfaces::msg::Time message;
-    message.sec = static_cast<int32_t>(ns_ / 1000000000);
-    message.nanosec = static_cast<uint32_t>(ns_ % 1000000000);
+    int64_t rest = ns_ % 1000000000;
+    message.sec = static_cast<int32_t>(ns_ / 1000000000 - (rest < 0));
+    message.nanosec = static_cast<uint32_t>(rest < 0 ? rest + 1000000000 : rest);
     return message;
   }
 
-  Time operator+(const Duration & duration) const {return Time(ns_ + duration.nanoseconds(), type_);}
-  Time operator-(const Duration & duration) const {return Time(ns_ - duration.nanoseconds(), type_);}
+  Time operator+(const Duration & duration) const {return Time(detail::added(ns_, duration.nanoseconds(), "addition leads"), type_);}
+  Time operator-(const Duration & duration) const {return Time(detail::subtracted(ns_, duration.nanoseconds()), type_);}
   Duration operator-(const Time & other) const
   {
     check_same(other, "can't subtract times with different time sources [");
-    return Duration::from_nanoseconds(ns_ - other.ns_);
+    return Duration::from_nanoseconds(detail::subtracted(ns_, other.ns_));
   }
   Time & operator+=(const Duration & duration) {return *this = *this + duration;}
   Time & operator-=(const Duration & duration) {return *this = *this - duration;}
@@ -54,9 +55,9 @@ public:
   bool operator>=(const Time & other) const {return compared(other) >= 0;}
 
 private:
-  void check() const
+  static void check(int32_t seconds)
   {
-    if (ns_ < 0) {
+    if (seconds < 0) {
       throw std::runtime_error("cannot store a negative time point in rclcpp::Time");
     }
   }

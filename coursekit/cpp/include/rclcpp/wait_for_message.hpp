@@ -31,4 +31,15 @@ bool wait_for_message(
   executor.remove_callback_group(options.callback_group);
   return came;
 }
+/// The same with a subscription that is there already.
+template<class T, class Rep = int64_t, class Period = std::milli>
+bool wait_for_message(
+  T & out, std::shared_ptr<Subscription<T>> subscription, std::shared_ptr<Context>,
+  std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1))
+{
+  WaitSet set;
+  set.add_subscription(subscription);
+  MessageInfo info;
+  return set.wait(time_to_wait).kind() == WaitResultKind::Ready && subscription->take(out, info);
+}
 }  // namespace rclcpp

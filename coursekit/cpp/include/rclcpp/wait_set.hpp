@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "rclcpp/client.hpp"
 #include "rclcpp/guard_condition.hpp"
+#include "rclcpp/service.hpp"
 #include "rclcpp/subscription.hpp"
 #include "rclcpp/timer.hpp"
 
@@ -42,6 +44,12 @@ private:
   S * set_;
 };
 
+/// Something else to wait for; nothing in coursekit is one.
+class Waitable
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Waitable)
+};
 struct SubscriptionWaitSetMask
 {
   bool include_subscription = true, include_events = true, include_intra_process_waitable = true;
@@ -58,6 +66,11 @@ public:
     : subscription(std::move(subscription_)), mask(mask_) {}
     SubscriptionBase::SharedPtr subscription;
     SubscriptionWaitSetMask mask;
+  };
+  struct WaitableEntry
+  {
+    Waitable::SharedPtr waitable;
+    std::shared_ptr<void> associated_entity;
   };
   using Subscriptions = std::vector<SubscriptionEntry>;
   using Guards = std::vector<GuardCondition::SharedPtr>;
@@ -149,14 +162,22 @@ private:
 using ThreadSafeWaitSet = WaitSet;
 
 /// A wait set whose numbers of entities are fixed.
-template<size_t NSubscriptions, size_t NGuards = 0, size_t NTimers = 0, size_t = 0, size_t = 0, size_t = 0>
+template<size_t NSubscriptions, size_t NGuards = 0, size_t NTimers = 0, size_t NClients = 0, size_t NServices = 0,
+  size_t NWaitables = 0>
 class StaticWaitSet : public WaitSet
 {
 public:
   explicit StaticWaitSet(
     const std::array<SubscriptionEntry, NSubscriptions> & subscriptions = {},
     const std::array<GuardCondition::SharedPtr, NGuards> & guards = {},
-    const std::array<TimerBase::SharedPtr, NTimers> & timers = {})
-  : WaitSet({subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()}) {}
+    const std::array<TimerBase::SharedPtr, NTimers> & timers = {},
+    const std::array<ClientBase::SharedPtr, NClients> & = {}, const std::array<ServiceBase::SharedPtr, NServices> & = {},
+    const std::array<WaitableEntry, NWaitables> & = {})
+  : WaitSet({subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()})
+  {
+    static_assert(
+      NClients + NServices + NWaitables == 0,
+      "wait sets of coursekit wait for subscriptions, guard conditions and timers, not for clients and services");
+  }
 };
 }  // namespace rclcpp

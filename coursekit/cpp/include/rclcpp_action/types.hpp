@@ -61,3 +61,16 @@ public:
 };
 }  // namespace exceptions
 }  // namespace rclcpp_action
+
+namespace std
+{
+/// Numbers of goals are keys of maps, as with Humble's header.
+template<>
+struct hash<rclcpp_action::GoalUUID>
+{
+  size_t operator()(const rclcpp_action::GoalUUID & goal_id) const noexcept
+  {
+    return hash<string>()(rclcpp_action::bytes_of(goal_id));
+  }
+};
+}  // namespace std

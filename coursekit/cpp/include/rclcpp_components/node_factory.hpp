@@ -43,6 +43,9 @@ bool enter(const std::string & plugin, std::shared_ptr<NodeFactory> factory);
 template<class E>
 int run(const std::string & plugin, int argc, char ** argv);
 NodeInstanceWrapper make(const std::string & plugin, const rclcpp::NodeOptions & options);
+/// The names of the classes that a program has, and what makes one; null where there is none of that name.
+std::vector<std::string> factory_names();
+std::shared_ptr<NodeFactory> factory_called(const std::string & plugin);
 
 template<class E>
 int run(const std::string & plugin, int argc, char ** argv)

@@ -14,7 +14,7 @@ public:
   const char * get_name() const {return name.c_str();}
   const char * get_namespace() const {return space.c_str();}
   const char * get_fully_qualified_name() const {return full_name.c_str();}
-  Context::SharedPtr get_context() {return contexts::get_global_default_context();}
+  Context::SharedPtr get_context() {return context;}
   CallbackGroup::SharedPtr get_default_callback_group() {return group;}
   Logger get_logger() const {return Logger(logger);}
   const char * get_logger_name() const {return logger.c_str();}
@@ -26,7 +26,8 @@ public:
   std::string name, space, full_name, logger;
   CallbackGroup::SharedPtr group;
   Clock::SharedPtr clock;
-  bool in_executor = false;
+  Context::SharedPtr context = contexts::get_global_default_context();
+  bool in_executor = false, topic_statistics = false;
 };
 using NodeClockInterface = NodeBaseInterface;
 using NodeGraphInterface = NodeBaseInterface;

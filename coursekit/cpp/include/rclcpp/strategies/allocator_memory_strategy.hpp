@@ -1,0 +1,2 @@
+#pragma once
+#include "rclcpp/memory_strategy.hpp"

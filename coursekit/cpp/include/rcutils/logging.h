@@ -1,0 +1,62 @@
+// Levels of loggers, asked in C.
+#pragma once
+#include <cstring>
+
+#include "rclcpp/logger.hpp"
+
+typedef int rcutils_ret_t;
+typedef int rcl_ret_t;
+typedef int rmw_ret_t;
+#define RCUTILS_RET_OK 0
+#define RCUTILS_RET_ERROR 2
+#define RCUTILS_RET_INVALID_ARGUMENT 11
+#define RCUTILS_RET_LOGGING_SEVERITY_STRING_INVALID 22
+#define RCL_RET_OK 0
+#define RCL_RET_ERROR 1
+#define RMW_RET_OK 0
+/// Memory is the program's own; what wants an allocator takes this one and asks it for nothing.
+struct rcutils_allocator_t {};
+typedef rcutils_allocator_t rcl_allocator_t;
+inline rcutils_allocator_t rcutils_get_default_allocator() {return {};}
+inline rcl_allocator_t rcl_get_default_allocator() {return {};}
+
+enum RCUTILS_LOG_SEVERITY
+{
+  RCUTILS_LOG_SEVERITY_UNSET = 0, RCUTILS_LOG_SEVERITY_DEBUG = 10, RCUTILS_LOG_SEVERITY_INFO = 20,
+  RCUTILS_LOG_SEVERITY_WARN = 30, RCUTILS_LOG_SEVERITY_ERROR = 40, RCUTILS_LOG_SEVERITY_FATAL = 50,
+};
+inline rcutils_ret_t rcutils_logging_severity_level_from_string(const char * text, rcutils_allocator_t, int * severity)
+{
+  if (!text || !severity) {
+    return RCUTILS_RET_INVALID_ARGUMENT;
+  }
+  static const struct {const char * name; int level;} known[] = {
+    {"UNSET", 0}, {"DEBUG", 10}, {"INFO", 20}, {"WARN", 30}, {"ERROR", 40}, {"FATAL", 50}};
+  std::string upper;
+  for (const char * c = text; *c; ++c) {
+    upper += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
+  }
+  for (auto & one : known) {
+    if (upper == one.name) {
+      *severity = one.level;
+      return RCUTILS_RET_OK;
+    }
+  }
+  return RCUTILS_RET_LOGGING_SEVERITY_STRING_INVALID;
+}
+inline rcutils_ret_t rcutils_logging_set_logger_level(const char * name, int level)
+{
+  if (!name || level < 0 || level > RCUTILS_LOG_SEVERITY_FATAL || level % 10) {
+    return RCUTILS_RET_INVALID_ARGUMENT;
+  }
+  rclcpp::Logger(name).set_level(static_cast<rclcpp::Logger::Level>(level));
+  return RCUTILS_RET_OK;
+}
+inline int rcutils_logging_get_logger_effective_level(const char * name)
+{
+  return static_cast<int>(rclcpp::Logger(name ? name : "").get_effective_level());
+}
+inline bool rcutils_logging_logger_is_enabled_for(const char * name, int severity)
+{
+  return severity >= rcutils_logging_get_logger_effective_level(name);
+}

@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2_ros/message_filter.h"

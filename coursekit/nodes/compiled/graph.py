@@ -1,0 +1,88 @@
+"""What a compiled program asks of the graph: who is there, and whether that has changed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from coursekit.nodes.compiled import qos
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+STOPPING = 2
+
+
+def do_node_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Full names of all nodes."""
+    found = host.things[frame.integer()].get_node_names_and_namespaces()
+    names = [f"{space.rstrip('/')}/{name}" for name, space in found]
+    return packed(len(names), *names)
+
+
+def do_topics(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """All topics with their types."""
+    return _names_and_types(host.things[frame.integer()].get_topic_names_and_types())
+
+
+def do_services(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """All services with their types."""
+    return _names_and_types(host.things[frame.integer()].get_service_names_and_types())
+
+
+def do_services_of(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The services of one node with their types."""
+    node, name, namespace = host.things[frame.integer()], frame.text(), frame.text()
+    return _names_and_types(node.get_service_names_and_types_by_node(name, namespace))
+
+
+def _names_and_types(found: list[tuple[str, list[str]]]) -> bytes:
+    return packed(len(found), *(word for name, types in found for word in (name, len(types), *types)))
+
+
+def do_count_publishers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """How many publish on a topic."""
+    return packed(host.things[frame.integer()].count_publishers(frame.text()))
+
+
+def do_count_subscribers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """How many listen to a topic."""
+    return packed(host.things[frame.integer()].count_subscribers(frame.text()))
+
+
+def do_publishers_info(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """What is known of a topic's publishers."""
+    return _endpoints(host.things[frame.integer()].get_publishers_info_by_topic(frame.text(), bool(frame.integer())))
+
+
+def do_subscriptions_info(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """What is known of the subscriptions to a topic."""
+    return _endpoints(host.things[frame.integer()].get_subscriptions_info_by_topic(frame.text(), bool(frame.integer())))
+
+
+def _endpoints(found: list[Any]) -> bytes:
+    parts = [packed(len(found))]
+    for one in found:
+        who = (one.node_name, one.node_namespace, one.topic_type, int(one.endpoint_type), bytes(one.endpoint_gid))
+        parts.append(packed(*who) + qos.packed_profile(one.qos_profile))
+    return b"".join(parts)
+
+
+def do_graph_changes(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """A number that grows when nodes, topics or services come or go."""
+    return packed(host.things[frame.integer()]._graph.version)
+
+
+def do_wait_for_graph(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Wait until that number has grown, at most so long (negative: without end); the number."""
+    graph, seen, nanoseconds = host.things[frame.integer()]._graph, frame.integer(), frame.integer()
+    end = None if nanoseconds < 0 else host.clock.steady() + nanoseconds
+    waiter = host.clock.new_waiter()
+    graph.watch(waiter.notify)
+    try:
+        while graph.version == seen and not host.flags & STOPPING and (end is None or host.clock.steady() < end):
+            waiter.wait(end)
+    finally:
+        graph.unwatch(waiter.notify)
+    return packed(graph.version)

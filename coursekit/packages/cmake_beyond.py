@@ -1,0 +1,37 @@
+"""What our reading of a CMakeLists.txt cannot carry out, so that CMake itself must: it is never passed over in silence."""
+
+from __future__ import annotations
+
+from coursekit.packages.cmake_text import CMakeError, Command
+
+_COMMANDS = {
+    "add_custom_command", "add_custom_target", "break", "cmake_language", "cmake_parse_arguments", "cmake_path",
+    "configure_file", "continue", "execute_process", "find_file", "find_path", "find_program", "get_directory_property",
+    "get_filename_component", "get_property", "math", "separate_arguments", "set_property", "string", "while",
+}  # fmt: skip
+"""Commands on which the rest of a file may depend."""
+_LISTS = {"APPEND", "PREPEND", "REMOVE_ITEM", "REMOVE_DUPLICATES"}
+_FILES = {"GLOB", "GLOB_RECURSE"}
+_MODULES = {"GNUInstallDirs", "CTest", "CMakePackageConfigHelpers"}
+"""Modules of CMake's that change nothing about what is installed here."""
+
+
+class NeedsCMake(CMakeError):
+    """A command that only CMake can carry out."""
+
+    def __init__(self, command: Command, what: str) -> None:
+        where = "needs CMake itself, which is not here: pip install 'coursekit[cpp]' brings it"
+        super().__init__(f"{what} {where}", command.file, command.line)
+
+
+def demand(command: Command, words: list[str]) -> None:
+    """NeedsCMake where a command is one of those."""
+    name, first = command.name, (words or [""])[0]
+    if name in _COMMANDS:
+        raise NeedsCMake(command, f"{name}()")
+    if (name == "list" and first not in _LISTS) or (name == "file" and first not in _FILES):
+        raise NeedsCMake(command, f"{name}({first} ...)")
+    if name == "foreach" and words[1:2] and words[1] in ("RANGE", "IN") and {"RANGE", "ZIP_LISTS"} & set(words):
+        raise NeedsCMake(command, "foreach() with RANGE or ZIP_LISTS")
+    if name == "include" and first not in _MODULES:
+        raise NeedsCMake(command, f"include({first})")

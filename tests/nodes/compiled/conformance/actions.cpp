@@ -1,0 +1,108 @@
+#include "check.hpp"
+#include "example_interfaces/action/fibonacci.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
+
+using Fibonacci = example_interfaces::action::Fibonacci;
+using Serving = rclcpp_action::ServerGoalHandle<Fibonacci>;
+using Client = rclcpp_action::Client<Fibonacci>;
+using Code = rclcpp_action::ResultCode;
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("actions");
+  auto client = rclcpp_action::create_client<Fibonacci>(node, "count");
+  check("no server yet", !client->action_server_is_ready() && !client->wait_for_action_server(20ms));
+  std::vector<std::thread> threads;
+  std::atomic<bool> enough{false};
+  auto execute = [&](std::shared_ptr<Serving> goal) {
+      auto result = std::make_shared<Fibonacci::Result>();
+      auto feedback = std::make_shared<Fibonacci::Feedback>();
+      for (int i = 0; i < goal->get_goal()->order && !enough; ++i) {
+        if (goal->is_canceling()) {
+          result->sequence = feedback->sequence;
+          goal->canceled(result);
+          return;
+        }
+        feedback->sequence.push_back(i);
+        goal->publish_feedback(feedback);
+        rclcpp::sleep_for(20ms);
+      }
+      result->sequence = feedback->sequence;
+      if (goal->get_goal()->order == 2 || enough) {
+        goal->abort(result);
+      } else {
+        goal->succeed(result);
+      }
+    };
+  auto server = rclcpp_action::create_server<Fibonacci>(
+    node, "count",
+    [](const rclcpp_action::GoalUUID &, std::shared_ptr<const Fibonacci::Goal> goal) {
+      return goal->order < 0 ? rclcpp_action::GoalResponse::REJECT : rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;
+    },
+    [](std::shared_ptr<Serving> goal) {
+      return goal->get_goal()->order == 50 ? rclcpp_action::CancelResponse::REJECT : rclcpp_action::CancelResponse::ACCEPT;
+    },
+    [&](std::shared_ptr<Serving> goal) {threads.emplace_back(execute, goal);});
+  check("server is there", client->wait_for_action_server(1s));
+  auto until = [&](auto & future) {
+      return rclcpp::spin_until_future_complete(node, future, 5s) == rclcpp::FutureReturnCode::SUCCESS;
+    };
+  Fibonacci::Goal goal;
+  goal.order = 4;
+  int answered = 0, fed = 0, done = 0;
+  Client::SendGoalOptions options;
+  options.goal_response_callback = [&](rclcpp_action::ClientGoalHandle<Fibonacci>::SharedPtr handle) {answered += bool(handle);};
+  options.feedback_callback = [&](auto, const std::shared_ptr<const Fibonacci::Feedback> f) {fed = static_cast<int>(f->sequence.size());};
+  options.result_callback = [&](const rclcpp_action::ClientGoalHandle<Fibonacci>::WrappedResult & r) {
+      done = r.code == Code::SUCCEEDED ? static_cast<int>(r.result->sequence.size()) : -1;
+    };
+  auto sent = client->async_send_goal(goal, options);
+  check("a goal is accepted", until(sent) && sent.get() != nullptr);
+  auto handle = sent.get();
+  check("it runs", handle->get_status() == rclcpp_action::GoalStatus::STATUS_ACCEPTED ||
+    handle->get_status() == rclcpp_action::GoalStatus::STATUS_EXECUTING);
+  check("feedback is wanted", handle->is_feedback_aware() && handle->is_result_aware());
+  auto result = client->async_get_result(handle);
+  check("its result comes", until(result));
+  check("it succeeded", result.get().code == Code::SUCCEEDED);
+  equal("the result", result.get().result->sequence.size(), 4u);
+  check("the result's goal", result.get().goal_id == handle->get_goal_id());
+  check("all callbacks ran", spin_until(node, [&] {return done == 4 && answered == 1 && fed == 4;}),
+    std::to_string(done) + std::to_string(answered) + std::to_string(fed));
+  goal.order = -1;
+  auto refused = client->async_send_goal(goal);
+  check("a goal is rejected", until(refused) && refused.get() == nullptr);
+  goal.order = 2;
+  auto aborting = client->async_send_goal(goal);
+  until(aborting);
+  auto aborted = client->async_get_result(aborting.get());
+  check("a goal is aborted", until(aborted) && aborted.get().code == Code::ABORTED);
+  auto stranger = rclcpp_action::create_client<Fibonacci>(node, "count");
+  throws<rclcpp_action::exceptions::UnknownGoalHandleError>(
+    "another client's goal", [&] {stranger->async_get_result(handle);});
+  goal.order = 100;
+  auto long_goal = client->async_send_goal(goal);
+  until(long_goal);
+  auto cancelling = client->async_cancel_goal(long_goal.get());
+  check("a goal is cancelled", until(cancelling));
+  equal("one is cancelling", cancelling.get()->goals_canceling.size(), 1u);
+  auto cancelled = client->async_get_result(long_goal.get());
+  check("with this result", until(cancelled) && cancelled.get().code == Code::CANCELED);
+  goal.order = 50;
+  auto stubborn = client->async_send_goal(goal);
+  until(stubborn);
+  auto asked = client->async_cancel_goal(stubborn.get());
+  until(asked);
+  check("a goal may refuse that", asked.get()->return_code == Client::CancelResponse::ERROR_REJECTED);
+  auto all = client->async_cancel_all_goals();
+  check("all are asked", until(all));
+  check("a goal's number as text", !rclcpp_action::to_string(handle->get_goal_id()).empty());
+  std::unordered_map<rclcpp_action::GoalUUID, int> numbers{{handle->get_goal_id(), 1}};
+  equal("a goal's number as key", numbers.at(handle->get_goal_id()), 1);
+  enough = true;
+  for (auto & thread : threads) {
+    thread.join();
+  }
+  rclcpp::shutdown();
+}

@@ -1,0 +1,136 @@
+#include <set>
+
+#include "check.hpp"
+#include "std_msgs/msg/int32.hpp"
+
+using std_msgs::msg::Int32;
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("busy");
+  int ticks = 0;
+  auto timer = node->create_wall_timer(10ms, [&] {++ticks;});
+  rclcpp::executors::SingleThreadedExecutor single;
+  single.add_node(node);
+  throws<std::runtime_error>("added twice", [&] {single.add_node(node);});
+  rclcpp::executors::SingleThreadedExecutor another;
+  throws<std::runtime_error>("served by two", [&] {another.add_node(node);});
+  throws<std::runtime_error>("removed where it is not", [&] {another.remove_node(node);});
+  single.spin_once(1s);
+  equal("spin_once runs one callback", ticks, 1);
+  single.spin_once(0ns);
+  check("spin_once may find nothing", ticks <= 2);
+  rclcpp::sleep_for(20ms);
+  int before = ticks;
+  single.spin_some();
+  equal("spin_some runs what is ready", ticks, before + 1);
+  std::promise<int> promise;
+  auto future = promise.get_future();
+  auto fulfil = node->create_wall_timer(30ms, [&, done = false]() mutable {
+      if (!done) {
+        promise.set_value(4);
+        done = true;
+      }
+    });
+  check("until a future is ready", single.spin_until_future_complete(future, 5s) == rclcpp::FutureReturnCode::SUCCESS);
+  equal("the future", future.get(), 4);
+  std::promise<void> never;
+  auto endless = never.get_future();
+  check("a timeout", single.spin_until_future_complete(endless, 30ms) == rclcpp::FutureReturnCode::TIMEOUT);
+  fulfil->cancel();
+  check("not spinning", !single.is_spinning());
+  auto stop = node->create_wall_timer(40ms, [&] {single.cancel();});
+  single.spin();
+  check("cancel ends spin", true);
+  bool nested = false;
+  auto again = node->create_wall_timer(10ms, [&] {
+      try {
+        single.spin();
+      } catch (const std::runtime_error & error) {
+        nested = std::string(error.what()) == "spin() called while already spinning";
+      }
+    });
+  single.spin();
+  check("spin within spin", nested);
+  again->cancel();
+  stop->cancel();
+  single.remove_node(node);
+  before = ticks;
+  rclcpp::sleep_for(30ms);
+  single.spin_some();
+  equal("a node that was removed", ticks, before);
+  rclcpp::spin_some(node);
+  check("the free function", ticks > before);
+  timer->cancel();
+
+  // several threads
+  auto threaded = rclcpp::Node::make_shared("threaded");
+  auto group = threaded->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  std::atomic<int> at_once{0}, most{0}, ended{0};
+  std::mutex lock;
+  std::set<std::thread::id> ids;
+  auto work = [&] {
+      most = std::max<int>(most, ++at_once);
+      {
+        std::lock_guard<std::mutex> hold(lock);
+        ids.insert(std::this_thread::get_id());
+      }
+      rclcpp::sleep_for(50ms);
+      --at_once;
+      ++ended;
+    };
+  auto first = threaded->create_wall_timer(20ms, work, group);
+  auto second = threaded->create_wall_timer(20ms, work, group);
+  rclcpp::executors::MultiThreadedExecutor several(rclcpp::ExecutorOptions(), 4);
+  equal("number of threads", several.get_number_of_threads(), 4u);
+  several.add_node(threaded);
+  auto enough = threaded->create_wall_timer(20ms, [&] {if (ended >= 4) {several.cancel();}});
+  several.spin();
+  check("a reentrant group runs beside itself", most >= 2, std::to_string(most));
+  check("in several threads", ids.size() >= 2);
+  several.remove_node(threaded);
+  first->cancel();
+  second->cancel();
+  rclcpp::sleep_for(60ms);
+  auto exclusive = rclcpp::Node::make_shared("exclusive");
+  most = ended = at_once = 0;
+  auto one = exclusive->create_wall_timer(20ms, work), two = exclusive->create_wall_timer(20ms, work);
+  rclcpp::executors::MultiThreadedExecutor careful(rclcpp::ExecutorOptions(), 4);
+  careful.add_node(exclusive);
+  auto done = exclusive->create_wall_timer(20ms, [&] {if (ended >= 4) {careful.cancel();}});
+  careful.spin();
+  equal("an exclusive group never does", most.load(), 1);
+
+  // groups of their own executors
+  auto apart = rclcpp::Node::make_shared("apart");
+  auto own = apart->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
+  check("a group may stay apart", !own->automatically_add_to_executor_with_node());
+  int with_node = 0, with_group = 0;
+  auto usual = apart->create_wall_timer(10ms, [&] {++with_node;});
+  auto special = apart->create_wall_timer(10ms, [&] {++with_group;}, own);
+  check("the node's executor leaves it alone", spin_until(apart, [&] {return with_node > 3;}) && with_group == 0);
+  rclcpp::executors::SingleThreadedExecutor of_group;
+  of_group.add_callback_group(own, apart->get_node_base_interface());
+  before = with_node;
+  for (int i = 0; i < 3; ++i) {
+    of_group.spin_once(1s);
+  }
+  check("its own serves it", with_group == 3 && with_node == before);
+
+  // what a callback throws leaves through spin
+  auto thrower = rclcpp::Node::make_shared("thrower");
+  auto bad = thrower->create_wall_timer(10ms, [] {throw std::domain_error("from a callback");});
+  throws<std::domain_error>("spin throws what a callback throws", [&] {rclcpp::spin(thrower);});
+  bad->cancel();
+  rclcpp::executors::StaticSingleThreadedExecutor fixed;
+  int fixed_ticks = 0;
+  auto node_of_fixed = rclcpp::Node::make_shared("fixed");
+  auto tick = node_of_fixed->create_wall_timer(10ms, [&] {if (++fixed_ticks == 3) {fixed.cancel();}});
+  fixed.add_node(node_of_fixed);
+  fixed.spin();
+  equal("the static executor", fixed_ticks, 3);
+  throws<std::invalid_argument>("spin_all wants no negative time", [&] {fixed.spin_all(-1s);});
+  rclcpp::shutdown();
+  check("shutdown ends ok", !rclcpp::ok());
+}

@@ -1,0 +1,39 @@
+#include "check.hpp"
+#include "rcutils/logging.h"
+#include "rcutils/logging_macros.h"
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("logging");
+  auto logger = node->get_logger();
+  check("info is the level", logger.get_effective_level() == rclcpp::Logger::Level::Info);
+  logger.set_level(rclcpp::Logger::Level::Debug);
+  check("a level is set", logger.get_effective_level() == rclcpp::Logger::Level::Debug);
+  check("children have it", logger.get_child("arm").get_effective_level() == rclcpp::Logger::Level::Debug);
+  int level = 0;
+  equal("a level by its name", rcutils_logging_severity_level_from_string("warn", rcl_get_default_allocator(), &level), RCUTILS_RET_OK);
+  equal("it is", level, static_cast<int>(RCUTILS_LOG_SEVERITY_WARN));
+  equal("no such name", rcutils_logging_severity_level_from_string("loud", rcl_get_default_allocator(), &level),
+    RCUTILS_RET_LOGGING_SEVERITY_STRING_INVALID);
+  check("set in C", rcutils_logging_set_logger_level("logging", RCUTILS_LOG_SEVERITY_ERROR) == RCUTILS_RET_OK &&
+    logger.get_effective_level() == rclcpp::Logger::Level::Error);
+  check("not enabled", !rcutils_logging_logger_is_enabled_for("logging", RCUTILS_LOG_SEVERITY_INFO));
+  RCLCPP_INFO(logger, "LINE hidden");
+  logger.set_level(rclcpp::Logger::Level::Info);
+  RCLCPP_DEBUG(logger, "LINE hidden too");
+  RCLCPP_INFO(logger, "LINE %d of %s", 1, "text");
+  RCLCPP_WARN_STREAM(logger, "LINE stream " << 2 << ' ' << 0.5);
+  for (int i = 0; i < 3; ++i) {
+    RCLCPP_ERROR_ONCE(logger, "LINE once %d", i);
+    RCLCPP_INFO_SKIPFIRST(logger, "LINE skipped first %d", i);
+    RCLCPP_INFO_EXPRESSION(logger, i == 1, "LINE expression %d", i);
+    RCLCPP_INFO_THROTTLE(logger, *node->get_clock(), 1000, "LINE throttled %d", i);
+    RCLCPP_INFO_STREAM_THROTTLE(logger, *node->get_clock(), 1000, "LINE throttled stream " << i);
+    RCLCPP_FATAL_STREAM_ONCE(logger, "LINE fatal " << i);
+  }
+  std::function<bool ()> yes = [] {return true;};
+  RCLCPP_INFO_FUNCTION(logger, &yes, "LINE function");
+  RCUTILS_LOG_WARN_NAMED("named", "LINE by name");
+  rclcpp::shutdown();
+}

@@ -1,0 +1,53 @@
+#include "check.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "std_srvs/srv/trigger.hpp"
+
+using std_msgs::msg::String;
+using std_srvs::srv::Trigger;
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("probe", "/lab");
+  equal("name", std::string(node->get_name()), "probe");
+  equal("namespace", std::string(node->get_namespace()), "/lab");
+  equal("full name", std::string(node->get_fully_qualified_name()), "/lab/probe");
+  equal("logger is named by dots", std::string(node->get_logger().get_name()), "lab.probe");
+  equal("child logger", std::string(node->get_logger().get_child("arm").get_name()), "lab.probe.arm");
+  equal("namespace gets its slash", std::string(rclcpp::Node("slashless", "ns").get_namespace()), "/ns");
+  throws<rclcpp::exceptions::InvalidNodeNameError>("bad name", [] {rclcpp::Node("no spaces");});
+  throws<rclcpp::exceptions::InvalidNamespaceError>("bad namespace", [] {rclcpp::Node("n", "a b");});
+  throws<rclcpp::exceptions::InvalidTopicNameError>("bad topic", [&] {node->create_publisher<String>("1st", 1);});
+  throws<rclcpp::exceptions::InvalidServiceNameError>("bad service", [&] {node->create_client<Trigger>("what?");});
+  equal("node's clock is ROS time", static_cast<int>(node->get_clock()->get_clock_type()), static_cast<int>(RCL_ROS_TIME));
+  equal("default group is exclusive", node->get_node_base_interface()->get_default_callback_group()->type() ==
+    rclcpp::CallbackGroupType::MutuallyExclusive, true);
+
+  rclcpp::NodeOptions options;
+  options.arguments({"--ros-args", "-r", "__node:=renamed", "-r", "chatter:=talk", "-p", "speed:=3"});
+  options.append_parameter_override("colour", "blue");
+  auto other = std::make_shared<rclcpp::Node>("first", options);
+  equal("arguments rename", std::string(other->get_name()), "renamed");
+  equal("arguments remap", std::string(other->create_publisher<String>("chatter", 1)->get_topic_name()), "/talk");
+  equal("arguments set parameters", other->declare_parameter("speed", 1), 3);
+  equal("overrides set parameters", other->declare_parameter<std::string>("colour", "red"), "blue");
+  equal("options are kept", other->get_node_options().arguments().size(), 7u);
+  rclcpp::NodeOptions automatic;
+  automatic.parameter_overrides({{"given", 7}}).automatically_declare_parameters_from_overrides(true);
+  equal("overrides are declared by themselves", rclcpp::Node("auto", automatic).get_parameter("given").as_int(), 7);
+  equal("undeclared parameters are allowed where asked for",
+    rclcpp::Node("free", rclcpp::NodeOptions().allow_undeclared_parameters(true)).set_parameter({"new", 1}).successful, true);
+
+  auto sub_node = node->create_sub_node("arm");
+  equal("sub-node's sub-namespace", sub_node->get_sub_namespace(), "arm");
+  equal("sub-node's effective namespace", sub_node->get_effective_namespace(), "/lab/arm");
+  equal("sub-node's names are below it", std::string(sub_node->create_publisher<String>("joint", 1)->get_topic_name()),
+    "/lab/arm/joint");
+  equal("sub-node leaves absolute names", std::string(sub_node->create_publisher<String>("/joint", 1)->get_topic_name()), "/joint");
+  equal("sub-node of a sub-node", sub_node->create_sub_node("hand")->get_effective_namespace(), "/lab/arm/hand");
+  equal("sub-node is the same node", std::string(sub_node->get_fully_qualified_name()), "/lab/probe");
+  throws<rclcpp::exceptions::NameValidationError>("empty sub-namespace", [&] {node->create_sub_node("");});
+  throws<rclcpp::exceptions::NameValidationError>("absolute sub-namespace", [&] {node->create_sub_node("/arm");});
+  equal("private name", std::string(node->create_publisher<String>("~/state", 1)->get_topic_name()), "/lab/probe/state");
+  rclcpp::shutdown();
+}

@@ -1,0 +1,117 @@
+#include <fstream>
+
+#include "check.hpp"
+
+using rcl_interfaces::msg::ParameterDescriptor;
+using rcl_interfaces::msg::SetParametersResult;
+namespace errors = rclcpp::exceptions;
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("parameters");
+  equal("declared int", node->declare_parameter("count", 3), 3);
+  equal("declared double", node->declare_parameter("speed", 1.5), 1.5);
+  equal("declared text", node->declare_parameter("name", "x"), "x");
+  equal("declared bool", node->declare_parameter<bool>("on", true), true);
+  equal("declared list", node->declare_parameter("list", std::vector<double>{1, 2}).size(), 2u);
+  equal("declared texts", node->declare_parameter("texts", std::vector<std::string>{"a", "b", "c"}).at(2), "c");
+  equal("as_int", node->get_parameter("count").as_int(), 3);
+  equal("as_double", node->get_parameter("speed").as_double(), 1.5);
+  equal("as_string", node->get_parameter("name").as_string(), "x");
+  equal("as_bool", node->get_parameter("on").as_bool(), true);
+  equal("as_double_array", node->get_parameter("list").as_double_array().at(1), 2.0);
+  equal("type's name", node->get_parameter("speed").get_type_name(), "double");
+  equal("value as text", node->get_parameter("texts").value_to_string(), "[a, b, c]");
+  int count = 0;
+  check("get into a variable", node->get_parameter("count", count) && count == 3);
+  check("get what is not there", !node->get_parameter("nothing", count));
+  check("get_parameter_or", !node->get_parameter_or("nothing", count, 8) && count == 8);
+  check("has", node->has_parameter("count") && !node->has_parameter("nothing"));
+  throws<errors::ParameterNotDeclaredException>("get throws", [&] {node->get_parameter("nothing");});
+  throws<errors::ParameterAlreadyDeclaredException>("declared twice", [&] {node->declare_parameter("count", 1);});
+  throws<errors::InvalidParametersException>("no name", [&] {node->declare_parameter("", 1);});
+  throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").as_string();});
+  throws<errors::ParameterNotDeclaredException>("set what is not declared", [&] {node->set_parameter({"nothing", 1});});
+  throws<errors::UninitializedStaticallyTypedParameterException>("declared by type alone", [&] {
+      node->declare_parameter<int>("typed");
+    });
+  check("set", node->set_parameter(rclcpp::Parameter("count", 5)).successful && node->get_parameter("count").as_int() == 5);
+  auto wrong = node->set_parameter(rclcpp::Parameter("count", "five"));
+  check("a wrong type is refused", !wrong.successful);
+  equal("in these words", wrong.reason, "Wrong parameter type, parameter {count} is of type {integer}, setting it to {string} is not allowed.");
+  ParameterDescriptor fixed;
+  fixed.read_only = true;
+  node->declare_parameter("fixed", 1, fixed);
+  equal("read-only", node->set_parameter({"fixed", 2}).reason, "parameter 'fixed' cannot be set because it is read-only");
+  ParameterDescriptor ranged;
+  ranged.integer_range.resize(1);
+  ranged.integer_range[0].from_value = 0;
+  ranged.integer_range[0].to_value = 10;
+  ranged.integer_range[0].step = 2;
+  node->declare_parameter("ranged", 4, ranged);
+  check("within the range", node->set_parameter({"ranged", 6}).successful);
+  equal("off the step", node->set_parameter({"ranged", 5}).reason, "Parameter {ranged} doesn't comply with integer range.");
+  throws<errors::InvalidParameterValueException>("a default out of range", [&] {node->declare_parameter("r2", 11, ranged);});
+  ParameterDescriptor dynamic;
+  dynamic.dynamic_typing = true;
+  node->declare_parameter("dynamic", rclcpp::ParameterValue(1), dynamic);
+  check("dynamic typing", node->set_parameter({"dynamic", "text"}).successful);
+  equal("described", node->describe_parameter("ranged").integer_range.at(0).to_value, 10);
+  throws<errors::ParameterImmutableException>("a read-only one stays", [&] {node->undeclare_parameter("fixed");});
+  node->undeclare_parameter("dynamic");
+  check("undeclared", !node->has_parameter("dynamic"));
+
+  auto judge = node->add_on_set_parameters_callback(
+    [](const std::vector<rclcpp::Parameter> & wanted) {
+      SetParametersResult result;
+      result.successful = wanted[0].get_name() != "count" || wanted[0].as_int() < 100;
+      result.reason = result.successful ? "" : "too many";
+      return result;
+    });
+  equal("a callback judges", node->set_parameter({"count", 100}).reason, "too many");
+  check("and lets pass", node->set_parameter({"count", 99}).successful);
+  auto both = node->set_parameters_atomically({{"speed", 9.0}, {"fixed", 3}});
+  check("all or nothing", !both.successful && node->get_parameter("speed").as_double() == 1.5);
+  auto each = node->set_parameters({{"speed", 9.0}, {"fixed", 3}});
+  check("one by one", each[0].successful && !each[1].successful);
+  judge.reset();
+  check("the callback is gone with its handle", node->set_parameter({"count", 100}).successful);
+  node->declare_parameters<int>("wheel", {{"left", 1}, {"right", 2}});
+  std::map<std::string, int> wheels;
+  check("by prefix", node->get_parameters("wheel", wheels) && wheels["right"] == 2);
+  equal("listed below a prefix", node->list_parameters({"wheel"}, 10).names.size(), 2u);
+  equal("prefixes", node->list_parameters({"wheel"}, 10).prefixes.at(0), "wheel");
+  equal("types", static_cast<int>(node->get_parameter_types({"name"}).at(0)), static_cast<int>(rclcpp::PARAMETER_STRING));
+
+  // of other nodes, by their services
+  auto asker = rclcpp::Node::make_shared("asker");
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  std::thread serving([&] {executor.spin();});
+  auto client = std::make_shared<rclcpp::SyncParametersClient>(asker, "parameters");
+  check("services are there", client->wait_for_service(2s));
+  equal("remote get", client->get_parameter<int>("count"), 100);
+  equal("remote alternative", client->get_parameter<int>("nothing", 6), 6);
+  check("remote has", client->has_parameter("wheel.left"));
+  check("remote set", client->set_parameters({rclcpp::Parameter("count", 1)})[0].successful);
+  equal("remote types", static_cast<int>(client->get_parameter_types({"speed"})[0]), static_cast<int>(rclcpp::PARAMETER_DOUBLE));
+  equal("remote list", client->list_parameters({"wheel"}, 10).names.size(), 2u);
+  check("remote atomically", client->set_parameters_atomically({{"count", 2}, {"speed", 2.0}}).successful);
+  std::ofstream("given.yaml") << "/**:\n  ros__parameters:\n    count: 44\nparameters:\n  ros__parameters:\n    wheel: {left: 7}\n";
+  equal("a file is loaded", client->load_parameters("given.yaml").size(), 2u);
+  equal("for all nodes", node->get_parameter("count").as_int(), 44);
+  equal("and for this one", node->get_parameter("wheel.left").as_int(), 7);
+  equal("a file as a map", rclcpp::parameter_map_from_yaml_file("given.yaml").size(), 2u);
+  throws<std::runtime_error>("no file", [&] {client->load_parameters("nothing.yaml");});
+  int changed = 0;
+  auto handler = std::make_shared<rclcpp::ParameterEventHandler>(asker);
+  auto handle = handler->add_parameter_callback(
+    "count", [&](const rclcpp::Parameter & p) {changed = static_cast<int>(p.as_int());}, "/parameters");
+  client->set_parameters({rclcpp::Parameter("count", 12)});
+  spin_until(asker, [&] {return changed != 0;});
+  equal("a handler hears of a change", changed, 12);
+  executor.cancel();
+  serving.join();
+  rclcpp::shutdown();
+}

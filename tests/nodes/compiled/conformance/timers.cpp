@@ -1,0 +1,61 @@
+#include "check.hpp"
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("timers");
+  int ticks = 0;
+  auto timer = node->create_wall_timer(50ms, [&] {++ticks;});
+  check("a wall timer is steady", timer->is_steady());
+  check("it is not due yet", !timer->is_ready());
+  check("it has its period before it", timer->time_until_trigger() <= 50ms && timer->time_until_trigger() > 0ms);
+  check("it rings", spin_until(node, [&] {return ticks == 3;}));
+  timer->cancel();
+  check("it is cancelled", timer->is_canceled());
+  rclcpp::sleep_for(120ms);
+  rclcpp::spin_some(node);
+  equal("it rings no more", ticks, 3);
+  check("nothing is before it", timer->time_until_trigger() == std::chrono::nanoseconds::max());
+  timer->reset();
+  check("reset begins anew", !timer->is_canceled() && spin_until(node, [&] {return ticks == 4;}));
+  timer->cancel();
+
+  int once = 0;
+  rclcpp::TimerBase::SharedPtr one_off;
+  one_off = node->create_wall_timer(20ms, [&] {++once; one_off->cancel();});
+  spin_until(node, [&] {return once > 0;});
+  rclcpp::sleep_for(60ms);
+  rclcpp::spin_some(node);
+  equal("one that cancels itself", once, 1);
+
+  int told = 0;
+  auto telling = node->create_wall_timer(20ms, [&](rclcpp::TimerBase & me) {++told; me.cancel();});
+  check("a callback may take its timer", spin_until(node, [&] {return told == 1;}) && telling->is_canceled());
+  int ros = 0;
+  auto of_clock = rclcpp::create_timer(node, node->get_clock(), rclcpp::Duration(20ms), [&] {++ros;});
+  check("a timer of the node's clock", spin_until(node, [&] {return ros == 2;}));
+  check("is not steady", !of_clock->is_steady());
+  of_clock.reset();
+  int late = 0;
+  auto slow = node->create_wall_timer(20ms, [&] {++late;});
+  rclcpp::sleep_for(110ms);
+  rclcpp::spin_some(node);
+  check("missed rings are not made up for", late == 1, std::to_string(late));
+  slow.reset();
+  rclcpp::sleep_for(50ms);
+  rclcpp::spin_some(node);
+  equal("a timer that is gone is silent", late, 1);
+  throws<std::invalid_argument>("no negative period", [&] {node->create_wall_timer(-1ms, [] {});});
+  int zero = 0;
+  auto always = node->create_wall_timer(0ms, [&] {++zero;});
+  check("a period of nothing is always due", spin_until(node, [&] {return zero > 5;}));
+  always->cancel();
+  auto by_hand = node->create_wall_timer(1h, [&] {++ticks;});
+  ticks = 0;
+  check("called by hand", by_hand->call());
+  by_hand->execute_callback();
+  equal("its callback ran", ticks, 1);
+  by_hand->cancel();
+  check("a cancelled one is not called", !by_hand->call());
+  rclcpp::shutdown();
+}

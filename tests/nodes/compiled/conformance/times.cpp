@@ -1,0 +1,59 @@
+#include "check.hpp"
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::Time time(12, 345);
+  equal("nanoseconds", time.nanoseconds(), 12000000345);
+  equal("seconds", rclcpp::Time(2500000000LL).seconds(), 2.5);
+  check("a time's clock is the system's", time.get_clock_type() == RCL_SYSTEM_TIME);
+  builtin_interfaces::msg::Time message = time;
+  equal("as message", message.sec, 12);
+  check("from message it is ROS time", rclcpp::Time(message).get_clock_type() == RCL_ROS_TIME);
+  equal("difference", (rclcpp::Time(5, 0) - rclcpp::Time(3, 0)).seconds(), 2.0);
+  equal("sum", (time + rclcpp::Duration(1, 0)).nanoseconds(), 13000000345);
+  check("order", rclcpp::Time(1, 0) < rclcpp::Time(1, 1));
+  throws<std::runtime_error>("two clocks are not compared", [&] {(void)(time < rclcpp::Time(message));});
+  throws<std::runtime_error>("nor subtracted", [&] {(void)(time - rclcpp::Time(message));});
+  throws<std::runtime_error>("no negative time", [] {rclcpp::Time(-1, 0);});
+  throws<std::overflow_error>("no overflow", [] {(void)(rclcpp::Time::max() + rclcpp::Duration::max());});
+  equal("before the beginning", (rclcpp::Time(1, 0) - rclcpp::Duration(2, 0)).nanoseconds(), -1000000000);
+  equal("as message it has whole seconds", builtin_interfaces::msg::Time(rclcpp::Time(-500000000LL)).nanosec, 500000000u);
+  throws<std::underflow_error>("no underflow", [] {(void)(rclcpp::Time(std::numeric_limits<int64_t>::min()) - rclcpp::Duration(1, 0));});
+
+  equal("duration of chrono", rclcpp::Duration(1500ms).seconds(), 1.5);
+  equal("duration of seconds", rclcpp::Duration::from_seconds(0.25).nanoseconds(), 250000000);
+  equal("duration as chrono", rclcpp::Duration(2, 0).to_chrono<std::chrono::milliseconds>().count(), 2000);
+  equal("negative duration's nanoseconds", builtin_interfaces::msg::Duration(rclcpp::Duration(-500ms)).nanosec, 500000000u);
+  equal("negative duration's seconds", builtin_interfaces::msg::Duration(rclcpp::Duration(-500ms)).sec, -1);
+  equal("a duration times a number", (rclcpp::Duration(1, 0) * 2.5).seconds(), 2.5);
+  throws<std::overflow_error>("too long", [] {(void)(rclcpp::Duration::max() + rclcpp::Duration(1, 0));});
+  throws<std::runtime_error>("no negative rmw time", [] {rclcpp::Duration(-1s).to_rmw_time();});
+
+  rclcpp::Clock steady(RCL_STEADY_TIME), system(RCL_SYSTEM_TIME), ros(RCL_ROS_TIME);
+  auto before = steady.now();
+  rclcpp::sleep_for(100ms);
+  auto passed = (steady.now() - before).seconds();
+  check("sleeping takes its time", passed >= 0.099 && passed < 5.0, std::to_string(passed));
+  check("std::chrono goes with it", std::abs(std::chrono::duration<double>(
+      std::chrono::system_clock::now().time_since_epoch()).count() - system.now().seconds()) < 1.0);
+  check("ROS time is not simulated", !ros.ros_time_is_active());
+  auto until = steady.now() + rclcpp::Duration(50ms);
+  check("sleep_until comes back", steady.sleep_until(until));
+  check("not too early", steady.now() >= until);
+  throws<std::runtime_error>("until of another clock", [&] {steady.sleep_until(system.now());});
+  check("sleep_for of a clock", system.sleep_for(10ms));
+  rclcpp::WallRate rate(50ms);
+  before = steady.now();
+  for (int i = 0; i < 4; ++i) {
+    check("rate sleeps", rate.sleep());
+  }
+  passed = (steady.now() - before).seconds();
+  check("four periods", passed > 0.19 && passed < 5.0, std::to_string(passed));
+  rclcpp::sleep_for(120ms);
+  check("late loops do not sleep", !rate.sleep());
+  check("wall rate is steady", rate.is_steady());
+  check("rate is not", !rclcpp::Rate(10).is_steady());
+  std::this_thread::sleep_for(10ms);
+  rclcpp::shutdown();
+}

@@ -4,7 +4,9 @@ python -m tests.windows [ci [SECONDS] | fast | all | only PIECE... | setup | run
 
 `ci` runs what there is time for, `fast` what knows of systems, and five chapters; `all`, which is the default, every
 chapter and every test; `only` some of these by their names (`"chapter 8"`, `cli`, `"cli, slow"`). At its end it says what
-passed, and the reasons of what was skipped. COURSEKIT_WINE names the folder of the set-up (about 2 GB), JOBS how many tests run side by side.
+passed, and the reasons of what was skipped.
+
+COURSEKIT_WINE names the folder of the set-up (about 2 GB), JOBS how many tests run side by side.
 """
 
 from __future__ import annotations

@@ -27,6 +27,7 @@ from coursekit.packages import cmake_build, cmake_tests, cpp_hints, cpp_limits, 
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.colcon_links import stands_for_links
+from coursekit.packages.folder_name import cpp_refusal
 from coursekit.packages.prepare_cpp import prepared_toolchain
 from coursekit.systems import copies
 
@@ -53,6 +54,9 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         self._copied: dict[str, Path] = {}
         if not cmake_build.needs_compiler(Path(self.context.args.path)):
             return await self._copy_files("")
+        args = self.context.args
+        if why := cpp_refusal(*map(Path, (args.path, args.build_base, args.install_base))):
+            return await self._copy_files(why)
         try:
             tools = await prepared_toolchain()
         except NoToolchain as error:

@@ -19,7 +19,8 @@ from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
 from coursekit.core.executables import stand_ins
-from coursekit.cpp.toolchain import NoToolchain, Toolchain
+from coursekit.cpp.runtime import ROOM
+from coursekit.cpp.toolchain import NoToolchain, Toolchain, cache_folder
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
@@ -55,7 +56,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if not cmake_build.needs_compiler(Path(self.context.args.path)):
             return await self._copy_files("")
         args = self.context.args
-        if why := cpp_refusal(*map(Path, (args.path, args.build_base, args.install_base))):
+        if why := cpp_refusal(*map(Path, (args.path, args.build_base, args.install_base)), ROOM, cache_folder()):
             return await self._copy_files(why)
         try:
             tools = await prepared_toolchain()

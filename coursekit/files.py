@@ -9,6 +9,8 @@ import stat
 import tempfile
 from pathlib import Path
 
+from coursekit.systems import which
+
 TEXT, DATA = 16 << 20, 256 << 20
 """The largest text, and the largest other file, that is read [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -75,7 +77,8 @@ def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | Non
         target = target.resolve()  # a link stays a link
     if parents:
         target.parent.mkdir(parents=True, exist_ok=True)
-    number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:80]}.")
+    hidden = "~" if which.WINDOWS else "."  # some Windows disks mark names with a dot as hidden, and that mark stays
+    number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f"{hidden}{target.name[:80]}.")
     try:
         with os.fdopen(number, "wb") as file:
             file.write(data.encode() if isinstance(data, str) else data)

@@ -84,7 +84,7 @@ def take(opened, page_of, picture, *stops):
     for number, stop in enumerate(stops):
         until = next(i for i, source in enumerate(cells) if stop in source and i >= at)
         page.evaluate(RUN_TO, [at, until])
-        page.wait_for_timeout(1500)
+        page.wait_for_timeout(4000)
         picture(page, f"windows-{page_of[:2]}-{number}")
         at = until + 1
     page.evaluate(RUN_TO, [at, len(cells)])
@@ -105,7 +105,7 @@ def faults(cells):
 
 
 CHAPTERS = {
-    "00_start_here.ipynb": ("viewer(", "map_view("),
+    "00_start_here.ipynb": ("viewer(", "drive.press(", "terminals("),
     "01_first_nodes.ipynb": ("graph()", "turtlesim_window()", "keys = terminal(", "terminals("),
     "02_topics.ipynb": ("graph()", "colcon build", "%ros2 run s2_py_pubsub subscriber_exe &", "graph()", "terminals("),
     "08_maps_and_slam.ipynb": ("viewer(", "map_view(tour=around)", "view = viewer(", "%show warehouse.yaml", "map_view()"),

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from coursekit.systems import children
+
 ROS2 = [str(Path(sys.executable).with_name("ros2"))]
 
 
@@ -87,8 +89,9 @@ def terminals(tmp_path):
 
     def start(*words):
         process = subprocess.Popen(
-            [*ROS2, *words], env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.PIPE, encoding="utf-8"
-        )
+            [*ROS2, *words], env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.PIPE,
+            encoding="utf-8", **children.apart(),
+        )  # fmt: skip
         started.append(process)
         return process
 
@@ -124,7 +127,7 @@ def test_terminals_share_the_graph_and_ctrl_c_ends_only_its_own_command(terminal
     assert nodes.splitlines() == ["/listener", "/talker"]
     echo, _ = terminals("topic", "echo", "/chatter", "--once").communicate(timeout=30)
     assert echo.startswith("data: 'Hello World") and echo.endswith("---\n")
-    listener.send_signal(signal.SIGINT)
+    children.send_signal(listener, signal.SIGINT)
     assert listener.wait(timeout=30) == 0
     nodes, _ = terminals("node", "list").communicate(timeout=30)
     assert nodes.splitlines() == ["/talker"]

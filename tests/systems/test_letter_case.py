@@ -27,6 +27,7 @@ def ignores_case(monkeypatch):
             raise
 
     monkeypatch.setattr(os, "stat", stat)
+    monkeypatch.setattr(Path, "stat", lambda path, **named: os.stat(path, **named))  # Python 3.10 keeps the real one
     monkeypatch.setattr(os.path, "exists", lambda path: Path(path).exists())
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -41,6 +43,24 @@ class Piece:
         return code
 
 
+@dataclass(frozen=True)
+class InChromium:
+    """JupyterLab of Windows' Python, which a Chromium outside of Wine opens."""
+
+    name: str = "JupyterLab"
+
+    def run(self) -> int:
+        """pytest's exit code."""
+        command = [
+            sys.executable,
+            "-m",
+            "pytest",
+            f"--junitxml={results.file_of(self.name)}",
+            "tests/browser/test_windows.py",
+        ]
+        return subprocess.run(command, cwd=wine.ROOT, env=os.environ | {"COURSEKIT_WINE_LAB": "1"}, check=False).returncode
+
+
 def chapter(name: str) -> Piece:
     """A chapter by its number or letter: its outputs are compared, on the virtual clock."""
     [file] = (wine.ROOT / "notebooks").glob(f"{name.zfill(2) if name.isdigit() else name}_*.ipynb")
@@ -65,15 +85,15 @@ def every_room() -> list[str]:
     return [name for name in folders if name not in NOT_IN_WINE]
 
 
-def everything() -> list[Piece]:
+def everything() -> list[Piece | InChromium]:
     """All chapters and tests, the quickest to tell something first; the docstrings' examples are tests, too."""
     rooms = every_room()
     loose = tuple(f"tests/{one.name}" for one in sorted((wine.ROOT / "tests").glob("test_*.py")))
     beside = [Piece("files", loose), Piece("docstrings", ("coursekit",))]
-    return [*map(chapter, EVERY_CHAPTER), *map(fast, rooms), *beside, *map(slow, rooms)]
+    return [*map(chapter, EVERY_CHAPTER), InChromium(), *map(fast, rooms), *beside, *map(slow, rooms)]
 
 
-def named(names: Iterable[str]) -> list[Piece]:
+def named(names: Iterable[str]) -> list[Piece | InChromium]:
     """Pieces by their names; SystemExit lists the names when there is none such."""
     known = {piece.name: piece for piece in everything()}
     if wrong := [name for name in names if name not in known]:

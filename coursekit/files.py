@@ -10,6 +10,7 @@ import tempfile
 from pathlib import Path
 
 from coursekit.systems import which
+from coursekit.systems.replacing import put_in_place
 
 TEXT, DATA = 16 << 20, 256 << 20
 """The largest text, and the largest other file, that is read [bytes]."""
@@ -85,7 +86,7 @@ def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | Non
             file.flush()
             os.fsync(file.fileno())
         os.chmod(fresh, _rights(target) if mode is None else mode)
-        os.replace(fresh, target)
+        put_in_place(fresh, target)
     except BaseException:
         with contextlib.suppress(OSError):
             os.unlink(fresh)

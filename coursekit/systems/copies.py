@@ -15,6 +15,7 @@ from pathlib import Path, PurePath
 from typing import Any
 
 from coursekit.files import is_file, read_text, write_whole
+from coursekit.systems.replacing import put_in_place
 
 LISTS = PurePath("share", "ament_index", "resource_index", "coursekit_copies")
 """Below a prefix: a file for each package that has such copies."""
@@ -79,7 +80,7 @@ def _replace(copy: Path, source: Path) -> None:
     os.close(number)
     try:
         shutil.copy2(source, fresh)
-        os.replace(fresh, copy)
+        put_in_place(fresh, copy)
     finally:
         with contextlib.suppress(OSError):
             os.unlink(fresh)

@@ -68,6 +68,7 @@ def set_up(extra=""):
     stamp = VENV / (".test" if extra else ".lab")
     sources = [ROOT / "pyproject.toml", ROOT / "requirements.lock"]
     if stamp.exists() and all(stamp.stat().st_mtime >= one.stat().st_mtime for one in sources):
+        must_run([str(python_of(VENV)), "-m", "coursekit.building.underlay"])  # an update may have brought new messages
         return
     if not python_of(VENV).exists():
         must_run([sys.executable, "-m", "venv", str(VENV)])
@@ -103,7 +104,7 @@ def lab(words):
 def test(words):
     """The tests, then the chapters; the exit code of the first that fails. JOBS says how many run side by side."""
     set_up("test")
-    side_by_side = ["-n", os.environ.get("JOBS", "2"), "--dist", "loadfile", "--no-loadscope-reorder"]
+    side_by_side = ["-rs", "-n", os.environ.get("JOBS", "2"), "--dist", "loadfile", "--no-loadscope-reorder"]
     pytest = [str(python_of(VENV)), "-m", "pytest", *side_by_side]
     chapters = ["-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", "120", "notebooks"]
     return run([*pytest, *words]) or run([*pytest, *chapters], COURSEKIT_TIME="virtual")

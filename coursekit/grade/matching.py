@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_compare import outline_points
-from coursekit.sim import Lidar, Place, load_world
+from coursekit.sim import Lidar, load_world
 from coursekit.slam.wall_field import WallField
 
 Pose = tuple[float, float, float]
@@ -31,7 +32,7 @@ class Puzzle:
         place = made.start
         while not self._good(place, lidar.look(cut, place)) or place == made.start:
             x, y = chance.uniform(outline.min(axis=0), outline.max(axis=0))
-            place = Place(round(float(x), 2), round(float(y), 2), round(float(chance.uniform(-3, 3)), 2))
+            place = Pose2D(round(float(x), 2), round(float(y), 2), round(float(chance.uniform(-3, 3)), 2))
         ranges = lidar.measure(lidar.look(cut, place), chance)
         angles = lidar.angle_min + lidar.step * np.arange(lidar.beams)
         hit = np.isfinite(ranges)
@@ -42,11 +43,11 @@ class Puzzle:
         guess = (place.x + far * math.cos(way), place.y + far * math.sin(way), place.theta + spin)
         self.guess: Pose = (round(float(guess[0]), 2), round(float(guess[1]), 2), round(float(guess[2]), 2))
 
-    def _good(self, place: Place, ranges: np.ndarray) -> bool:
+    def _good(self, place: Pose2D, ranges: np.ndarray) -> bool:
         """A place in a room with room, where most beams meet something and not all the same wall."""
         seen = np.isfinite(ranges)
         return bool(seen.mean() > 0.9 and ranges.min() > CLEAR)
 
     def misfit(self, pose: Pose) -> float:
         """Mean gap between the scan's points and the nearest walls, were the robot at a pose [m]."""
-        return float(self.gap(Place(*pose).move(self.points)).mean())
+        return float(self.gap(Pose2D(*pose).transform(self.points)).mean())

@@ -1,7 +1,4 @@
-"""Type stubs of interface packages, so that editors and type checkers know every field.
-
-`python -m coursekit.interfaces.stubs` writes those of the underlay.
-"""
+"""Type stubs of interface packages, so that editors and type checkers know every field."""
 
 from __future__ import annotations
 
@@ -9,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursekit.interfaces.fields import DTYPES
-from coursekit.interfaces.find import KINDS, UNDERLAY
+from coursekit.interfaces.find import KINDS
 from coursekit.interfaces.model import Action, FieldType, Interface, Message, Service
 from coursekit.interfaces.parser import parse_file
 
@@ -112,17 +109,3 @@ def package_stubs(package: str, files: Iterable[Path]) -> dict[str, str]:
         if interfaces:
             made[f"{package}/{kind}/__init__.pyi"] = stub(package, interfaces)
     return made
-
-
-def underlay_stubs() -> dict[str, str]:
-    """Return the stubs of all packages of the underlay, by path relative to `coursekit/ros`."""
-    made = {}
-    for folder in sorted((UNDERLAY / "share").iterdir()):
-        files = [path for kind in KINDS for path in (folder / kind).glob(f"*.{kind}")]
-        made.update(package_stubs(folder.name, files))
-    return made
-
-
-if __name__ == "__main__":
-    for name, text in underlay_stubs().items():
-        (UNDERLAY / "ros" / name).write_text(text, encoding="utf-8")

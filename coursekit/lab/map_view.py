@@ -88,9 +88,9 @@ def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
     one.advance()
     scene = one.simulation.scene(height)
     points = np.concatenate([outline_points(cut.edges, cut.circles) for cut in (scene.fixed, scene.moving())])
-    here = one.simulation.place_of(name)
+    here = one.simulation.pose_of(name)
     off = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)
-    found: np.ndarray = one.simulation.start_of(name).inverse().move(points[off > _reach(one.simulation.robots[name])])
+    found: np.ndarray = one.simulation.start_of(name).inverse().transform(points[off > _reach(one.simulation.robots[name])])
     return found
 
 

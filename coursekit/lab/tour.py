@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from coursekit.core.session import current
-from coursekit.sim.place import Place, wrap
+from coursekit.geometry.plane import Pose2D, wrap
+from coursekit.processes.session import current
 from coursekit.view.working import Working
 
 from .drive import Driver
@@ -40,7 +40,7 @@ class Tour:
         self.name = name
         self._base = base
         self._simulator = simulator()
-        self._start: Place = self._simulator.simulation.start_of(name).inverse()
+        self._start: Pose2D = self._simulator.simulation.start_of(name).inverse()
         self._noted: dict[str, list[tuple[float, float, float]]] = {"truth": [], "odometry": [], "SLAM": []}
         self.seconds = 0.0
 
@@ -64,10 +64,10 @@ class Tour:
         """How far off it was at the end [m]."""
         return float(self.errors(who)[-1])
 
-    def look(self, buffer: Any) -> Place:
+    def look(self, buffer: Any) -> Pose2D:
         """Note the truth and the beliefs of now; the true place in the world."""
         self._simulator.advance()
-        here: Place = self._simulator.simulation.place_of(self.name)
+        here: Pose2D = self._simulator.simulation.pose_of(self.name)
         x, y, yaw = self._start @ here
         self._noted["truth"].append((x, y, yaw))
         for name, frame in _BELIEFS.items():

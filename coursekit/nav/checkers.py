@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from coursekit.geometry.plane import wrap
+
 Pose = tuple[float, float, float]
 
 
@@ -41,7 +43,7 @@ class GoalChecker:
         """Whether position and heading are reached, by a robot with these speeds."""
         if self.still and (abs(speeds[0]) > self.still[0] or abs(speeds[1]) > self.still[1]):
             return False
-        turn = (pose[2] - goal[2] + math.pi) % (2 * math.pi) - math.pi
+        turn = wrap(pose[2] - goal[2])
         return self.near(pose, goal) and abs(turn) <= self.yaw_tolerance
 
 
@@ -70,5 +72,5 @@ class ProgressChecker:
         return now - self._mark[3] <= self.seconds
 
     def _moved(self, mark: tuple[float, float, float, float], x: float, y: float, yaw: float) -> bool:
-        turn = abs((yaw - mark[2] + math.pi) % (2 * math.pi) - math.pi)
+        turn = abs(wrap(yaw - mark[2]))
         return math.hypot(x - mark[0], y - mark[1]) > self.radius or turn > self.angle

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from coursekit.geometry.plane import wrap
 from coursekit.nav.controller_kernels import score, touches
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
@@ -81,7 +82,7 @@ class Controller:
         ahead = self._ahead(pose, path)
         top = min(self.limits.max_speed, speed) if speed > 0 else self.limits.max_speed
         carrot = self._carrot(ahead, max(top * self.horizon, 0.3))
-        bearing = _wrap(math.atan2(carrot[1] - pose[1], carrot[0] - pose[0]) - pose[2])
+        bearing = wrap(math.atan2(carrot[1] - pose[1], carrot[0] - pose[0]) - pose[2])
         far = math.hypot(carrot[0] - pose[0], carrot[1] - pose[1]) > 0.1
         limit = self.turn_first * (0.4 if self._turning else 1.0)
         held = self.blocked(costs, pose)
@@ -168,7 +169,3 @@ def _extended(path: np.ndarray, by: float, ux: float, uy: float) -> np.ndarray:
     end = near[-1] - near[-2] if len(near) > 1 else np.array([ux, uy])
     size = float(np.hypot(*end))
     return np.vstack([near, near[-1] + along * (end / size if size > 1e-9 else 0.0)])
-
-
-def _wrap(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi

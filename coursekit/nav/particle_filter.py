@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursekit.geometry.plane import wrap
 from coursekit.nav.particle_kernels import scan_likelihoods
 from coursekit.nav.particle_map import ParticleMap
-from coursekit.nav.particle_motion import move_differential, move_omni, wrap
+from coursekit.nav.particle_motion import move_differential, move_omni
 from coursekit.nav.particle_resampling import clusters, draw
 
 CROWD = 10

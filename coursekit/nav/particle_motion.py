@@ -6,18 +6,10 @@ import math
 
 import numpy as np
 
+from coursekit.geometry.plane import wrap
+
 STRAIGHT = 0.01
 """A shorter way [m] has no direction of its own."""
-
-
-def wrap(angles: np.ndarray) -> np.ndarray:
-    """Angles in [-pi, pi)."""
-    return (angles + np.pi) % (2 * np.pi) - np.pi
-
-
-def shortest(a: float, b: float) -> float:
-    """The turn from b to a, the short way [rad]."""
-    return (a - b + math.pi) % (2 * math.pi) - math.pi
 
 
 def move_differential(
@@ -31,12 +23,12 @@ def move_differential(
     >>> move_differential(at, np.zeros(3), np.array([1.0, 0.0, 0.0]), (0.0,) * 5, np.random.default_rng(0)).tolist()
     [[1.0, 0.0, 0.0]]
     """
-    dx, dy, turn = after[0] - before[0], after[1] - before[1], shortest(after[2], before[2])
+    dx, dy, turn = after[0] - before[0], after[1] - before[1], wrap(after[2] - before[2])
     way = math.hypot(dx, dy)
-    first = shortest(math.atan2(dy, dx), before[2]) if way > STRAIGHT else 0.0
-    second = shortest(turn, first)
+    first = wrap(math.atan2(dy, dx) - before[2]) if way > STRAIGHT else 0.0
+    second = wrap(turn - first)
     # driving backwards is no turn by half a circle
-    small = [min(abs(shortest(one, 0.0)), abs(shortest(one, math.pi))) for one in (first, second)]
+    small = [min(abs(wrap(one)), abs(wrap(one - math.pi))) for one in (first, second)]
     a1, a2, a3, a4 = alphas[:4]
     count = len(particles)
     one = first - rng.normal(0, math.sqrt(a1 * small[0] ** 2 + a2 * way**2), count)
@@ -51,9 +43,9 @@ def move_omni(
     particles: np.ndarray, before: np.ndarray, after: np.ndarray, alphas: tuple[float, ...], rng: np.random.Generator
 ) -> np.ndarray:
     """The same for robots that drive sideways; alphas[4] is the noise across."""
-    dx, dy, turn = after[0] - before[0], after[1] - before[1], shortest(after[2], before[2])
+    dx, dy, turn = after[0] - before[0], after[1] - before[1], wrap(after[2] - before[2])
     way, count = math.hypot(dx, dy), len(particles)
-    bearing = particles[:, 2] + shortest(math.atan2(dy, dx), before[2])
+    bearing = particles[:, 2] + wrap(math.atan2(dy, dx) - before[2])
     a1, a2, a3, a4, a5 = alphas
     along = way + rng.normal(0, math.sqrt(a3 * way**2 + a1 * turn**2), count)
     across = rng.normal(0, math.sqrt(a1 * turn**2 + a5 * way**2), count)

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from .lidar import Lidar
     from .odometry import Drift
     from .parts import Ball, Cut, Disc, Prism, Skin
-    from .place import Place
     from .robot import Drive, Robot, RobotModel
     from .simulation import Simulation
     from .world import Hinge, Thing, World
@@ -27,7 +26,6 @@ _PARTS = {
     "lidar": ["Lidar"],
     "odometry": ["Drift"],
     "parts": ["Ball", "Cut", "Disc", "Prism", "Skin"],
-    "place": ["Place"],
     "robot": ["Drive", "Robot", "RobotModel"],
     "simulation": ["Simulation"],
     "world": ["Hinge", "Thing", "World"],
@@ -36,7 +34,7 @@ _PARTS = {
 _WHERE = {name: module for module, names in _PARTS.items() for name in names}
 
 __all__ = [
-    "Ball", "Cut", "Disc", "Drift", "Drive", "Hinge", "Lidar", "Place", "Prism", "Robot", "RobotModel", "Simulation", "Skin",
+    "Ball", "Cut", "Disc", "Drift", "Drive", "Hinge", "Lidar", "Prism", "Robot", "RobotModel", "Simulation", "Skin",
     "Thing", "World", "WorldError", "load_world", "read_world",
 ]  # fmt: skip
 

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
+
 from .errors import WorldError, known
 from .outlines import crossing, signed_area
 from .parts import Disc, Part, Prism
-from .place import Place
 from .world import TEXTURES, Hinge, Thing
 
 FARTHEST = 1e5
@@ -92,7 +93,7 @@ class Fields:
             if key not in self.used:
                 raise self.fault(f"unknown key '{key}'", known(key, self.used))
 
-    def thing(self, parts: Sequence[Part], texture: str, place: Place = Place(), **more: Any) -> Thing:
+    def thing(self, parts: Sequence[Part], texture: str, place: Pose2D = Pose2D(), **more: Any) -> Thing:
         """A thing that looks as the element says."""
         colour = self.data.get("colour")
         self.used.add("colour")
@@ -136,7 +137,7 @@ def polygon(fields: Fields) -> Thing:
     if abs(signed_area(points)) < 1e-9:
         raise fields.fault("has no area: it is open, or a line", "Give corners round it; use 'walls' for a line.")
     centre = points.mean(axis=0)
-    place = Place(float(centre[0]), float(centre[1]))
+    place = Pose2D(float(centre[0]), float(centre[1]))
     return fields.thing([Prism(_corners(points - centre), low, high)], "plain", place, **_weight(fields))
 
 
@@ -145,7 +146,7 @@ def circle(fields: Fields) -> Thing:
     x, y = fields.numbers("center", None, (2,))
     low, high = fields.span(1.0)
     radius = fields.number("radius", None, 1e-3)
-    return fields.thing([Disc(0.0, 0.0, radius, low, high)], "plain", Place(x, y), **_weight(fields))
+    return fields.thing([Disc(0.0, 0.0, radius, low, high)], "plain", Pose2D(x, y), **_weight(fields))
 
 
 def box(fields: Fields) -> Thing:
@@ -156,7 +157,7 @@ def box(fields: Fields) -> Thing:
         raise fields.fault(f"'size' is {[length, width]}", "Give length and width, each more than 0.")
     low, high = fields.span(0.5)
     half = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * (length / 2, width / 2)
-    place = Place(x, y, fields.number("yaw", 0.0))
+    place = Pose2D(x, y, fields.number("yaw", 0.0))
     return fields.thing([Prism(_corners(half), low, high)], "crates", place, **_weight(fields))
 
 
@@ -170,7 +171,7 @@ def door(fields: Fields) -> Thing:
     leaf = Prism(((0.0, -thick / 2), (width, -thick / 2), (width, thick / 2), (0.0, thick / 2)), low, high)
     weight = _weight(fields)
     hinge = Hinge(min(0.0, widest, opened) - opened, max(0.0, widest, opened) - opened) if weight["mass"] else None
-    return fields.thing([leaf], "door", Place(x, y, shut + opened), hinge=hinge, **weight)
+    return fields.thing([leaf], "door", Pose2D(x, y, shut + opened), hinge=hinge, **weight)
 
 
 def _weight(fields: Fields) -> dict[str, float | None]:

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from coursekit.geometry.plane import ORIGIN, Array, Pose2D
+
 from .errors import WorldError
 from .parts import Cut
-from .place import ORIGIN, Array, Place
 from .rays import cast, directions
 
 MOST_BEAMS = 100_000
@@ -36,7 +37,7 @@ class Lidar:
     bias: float = 0.0
     dropouts: float = 0.0
     resolution: float = 0.0
-    mount: Place = ORIGIN
+    mount: Pose2D = ORIGIN
     """Where it sits on its robot, seen from above."""
     height: float = 0.2
     """Of its plane above the floor."""
@@ -60,7 +61,7 @@ class Lidar:
             low = -max(self.angle_min, self.angle_max)
         return low, abs(self.step) or 1.0
 
-    def look(self, cut: Cut, place: Place, ranges: Array | None = None) -> Array:
+    def look(self, cut: Cut, place: Pose2D, ranges: Array | None = None) -> Array:
         """True distances (beams) from `place` to what a cut shows; inf where there is nothing.
 
         An edge that comes nearer than `range_max` is cast in full length: `measure` leaves out what is too far.

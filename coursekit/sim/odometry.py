@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .place import Place
+from coursekit.geometry.plane import Pose2D
 
 
 @dataclass(frozen=True)
@@ -84,9 +84,9 @@ class Odometer:
         self._place = (x + math.cos(theta) * along, y + math.sin(theta) * along, theta + spin * spread)
 
     @property
-    def place(self) -> Place:
+    def place(self) -> Pose2D:
         """Where the robot believes to be, seen from where it began."""
-        return Place(*self._place)
+        return Pose2D(*self._place)
 
 
 EXACT = Drift()

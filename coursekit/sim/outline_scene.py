@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D
+
 from .lidar import Lidar
 from .parts import Cut, Part, join
-from .place import Array, Place
 from .rays import carry
 
 
@@ -38,7 +39,7 @@ class OutlineScene:
             carry(edges, circles, edge_owners, circle_owners, places, self._world.edges, self._world.circles)
         return self._world
 
-    def look(self, lidar: Lidar, place: Place, without: Any = None) -> Array:
+    def look(self, lidar: Lidar, place: Pose2D, without: Any = None) -> Array:
         """True distances from a place, not to `without`: a LiDAR does not see the robot that it sits on."""
         ranges = lidar.look(self.fixed, place)
         cut = self.moving()

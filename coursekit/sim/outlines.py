@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .place import Array
+from coursekit.geometry.plane import Array
 
 
 def signed_area(points: Array) -> float:

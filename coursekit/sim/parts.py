@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .place import Array, Place
+from coursekit.geometry.plane import Array, Pose2D
 
 NO_EDGES = np.zeros((0, 4))
 NO_CIRCLES = np.zeros((0, 3))
@@ -22,10 +22,10 @@ class Cut(NamedTuple):
     edges: Array
     circles: Array
 
-    def moved(self, place: Place) -> Cut:
+    def moved(self, place: Pose2D) -> Cut:
         """The same, from a thing's own frame to that of the world."""
-        ends = place.move(self.edges.reshape(-1, 2)).reshape(-1, 4)
-        centres = place.move(self.circles[:, :2])
+        ends = place.transform(self.edges.reshape(-1, 2)).reshape(-1, 4)
+        centres = place.transform(self.circles[:, :2])
         return Cut(ends, np.column_stack((centres, self.circles[:, 2:])))
 
 

@@ -14,7 +14,7 @@ import math
 import numba
 import numpy as np
 
-from .place import Array
+from coursekit.geometry.plane import Array
 
 TURN = 2 * math.pi
 SLACK = 1e-9

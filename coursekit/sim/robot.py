@@ -6,10 +6,11 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from coursekit.geometry.plane import Pose2D
+
 from .motors import Motors, Reach
 from .odometry import EXACT, Drift, Odometer
 from .parts import Part, Prism
-from .place import Place
 
 GRAVITY = 9.81
 
@@ -88,9 +89,9 @@ class Robot:
         self.odometer.restart()
 
     @property
-    def place(self) -> Place:
+    def place(self) -> Pose2D:
         """Where it really is."""
-        return Place(self.body.position.x, self.body.position.y, self.body.angle)
+        return Pose2D(self.body.position.x, self.body.position.y, self.body.angle)
 
     @property
     def velocity(self) -> tuple[float, float, float]:

@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 import pymunk
 
+from coursekit.geometry.plane import Array, Pose2D
+
 from .bodies import FIXED, LOOSE, ROBOT, body_of, moment, put, shapes_of
 from .contacts import drag, hits, overlap, part, pass_by, touch
 from .errors import WorldError, known
 from .lidar import Lidar
 from .outline_scene import OutlineScene
 from .parts import Part
-from .place import Array, Place
 from .push import Push
 from .robot import Robot, RobotModel
 from .world import Thing, World
@@ -49,7 +50,7 @@ class Simulation:
         self.space.collision_slop = 1e-3  # m; the library's own 0.1 is meant for pixels
         self.pushes: list[Push] = []
         """Forces from outside; what is over, or whose target is gone, is dropped."""
-        self._starts: dict[str, Place] = {}
+        self._starts: dict[str, Pose2D] = {}
         self._doors: dict[str, list[Any]] = {}
         self._fixed: dict[str, Thing] = {}
         self._posts: dict[str, pymunk.Body] = {}
@@ -87,11 +88,11 @@ class Simulation:
         self._doors[thing.name] = [pymunk.PivotJoint(ground, body, thing.place[:2]), limit]
         self.space.add(*self._doors[thing.name])
 
-    def spawn(self, model: RobotModel, name: str = "", place: Place | None = None) -> Robot:
+    def spawn(self, model: RobotModel, name: str = "", place: Pose2D | None = None) -> Robot:
         """A robot, at the world's start unless told. WorldError if the name is taken or something is in its way."""
         name = name or model.name
         self._free(name)
-        at = self.world.start if place is None else Place(*place)
+        at = self.world.start if place is None else Pose2D(*place)
         if not all(math.isfinite(part) for part in at):
             raise WorldError(f"cannot stand at {tuple(at)}", element=f"robot '{name}'", cure="Give numbers for x, y, yaw.")
         if model.fixed:
@@ -114,7 +115,7 @@ class Simulation:
         if name in self.robots or name in self.things or name in self._fixed:
             raise WorldError(f"there is a '{name}' already", file=self.world.file, cure="Give it another name.")
 
-    def _check_room(self, name: str, shapes: list[Any], at: Place) -> None:
+    def _check_room(self, name: str, shapes: list[Any], at: Pose2D) -> None:
         self.space.reindex_static()
         for shape in shapes:
             for other, depth in hits(self.space, shape):
@@ -149,14 +150,14 @@ class Simulation:
             return self._posts[name]
         raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
 
-    def place_of(self, name: str) -> Place:
+    def pose_of(self, name: str) -> Pose2D:
         """Where a robot or thing is now; LookupError names near ones."""
         if name in self._fixed:
             return self._fixed[name].place
         body = self._body(name)
-        return Place(body.position.x, body.position.y, body.angle)
+        return Pose2D(body.position.x, body.position.y, body.angle)
 
-    def start_of(self, name: str) -> Place:
+    def start_of(self, name: str) -> Pose2D:
         """Where a robot or thing began, and goes back to at a reset; LookupError names near ones."""
         if name not in self._starts:
             raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
@@ -167,7 +168,7 @@ class Simulation:
         body = self._body(name)
         return body.velocity.x, body.velocity.y, body.angular_velocity
 
-    def put(self, name: str, place: Place, velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
+    def put(self, name: str, place: Pose2D, velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
         """Put a robot or thing elsewhere, moving like that; LookupError names near ones."""
         body = self._body(name)
         put(body, place)
@@ -243,10 +244,10 @@ class Simulation:
 
     # -- what is sensed
 
-    def scan(self, lidar: Lidar, robot: Robot | str | None = None, place: Place | None = None) -> Array:
+    def scan(self, lidar: Lidar, robot: Robot | str | None = None, place: Pose2D | None = None) -> Array:
         """True distances that a LiDAR on a robot (or at a `place` of the world) sees, robots and loose things included."""
         one = self.robots[robot] if isinstance(robot, str) else robot
-        at = place if place is not None else (one.place if one is not None else Place()) @ lidar.mount
+        at = place if place is not None else (one.place if one is not None else Pose2D()) @ lidar.mount
         return self.scene(lidar.height).look(lidar, at, one.body if one is not None else None)
 
     def scene(self, height: float) -> OutlineScene:

@@ -6,7 +6,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from .place import Array
+from coursekit.geometry.plane import Array
+
 from .world import TEXTURES
 
 SIZE = 64

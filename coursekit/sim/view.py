@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .place import Place
+from coursekit.geometry.plane import Pose2D
+
 from .view_kernels import measure, paint, sky_and_floor
 from .view_scene import ViewScene
 
@@ -20,7 +21,7 @@ class View:
 
     >>> from coursekit.sim import Simulation, read_world
     >>> simulation = Simulation(read_world("world: w\\ncircles: [{name: c, center: [2, 0], radius: 0.5, colour: red}]"))
-    >>> picture = View(width=64, height=48).render(simulation, Place())
+    >>> picture = View(width=64, height=48).render(simulation, Pose2D())
     >>> blue, green, red = picture[24, 32].tolist(); red > 2 * blue
     True
     """
@@ -29,7 +30,7 @@ class View:
         self, mount: tuple[float, float, float] = (0.0, 0.0, 0.0), above: float = 0.2, tilt: float = 0.0, fov: float = 1.2,
         width: int = 640, height: int = 480, far: float = 50.0,
     ) -> None:  # fmt: skip
-        self.mount, self.above, self.tilt, self.far = Place(*mount), above, tilt, far
+        self.mount, self.above, self.tilt, self.far = Pose2D(*mount), above, tilt, far
         self.width, self.height = width, height
         self.focal = width / 2 / math.tan(fov / 2)
         """Focal length in pixels."""
@@ -37,7 +38,7 @@ class View:
         self._slopes = -columns
         self._horizon = (height - 1) / 2 - self.focal * math.tan(tilt)
 
-    def render(self, simulation: Any, place: Place, without: Any = None) -> Picture:
+    def render(self, simulation: Any, place: Pose2D, without: Any = None) -> Picture:
         """The picture from a robot at `place`; `without` is the robot that carries it."""
         scene = ViewScene.of(simulation)
         at = place @ self.mount
@@ -50,12 +51,12 @@ class View:
         return picture
 
 
-    def depths(self, simulation: Any, place: Place, without: Any = None) -> NDArray[np.float32]:
+    def depths(self, simulation: Any, place: Pose2D, without: Any = None) -> NDArray[np.float32]:
         """How far ahead everything is [m], height x width, from a robot at `place`; inf where nothing is near enough.
 
         >>> from coursekit.sim import Simulation, read_world
         >>> simulation = Simulation(read_world("world: w\\nboxes: [{name: b, center: [3, 0], size: [1, 4]}]"))
-        >>> depths = View(width=64, height=48).depths(simulation, Place())
+        >>> depths = View(width=64, height=48).depths(simulation, Pose2D())
         >>> float(depths[20, 32]), float(depths[20, 0])
         (2.5, 2.5)
         """

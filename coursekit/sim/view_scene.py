@@ -7,8 +7,9 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from coursekit.geometry.plane import ORIGIN, Array, Pose2D
+
 from .parts import Ball, Disc, Part, Skin, ring
-from .place import ORIGIN, Array, Place
 from .textures import ROBOT_COLOUR, USUAL, all_textures, floor_of
 from .world import TEXTURES, Thing
 
@@ -44,17 +45,17 @@ class ViewScene:
         edges, looks = [self._fixed], [self._looks]
         for body, local, look in self._moving:
             if body is not without:
-                place = Place(body.position.x, body.position.y, body.angle)
+                place = Pose2D(body.position.x, body.position.y, body.angle)
                 moved = local.copy()
-                moved[:, :4] = place.move(local[:, :4].reshape(-1, 2)).reshape(-1, 4)
+                moved[:, :4] = place.transform(local[:, :4].reshape(-1, 2)).reshape(-1, 4)
                 edges.append(moved)
                 looks.append(look)
         return np.concatenate(edges), np.concatenate(looks)
 
 
-def _thing(thing: Thing, place: Place) -> tuple[Array, Array]:
+def _thing(thing: Thing, place: Pose2D) -> tuple[Array, Array]:
     edges = _edges(thing.parts)
-    edges[:, :4] = place.move(edges[:, :4].reshape(-1, 2)).reshape(-1, 4)
+    edges[:, :4] = place.transform(edges[:, :4].reshape(-1, 2)).reshape(-1, 4)
     red, green, blue = thing.colour or USUAL.get(thing.texture, (0.8, 0.8, 0.8))
     return edges, np.tile((float(TEXTURES.index(thing.texture)), blue, green, red), (len(edges), 1))
 

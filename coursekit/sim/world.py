@@ -7,10 +7,11 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from coursekit.geometry.plane import ORIGIN, Pose2D
+
 from .errors import WorldError, known
 from .globe import Globe
 from .parts import Cut, Part, join
-from .place import ORIGIN, Place
 
 TEXTURES = ("plain", "brick", "concrete", "wood", "crates", "metal", "stripes", "tiles", "door", "hedge")
 """What walls can look like to a camera."""
@@ -30,7 +31,7 @@ class Thing:
 
     name: str
     parts: tuple[Part, ...]
-    place: Place = ORIGIN
+    place: Pose2D = ORIGIN
     mass: float | None = None
     friction: float = 0.3
     texture: str = "plain"
@@ -63,12 +64,12 @@ class World:
 
     name: str
     things: tuple[Thing, ...] = ()
-    start: Place = ORIGIN
+    start: Pose2D = ORIGIN
     floor: str = "tiles"
     file: str = ""
     notes: tuple[str, ...] = ()
     """What the file has that is not simulated, one sentence each."""
-    models: dict[str, Place] = field(default_factory=dict)
+    models: dict[str, Pose2D] = field(default_factory=dict)
     """Names that a user asks for (a model of a Gazebo file), with their places, also where nothing of them can be met."""
     globe: Globe | None = None
     """Where on the Earth it lies; None where its file does not say."""
@@ -105,7 +106,7 @@ class World:
 
     def bounds(self) -> tuple[float, float, float, float]:
         """Smallest x and y, largest x and y, of all things; zeros for an empty world."""
-        corners = [thing.place.move(part.corners()) for thing in self.things for part in thing.parts]
+        corners = [thing.place.transform(part.corners()) for thing in self.things for part in thing.parts]
         if not corners:
             return 0.0, 0.0, 0.0, 0.0
         points = np.concatenate(corners)

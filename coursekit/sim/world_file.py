@@ -30,10 +30,10 @@ from typing import Any
 import yaml
 
 from coursekit.files import read_text
+from coursekit.geometry.plane import Pose2D
 
 from .elements import ELEMENTS, Fields
 from .errors import WorldError, known
-from .place import Place
 from .world import TEXTURES, Thing, World
 
 TOP = {"world", "start", "floor", *ELEMENTS}
@@ -112,7 +112,7 @@ def _world(data: Lines, file: str) -> World:
             if len(things) > MOST_THINGS:
                 raise WorldError(f"has more than {MOST_THINGS} things", file=file, cure="Make it smaller.")
     return World(
-        head.word("world"), tuple(things), Place(x, y, *rest), head.word("floor", "tiles", TEXTURES), file=file
+        head.word("world"), tuple(things), Pose2D(x, y, *rest), head.word("floor", "tiles", TEXTURES), file=file
     )
 
 
@@ -142,7 +142,7 @@ def _copies(fields: Fields, thing: Thing) -> list[Thing]:
         raise fields.fault("'count' must be a whole number")
     at = thing.place
     return [
-        replace(thing, name=f"{thing.name}_{k + 1}", place=Place(at.x + k * dx, at.y + k * dy, at.theta))
+        replace(thing, name=f"{thing.name}_{k + 1}", place=Pose2D(at.x + k * dx, at.y + k * dy, at.theta))
         for k in range(int(count))
     ]
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from coursekit.geometry.plane import Pose2D
+
 from .errors import WorldError
 from .parts import Part, Prism
-from .place import Place
 from .world import Thing, World
 
 OCCUPIED = 65
@@ -33,7 +34,7 @@ def world_from_grid(
     if len(blocks) > MOST_BLOCKS:
         raise WorldError(f"has {len(blocks)} blocks of walls", file=file, cure=f"At most {MOST_BLOCKS} can be simulated.")
     parts: list[Part] = [_prism(*block, resolution) for block in blocks]
-    things = (Thing("map", tuple(parts), Place(*origin), texture="concrete"),) if parts else ()
+    things = (Thing("map", tuple(parts), Pose2D(*origin), texture="concrete"),) if parts else ()
     return World(name, things, _free_place(grid, resolution, origin), file=file)
 
 
@@ -61,11 +62,11 @@ def _prism(row: int, column: int, row_end: int, column_end: int, size: float) ->
     return Prism(((x0, y0), (x1, y0), (x1, y1), (x0, y1)), 0.0, 2.0)
 
 
-def _free_place(grid: NDArray[np.int8], size: float, origin: tuple[float, float, float]) -> Place:
+def _free_place(grid: NDArray[np.int8], size: float, origin: tuple[float, float, float]) -> Pose2D:
     """The free cell that is farthest from what is not free, roughly: where a robot can begin."""
     free = grid == 0
     if not free.any():
-        return Place(*origin)
+        return Pose2D(*origin)
     depth = np.zeros(grid.shape, int)
     inner = free.copy()
     for _ in range(40):
@@ -78,7 +79,7 @@ def _free_place(grid: NDArray[np.int8], size: float, origin: tuple[float, float,
             break
         inner = shrunk
     row, column = np.unravel_index(int(depth.argmax()), depth.shape)
-    return Place(*origin) @ Place((float(column) + 0.5) * size, (float(row) + 0.5) * size)
+    return Pose2D(*origin) @ Pose2D((float(column) + 0.5) * size, (float(row) + 0.5) * size)
 
 
 __all__ = ["world_from_grid"]

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.carmen_line import Reading, parse_laser, parse_parameter
 from coursekit.slam.carmen_odometry import OdometryTrack
 from coursekit.slam.files import read_lines
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 
 TOLD = 20
@@ -58,7 +58,7 @@ class CarmenLog:
             chosen.append(made[key])
         return chosen
 
-    def _laser(self, reading: Reading, limit: float, offset: Pose2) -> Laser:
+    def _laser(self, reading: Reading, limit: float, offset: Pose2D) -> Laser:
         """The sensor of one scan."""
         count = len(reading.ranges)
         if reading.laser is not None:
@@ -79,16 +79,16 @@ class CarmenLog:
             return default
         return value if np.isfinite(value) and value > 0 else default
 
-    def _offset(self) -> Pose2:
+    def _offset(self) -> Pose2D:
         """Where the laser sits: from the two poses of each line when they always differ alike, else from PARAM."""
         seen = np.array([tuple(r.odometry.to(r.laser_pose)) for r in self.readings[:1000] if r.odometry is not None])
         if len(seen) and np.abs(seen - seen[0]).max() < 2e-3 and 1e-4 < np.hypot(*seen[0, :2]) < 3.0:
-            return Pose2.of(np.median(seen, axis=0))
+            return Pose2D.of(np.median(seen, axis=0))
         try:
             ahead = float(self.parameters["robot_frontlaser_offset"])
         except (KeyError, ValueError):
-            return Pose2()
-        return Pose2(ahead, 0.0, 0.0) if abs(ahead) < 3.0 else Pose2()
+            return Pose2D()
+        return Pose2D(ahead, 0.0, 0.0) if abs(ahead) < 3.0 else Pose2D()
 
     def _range_limit(self) -> dict[tuple[str, int], float]:
         """Where "no return" begins for each kind of scan: a largest value that stands in the log again and again."""

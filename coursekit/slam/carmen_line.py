@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coursekit.slam.pose import Pose2
+from coursekit.geometry.plane import Pose2D
 
 BEAMS = 100_000
 """No laser has more beams."""
@@ -21,9 +21,9 @@ class Reading:
     stamp: float
     ranges: np.ndarray
     """(n,) float32 [m], as written."""
-    odometry: Pose2 | None
+    odometry: Pose2D | None
     """None where the line has no pose: the log's ODOM lines tell it."""
-    laser_pose: Pose2
+    laser_pose: Pose2D
     laser: tuple[float, float, float] | None = None
     """Start angle, angle step, maximum range, where the line has them."""
 
@@ -95,12 +95,12 @@ def _ranges(words: list[str]) -> np.ndarray:
         raise ValueError(f"a range is no number: {fault}") from None
 
 
-def _pose(words: list[str], what: str) -> Pose2:
+def _pose(words: list[str], what: str) -> Pose2D:
     """Three words."""
     x, y, theta = (_number(word, what) for word in words)
     if max(abs(x), abs(y)) > 1e7:
         raise ValueError(f"{what} is {x:g}, {y:g}: farther than 10 000 km")
-    return Pose2.of((x, y, theta))
+    return Pose2D.of((x, y, theta))
 
 
 def _flaser(words: list[str]) -> Reading:
@@ -108,7 +108,7 @@ def _flaser(words: list[str]) -> Reading:
     count = _count(words, 1, 3)
     tail = words[2 + count :]
     if len(tail) == 3:
-        return Reading("FLASER", _number(tail[0], "the stamp"), _ranges(words[2 : 2 + count]), None, Pose2())
+        return Reading("FLASER", _number(tail[0], "the stamp"), _ranges(words[2 : 2 + count]), None, Pose2D())
     _count(words, 1, 7)
     if len(tail) > 9:
         raise ValueError(f"{count} beams announced, but {len(tail)} words follow them instead of 9")
@@ -131,7 +131,7 @@ def _robotlaser(words: list[str]) -> Reading:
 def _rawlaser(words: list[str]) -> Reading:
     """RAWLASER1 type start view step max accuracy remission n ranges m remissions stamp host stamp."""
     ranges, laser, tail = _with_header(words, 1, 3)
-    return Reading("RAWLASER1", _number(tail[0], "the stamp"), ranges, None, Pose2(), laser)
+    return Reading("RAWLASER1", _number(tail[0], "the stamp"), ranges, None, Pose2D(), laser)
 
 
 def _with_header(words: list[str], rest: int, usual: int) -> tuple[np.ndarray, tuple[float, float, float], list[str]]:

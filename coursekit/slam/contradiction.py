@@ -11,8 +11,8 @@ from collections.abc import Iterable
 import numpy as np
 from numba import njit
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.keyframe import Keyframe
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.scan import Scan
 from coursekit.slam.scan_kernels import usual_gap
 
@@ -44,23 +44,23 @@ def _count(points: Array, bearings: Array, ranges: Array, widest: float, fixed: 
     return agreeing, standing
 
 
-def _one_way(viewer: Scan, seen: Scan, motion: Pose2) -> tuple[int, int]:
+def _one_way(viewer: Scan, seen: Scan, motion: Pose2D) -> tuple[int, int]:
     bearings, ranges = viewer.polar
     widest = max(WIDEST * usual_gap(bearings), 0.03)
     points = motion.transform(seen.hits) - np.array([viewer.origin.x, viewer.origin.y])
     return _count(points, bearings, ranges, widest, TOLERANCE, TOLERANCE_PER_METRE)
 
 
-def contradiction(pairs: Iterable[tuple[Scan, Scan, Pose2]]) -> float:
+def contradiction(pairs: Iterable[tuple[Scan, Scan, Pose2D]]) -> float:
     """The part of what two scans can tell of each other that cannot be true: 0 to 1; of several pairs, all together.
 
     A pair is one scan, another, and the motion from the first one's robot to the second one's.
 
     >>> from coursekit.slam.parameters import SlamParameters
     >>> wall = Scan.from_points(np.column_stack([np.full(50, 2.0), np.linspace(-1, 1, 50)]), SlamParameters())
-    >>> contradiction([(wall, wall, Pose2())])
+    >>> contradiction([(wall, wall, Pose2D())])
     0.0
-    >>> contradiction([(wall, wall, Pose2(1.0, 0.0, 0.0))]) > 0.4  # a metre on, the wall would be a metre nearer
+    >>> contradiction([(wall, wall, Pose2D(1.0, 0.0, 0.0))]) > 0.4  # a metre on, the wall would be a metre nearer
     True
     """
     agreeing = standing = 0
@@ -87,7 +87,7 @@ class Usual:
         """Compare the newest keyframe with one a few metres before it."""
         new, old = len(keyframes) - 1, len(keyframes) - 1 - self.APART
         if old >= 0:
-            motion = Pose2.of(poses[old]).to(Pose2.of(poses[new]))
+            motion = Pose2D.of(poses[old]).to(Pose2D.of(poses[new]))
             told = contradiction([(keyframes[old].scan, keyframes[new].scan, motion)])
             self._mean += self.RATE * (told - self._mean)
 

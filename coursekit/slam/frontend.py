@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.matcher import match
 from coursekit.slam.odometry import Calibration
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.refine import Refined, precision_of, refine
 from coursekit.slam.scan import Scan
 from coursekit.slam.submap import Submap
@@ -27,25 +27,25 @@ class Tracker:
         """The one that is matched against, and the one that takes over."""
         self.finished: list[Submap] = []
         """Those just left; the owner takes them."""
-        self.pose = Pose2()
+        self.pose = Pose2D()
         """In the frame of the first submap."""
         self.base = 0
         """The keyframe that the next one is tied to,"""
-        self._base_pose = Pose2()
+        self._base_pose = Pose2D()
         """and where it is in the frame of the first submap."""
-        self._odometry: Pose2 | None = None
-        self._speed = Pose2()
-        self._wheels, self._told = Calibration(), Pose2()
+        self._odometry: Pose2D | None = None
+        self._speed = Pose2D()
+        self._wheels, self._told = Calibration(), Pose2D()
         self._usual = 0.8
         """Running mean of the scores."""
 
-    def start(self, submap: Submap, base: int, pose: Pose2) -> None:
+    def start(self, submap: Submap, base: int, pose: Pose2D) -> None:
         """Begin in a known submap: at `pose` in its frame, tied to one of its keyframes."""
         self.submaps, self.finished = [submap], []
         self.pose, self.base, self._base_pose = pose, base, submap.members[base]
-        self._odometry, self._speed = None, Pose2()
+        self._odometry, self._speed = None, Pose2D()
 
-    def track(self, scan: Scan, odometry: Pose2 | None) -> tuple[Refined, float, bool]:
+    def track(self, scan: Scan, odometry: Pose2D | None) -> tuple[Refined, float, bool]:
         """Follow the robot to the next scan: the match, its score, and whether it is believed."""
         motion, known = self._motion(scan, odometry)
         guess = self.pose @ motion
@@ -64,7 +64,7 @@ class Tracker:
         self.pose = found.pose
         return found, score, accepted
 
-    def _match(self, scan: Scan, guess: Pose2, sigmas: tuple[float, float]) -> tuple[Refined, float]:
+    def _match(self, scan: Scan, guess: Pose2D, sigmas: tuple[float, float]) -> tuple[Refined, float]:
         """The best fit near the guess; when it is much poorer than usual, a clearly better one farther away."""
         p, submap = self.params, self.submaps[0]
         wide = p.search_distance if sigmas[0] >= p.blind_sigma else min(3 * sigmas[0], 1.0)
@@ -80,7 +80,7 @@ class Tracker:
         self._usual += 0.05 * (score - self._usual)
         return refine(scan.points, submap, best, guess, precision_of(sigmas[0], *sigmas)), score
 
-    def _motion(self, scan: Scan, odometry: Pose2 | None) -> tuple[Pose2, bool]:
+    def _motion(self, scan: Scan, odometry: Pose2D | None) -> tuple[Pose2D, bool]:
         """The motion since the last scan, by odometry, else as fast as before."""
         before, self._odometry = self._odometry, odometry
         if odometry is not None and before is not None:
@@ -88,10 +88,10 @@ class Tracker:
             if all(map(math.isfinite, motion)) and math.hypot(motion.x, motion.y) < self.params.odometry_jump:
                 self._told = motion
                 return (self._wheels.correct(motion) if self.params.matching else motion), True
-            return Pose2(), False
-        return (self._speed if self.submaps else Pose2()), False
+            return Pose2D(), False
+        return (self._speed if self.submaps else Pose2D()), False
 
-    def _sigmas(self, motion: Pose2, known: bool) -> tuple[float, float]:
+    def _sigmas(self, motion: Pose2D, known: bool) -> tuple[float, float]:
         """How far off the guess may well be [m], [rad]."""
         p = self.params
         if not known:
@@ -99,7 +99,7 @@ class Tracker:
         (still, going), (straight, turning) = p.odometry_distance_sigma, p.odometry_angle_sigma
         return still + going * math.hypot(motion.x, motion.y), straight + turning * abs(motion.theta)
 
-    def _plausible(self, off: Pose2, motion: Pose2) -> bool:
+    def _plausible(self, off: Pose2D, motion: Pose2D) -> bool:
         """Whether a match is near enough to the guess to learn from: farther ones are found or lost by luck."""
         distance, angle = self._sigmas(motion, True)
         return math.hypot(off.x, off.y) < LEARN_WITHIN * distance and abs(off.theta) < LEARN_WITHIN * angle
@@ -112,7 +112,7 @@ class Tracker:
             or abs(motion.theta) > self.params.keyframe_angle
         )
 
-    def from_keyframe(self) -> Pose2:
+    def from_keyframe(self) -> Pose2D:
         """The motion since the last keyframe."""
         return self._base_pose.to(self.pose)
 
@@ -129,18 +129,18 @@ class Tracker:
         half = self.params.submap_keyframes // 2
         if not self.submaps:
             self.submaps.append(Submap(self.params, number))
-            self.pose = Pose2()
+            self.pose = Pose2D()
         elif len(self.submaps) == 1 and len(self.submaps[0].members) >= half:
             self.submaps.append(Submap(self.params, number))
         for submap in self.submaps:
-            pose = Pose2() if submap.anchor == number else self._in(submap)
+            pose = Pose2D() if submap.anchor == number else self._in(submap)
             submap.members[number] = pose
             submap.insert(scan, pose)
         if len(self.submaps[0].members) >= self.params.submap_keyframes:
             self._leave()
         self.base, self._base_pose = number, self.pose
 
-    def _in(self, submap: Submap) -> Pose2:
+    def _in(self, submap: Submap) -> Pose2D:
         """The robot's pose in a submap's frame."""
         return self.submaps[0].members[submap.anchor].to(self.pose)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from coursekit.slam.pose import Array, Pose2
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.solver import Problem, chordal, cost, optimize, residuals, squared_errors, trust_of
 
 
@@ -13,9 +13,9 @@ class PoseGraph:
 
     >>> graph = PoseGraph()
     >>> for x in (0.0, 1.1, 2.0):
-    ...     _ = graph.add_node(Pose2(x, 0.0, 0.0))
+    ...     _ = graph.add_node(Pose2D(x, 0.0, 0.0))
     >>> for a, b in ((0, 1), (1, 2)):
-    ...     _ = graph.add_edge(a, b, Pose2(1.0, 0.0, 0.0), np.eye(3))
+    ...     _ = graph.add_edge(a, b, Pose2D(1.0, 0.0, 0.0), np.eye(3))
     >>> _ = graph.optimize()
     >>> round(graph.pose(1).x, 6)
     1.0
@@ -35,11 +35,11 @@ class PoseGraph:
         """(n, 3), a view."""
         return self._poses[: self.size]
 
-    def pose(self, node: int) -> Pose2:
+    def pose(self, node: int) -> Pose2D:
         """One pose."""
-        return Pose2.of(self._poses[node])
+        return Pose2D.of(self._poses[node])
 
-    def add_node(self, pose: Pose2) -> int:
+    def add_node(self, pose: Pose2D) -> int:
         """A new pose; returns its number."""
         if self.size == len(self._poses):
             self._poses = np.concatenate([self._poses, np.zeros_like(self._poses)])
@@ -47,7 +47,7 @@ class PoseGraph:
         self.size += 1
         return self.size - 1
 
-    def add_edge(self, first: int, second: int, motion: Pose2, precision: Array, robust: bool = False) -> int:
+    def add_edge(self, first: int, second: int, motion: Pose2D, precision: Array, robust: bool = False) -> int:
         """A measured motion from one node to another with its (3, 3) inverse covariance; returns its number."""
         for node in (first, second):
             if not 0 <= node < self.size:

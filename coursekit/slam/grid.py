@@ -7,9 +7,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.grid_kernels import place, update_grid
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Scan
 
 CHUNK = 64
@@ -24,7 +24,7 @@ class OccupancyGrid:
     """Log-odds of cells. In ROS 2: the source of nav_msgs/OccupancyGrid.
 
     >>> grid = OccupancyGrid(SlamParameters())
-    >>> grid.insert(Scan.from_points(np.array([[1.0, 0.02]]), grid.params), Pose2())
+    >>> grid.insert(Scan.from_points(np.array([[1.0, 0.02]]), grid.params), Pose2D())
     >>> grid.value_at(1.0, 0.02) > 50 > grid.value_at(0.5, 0.02) >= 0
     True
     """
@@ -43,7 +43,7 @@ class OccupancyGrid:
         self.origin = (0.0, 0.0)
         """Lower left corner of the first cell [m], a multiple of the resolution."""
 
-    def insert(self, scan: Scan, pose: Pose2) -> None:
+    def insert(self, scan: Scan, pose: Pose2D) -> None:
         """Add a scan seen from a pose of the robot."""
         centre = pose @ scan.origin
         bounds = np.array([centre.x, centre.y, centre.x, centre.y])
@@ -58,7 +58,7 @@ class OccupancyGrid:
             centre.x, centre.y, self.origin[0], self.origin[1], self.resolution, self._hit, self._miss, self._limit,
         )  # fmt: skip
 
-    def insert_all(self, scans: Iterable[tuple[Scan, Pose2]]) -> None:
+    def insert_all(self, scans: Iterable[tuple[Scan, Pose2D]]) -> None:
         """Add many."""
         for scan, pose in scans:
             self.insert(scan, pose)

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.frontend import Tracker
 from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.loop_field import LoopField
 from coursekit.slam.matcher import sample
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.refine import refine
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result
@@ -24,13 +24,13 @@ from coursekit.slam.submaps import map_submap, submap_of
 class Localizer:
     """Tracks the robot against one map; never changes it. In ROS 2: slam_toolbox's localization mode."""
 
-    def __init__(self, submap: Submap, frame: Pose2, params: SlamParameters) -> None:
+    def __init__(self, submap: Submap, frame: Pose2D, params: SlamParameters) -> None:
         if not submap.count:
             raise ValueError("the map holds no walls: nothing to localise against")
         self.params = params
         self._submap, self._frame = submap, frame
         self._tracker = Tracker(params)
-        self._tracker.start(submap, submap.anchor, Pose2())
+        self._tracker.start(submap, submap.anchor, Pose2D())
         self._field: LoopField | None = None
         self.lost = 0
         """Scans without a match since the last good one."""
@@ -40,7 +40,7 @@ class Localizer:
         """In the map of a finished SLAM: `Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)`."""
         if not keyframes:
             raise ValueError("no keyframes: nothing to localise against")
-        return cls(submap_of(keyframes, range(len(keyframes)), poses, params), Pose2.of(poses[0]), params)
+        return cls(submap_of(keyframes, range(len(keyframes)), poses, params), Pose2D.of(poses[0]), params)
 
     @classmethod
     def from_grid(cls, grid: OccupancyGrid, params: SlamParameters) -> Localizer:
@@ -57,23 +57,23 @@ class Localizer:
         return cls(*map_submap(points, params), params)
 
     @property
-    def pose(self) -> Pose2:
+    def pose(self) -> Pose2D:
         """Where the robot is in the map."""
         return self._frame @ self._tracker.pose
 
-    def set_pose(self, pose: Pose2) -> None:
+    def set_pose(self, pose: Pose2D) -> None:
         """Put the robot somewhere, as /initialpose does."""
         self._tracker.start(self._submap, self._submap.anchor, self._frame.to(pose))
 
-    def add(self, scan: Scan, odometry: Pose2 | None = None) -> Result:
+    def add(self, scan: Scan, odometry: Pose2D | None = None) -> Result:
         """Take the next scan."""
         found, score, accepted = self._tracker.track(scan, odometry)
         self.lost = 0 if accepted else self.lost + 1
         return Result(self.pose, score, accepted, found.degeneracy, found.covariance)
 
     def find(
-        self, scan: Scan, near: Pose2 | None = None, distance: float | None = None, turn: float = math.pi
-    ) -> tuple[Pose2, float]:
+        self, scan: Scan, near: Pose2D | None = None, distance: float | None = None, turn: float = math.pi
+    ) -> tuple[Pose2D, float]:
         """Look for the robot in the whole map, or within `distance` [m] and `turn` [rad] of a pose.
 
         Returns the pose and its score, and goes on from there; a score of 0 means that it was not found.
@@ -82,7 +82,7 @@ class Localizer:
         if self._field is None:
             self._field = LoopField(points, p.loop_cell)
         low, high = points.min(axis=0), points.max(axis=0)
-        middle = Pose2.of((*(low + high) / 2, 0.0))
+        middle = Pose2D.of((*(low + high) / 2, 0.0))
         guess = self._frame.to(near) if near is not None else middle
         reach = distance if distance is not None else float((high - low).max()) / 2
         pose, score = self._field.find(

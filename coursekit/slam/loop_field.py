@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from coursekit.slam.pose import Array, Pose2
+from coursekit.geometry.plane import Array, Pose2D
 
 LEVELS = 7
 """The coarsest field takes the best of 64 x 64 cells."""
@@ -167,8 +167,8 @@ class LoopField:
     """The fields of one submap's points (n, 2).
 
     >>> wall = np.array([[x / 20, 1.0] for x in range(60)] + [[0.0, y / 20] for y in range(20)])
-    >>> found, score = LoopField(wall, 0.1).find(wall, Pose2(0.7, -0.6, 0.3), 1.0, 0.5, 0.05, 0.3)
-    >>> found.distance(Pose2()) < 0.15, score > 0.8
+    >>> found, score = LoopField(wall, 0.1).find(wall, Pose2D(0.7, -0.6, 0.3), 1.0, 0.5, 0.05, 0.3)
+    >>> found.distance(Pose2D()) < 0.15, score > 0.8
     (True, True)
     """
 
@@ -185,8 +185,8 @@ class LoopField:
         self._fields = tuple(fields)
 
     def find(
-        self, points: Array, guess: Pose2, distance: float, angle: float, angle_step: float, least: float
-    ) -> tuple[Pose2, float]:
+        self, points: Array, guess: Pose2D, distance: float, angle: float, angle_step: float, least: float
+    ) -> tuple[Pose2D, float]:
         """Best pose of the points within ±distance [m] and ±angle [rad] of the guess; score 0 when none beats `least`."""
         if not len(points):
             return guess, 0.0
@@ -195,9 +195,9 @@ class LoopField:
             points, self._fields, self.origin[0], self.origin[1], self.cell, guess.x, guess.y, guess.theta,
             reach, steps, angle_step, least,
         )  # fmt: skip
-        return Pose2.of((x, y, theta)), float(score)
+        return Pose2D.of((x, y, theta)), float(score)
 
-    def rival(self, points: Array, pose: Pose2) -> float:
+    def rival(self, points: Array, pose: Pose2D) -> float:
         """How nearly the points fit beside a pose, 0.5 to 2 m away: 1 is as well as at the pose itself."""
         arguments = (points, self._fields[0], self.origin[0], self.origin[1], self.cell, pose.x, pose.y, pose.theta)
         near, far = (math.ceil(way / self.cell) for way in RIVALS)

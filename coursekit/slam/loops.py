@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.contradiction import Usual, contradiction
 from coursekit.slam.graph import PoseGraph
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.loop_field import LoopField
 from coursekit.slam.matcher import sample
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.refine import refine
 from coursekit.slam.submap import Submap
 from coursekit.slam.ways import shortest_ways
@@ -29,7 +29,7 @@ class Loop:
 
     first: int
     second: int
-    motion: Pose2
+    motion: Pose2D
     precision: Array
     score: float
 
@@ -114,7 +114,7 @@ class LoopSearch:
             score,
         )
 
-    def _contradicts(self, keyframe: Keyframe, submap: Submap, members: list[int], pose: Pose2) -> bool:
+    def _contradicts(self, keyframe: Keyframe, submap: Submap, members: list[int], pose: Pose2D) -> bool:
         """Whether the keyframe at a pose in a submap sees through walls, or the submap's keyframes through its walls."""
         pairs = [(self._keyframes[m].scan, keyframe.scan, submap.members[m].to(pose)) for m in members]
         return contradiction(pairs) > self._usual.limit

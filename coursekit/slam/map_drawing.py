@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D, wrap
 from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2, wrap_all
 
 
 class MapDrawing:
@@ -25,7 +25,7 @@ class MapDrawing:
         if self._moved(poses):
             self._grid, self._drawn = OccupancyGrid(self._params), np.zeros((0, 3))
         for keyframe in keyframes[len(self._drawn) :]:
-            self._grid.insert(keyframe.scan, Pose2.of(poses[keyframe.number]))
+            self._grid.insert(keyframe.scan, Pose2D.of(poses[keyframe.number]))
         self._drawn = poses.copy()
         return self._grid
 
@@ -35,4 +35,4 @@ class MapDrawing:
         if not len(change):
             return False
         far = np.abs(change[:, :2]).max() > 0.01 * self._params.resolution
-        return bool(far or np.abs(wrap_all(change[:, 2])).max() > 2e-4)
+        return bool(far or np.abs(wrap(change[:, 2])).max() > 2e-4)

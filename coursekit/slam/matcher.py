@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numba import njit
 
-from coursekit.slam.pose import Array, Pose2
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.submap import Submap
 
 
@@ -88,8 +88,8 @@ def sample(points: Array, limit: int) -> Array:
 
 
 def match(
-    points: Array, submap: Submap, guess: Pose2, distance: float, angle: float, sigmas: tuple[float, float]
-) -> tuple[Pose2, float]:
+    points: Array, submap: Submap, guess: Pose2D, distance: float, angle: float, sigmas: tuple[float, float]
+) -> tuple[Pose2D, float]:
     """Best pose within ±distance [m] and ±angle [rad] of the guess, and its score (0 to 1), to a cell and an angle step.
 
     `sigmas` tell how far off the guess may well be [m], [rad]; it wins where the walls leave it open.
@@ -103,4 +103,4 @@ def match(
         guess.x, guess.y, guess.theta, reach, steps, p.angle_step, p.guess_weight * (p.cell / sigmas[0]) ** 2,
         p.guess_weight * (p.angle_step / sigmas[1]) ** 2, p.guess_limit,
     )  # fmt: skip
-    return Pose2.of((x, y, theta)), float(score)
+    return Pose2D.of((x, y, theta)), float(score)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from coursekit.slam.pose import Pose2
+from coursekit.geometry.plane import Pose2D
 
 MEMORY = 10.0
 """What was learnt is forgotten over this way [m]; a turn of a radian counts as a metre."""
@@ -21,8 +21,8 @@ class Calibration:
 
     >>> wheels = Calibration()
     >>> for _ in range(500):
-    ...     wheels.learn(Pose2(0.12, 0.0, 0.0), Pose2(0.1, 0.0, 0.01))
-    >>> right = wheels.correct(Pose2(0.12, 0.0, 0.0))
+    ...     wheels.learn(Pose2D(0.12, 0.0, 0.0), Pose2D(0.1, 0.0, 0.01))
+    >>> right = wheels.correct(Pose2D(0.12, 0.0, 0.0))
     >>> round(right.x, 2), round(right.theta, 3)
     (0.1, 0.009)
     """
@@ -34,12 +34,12 @@ class Calibration:
         """Normal equations of: the true turn = scale * turn + pull * way."""
         self.scale, self.turn_scale, self.pull = 1.0, 1.0, 0.0
 
-    def correct(self, motion: Pose2) -> Pose2:
+    def correct(self, motion: Pose2D) -> Pose2D:
         """The motion that was meant."""
         turn = self.turn_scale * motion.theta + self.pull * motion.x
-        return Pose2(self.scale * motion.x, self.scale * motion.y, turn)
+        return Pose2D(self.scale * motion.x, self.scale * motion.y, turn)
 
-    def learn(self, motion: Pose2, found: Pose2) -> None:
+    def learn(self, motion: Pose2D, found: Pose2D) -> None:
         """A motion by the odometry, and what matching says that it was."""
         way = math.hypot(motion.x, motion.y)
         keep = math.exp(-(way + abs(motion.theta)) / MEMORY)

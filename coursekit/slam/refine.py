@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numba import njit
 
-from coursekit.slam.pose import Array, Pose2, rotation
+from coursekit.geometry.plane import Array, Pose2D, rotation
 from coursekit.slam.submap import Submap
 
 
@@ -16,7 +16,7 @@ from coursekit.slam.submap import Submap
 class Refined:
     """The outcome of a refinement."""
 
-    pose: Pose2
+    pose: Pose2D
     information: Array
     """(3, 3) inverse covariance in the pose's own frame [1/m², 1/rad²], the prior left out."""
     inliers: float
@@ -153,8 +153,8 @@ def gauss_newton(
 def refine(
     points: Array,
     submap: Submap,
-    guess: Pose2,
-    prior: Pose2,
+    guess: Pose2D,
+    prior: Pose2D,
     precision: Array,
     gate: float = 0.3,
     rounds: int = 10,
@@ -168,7 +168,7 @@ def refine(
         submap.origin[1], submap.params.cell, gate, submap.params.range_sigma, np.array(prior),
         np.asarray(precision, float), rounds, information,
     )  # fmt: skip
-    return Refined(Pose2.of(pose), information, inliers / len(points), spread)
+    return Refined(Pose2D.of(pose), information, inliers / len(points), spread)
 
 
 def precision_of(sigma_forward: float, sigma_side: float, sigma_angle: float, heading: float = 0.0) -> Array:

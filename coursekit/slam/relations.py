@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, between, wrap
 from coursekit.slam.files import read_lines
-from coursekit.slam.pose import Array, between, wrap_all
 
 
 @dataclass(frozen=True)
@@ -83,9 +83,9 @@ def poses_at(trajectory: Array, stamps: Array) -> Array:
     part = np.where(gap > 0, (stamps - times[before]) / np.where(gap > 0, gap, 1), 0.0)[:, None]
     first, second = trajectory[before, 1:], trajectory[after, 1:]
     step = second - first
-    step[:, 2] = wrap_all(step[:, 2])
+    step[:, 2] = wrap(step[:, 2])
     poses = first + part * step
-    poses[:, 2] = wrap_all(poses[:, 2])
+    poses[:, 2] = wrap(poses[:, 2])
     return poses
 
 

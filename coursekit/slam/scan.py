@@ -9,11 +9,11 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.scan_kernels import fill_walls, normals_of, thin, usual_gap
 
-HERE = Pose2()
+HERE = Pose2D()
 """The laser sits in the middle of the robot, and looks ahead."""
 
 
@@ -30,7 +30,7 @@ class Laser:
     range_min: float = 0.0
     range_max: float = math.inf
     """Ranges from here on mean that nothing was hit."""
-    offset: Pose2 = HERE
+    offset: Pose2D = HERE
     """Where the laser sits on the robot."""
     flipped: bool = False
     """Mounted upside down: the beams turn the other way."""
@@ -41,7 +41,7 @@ class Laser:
         return -angles if self.flipped else angles
 
     @classmethod
-    def half_circle(cls, count: int, range_max: float = math.inf, offset: Pose2 = HERE) -> Laser:
+    def half_circle(cls, count: int, range_max: float = math.inf, offset: Pose2D = HERE) -> Laser:
         """The 180° lasers of old logs: even counts from -90° on, the last end left out; odd counts with both ends."""
         steps = count - 1 if count % 2 else count
         return cls(-math.pi / 2, math.pi / max(steps, 1), range_max=range_max, offset=offset)
@@ -59,7 +59,7 @@ class Scan:
     """What a scan saw, in the robot's frame; points sorted by their bearing from the laser."""
 
     stamp: float
-    origin: Pose2
+    origin: Pose2D
     """Where the laser sits on the robot."""
     hits: Array
     """(n, 2) where beams ended [m]."""
@@ -110,7 +110,7 @@ class Scan:
         points: Array,
         params: SlamParameters,
         *,
-        origin: Pose2 = HERE,
+        origin: Pose2D = HERE,
         stamp: float = 0.0,
         misses: Array | None = None,
     ) -> Scan:

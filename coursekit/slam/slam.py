@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D, compose
 from coursekit.slam.frontend import Tracker
 from coursekit.slam.graph import PoseGraph
 from coursekit.slam.grid import OccupancyGrid
@@ -14,7 +15,6 @@ from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.loops import Loop, LoopSearch
 from coursekit.slam.map_drawing import MapDrawing
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2, compose
 from coursekit.slam.refine import Refined
 from coursekit.slam.scan import Laser, Scan
 
@@ -23,7 +23,7 @@ from coursekit.slam.scan import Laser, Scan
 class Result:
     """What `Slam.add` found."""
 
-    pose: Pose2
+    pose: Pose2D
     """Where the robot is in the map."""
     score: float
     """How well the scan fits: 0 to 1."""
@@ -45,13 +45,13 @@ class Slam:
 
     >>> slam = Slam()
     >>> laser = Laser(angle_min=0.0, angle_increment=0.1)
-    >>> slam.add_ranges(0.0, [1.0, 1.0, 1.0], laser, Pose2()).keyframe
+    >>> slam.add_ranges(0.0, [1.0, 1.0, 1.0], laser, Pose2D()).keyframe
     True
     >>> slam.trajectory()
     array([[0., 0., 0., 0.]])
     """
 
-    def __init__(self, params: SlamParameters | None = None, start: Pose2 | None = None) -> None:
+    def __init__(self, params: SlamParameters | None = None, start: Pose2D | None = None) -> None:
         self.params = params or SlamParameters()
         self.graph = PoseGraph()
         self.keyframes: list[Keyframe] = []
@@ -64,19 +64,19 @@ class Slam:
         self.stamps: list[float] = []
         self.bases: list[int] = []
         """For each scan the keyframe that it is tied to,"""
-        self.motions: list[Pose2] = []
+        self.motions: list[Pose2D] = []
         """and the motion from there."""
-        self._start = start or Pose2()
+        self._start = start or Pose2D()
         self._waiting = 0
         self._drawing = MapDrawing(self.params)
 
     def add_ranges(
-        self, stamp: float, ranges: Sequence[float] | np.ndarray, laser: Laser, odometry: Pose2 | None = None
+        self, stamp: float, ranges: Sequence[float] | np.ndarray, laser: Laser, odometry: Pose2D | None = None
     ) -> Result:
         """Take the next scan as ranges [m]; see `add`."""
         return self.add(Scan.from_ranges(ranges, laser, self.params, stamp), odometry)
 
-    def add(self, scan: Scan, odometry: Pose2 | None = None) -> Result:
+    def add(self, scan: Scan, odometry: Pose2D | None = None) -> Result:
         """Take the next scan, with the robot's pose by its odometry, if it has one."""
         found, score, accepted = self.tracker.track(scan, odometry)
         self.lost += not accepted
@@ -92,13 +92,13 @@ class Slam:
         return Result(self.pose, score, accepted, found.degeneracy, found.covariance, fresh, tuple(loops), corrected)
 
     @property
-    def pose(self) -> Pose2:
+    def pose(self) -> Pose2D:
         """Where the robot is in the map."""
         if not self.keyframes:
             return self._start
         return self.graph.pose(self.tracker.base) @ self.tracker.from_keyframe()
 
-    def begin_at(self, pose: Pose2) -> None:
+    def begin_at(self, pose: Pose2D) -> None:
         """Where the robot is in the map when its first scan comes; later it changes nothing."""
         self._start = pose
 

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 
-from coursekit.slam.pose import Array, wrap_all
+from coursekit.geometry.plane import Array, wrap
 
 SCALE = 9.0
 """Squared error (in sigmas) at which a doubtful edge has half its trust."""
@@ -33,7 +33,7 @@ def residuals(problem: Problem, poses: Array) -> Array:
     ca, sa = np.cos(a[:, 2]), np.sin(a[:, 2])
     dx = b[:, 0] - a[:, 0] - (ca * z[:, 0] - sa * z[:, 1])
     dy = b[:, 1] - a[:, 1] - (sa * z[:, 0] + ca * z[:, 1])
-    return np.stack([c * dx + s * dy, c * dy - s * dx, wrap_all(b[:, 2] - theta)], axis=1)
+    return np.stack([c * dx + s * dy, c * dy - s * dx, wrap(b[:, 2] - theta)], axis=1)
 
 
 def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
@@ -126,7 +126,7 @@ def optimize(problem: Problem, start: Array, rounds: int = 20, slack: float = 0.
         poses = _descend(problem, poses, assembler, 2, scale)
         scale = max(SCALE, scale / 8)
     poses = _descend(problem, poses, assembler, rounds, SCALE)
-    poses[:, 2] = wrap_all(poses[:, 2])
+    poses[:, 2] = wrap(poses[:, 2])
     return poses, trust_of(problem, residuals(problem, poses))
 
 

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from coursekit.files import write_whole
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Slam
 from coursekit.slam.submaps import around, cover
@@ -64,7 +64,7 @@ def save(slam: Slam, path: str | Path) -> Path:
     return file.resolve()
 
 
-def load(path: str | Path, at: Pose2 | None = None) -> Slam:
+def load(path: str | Path, at: Pose2D | None = None) -> Slam:
     """Read a session and make it ready to go on, from where it was or from the pose `at`. In ROS 2: deserialize_map.
 
     Raises FileNotFoundError, or ValueError when the file is no saved session.
@@ -85,7 +85,7 @@ def load(path: str | Path, at: Pose2 | None = None) -> Slam:
         raise ValueError(f"{file} is no saved SLAM session, or is damaged: {fault}") from fault
 
 
-def _restore(data: dict[str, Any], at: Pose2 | None) -> Slam:
+def _restore(data: dict[str, Any], at: Pose2D | None) -> Slam:
     """A session from its arrays."""
     if int(data["format"]) != FORMAT:
         raise ValueError(f"its format is {int(data['format'])}, this coursekit reads {FORMAT}")
@@ -99,13 +99,13 @@ def _restore(data: dict[str, Any], at: Pose2 | None) -> Slam:
     slam.bases = [int(base) for base in data["bases"]]
     if any(not 0 <= base < slam.graph.size for base in slam.bases) or len(slam.bases) != len(slam.stamps):
         raise ValueError("its scans name keyframes that it does not have")
-    slam.motions = [Pose2.of(motion) for motion in data["motions"]]
+    slam.motions = [Pose2D.of(motion) for motion in data["motions"]]
     if slam.keyframes:
-        resume(slam, at or Pose2.of(data["now"]))
+        resume(slam, at or Pose2D.of(data["now"]))
     return slam
 
 
-def resume(slam: Slam, at: Pose2) -> None:
+def resume(slam: Slam, at: Pose2D) -> None:
     """Go on from a pose in the map: the next keyframe is tied to the nearest old one."""
     poses = slam.graph.poses
     for submap in cover(slam.keyframes, poses, slam.params):
@@ -128,10 +128,10 @@ def _parameters(text: str) -> SlamParameters:
 def _restore_graph(slam: Slam, data: dict[str, Any]) -> None:
     """Nodes and edges."""
     for pose in data["poses"]:
-        slam.graph.add_node(Pose2.of(pose))
+        slam.graph.add_node(Pose2D.of(pose))
     rows = zip(data["pairs"], data["edge_motions"], data["precisions"], data["robust"], strict=True)
     for (first, second), motion, precision, robust in rows:
-        slam.graph.add_edge(int(first), int(second), Pose2.of(motion), precision, bool(robust))
+        slam.graph.add_edge(int(first), int(second), Pose2D.of(motion), precision, bool(robust))
 
 
 def _scans(params: SlamParameters, data: dict[str, Any]) -> list[Scan]:
@@ -140,6 +140,6 @@ def _scans(params: SlamParameters, data: dict[str, Any]) -> list[Scan]:
     misses = np.split(data["misses"], np.cumsum(data["miss_counts"])[:-1])
     rows = zip(data["scan_stamps"], data["origins"], hits, misses, strict=False)
     return [
-        Scan.from_points(hit, params, origin=Pose2.of(origin), stamp=float(stamp), misses=miss)
+        Scan.from_points(hit, params, origin=Pose2D.of(origin), stamp=float(stamp), misses=miss)
         for stamp, origin, hit, miss in rows
     ]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D, rotation
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2, rotation
 from coursekit.slam.scan import Scan
 from coursekit.slam.submap_kernels import insert_points
 
@@ -30,7 +30,7 @@ class Submap:
         self.params = params
         self.anchor = anchor
         """The keyframe whose pose is this submap's frame."""
-        self.members: dict[int, Pose2] = {}
+        self.members: dict[int, Pose2D] = {}
         """Keyframes inside, and where they are in this frame."""
         self.count = 0
         self.points = np.zeros((256, 2))
@@ -43,12 +43,12 @@ class Submap:
         self.likelihood = np.zeros((0, 0), dtype=np.uint8)
         self.coarse = np.zeros((0, 0), dtype=np.uint8)
 
-    def insert(self, scan: Scan, pose: Pose2) -> None:
+    def insert(self, scan: Scan, pose: Pose2D) -> None:
         """Add a scan's points as seen from `pose` in this frame."""
         self._add(scan.points, scan.normals, pose)
         self._add(scan.filled, scan.filled_normals, pose)
 
-    def _add(self, points: Array, normals: Array, pose: Pose2) -> None:
+    def _add(self, points: Array, normals: Array, pose: Pose2D) -> None:
         """Add points with normals."""
         moved = pose.transform(points)
         near = np.abs(moved).max(axis=1, initial=0.0) < FARTHEST

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.scan import Scan
 from coursekit.slam.submap import Submap
 
@@ -20,10 +20,10 @@ def submap_of(
 ) -> Submap:
     """One submap of these keyframes, in the frame of the first."""
     chosen = list(numbers)
-    frame = Pose2.of(poses[chosen[0]])
+    frame = Pose2D.of(poses[chosen[0]])
     submap = Submap(params, chosen[0])
     for number in chosen:
-        submap.members[number] = frame.to(Pose2.of(poses[number]))
+        submap.members[number] = frame.to(Pose2D.of(poses[number]))
         submap.insert(keyframes[number].scan, submap.members[number])
     return submap
 
@@ -37,20 +37,20 @@ def cover(keyframes: Sequence[Keyframe], poses: Array, params: SlamParameters) -
     return submaps
 
 
-def around(keyframes: Sequence[Keyframe], poses: Array, place: Pose2, params: SlamParameters) -> Submap:
+def around(keyframes: Sequence[Keyframe], poses: Array, place: Pose2D, params: SlamParameters) -> Submap:
     """A submap of the keyframes nearest to a place, not yet full."""
     gaps = np.hypot(poses[:, 0] - place.x, poses[:, 1] - place.y)
     nearest = np.argsort(gaps, kind="stable")[: max(params.submap_keyframes // 2 - 1, 1)]
     return submap_of(keyframes, (int(number) for number in nearest), poses, params)
 
 
-def map_submap(points: Array, params: SlamParameters) -> tuple[Submap, Pose2]:
+def map_submap(points: Array, params: SlamParameters) -> tuple[Submap, Pose2D]:
     """One submap of bare points (n, 2), such as the walls of a drawn map, and where its frame is in the map."""
     submap = Submap(params)
-    submap.members[0] = Pose2()
+    submap.members[0] = Pose2D()
     if not len(points):
-        return submap, Pose2()
+        return submap, Pose2D()
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     everything = dataclasses.replace(params, match_range=math.inf)
-    submap.insert(Scan.from_points(points - middle, everything), Pose2())
-    return submap, Pose2.of((*middle, 0.0))
+    submap.insert(Scan.from_points(points - middle, everything), Pose2D())
+    return submap, Pose2D.of((*middle, 0.0))

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.localizer import Localizer
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser, Scan
 from coursekit.slam.slam import Slam
 
@@ -18,8 +18,8 @@ def warm() -> None:
     angles = laser.angles(90)
     walls = 2.0 / np.maximum(np.abs(np.cos(angles)), np.abs(np.sin(angles)))
     for number in range(2):
-        slam.add_ranges(float(number), walls, laser, Pose2(0.4 * number, 0.0, 0.0))
+        slam.add_ranges(float(number), walls, laser, Pose2D(0.4 * number, 0.0, 0.0))
     slam.map()
     slam.finish()
     localizer = Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)
-    localizer.find(Scan.from_ranges(walls, laser, slam.params), Pose2(), 0.3, 0.1)
+    localizer.find(Scan.from_ranges(walls, laser, slam.params), Pose2D(), 0.3, 0.1)

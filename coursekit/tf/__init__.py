@@ -10,6 +10,8 @@ True
 In ROS 2: tf2::BufferCore.
 """
 
+from coursekit.geometry.pose import IDENTITY, Pose, compose, interpolate, inverse, rotate, slerp
+
 from .buffer import FrameBuffer, Lookup
 from .errors import (
     ConnectivityException,
@@ -19,7 +21,6 @@ from .errors import (
     TimeoutException,
     TransformException,
 )
-from .pose import IDENTITY, Pose, compose, interpolate, inverse, rotate, slerp
 from .store import DEFAULT_CACHE_NS, Sample
 
 __all__ = [

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from coursekit.geometry.pose import IDENTITY, Pose, canonical, compose, inverse
+
 from . import errors
 from .path import Path
-from .pose import IDENTITY, Pose, canonical, compose, inverse
 from .store import FrameStore
 from .walk import common_time, walk
 

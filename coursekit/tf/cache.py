@@ -6,8 +6,9 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from operator import lt
 
+from coursekit.geometry.pose import IDENTITY, Pose, Segment, interpolate, segment
+
 from . import errors
-from .pose import IDENTITY, Pose, Segment, interpolate, segment
 
 
 class FrameCache:

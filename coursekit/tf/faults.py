@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from coursekit.geometry.pose import Pose
+
 from .errors import seconds_text
-from .pose import Pose
 
 UNIT_TOLERANCE = 10e-3
 """How far a quaternion's squared length may be from 1."""

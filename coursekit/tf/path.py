@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import sin
 
+from coursekit.geometry.pose import IDENTITY, Pose, between, canonical, compose, inverse
+
 from .cache import FrameCache
-from .pose import IDENTITY, Pose, between, canonical, compose, inverse
 
 
 class Path:

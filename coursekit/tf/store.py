@@ -6,11 +6,12 @@ import _thread
 import sys
 from collections.abc import Callable, Sequence
 
+from coursekit.geometry.pose import Pose, are_units, normalized
+
 from . import describe
 from .cache import FrameCache
 from .faults import faults, too_old
 from .path import Path
-from .pose import Pose, are_units, normalized
 
 DEFAULT_CACHE_NS = 10_000_000_000
 """How much of the past is kept: ten seconds."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from math import acos, sqrt
 
+from coursekit.geometry.pose import Quaternion, Vector, multiply, rotate
+
 from .buffer import FrameBuffer
-from .pose import Quaternion, Vector, multiply, rotate
 
 Velocity = tuple[Vector, Vector]
 

@@ -11,52 +11,22 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from coursekit.geometry.pose import Pose
+from coursekit.geometry.rotation import quaternion_of
+
 from .errors import close
-from .model import Joint, Origin, Robot, Vector
+from .model import Joint, Origin, Robot
 
 if TYPE_CHECKING:
     import numpy as np
 
-Pose = tuple[float, float, float, float, float, float, float]
-"""x, y, z [m] and the quaternion x, y, z, w, as in geometry_msgs/Pose."""
 Term = float | str
 """A number known beforehand, or the name of a variable of the written function."""
-
-
-def quaternion_of(rpy: Vector) -> tuple[float, float, float, float]:
-    """Roll, pitch, yaw (about the fixed axes x, y, z) as a quaternion x, y, z, w.
-
-    >>> quaternion_of((0.0, 0.0, math.pi))
-    (0.0, 0.0, 1.0, 6.123233995736766e-17)
-    """
-    (sr, cr), (sp, cp), (sy, cy) = ((math.sin(a / 2), math.cos(a / 2)) for a in rpy)
-    return (
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-        cr * cp * cy + sr * sp * sy,
-    )
 
 
 def pose_of(origin: Origin) -> Pose:
     """An origin as a pose."""
     return (*origin.xyz, *quaternion_of(origin.rpy))
-
-
-def compose(a: Pose, b: Pose) -> Pose:
-    """The pose `b`, given in the frame `a`, in the frame that `a` is given in."""
-    x, y, z, qx, qy, qz, qw = a
-    bx, by, bz, rx, ry, rz, rw = b
-    tx, ty, tz = 2 * (qy * bz - qz * by), 2 * (qz * bx - qx * bz), 2 * (qx * by - qy * bx)
-    return (
-        x + bx + qw * tx + qy * tz - qz * ty,
-        y + by + qw * ty + qz * tx - qx * tz,
-        z + bz + qw * tz + qx * ty - qy * tx,
-        qw * rx + qx * rw + qy * rz - qz * ry,
-        qw * ry + qy * rw + qz * rx - qx * rz,
-        qw * rz + qz * rw + qx * ry - qy * rx,
-        qw * rw - qx * rx - qy * ry - qz * rz,
-    )
 
 
 def joint_pose(joint: Joint, position: float = 0.0) -> Pose:
@@ -256,4 +226,4 @@ def _compose(writer: _Writer, a: list[Term], b: list[Term]) -> list[Term]:
     ]
 
 
-__all__ = ["Kinematics", "Pose", "compose", "joint_motion", "joint_pose", "pose_of", "quaternion_of"]
+__all__ = ["Kinematics", "joint_motion", "joint_pose", "pose_of"]

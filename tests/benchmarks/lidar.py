@@ -7,7 +7,8 @@ import timeit
 import numpy as np
 import pymunk
 
-from coursekit.sim import Cut, Lidar, Place
+from coursekit.geometry.plane import Pose2D
+from coursekit.sim import Cut, Lidar
 
 BEAMS, REACH = 360, 20.0
 
@@ -41,8 +42,8 @@ def main() -> None:
     result = {}
     for count in (50, 1000):
         cut = scene(count)
-        lidar.look(cut, Place())
-        result[count] = {"ours": best(lambda cut=cut: lidar.look(cut, Place()), 500), "peer": pymunk_time(cut)}
+        lidar.look(cut, Pose2D())
+        result[count] = {"ours": best(lambda cut=cut: lidar.look(cut, Pose2D()), 500), "peer": pymunk_time(cut)}
     print(json.dumps(result))
 
 

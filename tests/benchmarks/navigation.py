@@ -20,13 +20,14 @@ WARY = 0.7
 
 def carts(stage, speed):
     """Boxes of half a metre that go to and fro."""
-    from coursekit.sim import Place, Prism
+    from coursekit.geometry.plane import Pose2D
+    from coursekit.sim import Prism
     from coursekit.sim.world import Thing
     from tests.nodes.nav2_stage import Mover
 
     square = ((-0.25, -0.25), (0.25, -0.25), (0.25, 0.25), (-0.25, 0.25))
     for name, ends in WAYS.items():
-        stage.simulation.add(Thing(name, (Prism(square, 0.0, 0.6),), Place(*ends[0], 0.0), mass=30.0))
+        stage.simulation.add(Thing(name, (Prism(square, 0.0, 0.6),), Pose2D(*ends[0], 0.0), mass=30.0))
         stage.movers.append(Mover(name, ends, speed, WARY))
 
 
@@ -35,15 +36,15 @@ def measure(goals, seed, speed=0.2, world="tec_warehouse"):
     from nav2_msgs.action import NavigateToPose
     from rclpy.action import ActionClient
 
-    from coursekit.core.session import Session
-    from coursekit.slam.pose import Pose2
+    from coursekit.geometry.plane import Pose2D
+    from coursekit.processes.session import Session
     from tests.nodes.nav2_stage import Stage
 
     with tempfile.TemporaryDirectory() as folder, Session(virtual=True).use() as session:
         stage = Stage(session, Path(folder), world)
         if world == "tec_warehouse":
             carts(stage, speed)
-        stage.tell_pose(Pose2(*stage.robot.place))
+        stage.tell_pose(Pose2D(*stage.robot.place))
         client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
         client.wait_for_server(timeout_sec=5.0)
         begin, wall, reached, touches, missed = session.clock.steady(), _clock(), 0, [], []

@@ -10,10 +10,10 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D, rotation
 from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.matcher import match, sample
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2, rotation
 from coursekit.slam.refine import refine
 from coursekit.slam.scan import Laser, Scan
 from coursekit.slam.submap import Submap
@@ -23,7 +23,7 @@ from tests.slam.building import look, office
 
 PARAMS = SlamParameters()
 LASER = Laser(-math.pi, math.radians(1), range_max=12.0)
-HERE, GUESS = Pose2(3.0, 5.0, 0.4), Pose2(0.1, -0.1, 0.1)
+HERE, GUESS = Pose2D(3.0, 5.0, 0.4), Pose2D(0.1, -0.1, 0.1)
 DISTANCE, ANGLE = 0.3, math.radians(20)
 CELL = PARAMS.cell
 
@@ -35,7 +35,7 @@ def best(function: Callable[[], object]) -> float:
     return min(timer.repeat(5, count)) / count * 1e6
 
 
-def seen(pose: Pose2, seed: int) -> Scan:
+def seen(pose: Pose2D, seed: int) -> Scan:
     """A scan of the office."""
     ranges = look(office(3), pose, LASER, 360, np.random.default_rng(seed))
     return Scan.from_ranges(ranges, LASER, PARAMS)
@@ -99,14 +99,14 @@ def main() -> None:
     """Measure and print."""
     scan, submap = seen(HERE, 0), Submap(PARAMS)
     for k in range(4):
-        submap.insert(seen(HERE @ Pose2(0.1 * k, 0.0, 0.0), k), Pose2(0.1 * k, 0.0, 0.0))
+        submap.insert(seen(HERE @ Pose2D(0.1 * k, 0.0, 0.0), k), Pose2D(0.1 * k, 0.0, 0.0))
     grid, size = OccupancyGrid(PARAMS), np.full(2, 13.0)
     plain = np.zeros((520, 520), dtype=np.float32)
     points = seen(HERE, 9).points
     few, sigmas = sample(points, 120), (0.3, 0.3)
     result = {
         "grid update, 360 beams at 5 cm": {
-            "ours": best(lambda: grid.insert(scan, Pose2())),
+            "ours": best(lambda: grid.insert(scan, Pose2D())),
             "numpy": best(lambda: numpy_grid(scan, plain, -size)),
             "OpenCV": best(lambda: opencv_grid(scan, plain, -size)),
             "goal": "≤ 75 µs",
@@ -118,7 +118,7 @@ def main() -> None:
             "goal": "≤ 150 µs",
         },
         "refinement of a match": {
-            "ours": best(lambda: refine(points, submap, Pose2(0.02, 0.01, 0.01), Pose2(), np.zeros((3, 3)))),
+            "ours": best(lambda: refine(points, submap, Pose2D(0.02, 0.01, 0.01), Pose2D(), np.zeros((3, 3)))),
             "numpy": None,
             "OpenCV": None,
             "goal": "",

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.carmen import CarmenLog, read_log
-from coursekit.slam.pose import Pose2
 from coursekit.slam.relations import errors, read_relations
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Slam
@@ -25,14 +25,14 @@ RANGE_NOISE, WAY_NOISE, TURN_NOISE = 0.005, 0.02, 0.02
 """Added to every range [m], and to each motion as a part of it."""
 
 
-def perturbed(log: CarmenLog, seed: int) -> list[tuple[np.ndarray, Pose2]]:
+def perturbed(log: CarmenLog, seed: int) -> list[tuple[np.ndarray, Pose2D]]:
     """Ranges and odometry, each a little different with each seed; seed 0 is the log as it is."""
     rng = np.random.default_rng(seed)
     odometry, before, made = log.readings[0].odometry, log.readings[0].odometry, []
     for reading in log.readings:
         motion, before = before.to(reading.odometry), reading.odometry
         way, noise = math.hypot(motion.x, motion.y), rng.normal(size=3) * bool(seed)
-        odometry = odometry @ Pose2(
+        odometry = odometry @ Pose2D(
             motion.x + noise[0] * WAY_NOISE * way,
             motion.y + noise[1] * WAY_NOISE * way,
             motion.theta + noise[2] * TURN_NOISE * abs(motion.theta),

@@ -58,6 +58,36 @@ def test_it_joins_the_session_of_the_user_and_keeps_its_words_and_exit_code(prog
         assert echo.returncode == 0
 
 
+SQUARES = """
+import multiprocessing
+import rclpy
+
+def square(number):
+    return number * number
+
+if __name__ == "__main__":
+    rclpy.init()
+    node = rclpy.create_node("squares")
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        print("told", pool.map(square, [2, 3]))
+    print("beside", node.count_subscribers("chatter"))
+"""
+
+
+@pytest.mark.slow
+def test_it_may_start_interpreters_beside_a_session(program, surroundings):
+    program.write_text(SQUARES)
+    echo = [sys.executable, "-m", "coursekit.cli.ros2", "topic", "echo", "/chatter", "std_msgs/msg/String"]
+    with subprocess.Popen(echo, env=surroundings, stdout=subprocess.DEVNULL) as session:
+        for _ in range(100):
+            ended = run(program, surroundings)
+            assert ended.stdout.startswith("told [4, 9]\n"), ended.stderr
+            if "beside 1" in ended.stdout:
+                break
+        session.terminate()
+    assert "beside 1" in ended.stdout
+
+
 def test_a_launch_file_runs_it_on_the_virtual_clock_in_the_session(program, surroundings):
     (program.parent / "both.launch.py").write_text(
         "from launch import LaunchDescription\n"

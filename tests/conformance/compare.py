@@ -15,14 +15,20 @@ ROOT = HERE.parent.parent
 REAL_ENVIRONMENT = ROOT / ".venv-ros"
 REQUIREMENTS = HERE / "requirements-ros.txt"
 
+sys.path.insert(0, str(HERE))  # also where this file was loaded by its path
+
+from loopback import alone  # noqa: E402
+
 Results = dict[str, str]
 """'passed', 'failed' or 'skipped' by test id."""
 
 
-def real_is_possible() -> bool:
-    """Say whether wheels of the real rclpy exist for this machine."""
+def why_not_real() -> str:
+    """Why the real rclpy cannot be asked on this machine; empty when it can."""
     version_fits = (3, 10) <= sys.version_info[:2] <= (3, 14)
-    return sys.platform == "linux" and platform.machine() == "x86_64" and version_fits
+    if sys.platform != "linux" or platform.machine() != "x86_64" or not version_fits:
+        return "its wheels exist for Linux x86-64 with Python 3.10 to 3.14 only"
+    return "" if alone(["true"]) else "it listens on all networks, and here nothing keeps it on loopback (unshare -n)"
 
 
 def real_python() -> Path:
@@ -55,6 +61,7 @@ def run(python: Path | str) -> Results:
         options = ["-q", "-o", "addopts=", "-p", "no:cacheprovider", "-W", "ignore", f"--junitxml={report}"]
         options += ["--confcutdir", str(HERE)]  # the real rclpy's environment has nothing for other tests
         command = [str(python), "-m", "pytest", str(HERE), *options]
+        command = command if python == sys.executable else alone(command) or command
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False)
         if not report.exists():
@@ -104,8 +111,9 @@ def total(who: str, results: Results) -> str:
 def main() -> int:
     """Print the table; 1 when a test fails on either side."""
     ours = run(sys.executable)
-    real = run(real_python()) if real_is_possible() else None
+    why_not = why_not_real()
+    real = None if why_not else run(real_python())
     print("\n".join(table(ours, real)))
     if real is None:
-        print("THE REAL RCLPY WAS NOT ASKED: its wheels exist for Linux x86-64 with Python 3.10 to 3.14 only")
+        print(f"THE REAL RCLPY WAS NOT ASKED: {why_not}")
     return int("failed" in ours.values() or "failed" in (real or {}).values())

@@ -9,6 +9,7 @@ from rcl_interfaces.msg import (
 )
 from rclpy.exceptions import (
     InvalidParameterException,
+    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterImmutableException,
@@ -234,11 +235,16 @@ def test_a_dynamic_parameter_that_loses_its_value_is_undeclared(node):
 
 
 def test_a_parameter_value_stands_for_an_override(world):
-    overrides = [Parameter("given", Parameter.Type.INTEGER, 7)]
+    overrides = [Parameter(name, Parameter.Type.INTEGER, 7) for name in ("given", "typed", "wrong")]
     node = world.node(parameter_overrides=overrides)
-    assert node.declare_parameter("given", ParameterValue(), ParameterDescriptor()).value == 7
-    with pytest.raises(ValueError, match="ParameterValue"):
-        node.declare_parameter("absent", ParameterValue(), ParameterDescriptor())
+    assert node.declare_parameter("given", ParameterValue(), ParameterDescriptor(dynamic_typing=True)).value == 7
+    assert node.declare_parameter("typed", ParameterValue(type=Parameter.Type.INTEGER.value, integer_value=3)).value == 7
+    with pytest.raises(InvalidParameterTypeException):
+        node.declare_parameter("wrong", ParameterValue(type=Parameter.Type.STRING.value, string_value="a"))
+    with pytest.raises(ValueError, match="Cannot declare a Parameter from a ParameterValue"):
+        node.declare_parameter("absent", ParameterValue(), ParameterDescriptor(dynamic_typing=True))
+    with pytest.raises(ValueError, match="statically typed parameter with default value of type PARAMETER_NOT_SET"):
+        node.declare_parameter("absent", ParameterValue())
 
 
 def test_setting_several_goes_up_to_the_first_undeclared_one(node):

@@ -43,14 +43,14 @@ def _png() -> bytes:
 
 @cache
 def _session() -> bytes:
+    from coursekit.geometry.plane import Pose2D
     from coursekit.slam import storage
-    from coursekit.slam.pose import Pose2
     from coursekit.slam.scan import Laser
     from coursekit.slam.slam import Slam
 
     slam = Slam()
     for number in range(6):
-        slam.add_ranges(float(number), [3.0] * 90, Laser(-3.0, 0.06), Pose2(0.4 * number, 0, 0))
+        slam.add_ranges(float(number), [3.0] * 90, Laser(-3.0, 0.06), Pose2D(0.4 * number, 0, 0))
     with tempfile.TemporaryDirectory() as folder:
         return storage.save(slam, Path(folder, "s")).read_bytes()
 

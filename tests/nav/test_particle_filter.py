@@ -7,12 +7,12 @@ import math
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap
 from coursekit.nav.particle_filter import FilterParameters, ParticleFilter
 from coursekit.nav.particle_map import ParticleMap
 from coursekit.nav.particle_motion import move_differential, move_omni
 from coursekit.nav.particle_resampling import clusters, draw
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 from tests.slam.building import Wheels, drawn, drive, look, office
 
@@ -22,14 +22,14 @@ WAY = [(3.0, 5.0), (20.5, 5.0), (20.5, 9.0)]
 OFFICE = ParticleMap(drawn(WALLS))
 
 
-def ends(pose: Pose2, rng: np.random.Generator) -> np.ndarray:
+def ends(pose: Pose2D, rng: np.random.Generator) -> np.ndarray:
     """Where the beams end, in the robot's frame."""
     ranges, angles = look(WALLS, pose, LASER, 60, rng), LASER.angles(60)
     seen = np.isfinite(ranges)
     return np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])[seen]
 
 
-def follow(pf: ParticleFilter, way: list[Pose2], seed: int = 0, every: int = 3) -> np.ndarray:
+def follow(pf: ParticleFilter, way: list[Pose2D], seed: int = 0, every: int = 3) -> np.ndarray:
     """The errors of position and heading on a way."""
     rng, wheels, before = np.random.default_rng(seed), Wheels(np.random.default_rng(seed)), None
     errors = []
@@ -99,8 +99,8 @@ def test_scans_of_nothing_and_poses_outside_do_no_harm() -> None:
 
 @pytest.mark.parametrize("move", [move_differential, move_omni])
 def test_without_noise_particles_move_as_the_wheels_do(move) -> None:
-    before, after = Pose2(1.0, 2.0, 0.5), Pose2(0.4, 2.6, -1.0)
-    start = Pose2(-3.0, 4.0, 2.0)
+    before, after = Pose2D(1.0, 2.0, 0.5), Pose2D(0.4, 2.6, -1.0)
+    start = Pose2D(-3.0, 4.0, 2.0)
     moved = move(np.array([start]), np.array(before), np.array(after), (0.0,) * 5, np.random.default_rng(0))
     assert np.allclose(moved[0], start @ before.to(after))
 

@@ -13,13 +13,13 @@ from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from scipy import ndimage
 
 from coursekit.cli.parser import run as run_cli
-from coursekit.core.executables import find
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, save_map
 from coursekit.nodes.gazebo.simulators import running
 from coursekit.nodes.gazebo.world_of import open_world
 from coursekit.nodes.slam_toolbox.geometry import to_pose
-from coursekit.sim import Place, Simulation
-from coursekit.slam.pose import Pose2
+from coursekit.processes.executables import find
+from coursekit.sim import Simulation
 
 ROBOT = Path(__file__).parents[2] / "robots" / "urdf" / "rdk_x3_robot.urdf"
 HEIGHT, CELL = 0.15, 0.05
@@ -92,7 +92,7 @@ class Stage:
         for mover in self.movers:
             mover.work(self.simulation)
 
-    def tell_pose(self, pose: Pose2) -> None:
+    def tell_pose(self, pose: Pose2D) -> None:
         """2D Pose Estimate."""
         publisher = self.node.create_publisher(PoseWithCovarianceStamped, "initialpose", 1)
         msg = PoseWithCovarianceStamped()
@@ -102,7 +102,7 @@ class Stage:
         publisher.publish(msg)
         self.spin(1.5)
 
-    def stamped(self, pose: Pose2) -> PoseStamped:
+    def stamped(self, pose: Pose2D) -> PoseStamped:
         """A goal in the map."""
         msg = PoseStamped()
         msg.header.frame_id, msg.pose = "map", to_pose(pose)
@@ -115,11 +115,11 @@ class Stage:
             self.spin(0.02)
         return future.result() if future.done() else None
 
-    def distance_to(self, pose: Pose2) -> float:
+    def distance_to(self, pose: Pose2D) -> float:
         """How far the robot truly is from there [m]."""
         return math.hypot(self.robot.place.x - pose.x, self.robot.place.y - pose.y)
 
-    def free_places(self, clearance: float, count: int, seed: int) -> list[Pose2]:
+    def free_places(self, clearance: float, count: int, seed: int) -> list[Pose2D]:
         """Random places so far from everything that is on the map, or stands in the world without being on it [m]."""
         room = ndimage.distance_transform_edt(self.map.cells == 0) * self.map.resolution
         rows, columns = np.nonzero(room > clearance)
@@ -128,13 +128,13 @@ class Stage:
         x, y, _ = self.map.origin
         headings = rng.uniform(-math.pi, math.pi, count)
         drawn = [
-            Pose2(x + (columns[k] + 0.5) * CELL, y + (rows[k] + 0.5) * CELL, float(heading))
+            Pose2D(x + (columns[k] + 0.5) * CELL, y + (rows[k] + 0.5) * CELL, float(heading))
             for k, heading in zip(chosen, headings, strict=True)
         ]
         free = [place for place in drawn if not self._taken(place, clearance)]
         return free + self.free_places(clearance, count - len(free), seed + 1) if len(free) < count else free
 
-    def _taken(self, place: Pose2, clearance: float) -> bool:
+    def _taken(self, place: Pose2D, clearance: float) -> bool:
         """Whether something stands there that is not on the map, and that nobody takes away."""
         near = self.simulation.space.point_query((place.x, place.y), clearance, pymunk.ShapeFilter())
         stay = set(self.simulation.things) - {mover.name for mover in self.movers}
@@ -149,7 +149,7 @@ class Mover:
 
     def work(self, simulation: Simulation) -> None:
         """Keep going."""
-        here = simulation.place_of(self.name)
+        here = simulation.pose_of(self.name)
         dx, dy = (self.ends[self.to][k] - here[k] for k in (0, 1))
         gap = math.hypot(dx, dy)
         if gap < 0.1:
@@ -160,4 +160,4 @@ class Mover:
             rx, ry = robot.place.x - here.x, robot.place.y - here.y
             if math.hypot(rx, ry) < self.wary and rx * dx + ry * dy > 0:
                 speed = 0.0
-        simulation.put(self.name, Place(*here), (dx / gap * speed, dy / gap * speed, 0.0))
+        simulation.put(self.name, Pose2D(*here), (dx / gap * speed, dy / gap * speed, 0.0))

@@ -8,19 +8,19 @@ from nav2_msgs.msg import ParticleCloud
 from rclpy.qos import qos_profile_sensor_data
 from std_srvs.srv import Empty
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import save_map
 from coursekit.nodes.nav2.amcl_messages import POSE_QOS
 from coursekit.nodes.slam_toolbox.geometry import plane, to_pose
-from coursekit.slam.pose import Pose2
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 from tests.slam.building import drawn
 from tests.slam.robot import WALLS, Robot
 
-BEGIN = Pose2(3.0, 5.0, 0.0)
+BEGIN = Pose2D(3.0, 5.0, 0.0)
 
 
-def at(pose: Pose2) -> tuple[str, ...]:
+def at(pose: Pose2D) -> tuple[str, ...]:
     """Parameters that start amcl somewhere."""
     given = ["-p", "set_initial_pose:=true"]
     for axis, value in zip(("x", "y", "yaw"), pose, strict=True):
@@ -53,7 +53,7 @@ def amcl(run, session, tmp_path):
     return start
 
 
-def tell_pose(robot: Robot, pose: Pose2, frame: str = "map") -> None:
+def tell_pose(robot: Robot, pose: Pose2D, frame: str = "map") -> None:
     publisher = robot.node.create_publisher(PoseWithCovarianceStamped, "initialpose", 1)
     msg = PoseWithCovarianceStamped()
     msg.header.frame_id, msg.pose.pose = frame, to_pose(pose)
@@ -64,7 +64,7 @@ def tell_pose(robot: Robot, pose: Pose2, frame: str = "map") -> None:
 
 
 def test_a_robot_is_followed_from_a_wrong_start(amcl, robot):
-    process = amcl(*at(Pose2(3.4, 4.7, 0.2)))
+    process = amcl(*at(Pose2D(3.4, 4.7, 0.2)))
     poses, clouds = [], []
     robot.node.create_subscription(PoseWithCovarianceStamped, "amcl_pose", poses.append, POSE_QOS)
     robot.node.create_subscription(ParticleCloud, "particle_cloud", clouds.append, qos_profile_sensor_data)
@@ -87,7 +87,7 @@ def test_without_a_start_it_asks_for_one_and_takes_it(amcl, robot):
     assert not robot.buffer.can_transform_core("map", "odom", robot.node.get_clock().now())[0]
     tell_pose(robot, BEGIN, frame="odom")
     assert 'Ignoring initial pose in frame "odom"; initial poses must be in the global frame, "map"' in process.output
-    tell_pose(robot, Pose2(3.3, 4.8, 0.1))
+    tell_pose(robot, Pose2D(3.3, 4.8, 0.1))
     end = robot.go([(3.0, 5.0), (7.0, 5.0)])
     assert robot.where_is(end) < 0.25
 
@@ -145,16 +145,16 @@ def test_parameters_set_while_it_runs_are_obeyed_or_refused(amcl, robot, ros2):
 
 def test_two_runs_are_the_same(tmp_path):
     first, second = (whole_run(tmp_path) for _ in range(2))
-    assert first == second and first.distance(Pose2(5.0, 5.0, 0.0)) < 0.5
+    assert first == second and first.distance(Pose2D(5.0, 5.0, 0.0)) < 0.5
 
 
-def whole_run(folder) -> Pose2:
+def whole_run(folder) -> Pose2D:
     """Where tf has the robot after a short drive in a session of its own."""
     house = save_map(folder / "house", drawn(WALLS))[0]
     with Session(virtual=True).use() as session:
         for package, executable, *argv in (
             ("nav2_map_server", "map_server", "-p", f"yaml_filename:={house}"),
-            ("nav2_amcl", "amcl", *at(Pose2(3.4, 4.7, 0.2))),
+            ("nav2_amcl", "amcl", *at(Pose2D(3.4, 4.7, 0.2))),
             ("nav2_lifecycle_manager", "lifecycle_manager", "-p", "node_names:=[map_server, amcl]", "-p", "autostart:=true"),
         ):
             session.start_executable(find(package, executable), ["--ros-args", *argv], name=executable)

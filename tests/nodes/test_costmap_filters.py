@@ -9,9 +9,9 @@ from ament_index_python.packages import get_package_share_directory
 from nav2_msgs.action import NavigateToPose
 from rclpy.action import ActionClient
 
-from coursekit.core.executables import find
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, save_map
-from coursekit.slam.pose import Pose2
+from coursekit.processes.executables import find
 from tests.nodes.nav2_stage import CELL, ROBOT, Stage
 
 KEEPOUT = {"plugin": "nav2_costmap_2d::KeepoutFilter", "enabled": True, "filter_info_topic": "/keepout_info"}
@@ -48,7 +48,7 @@ def start(session, tmp_path):
         argv = ["--ros-args", "-r", "__node:=lifecycle_manager_zones", *manager]
         session.start_executable(find("nav2_lifecycle_manager", "lifecycle_manager"), argv, name="lifecycle_manager")
         made.append(Stage(session, tmp_path, "tec_warehouse", ROBOT, f"params_file:={file}"))
-        made[0].tell_pose(Pose2(0.0, 0.0, 0.0))
+        made[0].tell_pose(Pose2D(0.0, 0.0, 0.0))
         return made[0]
 
     yield stage
@@ -72,12 +72,12 @@ def drive(stage, there):
 
 def test_a_robot_goes_around_a_zone_that_it_should_keep_out_of(start):
     stage = start(0, 0.0, 1.0, (1.4, -0.6, 2.0, 0.4), 100, KEEPOUT)
-    seen = drive(stage, Pose2(3.5, 0.0, 0.0))
+    seen = drive(stage, Pose2D(3.5, 0.0, 0.0))
     assert not ((seen[:, 0] > 1.4) & (seen[:, 0] < 2.0) & (seen[:, 1] > -0.6) & (seen[:, 1] < 0.4)).any()
 
 
 def test_a_robot_goes_slowly_where_a_mask_says_so(start):
     stage = start(1, 100.0, -1.0, (1.0, -2.0, 2.5, 2.0), 75, SPEED)
-    seen = drive(stage, Pose2(4.0, 0.0, 0.0))
+    seen = drive(stage, Pose2D(4.0, 0.0, 0.0))
     inside = (seen[:, 0] > 1.3) & (seen[:, 0] < 2.4)
     assert seen[inside, 2].max() < 0.13 and seen[seen[:, 0] < 1.0, 2].max() > 0.35 < seen[seen[:, 0] > 2.7, 2].max()

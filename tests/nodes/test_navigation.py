@@ -7,13 +7,13 @@ import pytest
 from nav2_msgs.action import ComputePathThroughPoses, NavigateToPose
 from rclpy.action import ActionClient
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.lab.viewer import viewer
-from coursekit.sim import Place, Prism
+from coursekit.sim import Prism
 from coursekit.sim.world import Thing
-from coursekit.slam.pose import Pose2
 from tests.nodes.nav2_stage import Mover, Stage
 
-START = Pose2(0.0, 0.0, 0.0)
+START = Pose2D(0.0, 0.0, 0.0)
 PROGRAM = """
 import rclpy
 from geometry_msgs.msg import PoseStamped
@@ -81,14 +81,14 @@ def test_goals_are_reached_replaced_cancelled_and_refused(stage):
     stage.tell_pose(START)
     client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
     assert client.wait_for_server(timeout_sec=5.0)
-    first = give(stage, client, Pose2(8.0, 0.5, 0.0))
+    first = give(stage, client, Pose2D(8.0, 0.5, 0.0))
     stage.spin(4.0)
-    there = Pose2(3.0, 1.0, 1.5)
+    there = Pose2D(3.0, 1.0, 1.5)
     second = give(stage, client, there)
     assert stage.until(first.get_result_async()).status == 6  # aborted: replaced
     assert stage.until(second.get_result_async()).status == 4
     assert stage.distance_to(there) < 0.4 and abs(stage.robot.place.theta - 1.5) < 0.4
-    third = give(stage, client, Pose2(8.0, 0.5, 0.0))
+    third = give(stage, client, Pose2D(8.0, 0.5, 0.0))
     stage.spin(3.0)
     assert stage.robot.velocity[0] > 0.2
     stage.until(third.cancel_goal_async())
@@ -98,7 +98,7 @@ def test_goals_are_reached_replaced_cancelled_and_refused(stage):
     assert stage.touched == {}
     output = stage.launch.output
     assert "Begin navigating from current location" in output and "Goal succeeded" in output
-    refused = give(stage, client, Pose2(1.2, 40.0, 0.0))
+    refused = give(stage, client, Pose2D(1.2, 40.0, 0.0))
     assert stage.until(refused.get_result_async()).status == 6
     assert "is off the global costmap, which reaches from" in stage.launch.output
 
@@ -114,11 +114,11 @@ def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path
         goal = NavigateToPose.Goal(pose=stage.stamped(pose), behavior_tree=str(file))
         return stage.until(stage.until(client.send_goal_async(goal)).get_result_async()).status
 
-    assert status(PLAN_AND_FOLLOW, Pose2(1.5, 0.0, 0.0)) == 4 and stage.distance_to(Pose2(1.5, 0.0, 0.0)) < 0.4
+    assert status(PLAN_AND_FOLLOW, Pose2D(1.5, 0.0, 0.0)) == 4 and stage.distance_to(Pose2D(1.5, 0.0, 0.0)) < 0.4
     heading = stage.robot.place.theta
     assert status('<Sequence><Spin spin_dist="1.0"/><Wait wait_duration="1"/></Sequence>', START) == 4
     assert stage.robot.place.theta - heading == pytest.approx(1.0, abs=0.1)
-    assert status(PLAN_AND_FOLLOW, Pose2(1.2, 40.0, 0.0)) == 6
+    assert status(PLAN_AND_FOLLOW, Pose2D(1.2, 40.0, 0.0)) == 6
     assert status("<Dance/>", START) == 6
     assert "has a node 'Dance', which is not known here; known are: AlwaysFailure" in stage.launch.output
 
@@ -126,36 +126,36 @@ def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path
 def test_a_cart_that_does_not_stop_is_let_by(stage):
     square = ((-0.25, -0.25), (0.25, -0.25), (0.25, 0.25), (-0.25, 0.25))
     ends = ((5.5, 0.0), (-1.0, 0.0))
-    stage.simulation.add(Thing("cart", (Prism(square, 0.0, 0.6),), Place(*ends[0], 0.0), mass=30.0))
+    stage.simulation.add(Thing("cart", (Prism(square, 0.0, 0.6),), Pose2D(*ends[0], 0.0), mass=30.0))
     stage.movers.append(Mover("cart", ends, 0.4))
     stage.tell_pose(START)
     client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
     assert client.wait_for_server(timeout_sec=5.0)
-    there = Pose2(4.5, 0.0, 0.0)
+    there = Pose2D(4.5, 0.0, 0.0)
     assert stage.until(give(stage, client, there).get_result_async()).status == 4
     assert stage.touched == {} and stage.distance_to(there) < 0.4
 
 
 def test_a_goal_that_something_stands_on_is_ended_beside_without_going_round_it(stage):
-    crate = Place(3.0, 0.3, 0.8)
+    crate = Pose2D(3.0, 0.3, 0.8)
     stage.simulation.put("crate_1", crate)
     stage.tell_pose(START)
     client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
     assert client.wait_for_server(timeout_sec=5.0)
     began = stage.session.clock.steady()
-    assert stage.until(give(stage, client, Pose2(*crate)).get_result_async()).status == 4
-    assert stage.touched == {} and 0.3 < stage.distance_to(Pose2(*crate)) < 0.8
+    assert stage.until(give(stage, client, Pose2D(*crate)).get_result_async()).status == 4
+    assert stage.touched == {} and 0.3 < stage.distance_to(Pose2D(*crate)) < 0.8
     assert (stage.session.clock.steady() - began) * 1e-9 < 20.0
 
 
 def test_a_path_through_a_place_that_is_taken_goes_on_from_beside_it(stage):
     square = ((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1))
-    stage.simulation.add(Thing("post", (Prism(square, 0.0, 0.6),), Place(2.0, 0.3, 0.0), mass=30.0))
+    stage.simulation.add(Thing("post", (Prism(square, 0.0, 0.6),), Pose2D(2.0, 0.3, 0.0), mass=30.0))
     stage.tell_pose(START)
     stage.spin(2.0)
     client = ActionClient(stage.node, ComputePathThroughPoses, "compute_path_through_poses")
     assert client.wait_for_server(timeout_sec=5.0)
-    goals = [stage.stamped(Pose2(1.9, 0.3, 0.0)), stage.stamped(Pose2(3.5, 0.3, 0.0))]
+    goals = [stage.stamped(Pose2D(1.9, 0.3, 0.0)), stage.stamped(Pose2D(3.5, 0.3, 0.0))]
     handle = stage.until(client.send_goal_async(ComputePathThroughPoses.Goal(goals=goals)))
     path = [one.pose.position for one in stage.until(handle.get_result_async()).result.path.poses]
     assert max(math.dist((a.x, a.y), (b.x, b.y)) for a, b in pairwise(path)) < 0.1
@@ -168,7 +168,7 @@ def test_parameters_set_while_it_runs_are_obeyed(stage, ros2):
     assert client.wait_for_server(timeout_sec=5.0)
     for name, value in (("FollowPath.max_vel_x", "0.1"), ("FollowPath.max_vel_theta", "0.5")):
         assert "successful" in ros2("param", "set", "/controller_server", name, value)
-    give(stage, client, Pose2(4.0, 0.0, 0.0))
+    give(stage, client, Pose2D(4.0, 0.0, 0.0))
     fastest = 0.0
     for _ in range(20):
         stage.spin(0.2)
@@ -194,7 +194,7 @@ def test_a_program_with_a_basic_navigator_runs_unchanged(stage):
 
 
 def test_what_is_clicked_in_the_view_is_driven_to(stage):
-    shown, there = viewer(fixed_frame="map", displays=["Map /map", "Path /plan"]), Pose2(2.0, 0.3, 0.0)
+    shown, there = viewer(fixed_frame="map", displays=["Map /map", "Path /plan"]), Pose2D(2.0, 0.3, 0.0)
     shown.tools.use({"tool": "estimate", "x": START.x, "y": START.y, "yaw": START.theta})
     stage.spin(1.5)
     shown.tools.use({"tool": "goal", "x": there.x, "y": there.y, "yaw": there.theta})

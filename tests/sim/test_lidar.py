@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from coursekit.sim import Cut, Lidar, Place, WorldError
+from coursekit.geometry.plane import Pose2D
+from coursekit.sim import Cut, Lidar, WorldError
 
 FAR = np.inf
 
@@ -38,7 +39,7 @@ def scene(seed, edges=40, circles=5):
     centre, turn = chance.uniform(-8, 8, (edges, 2)), chance.uniform(0, 7, edges)
     half = chance.uniform(0.02, 2, edges)[:, None] * np.column_stack((np.cos(turn), np.sin(turn)))
     round_ones = np.column_stack((chance.uniform(-8, 8, (circles, 2)), chance.uniform(0.05, 0.8, circles)))
-    return Cut(np.hstack((centre - half, centre + half)), round_ones), Place(*chance.uniform(-3, 3, 3))
+    return Cut(np.hstack((centre - half, centre + half)), round_ones), Pose2D(*chance.uniform(-3, 3, 3))
 
 
 def agree(seen, true):
@@ -85,37 +86,37 @@ def test_edges_that_begin_and_end_on_beams_leave_no_gap(seed, corners):
     points = far[:, None] * np.column_stack((np.cos(turn), np.sin(turn)))
     ends = np.roll(points, -1, axis=0)
     for edges in (np.hstack((points, ends)), np.hstack((ends, points))):
-        seen = Lidar(beams=len(far), angle_max=float(turn[-1])).look(Cut(edges, np.zeros((0, 3))), Place())
+        seen = Lidar(beams=len(far), angle_max=float(turn[-1])).look(Cut(edges, np.zeros((0, 3))), Pose2D())
         np.testing.assert_allclose(seen, far, rtol=1e-7)
 
 
 def test_the_first_and_the_last_beam_of_a_full_turn_see_the_same():
     edges = np.array([[-1.0, 0.0, -2.0, -1.0], [-3.0, -1.0, -3.0, 1.0]])
-    seen = Lidar(beams=721, angle_min=-math.pi, angle_max=math.pi).look(Cut(edges, np.zeros((0, 3))), Place())
+    seen = Lidar(beams=721, angle_min=-math.pi, angle_max=math.pi).look(Cut(edges, np.zeros((0, 3))), Pose2D())
     assert (seen[0], seen[-1]) == (pytest.approx(1.0), pytest.approx(1.0))
 
 
 def test_on_an_edge_there_is_no_distance_left():
     wall = Cut(np.array([[-1.0, -1.0, 2.0, 2.0]]), np.zeros((0, 3)))
-    assert Lidar(beams=8, angle_min=-3.0, angle_max=3.0).look(wall, Place()).tolist() == [0.0] * 8
+    assert Lidar(beams=8, angle_min=-3.0, angle_max=3.0).look(wall, Pose2D()).tolist() == [0.0] * 8
 
 
 def test_edges_that_are_no_numbers_hide_nothing():
     wrong = [[math.nan, 0.0, 1.0, 1.0], [math.inf, 0.0, -math.inf, 1.0], [1e300, 0.0, 0.0, 1e300]]
     edges = Cut(np.array([*wrong, [2.0, -1.0, 2.0, 1.0]]), np.zeros((0, 3)))
-    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(edges, Place())
+    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(edges, Pose2D())
     assert seen.tolist() == [2.0, FAR, FAR, FAR]
 
 
 def test_a_closed_room_has_no_gap_even_through_its_corners():
     room = np.array([[-1, -1, 1, -1], [1, -1, 1, 1], [1, 1, -1, 1], [-1, 1, -1, -1]], float)
-    seen = Lidar(beams=3600, angle_max=2 * math.pi * 3599 / 3600).look(Cut(room, np.zeros((0, 3))), Place())
+    seen = Lidar(beams=3600, angle_max=2 * math.pi * 3599 / 3600).look(Cut(room, np.zeros((0, 3))), Pose2D())
     assert seen.max() <= math.sqrt(2) + 1e-9 and seen.min() == pytest.approx(1.0)
 
 
 def test_an_edge_seen_end_on_is_as_far_as_its_near_end():
     edge = Cut(np.array([[1.0, 0.0, 2.0, 0.0]]), np.zeros((0, 3)))
-    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(edge, Place())
+    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(edge, Pose2D())
     assert seen.tolist() == [1.0, FAR, FAR, FAR]
 
 
@@ -132,18 +133,18 @@ def test_a_lidar_on_its_head_reports_the_mirrored_scan():
 def test_noise_dropouts_and_limits_are_as_told():
     wall = Cut(np.array([[-50.0, 2.0, 50.0, 2.0]]), np.array([[0.0, -0.3, 0.25]]))
     lidar = Lidar(beams=1001, angle_min=-1.0 + math.pi / 2, angle_max=1.0 + math.pi / 2, noise=0.05, dropouts=0.1)
-    true = lidar.look(wall, Place())
+    true = lidar.look(wall, Pose2D())
     seen = lidar.measure(true, np.random.default_rng(1))
     assert 60 < np.isinf(seen).sum() < 140
     assert np.std((seen - true)[np.isfinite(seen)]) == pytest.approx(0.05, rel=0.15)
     behind = Lidar(beams=1, angle_min=-math.pi / 2, angle_max=-math.pi / 2)
-    assert behind.measure(behind.look(wall, Place()), np.random.default_rng(1)).tolist() == [-FAR]
+    assert behind.measure(behind.look(wall, Pose2D()), np.random.default_rng(1)).tolist() == [-FAR]
 
 
 def test_what_is_beyond_the_reach_is_not_seen():
     wall = Cut(np.array([[5.0, -1.0, 5.0, 1.0]]), np.zeros((0, 3)))
     near = Lidar(beams=1, angle_min=0.0, angle_max=0.0, range_max=4.9)
-    assert np.isinf(near.measure(near.look(wall, Place()), np.random.default_rng(1))).all()
+    assert np.isinf(near.measure(near.look(wall, Pose2D()), np.random.default_rng(1))).all()
 
 
 @pytest.mark.parametrize(

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.sim import (
     Drift,
     Drive,
     Lidar,
-    Place,
     Prism,
     RobotModel,
     Simulation,
@@ -82,8 +82,8 @@ def test_a_light_box_is_pushed_and_a_heavy_one_is_not():
         simulation = Simulation(read_world("world: w\n" + boxes))
         robot = simulation.spawn(CART)
         run(simulation, robot, 4.0, 0.4)
-        assert (simulation.place_of("b").x > 1.2) is moved
-        assert simulation.place_of("b").x - robot.place.x > 0.29, "nothing goes through anything"
+        assert (simulation.pose_of("b").x > 1.2) is moved
+        assert simulation.pose_of("b").x - robot.place.x > 0.29, "nothing goes through anything"
         run(simulation, robot, 3.0, -0.2)
         assert simulation.velocity_of("b") == pytest.approx((0, 0, 0), abs=1e-9), "the floor brakes it"
 
@@ -92,7 +92,7 @@ def test_a_door_swings_on_its_hinge_and_no_further():
     simulation = Simulation(read_world("world: w\ndoors: [{name: d, hinge: [1,-0.3], yaw: 1.57, mass: 3, widest: -1.4}]"))
     robot = simulation.spawn(CART)
     run(simulation, robot, 6.0, 0.4)
-    door = simulation.place_of("d")
+    door = simulation.pose_of("d")
     assert door[:2] == pytest.approx((1, -0.3), abs=0.02) and 1.57 - 1.5 < door.theta < 1.57 - 0.5
 
 
@@ -107,7 +107,7 @@ def test_what_hangs_above_a_robot_does_not_stop_it():
 
 def test_robots_see_and_bump_each_other_but_not_themselves():
     simulation = Simulation(World("w"))
-    one, two = simulation.spawn(CART, "one"), simulation.spawn(CART, "two", Place(1.0, 0.0, math.pi))
+    one, two = simulation.spawn(CART, "one"), simulation.spawn(CART, "two", Pose2D(1.0, 0.0, math.pi))
     lidar = Lidar(beams=4, angle_max=1.5 * math.pi, height=0.1)
     assert simulation.scan(lidar, one).tolist() == [pytest.approx(0.85), math.inf, math.inf, math.inf]
     one.command(0.3), two.command(0.3)
@@ -119,7 +119,7 @@ def test_robots_see_and_bump_each_other_but_not_themselves():
 
 def test_a_thing_with_its_own_way_moves_and_is_seen_where_it_is():
     block = Prism(((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)))
-    belt = Thing("cart", (block,), Place(2, 0), math.inf, velocity=(0.5, 0, 0))
+    belt = Thing("cart", (block,), Pose2D(2, 0), math.inf, velocity=(0.5, 0, 0))
     simulation = Simulation(World("w", (belt,)))
     simulation.advance(1.0)
     assert simulation.scan(Lidar(beams=1, angle_max=0.0))[0] == pytest.approx(2.4)
@@ -132,7 +132,7 @@ def test_the_same_commands_give_the_same_run():
         chance, rows = np.random.default_rng(7), []
         for _ in range(40):
             run(simulation, robot, 0.3, *chance.uniform(-0.8, 0.8, 2))
-            rows += [*robot.place, *robot.odometer.place, *simulation.place_of("crate")]
+            rows += [*robot.place, *robot.odometer.place, *simulation.pose_of("crate")]
             rows += [*simulation.scan(Lidar(beams=30), robot)]
         return np.array(rows).tobytes()
 
@@ -170,12 +170,12 @@ def test_odometry_drifts_as_its_model_says():
 def test_a_robot_in_a_wall_is_refused_with_the_wall_s_name():
     simulation = Simulation(read_world(ROOM, "room.yaml"))
     with pytest.raises(WorldError, match=r"room.yaml: robot 'cart': 'wall' is in the way at x 1.90, y 0.00"):
-        simulation.spawn(CART, place=Place(1.9, 0.0))
+        simulation.spawn(CART, place=Pose2D(1.9, 0.0))
     with pytest.raises(WorldError, match="cannot stand"):
-        simulation.spawn(CART, place=Place(math.nan, 0.0))
+        simulation.spawn(CART, place=Pose2D(math.nan, 0.0))
     simulation.spawn(CART)
     with pytest.raises(WorldError, match="there is a 'cart' already"):
-        simulation.spawn(CART, place=Place(1.0, 1.0))
+        simulation.spawn(CART, place=Pose2D(1.0, 1.0))
 
 
 def test_a_robot_in_the_very_place_of_another_is_refused():
@@ -183,9 +183,9 @@ def test_a_robot_in_the_very_place_of_another_is_refused():
     simulation.spawn(RobotModel("one"))
     for turn in (0.0, 1.5707963267948966, 3.0):
         with pytest.raises(WorldError, match="'one' is in the way"):
-            simulation.spawn(RobotModel("two"), place=Place(0.0, 0.0, turn))
+            simulation.spawn(RobotModel("two"), place=Pose2D(0.0, 0.0, turn))
 
 
 def test_a_name_that_is_not_there_gets_a_hint():
     with pytest.raises(LookupError, match="Did you mean 'wall'"):
-        Simulation(read_world(ROOM)).place_of("wal")
+        Simulation(read_world(ROOM)).pose_of("wal")

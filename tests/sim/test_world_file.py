@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from coursekit.sim import Lidar, Place, WorldError, load_world, read_world
+from coursekit.geometry.plane import Pose2D
+from coursekit.sim import Lidar, WorldError, load_world, read_world
 
 WORLDS = sorted((Path(__file__).parents[2] / "maps" / "worlds").glob("*.yaml"))
 
@@ -19,13 +20,13 @@ def test_the_course_s_worlds_are_closed_and_have_room_for_a_robot(path):
     seen = Lidar(range_max=100.0).look(world.cut(0.18), world.start)
     if world.things:
         assert np.isfinite(seen).all() and seen.min() > 0.25
-    for place in (Place(0.0, 0.0), Place(0.5, 0.5)):  # where spawn_entity.py and the course put robots
+    for place in (Pose2D(0.0, 0.0), Pose2D(0.5, 0.5)):  # where spawn_entity.py and the course put robots
         assert world.name == "empty" or Lidar().look(world.cut(0.18), place).min() > 0.2
 
 
 def test_walls_have_their_thickness_and_meet_at_corners():
     world = read_world("world: w\nwalls: [{name: r, points: [[0,0],[4,0],[4,4],[0,4]], closed: true, thickness: 0.2}]")
-    seen = Lidar(beams=720, angle_max=6.27, range_max=100.0).look(world.cut(0.5), Place(2, 2))
+    seen = Lidar(beams=720, angle_max=6.27, range_max=100.0).look(world.cut(0.5), Pose2D(2, 2))
     assert seen.min() == pytest.approx(1.9) and seen.max() == pytest.approx(1.9 * 2**0.5, rel=1e-3)
     assert len(world.cut(2.5).edges) == 0, "nothing is above the walls"
 

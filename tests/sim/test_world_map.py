@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from coursekit.sim import Disc, Lidar, Place, RobotModel, Simulation, WorldError
+from coursekit.geometry.plane import Pose2D
+from coursekit.sim import Disc, Lidar, RobotModel, Simulation, WorldError
 from coursekit.sim.world_map import world_from_grid
 
 
@@ -16,7 +17,7 @@ def test_cells_become_walls_of_their_size_at_their_place():
     grid = np.zeros((20, 30), np.int8)
     grid[0], grid[-1], grid[:, 0], grid[:, -1] = 100, 100, 100, 100
     world = world_from_grid(grid, 0.1, (-1.0, -1.0, 0.0))
-    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(world.cut(0.2), Place(0.0, 0.0))
+    seen = Lidar(beams=4, angle_max=1.5 * math.pi).look(world.cut(0.2), Pose2D(0.0, 0.0))
     assert seen.tolist() == pytest.approx([1.9, 0.9, 0.9, 0.9])
     assert len(world.thing("map").parts) == 4
 

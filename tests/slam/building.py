@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 
 
@@ -46,7 +46,7 @@ def office(seed: int = 0) -> np.ndarray:
     return np.array(walls)
 
 
-def cast(walls: np.ndarray, origin: Pose2, angles: np.ndarray) -> np.ndarray:
+def cast(walls: np.ndarray, origin: Pose2D, angles: np.ndarray) -> np.ndarray:
     """(n,) exact distances to the nearest wall in each direction [rad, the world's]; inf where there is none."""
     dx, dy = np.cos(angles)[:, None], np.sin(angles)[:, None]
     ex, ey = walls[:, 2] - walls[:, 0], walls[:, 3] - walls[:, 1]
@@ -71,7 +71,7 @@ def drawn(walls: np.ndarray, cell: float = 0.05) -> GridMap:
 
 
 def look(
-    walls: np.ndarray, robot: Pose2, laser: Laser, beams: int, rng: np.random.Generator, noise: float = 0.01
+    walls: np.ndarray, robot: Pose2D, laser: Laser, beams: int, rng: np.random.Generator, noise: float = 0.01
 ) -> np.ndarray:
     """Ranges of one scan; inf beyond the laser's reach."""
     seat = robot @ laser.offset
@@ -79,7 +79,7 @@ def look(
     return np.where(ranges < laser.range_max, ranges, np.inf)
 
 
-def drive(corners: list[tuple[float, float]], step: float = 0.1, turn: float = 0.15) -> Iterator[Pose2]:
+def drive(corners: list[tuple[float, float]], step: float = 0.1, turn: float = 0.15) -> Iterator[Pose2D]:
     """Poses along a way from corner to corner, turning on the spot."""
     (x, y), heading = corners[0], None
     for a, b in corners[1:]:
@@ -87,10 +87,10 @@ def drive(corners: list[tuple[float, float]], step: float = 0.1, turn: float = 0
         if heading is not None:
             change = (goal - heading + math.pi) % (2 * math.pi) - math.pi
             for k in range(1, int(abs(change) / turn) + 1):
-                yield Pose2.of((x, y, heading + k * math.copysign(turn, change)))
+                yield Pose2D.of((x, y, heading + k * math.copysign(turn, change)))
         length = math.hypot(a - x, b - y)
         for k in range(int(length / step)):
-            yield Pose2.of((x + k * step * math.cos(goal), y + k * step * math.sin(goal), goal))
+            yield Pose2D.of((x + k * step * math.cos(goal), y + k * step * math.sin(goal), goal))
         (x, y), heading = (a, b), goal
 
 
@@ -104,17 +104,17 @@ class Wheels:
     def __init__(
         self, rng: np.random.Generator, scale: float = 1.03, pull: float = 0.02, noise: float = 0.05
     ) -> None:
-        self.pose = Pose2()
+        self.pose = Pose2D()
         self._rng, self._scale, self._pull, self._noise = rng, scale, pull, noise
-        self._last: Pose2 | None = None
+        self._last: Pose2D | None = None
 
-    def roll(self, truth: Pose2) -> Pose2:
+    def roll(self, truth: Pose2D) -> Pose2D:
         """The odometry once the robot has come to `truth`."""
         if self._last is not None:
             motion = self._last.to(truth)
             way, turn = math.hypot(motion.x, motion.y), abs(motion.theta)
             noise = self._rng.normal(0, self._noise, 3) * np.array([way, way / 2, turn + 0.1 * way])
-            self.pose = self.pose @ Pose2(
+            self.pose = self.pose @ Pose2D(
                 motion.x * self._scale + noise[0],
                 motion.y + noise[1],
                 motion.theta + self._pull * way + noise[2],

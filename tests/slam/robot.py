@@ -12,9 +12,9 @@ from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import LaserScan
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.slam_toolbox.geometry import of_transform, put
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 from tests.slam.building import Wheels, drive, look, office
 
@@ -26,7 +26,7 @@ LASER = Laser(-math.pi, math.radians(2), range_max=10.0)
 class Robot:
     """Publishes /scan and tf odom → base_footprint, hears /map and tf, and asks services."""
 
-    def __init__(self, session: Any, seat: Pose2 | None = None, flipped: bool = False, odometry: bool = True) -> None:
+    def __init__(self, session: Any, seat: Pose2D | None = None, flipped: bool = False, odometry: bool = True) -> None:
         self.session = session
         self.context = rclpy.context.Context()
         rclpy.init(context=self.context)
@@ -39,7 +39,7 @@ class Robot:
         TransformListener(self.buffer, self.node)
         self.maps: list[OccupancyGrid] = []
         self.node.create_subscription(OccupancyGrid, "map", self.maps.append, MAP_QOS)
-        self._seat, self._flipped, self._odometry = seat or Pose2(), flipped, odometry
+        self._seat, self._flipped, self._odometry = seat or Pose2D(), flipped, odometry
         self._rng = np.random.default_rng(5)
         self.wheels = Wheels(np.random.default_rng(6))
         self._mount()
@@ -55,14 +55,14 @@ class Robot:
             q.x, q.y, q.z, q.w = q.w, q.z, 0.0, 0.0
         self._fixed.sendTransform(msg)
 
-    def _transform(self, parent: str, child: str, pose: Pose2) -> TransformStamped:
+    def _transform(self, parent: str, child: str, pose: Pose2D) -> TransformStamped:
         msg = TransformStamped()
         msg.header.frame_id, msg.child_frame_id = parent, child
         msg.header.stamp = self.node.get_clock().now().to_msg()
         put(pose, msg.transform.translation, msg.transform.rotation)
         return msg
 
-    def scan(self, truth: Pose2) -> LaserScan:
+    def scan(self, truth: Pose2D) -> LaserScan:
         """What is seen from a place now."""
         laser = Laser(LASER.angle_min, LASER.angle_increment, 0.0, LASER.range_max, self._seat, self._flipped)
         msg = LaserScan(angle_min=laser.angle_min, angle_increment=laser.angle_increment, range_max=laser.range_max)
@@ -71,16 +71,16 @@ class Robot:
         msg.ranges = look(WALLS, truth, laser, BEAMS, self._rng).tolist()
         return msg
 
-    def tell(self, truth: Pose2, scan: LaserScan | None = None) -> None:
+    def tell(self, truth: Pose2D, scan: LaserScan | None = None) -> None:
         """Publish odometry and a scan from a place, and let a period pass."""
         if self._odometry:
             self._moving.sendTransform(self._transform("odom", "base_footprint", self.wheels.roll(truth)))
         self._scans.publish(scan or self.scan(truth))
         self.spin(PERIOD)
 
-    def go(self, corners: list[tuple[float, float]]) -> Pose2:
+    def go(self, corners: list[tuple[float, float]]) -> Pose2D:
         """Drive from corner to corner; the last pose."""
-        pose = Pose2()
+        pose = Pose2D()
         for pose in drive(corners, step=0.15, turn=0.3):
             self.tell(pose)
         return pose
@@ -99,18 +99,18 @@ class Robot:
         self.executor.spin_until_future_complete(future, 10.0)
         return future.result()
 
-    def where(self) -> Pose2:
+    def where(self) -> Pose2D:
         """The robot in the map, by tf."""
         odom = of_transform(self.buffer.lookup_transform("map", "odom", rclpy.time.Time()))
         return odom @ self.wheels.pose
 
-    def where_is(self, truth: Pose2) -> float:
+    def where_is(self, truth: Pose2D) -> float:
         """How far from there tf says that it is [m], a radian as a metre."""
         here = self.where().to(truth)
         return math.hypot(here.x, here.y) + abs(here.theta)
 
 
-def wall_gaps(msg: OccupancyGrid, start: Pose2) -> np.ndarray:
+def wall_gaps(msg: OccupancyGrid, start: Pose2D) -> np.ndarray:
     """Metres from each occupied cell of a map, begun at `start`, to the nearest true wall."""
     grid = from_message(msg)
     rows, columns = np.nonzero(grid.cells == 100)

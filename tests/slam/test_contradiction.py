@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.contradiction import contradiction
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser, Scan
 from coursekit.slam.slam import Slam
 from tests.slam.building import ROUND, Wheels, drive, look, office, rectangle
@@ -23,7 +23,7 @@ def scan(walls, pose, laser=LASER, beams=360):
 
 def test_two_looks_at_one_room_agree_from_wherever():
     walls = office(2)
-    poses = [Pose2(3.0, 5.0, 0.0), Pose2(4.0, 5.2, 1.0), Pose2(5.5, 4.6, -2.0)]
+    poses = [Pose2D(3.0, 5.0, 0.0), Pose2D(4.0, 5.2, 1.0), Pose2D(5.5, 4.6, -2.0)]
     pairs = [(scan(walls, a), scan(walls, b), a.to(b)) for a in poses for b in poses]
     assert contradiction(pairs) < 0.01
 
@@ -32,21 +32,21 @@ def test_two_looks_at_one_room_agree_from_wherever():
 def test_a_wall_that_was_moved_is_a_contradiction(laser):
     beams = 360 if laser is LASER else 181
     room, shorter = rectangle(0, 0, 8, 5), rectangle(0, 0, 6.5, 5)
-    here = Pose2(2.0, 2.0, 0.3)
-    assert contradiction([(scan(room, here, laser, beams), scan(shorter, here, laser, beams), Pose2())]) > 0.05
-    assert contradiction([(scan(room, here, laser, beams), scan(room, here, laser, beams), Pose2())]) == 0.0
+    here = Pose2D(2.0, 2.0, 0.3)
+    assert contradiction([(scan(room, here, laser, beams), scan(shorter, here, laser, beams), Pose2D())]) > 0.05
+    assert contradiction([(scan(room, here, laser, beams), scan(room, here, laser, beams), Pose2D())]) == 0.0
 
 
 def test_what_is_hidden_contradicts_nothing():
     room = rectangle(0, 0, 8, 5)
     behind = [*room, *rectangle(5.0, 1.0, 0.5, 1.5)]  # a cupboard that was brought in hides the wall behind it
-    told = contradiction([(scan(behind, Pose2(2.0, 2.0)), scan(behind, Pose2(7.0, 2.0, 3.0)), Pose2(5.0, 0.0, 3.0))])
+    told = contradiction([(scan(behind, Pose2D(2.0, 2.0)), scan(behind, Pose2D(7.0, 2.0, 3.0)), Pose2D(5.0, 0.0, 3.0))])
     assert told < 0.01
 
 
 def test_scans_without_hits_tell_nothing():
     empty = Scan.from_ranges([math.inf] * 360, LASER, SlamParameters())
-    assert contradiction([(empty, empty, Pose2())]) == 0.0 and contradiction([]) == 0.0
+    assert contradiction([(empty, empty, Pose2D())]) == 0.0 and contradiction([]) == 0.0
 
 
 @pytest.mark.parametrize("seed", [7, 9])

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from coursekit.cli.slam import write_map
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_cells import picture_of
 from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.map_drawing import MapDrawing
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser, Scan
 from tests.slam.building import look, office, rectangle
 
@@ -21,13 +21,13 @@ PARAMS = SlamParameters(clear_no_return=2.0)
 LASER = Laser(-math.pi, math.radians(1), range_max=6.0)
 
 
-def scan_at(pose: Pose2, seed: int = 0) -> Scan:
+def scan_at(pose: Pose2D, seed: int = 0) -> Scan:
     """What is seen of the office."""
     rng = np.random.default_rng(seed)
     return Scan.from_ranges(look(office(3), pose, LASER, 360, rng), LASER, PARAMS)
 
 
-def slow_grid(shots: list[tuple[Scan, Pose2]]) -> dict[tuple[int, int], float]:
+def slow_grid(shots: list[tuple[Scan, Pose2D]]) -> dict[tuple[int, int], float]:
     """Log-odds by cell, written for clarity."""
     odds: dict[tuple[int, int], float] = {}
     r = PARAMS.resolution
@@ -50,7 +50,7 @@ def slow_grid(shots: list[tuple[Scan, Pose2]]) -> dict[tuple[int, int], float]:
 
 
 def test_the_fast_grid_is_the_slow_one() -> None:
-    poses = [Pose2(3.0, 5.0, 0.3), Pose2(3.21, 5.13, 0.9), Pose2(8.0, 4.7, -2.0)]
+    poses = [Pose2D(3.0, 5.0, 0.3), Pose2D(3.21, 5.13, 0.9), Pose2D(8.0, 4.7, -2.0)]
     shots = [(scan_at(pose, k), pose) for k, pose in enumerate(poses * 4)]
     grid = OccupancyGrid(PARAMS)
     grid.insert_all(shots)
@@ -66,8 +66,8 @@ def test_walls_are_walls_free_is_free_and_beyond_is_unknown() -> None:
     room = np.array(rectangle(-2.02, -1.52, 4.04, 3.04))
     grid = OccupancyGrid(PARAMS)
     laser = Laser(-math.pi, math.radians(0.5), range_max=10.0)
-    ranges = look(room, Pose2(), laser, 720, np.random.default_rng(0), noise=0.0)
-    grid.insert(Scan.from_ranges(ranges, laser, PARAMS), Pose2())
+    ranges = look(room, Pose2D(), laser, 720, np.random.default_rng(0), noise=0.0)
+    grid.insert(Scan.from_ranges(ranges, laser, PARAMS), Pose2D())
     assert grid.value_at(2.02, 0.3) > 65
     assert grid.value_at(0.5, 0.5) < 45
     assert grid.value_at(3.0, 0.0) == -1
@@ -76,10 +76,10 @@ def test_walls_are_walls_free_is_free_and_beyond_is_unknown() -> None:
 
 def test_the_grid_grows_and_keeps_what_it_has() -> None:
     grid = OccupancyGrid(PARAMS)
-    grid.insert(scan_at(Pose2(3.0, 5.0, 0.0)), Pose2(3.0, 5.0, 0.0))
+    grid.insert(scan_at(Pose2D(3.0, 5.0, 0.0)), Pose2D(3.0, 5.0, 0.0))
     before = {p: grid.value_at(*p) for p in [(3.02 + 0.1 * k, 4.02 + 0.05 * k) for k in range(30)]}
-    far = Pose2(-60.0, -41.0, 0.0)
-    grid.insert(scan_at(Pose2(3.0, 5.0, 0.0)), far)
+    far = Pose2D(-60.0, -41.0, 0.0)
+    grid.insert(scan_at(Pose2D(3.0, 5.0, 0.0)), far)
     assert {p: grid.value_at(*p) for p in before} == before
     assert grid.value_at(-59.5, -41.0) >= 0
     assert all(abs(value / grid.resolution - round(value / grid.resolution)) < 1e-6 for value in grid.origin)
@@ -87,27 +87,27 @@ def test_the_grid_grows_and_keeps_what_it_has() -> None:
 
 def test_a_scan_from_the_end_of_the_world_is_left_out() -> None:
     grid = OccupancyGrid(PARAMS)
-    grid.insert(scan_at(Pose2(3.0, 5.0, 0.0)), Pose2())
+    grid.insert(scan_at(Pose2D(3.0, 5.0, 0.0)), Pose2D())
     cells = grid.log_odds.copy()
-    grid.insert(scan_at(Pose2(3.0, 5.0, 0.0)), Pose2(1e6, 0.0, 0.0))
+    grid.insert(scan_at(Pose2D(3.0, 5.0, 0.0)), Pose2D(1e6, 0.0, 0.0))
     assert np.array_equal(cells, grid.log_odds)
 
 
 def test_drawing_adds_new_scans_and_redraws_when_poses_moved() -> None:
     poses = np.array([[3.0, 5.0, 0.0], [4.0, 5.0, 0.3], [5.0, 5.0, 0.1]])
-    frames = [Keyframe(k, scan_at(Pose2.of(pose), k)) for k, pose in enumerate(poses)]
+    frames = [Keyframe(k, scan_at(Pose2D.of(pose), k)) for k, pose in enumerate(poses)]
     drawing = MapDrawing(PARAMS)
     first = drawing.draw(frames[:2], poses[:2])
     assert drawing.draw(frames, poses) is first
     moved = poses + np.array([0.5, 0.0, 0.0])
     again, whole = drawing.draw(frames, moved), OccupancyGrid(PARAMS)
-    whole.insert_all((frame.scan, Pose2.of(pose)) for frame, pose in zip(frames, moved, strict=True))
+    whole.insert_all((frame.scan, Pose2D.of(pose)) for frame, pose in zip(frames, moved, strict=True))
     assert again is not first and np.array_equal(again.log_odds, whole.log_odds)
 
 
 def test_a_written_map_is_nav2s(tmp_path) -> None:
     grid = OccupancyGrid(PARAMS)
-    grid.insert(scan_at(Pose2(3.0, 5.0, 0.0)), Pose2(3.0, 5.0, 0.0))
+    grid.insert(scan_at(Pose2D(3.0, 5.0, 0.0)), Pose2D(3.0, 5.0, 0.0))
     yaml, pgm = write_map(tmp_path / "office.yaml", grid)
     lines = dict(line.split(": ", 1) for line in yaml.read_text().splitlines())
     assert lines["image"] == "office.pgm" and lines["resolution"] == "0.05" and lines["negate"] == "0"

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.odometry import Calibration
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 from coursekit.slam.slam import Slam
 from tests.slam.building import ROUND, Wheels, drive, look, office
@@ -18,18 +18,18 @@ from tests.slam.building import ROUND, Wheels, drive, look, office
 def test_most_of_what_is_wrong_is_learnt_on_the_way(scale: float, turn: float, pull: float) -> None:
     rng, wheels = np.random.default_rng(0), Calibration()
     for _ in range(600):
-        told = Pose2(0.1, 0.0, rng.normal(0, 0.15))
-        true = Pose2(scale * told.x, 0.0, turn * told.theta + pull * told.x)
-        wheels.learn(told, Pose2(true.x + rng.normal(0, 0.003), 0.0, true.theta + rng.normal(0, 0.003)))
+        told = Pose2D(0.1, 0.0, rng.normal(0, 0.15))
+        true = Pose2D(scale * told.x, 0.0, turn * told.theta + pull * told.x)
+        wheels.learn(told, Pose2D(true.x + rng.normal(0, 0.003), 0.0, true.theta + rng.normal(0, 0.003)))
     for found, real, plain in ((wheels.scale, scale, 1), (wheels.turn_scale, turn, 1), (wheels.pull, pull, 0)):
         assert abs(found - real) < 0.35 * abs(plain - real) + 0.02
 
 
 def test_a_standing_robot_and_absurd_motions_teach_nothing_absurd() -> None:
     wheels = Calibration()
-    wheels.learn(Pose2(), Pose2(0.1, 0.0, 0.2))
-    assert wheels.correct(Pose2(1.0, 0.0, 0.1)) == pytest.approx(Pose2(1.0, 0.0, 0.1))
-    wheels.learn(Pose2(3.0, 0.0, 3.0), Pose2(-3.0, 0.0, -3.0))
+    wheels.learn(Pose2D(), Pose2D(0.1, 0.0, 0.2))
+    assert wheels.correct(Pose2D(1.0, 0.0, 0.1)) == pytest.approx(Pose2D(1.0, 0.0, 0.1))
+    wheels.learn(Pose2D(3.0, 0.0, 3.0), Pose2D(-3.0, 0.0, -3.0))
     assert 0.5 <= wheels.scale <= 2.0 and 0.5 <= wheels.turn_scale <= 2.0 and abs(wheels.pull) <= 1.0
 
 

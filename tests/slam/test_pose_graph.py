@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Array, Pose2D, between, compose
 from coursekit.slam.graph import PoseGraph
-from coursekit.slam.pose import Array, Pose2, between, compose
 from coursekit.slam.solver import Problem, chordal, jacobians, residuals
 
 CHAIN = np.diag([1 / 0.03**2, 1 / 0.03**2, 1 / 0.005**2])
@@ -26,11 +26,11 @@ def rounds(count: int, turns: float) -> Array:
 def drifting(truth: Array, seed: int, bias: float = 0.0) -> PoseGraph:
     """A chain of noisy motions, nodes placed by them."""
     rng, graph = np.random.default_rng(seed), PoseGraph()
-    graph.add_node(Pose2.of(truth[0]))
+    graph.add_node(Pose2D.of(truth[0]))
     for k in range(1, len(truth)):
         motion = between(truth[k - 1], truth[k]) + rng.normal(0, [0.03, 0.03, 0.002]) + [0, 0, bias]
-        graph.add_node(graph.pose(k - 1) @ Pose2.of(motion))
-        graph.add_edge(k - 1, k, Pose2.of(motion), CHAIN)
+        graph.add_node(graph.pose(k - 1) @ Pose2D.of(motion))
+        graph.add_edge(k - 1, k, Pose2D.of(motion), CHAIN)
     return graph
 
 
@@ -38,7 +38,7 @@ def close(graph: PoseGraph, truth: Array, pairs: list[tuple[int, int]], seed: in
     """True loops."""
     rng = np.random.default_rng(seed)
     for i, j in pairs:
-        motion = Pose2.of(between(truth[i], truth[j]) + rng.normal(0, [0.02, 0.02, 0.005]))
+        motion = Pose2D.of(between(truth[i], truth[j]) + rng.normal(0, [0.02, 0.02, 0.005]))
         graph.add_edge(i, j, motion, LOOP, robust=True)
 
 
@@ -73,7 +73,7 @@ def test_false_loops_are_left_aside(seed: int) -> None:
     rng = np.random.default_rng(seed)
     for _ in range(6):
         i, j = sorted(rng.choice(200, 2, replace=False).tolist())
-        graph.add_edge(i, j, Pose2.of(rng.uniform(-5, 5, 3)), LOOP, robust=True)
+        graph.add_edge(i, j, Pose2D.of(rng.uniform(-5, 5, 3)), LOOP, robust=True)
     trust = graph.optimize(slack=worst_slack(graph))
     assert mean_error(graph, truth) < 0.3
     assert (trust[-6:] < 0.05).all()
@@ -85,10 +85,10 @@ def test_edges_without_noise_give_the_truth_exactly() -> None:
     graph = PoseGraph()
     rng = np.random.default_rng(0)
     for k, pose in enumerate(truth):
-        graph.add_node(Pose2.of(pose + (rng.normal(0, 0.3, 3) if k else 0)))
+        graph.add_node(Pose2D.of(pose + (rng.normal(0, 0.3, 3) if k else 0)))
     for k in range(1, 50):
-        graph.add_edge(k - 1, k, Pose2.of(between(truth[k - 1], truth[k])), CHAIN)
-    graph.add_edge(0, 49, Pose2.of(between(truth[0], truth[49])), LOOP)
+        graph.add_edge(k - 1, k, Pose2D.of(between(truth[k - 1], truth[k])), CHAIN)
+    graph.add_edge(0, 49, Pose2D.of(between(truth[0], truth[49])), LOOP)
     graph.optimize(rounds=50)
     assert mean_error(graph, truth) < 1e-6
 
@@ -138,14 +138,14 @@ def test_the_first_pose_stays() -> None:
 
 def test_an_edge_to_a_missing_node_says_how_many_there_are() -> None:
     graph = PoseGraph()
-    graph.add_node(Pose2())
+    graph.add_node(Pose2D())
     with pytest.raises(IndexError, match="no node 3: the graph has 1"):
-        graph.add_edge(0, 3, Pose2(), np.eye(3))
+        graph.add_edge(0, 3, Pose2D(), np.eye(3))
 
 
 def test_empty_graphs_need_no_work() -> None:
     graph = PoseGraph()
     assert len(graph.optimize()) == len(graph.restart()) == 0
-    graph.add_node(Pose2(1.0, 2.0, 0.5))
+    graph.add_node(Pose2D(1.0, 2.0, 0.5))
     graph.restart()
-    assert graph.pose(0) == Pose2(1.0, 2.0, 0.5)
+    assert graph.pose(0) == Pose2D(1.0, 2.0, 0.5)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from coursekit.slam.pose import Pose2, between, compose
+from coursekit.geometry.plane import Pose2D, between, compose
 from coursekit.slam.relations import errors, poses_at, read_relations, read_trajectory, write_trajectory
 
 rng = np.random.default_rng(0)
@@ -71,4 +71,4 @@ def test_foreign_files_are_told_with_the_line(tmp_path, text: str, says: str) ->
 
 
 def test_a_single_pose_answers_for_every_stamp() -> None:
-    assert Pose2.of(poses_at(np.array([[1.0, 2.0, 3.0, 0.5]]), np.array([9.0]))[0]) == Pose2(2.0, 3.0, 0.5)
+    assert Pose2D.of(poses_at(np.array([[1.0, 2.0, 3.0, 0.5]]), np.array([9.0]))[0]) == Pose2D(2.0, 3.0, 0.5)

@@ -8,8 +8,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser, Scan
 from tests.slam.building import look, rectangle
 
@@ -20,7 +20,7 @@ ROOM = np.array(rectangle(-3, -2, 6, 4))
 def seen(laser: Laser, beams: int) -> Scan:
     """A scan from the middle of the room."""
     rng = np.random.default_rng(0)
-    return Scan.from_ranges(look(ROOM, Pose2(), laser, beams, rng, noise=0.0), laser, PARAMS)
+    return Scan.from_ranges(look(ROOM, Pose2D(), laser, beams, rng, noise=0.0), laser, PARAMS)
 
 
 def test_hits_lie_on_the_walls() -> None:
@@ -30,7 +30,7 @@ def test_hits_lie_on_the_walls() -> None:
 
 
 def test_a_mounted_laser_sees_the_same_walls_in_the_robots_frame() -> None:
-    for offset in (Pose2(0.3, -0.2, 0.0), Pose2(-0.4, 0.1, math.pi), Pose2(0.0, 0.5, 1.0)):
+    for offset in (Pose2D(0.3, -0.2, 0.0), Pose2D(-0.4, 0.1, math.pi), Pose2D(0.0, 0.5, 1.0)):
         hits = seen(Laser(-math.pi, math.radians(1), offset=offset), 360).hits
         off = np.minimum(np.abs(np.abs(hits[:, 0]) - 3), np.abs(np.abs(hits[:, 1]) - 2))
         assert off.max() < 1e-9

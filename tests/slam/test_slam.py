@@ -8,8 +8,8 @@ import math
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser, Scan
 from coursekit.slam.slam import Slam
 from tests.slam.building import ROUND, Wheels, drive, look, office
@@ -21,7 +21,7 @@ LASERS = {
     "1081 beams over 270 degrees": (Laser(-math.radians(135), math.radians(0.25), range_max=30.0), 1081),
     "3600 beams to 80 m": (Laser(-math.pi, math.radians(0.1), range_max=80.0), 3600),
     "looking back, off the middle": (
-        Laser(-math.pi / 2, math.radians(0.5), 0.0, 20.0, Pose2(-0.2, 0.1, math.pi)),
+        Laser(-math.pi / 2, math.radians(0.5), 0.0, 20.0, Pose2D(-0.2, 0.1, math.pi)),
         361,
     ),
 }
@@ -153,23 +153,23 @@ def test_odometry_that_is_reset_or_absurd_is_not_followed() -> None:
     for number, pose in enumerate(way):
         rolled = wheels.roll(pose)
         if number >= 40:
-            rolled = rolled @ Pose2(1e9, 0.0, 0.0) if number < 60 else Pose2(math.nan, 0.0, 0.0)
+            rolled = rolled @ Pose2D(1e9, 0.0, 0.0) if number < 60 else Pose2D(math.nan, 0.0, 0.0)
         result = slam.add_ranges(0.1 * number, look(office(3), pose, FULL, 360, rng), FULL, rolled)
     assert result.pose.distance(way[0].to(way[-1])) < 0.1
 
 
 def test_an_empty_session_has_an_empty_trajectory_and_map() -> None:
-    slam = Slam(start=Pose2(1.0, 2.0, 0.5))
+    slam = Slam(start=Pose2D(1.0, 2.0, 0.5))
     slam.finish()
     assert slam.trajectory().shape == (0, 4) and not slam.map().log_odds.size
-    assert slam.pose == Pose2(1.0, 2.0, 0.5)
+    assert slam.pose == Pose2D(1.0, 2.0, 0.5)
 
 
 def test_a_session_may_begin_with_nothing_to_see() -> None:
     slam = Slam()
     for number in range(5):
-        slam.add(Scan.from_points(np.zeros((0, 2)), slam.params, stamp=number), Pose2(0.5 * number, 0.0, 0.0))
-    assert slam.pose.distance(Pose2(2.0, 0.0, 0.0)) < 1e-6
+        slam.add(Scan.from_points(np.zeros((0, 2)), slam.params, stamp=number), Pose2D(0.5 * number, 0.0, 0.0))
+    assert slam.pose.distance(Pose2D(2.0, 0.0, 0.0)) < 1e-6
 
 
 def test_parameters_that_cannot_work_are_refused() -> None:

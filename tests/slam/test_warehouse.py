@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_compare import compare, outline_points
 from coursekit.nav.map_file import GridMap
-from coursekit.sim import Drift, Drive, Lidar, Place, RobotModel, Simulation, load_world
-from coursekit.slam.pose import Pose2
+from coursekit.sim import Drift, Drive, Lidar, RobotModel, Simulation, load_world
 from coursekit.slam.scan import Laser
 from coursekit.slam.slam import Slam
 
@@ -24,7 +24,7 @@ WAY = [
 
 
 def pose(place):
-    return Pose2(place.x, place.y, place.theta)
+    return Pose2D(place.x, place.y, place.theta)
 
 
 class Tour:
@@ -33,7 +33,7 @@ class Tour:
     def __init__(self, seed):
         self.simulation = Simulation(load_world(WORLD), seed)
         model = RobotModel("rover", drive=Drive(max_speed=0.8, max_turn=1.5), drift=Drift.usual())
-        self.robot = self.simulation.spawn(model, "rover", Place(*WAY[0], 0.0))
+        self.robot = self.simulation.spawn(model, "rover", Pose2D(*WAY[0], 0.0))
         self.lidar = Lidar(beams=360, range_max=10.0, noise=0.01)
         self.laser = Laser(self.lidar.angle_min, self.lidar.step, self.lidar.range_min, self.lidar.range_max)
         self.chance, self.slam = np.random.default_rng(seed), Slam()

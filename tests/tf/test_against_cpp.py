@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from coursekit.geometry.pose import canonical
 from coursekit.tf import FrameBuffer, TransformException
-from coursekit.tf.pose import canonical
 from tests.tf.trees import random_tree, times
 
 PYTHON = "/usr/bin/python3"

@@ -5,6 +5,7 @@ import random
 import numpy as np
 import pytest
 
+from coursekit.geometry.pose import matrix
 from coursekit.tf import (
     IDENTITY,
     ConnectivityException,
@@ -14,7 +15,6 @@ from coursekit.tf import (
     LookupException,
     TransformException,
 )
-from coursekit.tf.pose import matrix
 from coursekit.tf.velocity import velocity
 from tests.tf.trees import S, at, random_pose, random_tree, times
 

@@ -9,8 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from coursekit.geometry.pose import compose
+from coursekit.geometry.rotation import quaternion_of
 from coursekit.urdf import Robot, load, parse
-from coursekit.urdf.kinematics import Kinematics, compose, joint_pose, quaternion_of
+from coursekit.urdf.kinematics import Kinematics, joint_pose
 from coursekit.urdf.shapes import matrix_of
 from tests.urdf.oracle import ROBOTS, pinocchio, pinocchio_matrices, public_robots, random_positions
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from . import results, wine
 
-ROOMS = ("core", "systems", "packages", "launch", "cli", "lab", "grade")
+ROOMS = ("core", "processes", "rcl", "systems", "packages", "launch", "cli", "lab", "grade")
 """The rooms that know of systems."""
 CHAPTERS = ("0", "1", "2", "5", "8")
 """The chapters that a student begins with, and the one with maps."""

@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.geometry.pose import Quaternion, multiply, rotate
 from coursekit.grade.chapters.measures.photographs import Flat, judge_views, told
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
-from coursekit.tf.pose import Quaternion, multiply, rotate
 
 PALLET = (2.0, 1.0, 0.0)
 """Where the pallet of the third exercise stands in map [m]."""
@@ -246,7 +246,7 @@ def _pallet(x: float, y: float, yaw: float) -> list[Flat]:
 
 
 def _standing(pose: Any, name: str) -> tuple[Flat, float]:
-    """Place and yaw of a pose that stands upright on the floor."""
+    """Position and yaw of a pose that stands upright on the floor."""
     turn = _turn_of(pose.orientation, f"views of {name}")
     up, nose = rotate(turn, (0.0, 0.0, 1.0)), rotate(turn, (1.0, 0.0, 0.0))
     x, y, z = _xyz(pose.position, f"views of {name}")

@@ -101,12 +101,13 @@ def _judge_room(model: Any, seed: int) -> None:
 def _mapped(model: Any, cut: Any, seed: int) -> tuple[np.ndarray, tuple[float, float, float]]:
     import numpy as np
 
-    from coursekit.sim import Lidar, Place
+    from coursekit.geometry.plane import Pose2D
+    from coursekit.sim import Lidar
 
     odds, corner, chance = np.zeros((160, 180)), (-2.0, -2.0, 0.0), np.random.default_rng(seed)
     lidar = Lidar(noise=0.01)
     for x, y in PLACES:
-        place = Place(x, y, 0.0)
+        place = Pose2D(x, y, 0.0)
         for k, z in enumerate(lidar.measure(lidar.look(cut, place), chance)):
             _add_beam(model, odds, (x - corner[0], y - corner[1]), k * lidar.step, float(z))
     return np.where(odds > 0.4, 100, np.where(odds < -0.4, 0, -1)).astype(np.int8), corner
@@ -165,11 +166,12 @@ def _judge_single(cast: Any) -> None:
 def _judge_ray(cast: Any, walls: Any, place: tuple[float, float, float], reach: float) -> None:
     import numpy as np
 
-    from coursekit.sim import Cut, Lidar, Place
+    from coursekit.geometry.plane import Pose2D
+    from coursekit.sim import Cut, Lidar
 
     x, y, angle = place
     lidar = Lidar(beams=1, angle_min=0.0, angle_max=0.0, range_min=0.0, range_max=50.0)
-    truth = float(lidar.look(Cut(np.array(walls), np.zeros((0, 3))), Place(x, y, angle))[0])
+    truth = float(lidar.look(Cut(np.array(walls), np.zeros((0, 3))), Pose2D(x, y, angle))[0])
     truth = truth if truth <= reach else math.inf
     if abs(truth - reach) > 1e-6:
         told = f"{len(walls)} walls from ({x:.2f}, {y:.2f}) at {angle:.2f} rad"

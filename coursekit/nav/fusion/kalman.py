@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from coursekit.geometry.plane import wrap
 from coursekit.nav.fusion.control import Control
 from coursekit.nav.fusion.measurement import Measurement
 from coursekit.nav.fusion.motion import jacobian, step
-from coursekit.nav.fusion.state import POSE, ROLL, SIZE, TWIST, YAW, Array, Places, wrap, wrapped
+from coursekit.nav.fusion.state import POSE, ROLL, SIZE, TWIST, YAW, Array, Places, wrapped
 
 PROCESS_NOISE = (0.05, 0.05, 0.06, 0.03, 0.03, 0.06, 0.025, 0.025, 0.04, 0.01, 0.01, 0.02, 0.01, 0.01, 0.015)
 """Variances by which each number of the state becomes less certain in a second."""

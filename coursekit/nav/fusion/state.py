@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from coursekit.geometry.plane import wrap
+
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 Places = npt.NDArray[np.intp]
@@ -21,15 +23,6 @@ LINEAR, ANGULAR, ACCELERATION = slice(6, 9), slice(9, 12), slice(12, 15)
 POSE, TWIST = slice(0, 6), slice(6, 12)
 OUT_OF_PLANE = (Z, ROLL, PITCH, VZ, VROLL, VPITCH, AZ)
 """What stays zero for a body that never leaves the floor."""
-
-
-def wrap(angle: Array) -> Array:
-    """Angles within -π … π [rad].
-
-    >>> wrap(np.array([0.0, 2 * np.pi + 0.5])).round(3).tolist()
-    [0.0, 0.5]
-    """
-    return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def wrapped(state: Array) -> Array:

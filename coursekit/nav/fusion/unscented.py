@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 
+from coursekit.geometry.plane import wrap
 from coursekit.nav.fusion.control import Control
 from coursekit.nav.fusion.kalman import Ekf, innovation
 from coursekit.nav.fusion.measurement import Measurement
 from coursekit.nav.fusion.motion import step
-from coursekit.nav.fusion.state import ANGLES, SIZE, Array, wrap, wrapped
+from coursekit.nav.fusion.state import ANGLES, SIZE, Array, wrapped
 
 
 class Ukf(Ekf):

@@ -14,13 +14,13 @@ from std_msgs.msg import Bool
 from tf2_ros import TransformException
 from visualization_msgs.msg import MarkerArray
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.frontiers import Frontier, frontiers
 from coursekit.nodes.explore_lite.costmap import CostmapClient
 from coursekit.nodes.explore_lite.markers import markers
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
 from coursekit.nodes.running import run
-from coursekit.slam.pose import Pose2
 
 _DEFAULTS: dict[str, Any] = {
     "planner_frequency": 1.0, "progress_timeout": 30.0, "visualize": False, "potential_scale": 1e-3,
@@ -50,7 +50,7 @@ class Explore(Node):
         self._errand: Any = None
         self._given_up: list[tuple[float, float]] = []
         self._distance, self._progress_ns, self._shown = 0.0, 0, 0
-        self._home: Pose2 | None = None
+        self._home: Pose2D | None = None
         self._connected = False
         if given["visualize"]:
             self._markers = self.create_publisher(MarkerArray, "explore/frontiers", 10)
@@ -60,7 +60,7 @@ class Explore(Node):
 
     # -- planning
 
-    def _pose(self) -> Pose2 | None:
+    def _pose(self) -> Pose2D | None:
         """Where the robot is; None while map, transform or navigation are not there yet."""
         if self._costmap.grid is None or not self._navigator.server_is_ready():
             return None
@@ -105,7 +105,7 @@ class Explore(Node):
             return
         if not same:
             self._goal = best.centroid
-            self._send(Pose2(*best.centroid, 0.0), best.centroid)
+            self._send(Pose2D(*best.centroid, 0.0), best.centroid)
 
     def _lost(self, goal: tuple[float, float]) -> bool:
         assert self._costmap.grid is not None
@@ -125,7 +125,7 @@ class Explore(Node):
 
     # -- driving
 
-    def _send(self, pose: Pose2, goal: tuple[float, float] | None) -> None:
+    def _send(self, pose: Pose2D, goal: tuple[float, float] | None) -> None:
         there: PoseStamped = stamped(pose, self._costmap.frame, self.get_clock().now().to_msg())
         asked = self._navigator.send_goal_async(NavigateToPose.Goal(pose=there))
         asked.add_done_callback(partial(self._answered, goal))

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from coursekit.geometry.plane import Array
 from coursekit.sim.parts import Part
-from coursekit.sim.place import Array
 from coursekit.urdf import Robot
 from coursekit.urdf.kinematics import Kinematics
 

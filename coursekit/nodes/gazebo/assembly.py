@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from coursekit.geometry.plane import ORIGIN, Array, Pose2D
 from coursekit.sim.errors import WorldError
 from coursekit.sim.odometry import EXACT
 from coursekit.sim.parts import Disc, Part, Prism
-from coursekit.sim.place import ORIGIN, Array, Place
 from coursekit.sim.robot import Drive, RobotModel
 from coursekit.sim.world import Thing
 
@@ -41,7 +41,7 @@ class Assembly:
     """Joints that turn."""
     frames: dict[str, Array] = field(default_factory=dict)
     """Where its links are in the model, joints at 0."""
-    place: Place = ORIGIN
+    place: Pose2D = ORIGIN
     articulated: Articulated | None = None
     """How its links follow its joints, where it has motors."""
     systems: frozenset[str] = frozenset()
@@ -50,7 +50,7 @@ class Assembly:
 
 def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     """A robot where something of the model drives or senses, else a thing. Raises UrdfError and WorldError."""
-    place = Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
+    place = Pose2D(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
     mast = made.static and any(link.sensors for link in made.links.values())
     if mast:
         _raise(made, _lean(made.pose, place))
@@ -110,7 +110,7 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
     return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift, reach=made.reach)
 
 
-def _things(made: Blueprint, place: Place) -> list[Thing]:
+def _things(made: Blueprint, place: Pose2D) -> list[Thing]:
     """One thing, its parts in the frame of the model seen from above, as high as in its file."""
     parts = made.parts()
     if not parts:
@@ -124,7 +124,7 @@ def _things(made: Blueprint, place: Place) -> list[Thing]:
     return [Thing(made.name, tuple(turned), place, mass, texture=texture, colour=colour, model=made.name)]
 
 
-def _lean(pose: Array, place: Place) -> Array:
+def _lean(pose: Array, place: Pose2D) -> Array:
     """What of a pose remains without its place and heading."""
     c, s = math.cos(place.theta), math.sin(place.theta)
     turn = np.array([[c, s, 0, 0], [-s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
@@ -142,9 +142,9 @@ def _check(part: Part, name: str) -> None:
         raise WorldError("has an open polygon", element=f"model '{name}'", cure="Give it at least three points.")
 
 
-def renamed(done: Assembly, name: str, place: Place) -> Assembly:
+def renamed(done: Assembly, name: str, place: Pose2D) -> Assembly:
     """The same under another name, its model's own pose shifted by `place`."""
-    at = Place(place.x + done.place.x, place.y + done.place.y, place.theta + done.place.theta)
+    at = Pose2D(place.x + done.place.x, place.y + done.place.y, place.theta + done.place.theta)
     things = [replace(thing, name=name, place=at, model=name) for thing in done.things]
     robot = replace(done.robot, name=name) if done.robot is not None else None
     return replace(done, name=name, place=at, things=things, robot=robot)

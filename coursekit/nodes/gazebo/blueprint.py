@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from coursekit.geometry.plane import Array
 from coursekit.sim.motors import Reach
 from coursekit.sim.parts import Part
-from coursekit.sim.place import Array
 from coursekit.urdf import Robot
 from coursekit.urdf.xml_tree import Element
 

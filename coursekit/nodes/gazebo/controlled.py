@@ -18,8 +18,8 @@ from coursekit.sim.robot import GRAVITY, Drive, Robot
 from coursekit.sim.simulation import Simulation
 
 from .devices import ControlDevice, OdometryDevice
-from .odometry_outlets import OdometryOutlet
-from .outlets import Outlet, heading
+from .odometry_publishers import OdometryPublisher
+from .sensor_publishers import SensorPublisher, heading
 
 
 class SimulatedHardware(Hardware):
@@ -112,11 +112,11 @@ class SimulatedDrive(Controller):
     """diff_drive_controller in the simulator: it drives the robot itself, and its odometry errs as wheels do."""
 
     def __init__(
-        self, node: Node, interfaces: Interfaces, rate: float, outlet: ControlOutlet, device: OdometryDevice
+        self, node: Node, interfaces: Interfaces, rate: float, sensor: ControlPublisher, device: OdometryDevice
     ) -> None:
         super().__init__(node, interfaces, rate)
-        self._outlet, self._device = outlet, device
-        self._odometry: OdometryOutlet | None = None
+        self._sensor, self._device = sensor, device
+        self._odometry: OdometryPublisher | None = None
         self._active = False
 
     def configure(self) -> None:
@@ -126,30 +126,30 @@ class SimulatedDrive(Controller):
 
     def command_names(self) -> list[str]:
         """The speeds of its wheels."""
-        drive = self._outlet.robot.model.drive
+        drive = self._sensor.robot.model.drive
         assert drive is not None
         wanted = [f"{joint}/velocity" for joint in (*drive.left, *drive.right)]
         return [name for name in wanted if name in self.interfaces.commands()]
 
     def activate(self) -> None:
         """Tell the way from now on."""
-        outlet = self._outlet
+        sensor = self._sensor
         if self._odometry is None:
-            self._odometry = OdometryOutlet(
-                self.node, outlet.simulation, outlet.robot, self._device, 0, outlet.due_ns
+            self._odometry = OdometryPublisher(
+                self.node, sensor.simulation, sensor.robot, self._device, 0, sensor.due_ns
             )
-        self._odometry.restart(outlet.due_ns)
+        self._odometry.restart(sensor.due_ns)
         self._active = True
 
     def deactivate(self) -> None:
         """Stop."""
         self._active = False
-        self._outlet.robot.command(0.0, 0.0, now_ns=self._outlet.simulation.now_ns)
+        self._sensor.robot.command(0.0, 0.0, now_ns=self._sensor.simulation.now_ns)
 
     def _hear(self, msg: Any) -> None:
         if self._active:
             twist = getattr(msg, "twist", msg)
-            self._outlet.robot.command(twist.linear.x, twist.angular.z, now_ns=self._outlet.simulation.now_ns)
+            self._sensor.robot.command(twist.linear.x, twist.angular.z, now_ns=self._sensor.simulation.now_ns)
 
     def update(self, now_ns: int, dt: float) -> None:
         """Tell the way as often as it is due."""
@@ -157,7 +157,7 @@ class SimulatedDrive(Controller):
             self._odometry.work()
 
 
-class ControlOutlet(Outlet):
+class ControlPublisher(SensorPublisher):
     """The controller manager of a robot at work; `node` is made by the simulator in ROS."""
 
     device: ControlDevice
@@ -196,4 +196,4 @@ class ControlOutlet(Outlet):
         self.manager.close()
 
 
-__all__ = ["ControlOutlet", "SimulatedHardware"]
+__all__ = ["ControlPublisher", "SimulatedHardware"]

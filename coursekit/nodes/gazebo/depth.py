@@ -9,15 +9,15 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 from coursekit.sim.view import Picture
 
 from .devices import DepthDevice
-from .outlets import SENSOR, place_at, stamp_of
-from .pictures import CameraOutlet
+from .pictures import CameraPublisher
+from .sensor_publishers import SENSOR, pose_at, stamp_of
 
 FIELDS = (("x", 0), ("y", 4), ("z", 8), ("rgb", 16))
 POINT = 32
 """Bytes of a point, as Gazebo pads them."""
 
 
-class DepthOutlet(CameraOutlet):
+class DepthPublisher(CameraPublisher):
     """A camera's pictures, how far ahead their points are, and the points in space; each only for those who listen."""
 
     device: DepthDevice
@@ -34,7 +34,7 @@ class DepthOutlet(CameraOutlet):
             self._depth_info.publish(self._calibration(time_ns))
         if not (self._depth.get_subscription_count() or self._cloud.get_subscription_count()):
             return
-        place = place_at(self.simulation, self.robot, time_ns)
+        place = pose_at(self.simulation, self.robot, time_ns)
         depths = self._view.depths(self.simulation, place, without=self.robot)
         near, far = self.device.reach
         depths[~((depths > near) & (depths < far))] = np.nan
@@ -65,4 +65,4 @@ class DepthOutlet(CameraOutlet):
         self._cloud.publish(msg)
 
 
-__all__ = ["DepthOutlet"]
+__all__ = ["DepthPublisher"]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from coursekit.geometry.plane import ORIGIN, Array, Pose2D
 from coursekit.sim.globe import Globe
 from coursekit.sim.lidar import Lidar
-from coursekit.sim.place import ORIGIN, Array, Place
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class EarthDevice(Device):
     """A sensor of the Earth; `quantity` is navsat, altimeter, magnetometer or air_pressure."""
 
     quantity: str = "navsat"
-    mount: Place = ORIGIN
+    mount: Pose2D = ORIGIN
     height: float = 0.0
     noise: tuple[float, float] = (0.0, 0.0)
     """Standard deviations: across and up, of height and speed, across and up, of the pressure."""

@@ -6,7 +6,7 @@ from typing import Any
 
 from gazebo_msgs.srv import ApplyJointEffort, ApplyLinkWrench, JointRequest, LinkRequest
 
-from coursekit.sim import Place
+from coursekit.geometry.plane import Pose2D
 from coursekit.sim.push import Push
 
 from .whereabouts import WORLD
@@ -40,10 +40,10 @@ class Forces:
             return answer
         model = request.link_name.partition("::")[0]
         if request.reference_frame in WORLD:
-            base = Place(link.x, link.y, 0.0)
-        at = base @ Place(request.reference_point.x, request.reference_point.y, 0.0)
-        force = Place(0.0, 0.0, base.theta) @ Place(request.wrench.force.x, request.wrench.force.y, 0.0)
-        body = self._gazebo.simulation.place_of(model)
+            base = Pose2D(link.x, link.y, 0.0)
+        at = base @ Pose2D(request.reference_point.x, request.reference_point.y, 0.0)
+        force = Pose2D(0.0, 0.0, base.theta) @ Pose2D(request.wrench.force.x, request.wrench.force.y, 0.0)
+        body = self._gazebo.simulation.pose_of(model)
         lever = (at.x - body.x) * force.y - (at.y - body.y) * force.x
         push = Push(model, force.x, force.y, request.wrench.torque.z + lever, *_times(request, now), label=request.link_name)
         return self._begin(push, answer, "")

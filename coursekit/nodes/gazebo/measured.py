@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.sim.globe import Globe
 from coursekit.sim.lidar import Lidar
-from coursekit.sim.place import Array, Place
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import Blueprint
@@ -39,7 +39,7 @@ def lidar_of(sensor: Element, ray: Element, rate: float, where: Array, model: Bl
         rate=rate,
         noise=number(noise, "stddev", 0.0),
         bias=number(noise, "mean", 0.0),
-        mount=Place(float(where[0, 3]), float(where[1, 3]), yaw_of(where)),
+        mount=Pose2D(float(where[0, 3]), float(where[1, 3]), yaw_of(where)),
         height=float(where[2, 3]) - floor,
         upside_down=bool(where[2, 2] < 0),
     )
@@ -72,7 +72,7 @@ def earth_of(
     told = sensor.first(kind)
     first, second = (number(told, path, 0.0) for path in EARTH[kind])
     return EarthDevice(
-        topic, frame, rate, node, "navsat" if kind == "gps" else kind, Place(float(where[0, 3]), float(where[1, 3]), 0.0),
+        topic, frame, rate, node, "navsat" if kind == "gps" else kind, Pose2D(float(where[0, 3]), float(where[1, 3]), 0.0),
         float(where[2, 3]) - floor, (first, second), usual,
     )  # fmt: skip
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from coursekit.geometry.plane import Array
 from coursekit.sim.parts import Ball, Disc, Part, Prism, Skin
-from coursekit.sim.place import Array
 
 from .solids import UPRIGHT
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint

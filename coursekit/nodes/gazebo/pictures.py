@@ -9,10 +9,10 @@ from sensor_msgs.msg import CameraInfo, Image
 from coursekit.sim.view import Picture, View
 
 from .devices import CameraDevice
-from .outlets import SENSOR, Outlet, place_at, stamp_of
+from .sensor_publishers import SENSOR, SensorPublisher, pose_at, stamp_of
 
 
-class CameraOutlet(Outlet):
+class CameraPublisher(SensorPublisher):
     """A camera at work: rgb8 pictures and their calibration, drawn only for those who listen."""
 
     device: CameraDevice
@@ -28,7 +28,7 @@ class CameraOutlet(Outlet):
         if self._info.get_subscription_count():
             self._info.publish(self._calibration(time_ns))
         if self._image.get_subscription_count():
-            place = place_at(self.simulation, self.robot, time_ns)
+            place = pose_at(self.simulation, self.robot, time_ns)
             picture = self._coded(self._view.render(self.simulation, place, without=self.robot))
             step = picture.nbytes // device.height
             msg = Image(height=device.height, width=device.width, encoding=device.encoding, step=step)
@@ -66,4 +66,4 @@ def view_of(device: CameraDevice, width: int = 0, height: int = 0) -> View:
     return View((x, y, turn), max(z, 0.02), tilt, device.fov, width or device.width, height or device.height, device.far)
 
 
-__all__ = ["CameraOutlet", "view_of"]
+__all__ = ["CameraPublisher", "view_of"]

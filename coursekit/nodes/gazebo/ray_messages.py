@@ -11,7 +11,7 @@ import numpy as np
 from geometry_msgs.msg import Point32
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, PointCloud2, PointField, Range
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 
 from .devices import RayDevice
 

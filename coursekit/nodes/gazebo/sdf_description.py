@@ -9,7 +9,7 @@ from xml.etree.ElementTree import SubElement, tostring
 
 import numpy as np
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 from coursekit.urdf import Robot, parse
 from coursekit.urdf.xml_tree import Element, read
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from coursekit.files import read_text
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 from coursekit.urdf import MeshError
 from coursekit.urdf.xml_tree import Element, read
 

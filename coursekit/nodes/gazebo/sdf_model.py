@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 from coursekit.urdf import MeshError
 from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.shapes import notes_of

@@ -10,10 +10,10 @@ from urllib.parse import unquote
 import numpy as np
 
 from coursekit.files import read_text
+from coursekit.geometry.plane import Pose2D
 from coursekit.sim.errors import WorldError
 from coursekit.sim.globe import Globe
 from coursekit.sim.parts import Part
-from coursekit.sim.place import Place
 from coursekit.sim.world import Thing, World
 from coursekit.urdf import parse
 from coursekit.urdf.xml_tree import Element, read
@@ -122,7 +122,7 @@ def _globe(world: Element, newer: bool) -> Globe | None:
 
 
 def _placed(made: Blueprint) -> Thing:
-    return Thing(made.name, (), Place(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose)))
+    return Thing(made.name, (), Pose2D(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose)))
 
 
 def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:

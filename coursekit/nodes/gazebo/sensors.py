@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from coursekit.geometry.plane import Array
 from coursekit.sim.globe import Globe
-from coursekit.sim.place import Array
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint

@@ -12,14 +12,14 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rosgraph_msgs.msg import Clock
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.sim import Simulation, WorldError
 
 from . import simulators
 from .articulated import Articulated
 from .assembly import Assembly
-from .controlled import ControlOutlet
-from .depth import DepthOutlet
+from .controlled import ControlPublisher
+from .depth import DepthPublisher
 from .devices import (
     CameraDevice,
     ControlDevice,
@@ -33,26 +33,26 @@ from .devices import (
     TruthDevice,
     WheelDevice,
 )  # fmt: skip
-from .earth_outlets import EarthOutlet
+from .earth_publishers import EarthPublisher
 from .forces import Forces
-from .newer_outlets import PoseOutlet, TouchOutlet
-from .odometry_outlets import OdometryOutlet, TruthOutlet
-from .outlets import OUTLETS, Outlet, stamp_of
-from .pictures import CameraOutlet
+from .newer_publishers import PosePublisher, TouchPublisher
+from .odometry_publishers import OdometryPublisher, TruthPublisher
+from .pictures import CameraPublisher
+from .sensor_publishers import PUBLISHERS, SensorPublisher, stamp_of
 from .services import Services
 from .settle import settled
 from .sim_time import SimTime
 from .states import States
-from .trajectory_outlet import TrajectoryOutlet
+from .trajectory_publisher import TrajectoryPublisher
 from .warm_up import warm_up
-from .wheel_frames import WheelOutlet
+from .wheel_frames import WheelPublisher
 from .whereabouts import Whereabouts
 from .world_of import open_world
 
-FURTHER: dict[type, type[Outlet]] = {
-    CameraDevice: CameraOutlet, DepthDevice: DepthOutlet, ControlDevice: ControlOutlet,
-    TrajectoryDevice: TrajectoryOutlet, PoseDevice: PoseOutlet, TouchDevice: TouchOutlet, EarthDevice: EarthOutlet,
-    WheelDevice: WheelOutlet, OdometryDevice: OdometryOutlet, TruthDevice: TruthOutlet,
+FURTHER: dict[type, type[SensorPublisher]] = {
+    CameraDevice: CameraPublisher, DepthDevice: DepthPublisher, ControlDevice: ControlPublisher,
+    TrajectoryDevice: TrajectoryPublisher, PoseDevice: PosePublisher, TouchDevice: TouchPublisher,
+    EarthDevice: EarthPublisher, WheelDevice: WheelPublisher, OdometryDevice: OdometryPublisher, TruthDevice: TruthPublisher,
 }  # fmt: skip
 
 
@@ -73,7 +73,7 @@ class Gazebo(Node):
         self.simulation = Simulation(made, seed)
         self.time = SimTime(self.session.clock, paused)
         self.assemblies: dict[str, Assembly] = {}
-        self.outlets: dict[str, list[Outlet]] = {}
+        self.sensors: dict[str, list[SensorPublisher]] = {}
         self.executor_ = SingleThreadedExecutor(context=self.context)
         self.executor_.add_node(self)
         self._nodes: dict[str, Any] = {}
@@ -114,12 +114,12 @@ class Gazebo(Node):
 
     def _equip(self, model: Assembly, robot: Any) -> None:
         begin = self.time.now()
-        outlets = self.outlets[model.name] = []
+        sensors = self.sensors[model.name] = []
         for number, device in enumerate(self.working(model)):
             node = self.ros_node(device) if isinstance(device, ControlDevice) else self.node_of(device.node)
-            kind = FURTHER.get(type(device)) or OUTLETS[type(device)]
+            kind = FURTHER.get(type(device)) or PUBLISHERS[type(device)]
             seed = (self.simulation.seed * 1000 + len(self.assemblies)) * 100 + number
-            outlets.append(kind(node, self.simulation, robot, device, seed, begin))
+            sensors.append(kind(node, self.simulation, robot, device, seed, begin))
             if isinstance(device, OdometryDevice) and device.command_topic:
                 twist = TwistStamped if device.stamped else Twist
                 bend = device.by_rate
@@ -175,8 +175,8 @@ class Gazebo(Node):
         """Take a model out; LookupError if there is none."""
         self.simulation.remove(name)
         self.assemblies.pop(name, None)
-        for outlet in self.outlets.pop(name, []):
-            outlet.close()
+        for sensor in self.sensors.pop(name, []):
+            sensor.close()
         for node, heard in self._commands.pop(name, []):
             node.destroy_subscription(heard)
 
@@ -214,11 +214,11 @@ class Gazebo(Node):
         if time:
             self.time.set(0)
             self._clock_count = self._planned = 0
-            for outlet in self._all():
-                outlet.restart(0)
+            for sensor in self._all():
+                sensor.restart(0)
 
-    def _all(self) -> list[Outlet]:
-        return [outlet for outlets in self.outlets.values() for outlet in outlets]
+    def _all(self) -> list[SensorPublisher]:
+        return [sensor for sensors in self.sensors.values() for sensor in sensors]
 
     def work(self) -> float:
         """Do all that is due; seconds until something is due again."""
@@ -228,13 +228,13 @@ class Gazebo(Node):
         while (clock := self._clock_due()) <= now:
             self._clock_count = max(self._clock_count + 1, int((now - 20_000_000) * 1e-9 * self._rate))
             self.tell_clock(Clock(clock=stamp_of(clock)))
-        outlets = self._all()
-        for outlet in outlets:
-            while outlet.due_ns <= now:
-                if now - outlet.due_ns > 200_000_000:
-                    outlet.restart(now)
-                outlet.work()
-        due = min([self._clock_due(), *(outlet.due_ns for outlet in outlets)])
+        sensors = self._all()
+        for sensor in sensors:
+            while sensor.due_ns <= now:
+                if now - sensor.due_ns > 200_000_000:
+                    sensor.restart(now)
+                sensor.work()
+        due = min([self._clock_due(), *(sensor.due_ns for sensor in sensors)])
         self._planned = due
         return max(0.0, (due - self.time.now()) * 1e-9)
 

@@ -11,9 +11,9 @@ from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 
 from .assembly import renamed
-from .outlets import stamp_of
 from .sdf_world import read_entity
-from .whereabouts import place_of
+from .sensor_publishers import stamp_of
+from .whereabouts import planar_pose
 
 
 class Services:
@@ -40,7 +40,7 @@ class Services:
             if name in self._around.models():
                 answer.status_message = f"Entity [{name}] already exists."
                 return answer
-            place = self._around.frame(request.reference_frame) @ place_of(request.initial_pose)
+            place = self._around.frame(request.reference_frame) @ planar_pose(request.initial_pose)
             self._node.put(renamed(model, name, place))
         except LookupError as error:
             answer.status_message = f"Reference frame [{request.reference_frame}] not found. {error.args[0]}"

@@ -33,7 +33,7 @@ def _low(thing: Thing) -> float:
 def _top(other: Thing, thing: Thing) -> float:
     """How high the part of another thing is that is under the middle of a thing; 0 where there is none."""
     middle = np.mean(np.concatenate([part.corners() for part in thing.parts]), axis=0)
-    x, y = other.place.inverse().move(thing.place.move(middle[None]))[0]
+    x, y = other.place.inverse().transform(thing.place.transform(middle[None]))[0]
     best = 0.0
     for part in other.parts:
         (x0, y0), (x1, y1) = part.corners().min(axis=0), part.corners().max(axis=0)

@@ -10,10 +10,10 @@ from gazebo_msgs.msg import EntityState, LinkStates, ModelStates
 from gazebo_msgs.srv import GetEntityState, SetEntityState, SetModelConfiguration
 from geometry_msgs.msg import Pose, Twist
 
-from coursekit.sim import Place
+from coursekit.geometry.plane import Pose2D
 
-from .outlets import heading, stamp_of
-from .whereabouts import WORLD, Speed, place_of
+from .sensor_publishers import heading, stamp_of
+from .whereabouts import WORLD, Speed, planar_pose
 from .world_plugins import StatePlugin
 
 
@@ -53,7 +53,7 @@ class States:
         try:
             self._gazebo.advance()
             base = self._around.frame(state.reference_frame)
-            place = base @ place_of(state.pose)
+            place = base @ planar_pose(state.pose)
             if not all(map(math.isfinite, (*place, *speed))):
                 raise LookupError("pose and twist must be finite numbers")
             self._gazebo.simulation.put(state.name, place, _turned(speed, base.theta))
@@ -95,7 +95,7 @@ def _turned(speed: Sequence[float], theta: float) -> Speed:
     return c * speed[0] - s * speed[1], s * speed[0] + c * speed[1], speed[2]
 
 
-def _state(name: str, place: Place, speed: Sequence[float], frame: str) -> EntityState:
+def _state(name: str, place: Pose2D, speed: Sequence[float], frame: str) -> EntityState:
     pose, twist = Pose(orientation=heading(place.theta)), Twist()
     pose.position.x, pose.position.y = place.x, place.y
     twist.linear.x, twist.linear.y, twist.angular.z = speed

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 from coursekit.urdf.model import Origin
 from coursekit.urdf.shapes import matrix_of
 from coursekit.urdf.xml_tree import Element

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from coursekit.sim import Disc, Lidar, Place, Prism, RobotModel, Simulation, Thing, World
+from coursekit.geometry.plane import Pose2D
+from coursekit.sim import Disc, Lidar, Prism, RobotModel, Simulation, Thing, World
 
 
 @lru_cache(maxsize=1)
@@ -14,7 +15,7 @@ def warm_up() -> None:
     simulation = Simulation(World("small", (Thing("wall", (block, Disc(0.0, 3.0, 0.5))),)))
     robot = simulation.spawn(RobotModel("robot"))
     simulation.scan(Lidar(beams=8, height=0.1), robot)
-    simulation.scan(Lidar(beams=90, height=0.1), None, Place())
+    simulation.scan(Lidar(beams=90, height=0.1), None, Pose2D())
 
 
 __all__ = ["warm_up"]

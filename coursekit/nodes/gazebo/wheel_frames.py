@@ -7,12 +7,12 @@ import math
 import numpy as np
 from tf2_msgs.msg import TFMessage
 
-from coursekit.sim.place import Array
+from coursekit.geometry.plane import Array
 
 from .blueprint import Blueprint
 from .devices import WheelDevice
-from .newer_outlets import transform_of
-from .outlets import Outlet, stamp_of
+from .newer_publishers import transform_of
+from .sensor_publishers import SensorPublisher, stamp_of
 
 
 def wheels_of(model: Blueprint, joints: tuple[str, ...], topic: str, rate: float, node: str) -> WheelDevice:
@@ -37,7 +37,7 @@ def turned(pose: Array, axis: tuple[float, float, float], angle: float) -> Array
     return made
 
 
-class WheelOutlet(Outlet):
+class WheelPublisher(SensorPublisher):
     """The frames of wheels at work."""
 
     device: WheelDevice
@@ -54,4 +54,4 @@ class WheelOutlet(Outlet):
         self._out.publish(TFMessage(transforms=found))
 
 
-__all__ = ["WheelOutlet", "wheels_of"]
+__all__ = ["WheelPublisher", "wheels_of"]

@@ -7,7 +7,8 @@ from typing import Any
 
 from geometry_msgs.msg import Pose
 
-from coursekit.sim import Place
+from coursekit.geometry.plane import Pose2D
+from coursekit.geometry.rotation import yaw_of
 from coursekit.sim.errors import known
 
 WORLD = ("", "world", "map", "/map")
@@ -36,8 +37,8 @@ class Whereabouts:
         models, made = self.models(), self._node.assemblies
         return [f"{name}::{link}" for name in models if name in made for link in made[name].frames]
 
-    def where(self, name: str) -> tuple[Place, Speed]:
-        """Place and velocity in the world; LookupError names near ones."""
+    def where(self, name: str) -> tuple[Pose2D, Speed]:
+        """Pose and velocity in the world; LookupError names near ones."""
         model, _, link = name.partition("::")
         if model not in self.models():
             raise LookupError(f"entity [{name}] does not exist. {known(model, self.models())}")
@@ -48,24 +49,24 @@ class Whereabouts:
                 there = ", ".join(made.frames) if made is not None else "none that are told apart"
                 raise LookupError(f"entity [{name}] does not exist. Links of '{model}' are: {there}.")
             pose = made.frames[link]
-            place = place @ Place(float(pose[0, 3]), float(pose[1, 3]), math.atan2(pose[1, 0], pose[0, 0]))
+            place = place @ Pose2D(float(pose[0, 3]), float(pose[1, 3]), math.atan2(pose[1, 0], pose[0, 0]))
         return place, speed
 
-    def _model(self, name: str) -> tuple[Place, Speed]:
+    def _model(self, name: str) -> tuple[Pose2D, Speed]:
         simulation = self._node.simulation
         if name in simulation.names():
-            return simulation.place_of(name), simulation.velocity_of(name)
+            return simulation.pose_of(name), simulation.velocity_of(name)
         return simulation.world.models[name], (0.0, 0.0, 0.0)
 
-    def frame(self, name: str) -> Place:
+    def frame(self, name: str) -> Pose2D:
         """Where a reference frame is; LookupError."""
-        return Place() if name in WORLD else self.where(name)[0]
+        return Pose2D() if name in WORLD else self.where(name)[0]
 
 
-def place_of(pose: Pose) -> Place:
+def planar_pose(pose: Pose) -> Pose2D:
     """A pose seen from above."""
     q = pose.orientation
-    return Place(pose.position.x, pose.position.y, math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z)))
+    return Pose2D(pose.position.x, pose.position.y, yaw_of((q.x, q.y, q.z, q.w)))
 
 
-__all__ = ["WORLD", "Speed", "Whereabouts", "place_of"]
+__all__ = ["WORLD", "Speed", "Whereabouts", "planar_pose"]

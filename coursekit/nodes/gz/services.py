@@ -11,9 +11,9 @@ from tf2_msgs.msg import TFMessage
 from coursekit.files import read_text
 from coursekit.nodes.gazebo.assembly import renamed
 from coursekit.nodes.gazebo.model_paths import find_model
-from coursekit.nodes.gazebo.outlets import heading, stamp_of
 from coursekit.nodes.gazebo.sdf_world import read_entity
-from coursekit.nodes.gazebo.whereabouts import place_of
+from coursekit.nodes.gazebo.sensor_publishers import heading, stamp_of
+from coursekit.nodes.gazebo.whereabouts import planar_pose
 from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 
@@ -42,7 +42,7 @@ class GzServices:
                 if not wish.allow_renaming:
                     raise WorldError(f"there is a '{name}' already", cure="Give it another -name, or -allow_renaming true.")
                 name = self._free(name)
-            self._gazebo.put(renamed(model, name, self._around.frame("") @ place_of(wish.pose)))
+            self._gazebo.put(renamed(model, name, self._around.frame("") @ planar_pose(wish.pose)))
         except (UrdfError, WorldError, OSError, UnicodeDecodeError) as error:
             self._gazebo.get_logger().error(f"Error creating an entity: {error}")
             return answer
@@ -73,7 +73,7 @@ class GzServices:
     def _set_pose(self, request: Any, answer: Any) -> Any:
         self._gazebo.advance()
         try:
-            self._gazebo.simulation.put(request.entity.name, place_of(request.pose))
+            self._gazebo.simulation.put(request.entity.name, planar_pose(request.pose))
         except LookupError as error:
             self._gazebo.get_logger().error(str(error.args[0]))
             return answer

@@ -12,10 +12,10 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan
 from tf2_ros import Buffer, TransformException, TransformListener
 
+from coursekit.geometry.pose import matrix
 from coursekit.nodes.laser_filters.kinds import KINDS
 from coursekit.nodes.nav2.parameters import no_such_plugin
 from coursekit.nodes.running import run
-from coursekit.tf.pose import matrix
 
 
 class FilterChain(Node):

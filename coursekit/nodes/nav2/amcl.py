@@ -17,6 +17,7 @@ from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Empty
 from tf2_ros import TransformBroadcaster, TransformException, TransformListener
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.particle_filter import Estimate, ParticleFilter
 from coursekit.nav.particle_map import ParticleMap
 from coursekit.nodes.nav2.amcl_messages import POSE_QOS, beam_ends, cloud_message, pose_message, pose_of
@@ -27,7 +28,6 @@ from coursekit.nodes.running import run
 from coursekit.nodes.slam_toolbox.geometry import of_transform, put
 from coursekit.nodes.slam_toolbox.lasers import Lasers
 from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer, lookup
-from coursekit.slam.pose import Pose2
 
 _USUAL = np.diag([0.25, 0.25, 0.06853891945200942])
 """Covariance of a start without one: half a metre, 15 degrees."""
@@ -43,11 +43,11 @@ class Amcl(LifecycleNode):
         self.get_logger().info("Creating")
         declare(self)
         self._filter: ParticleFilter | None = None
-        self._start: tuple[Pose2, np.ndarray] | None = None
+        self._start: tuple[Pose2D, np.ndarray] | None = None
         self._active = self._known = self._forced = self._anywhere = False
-        self._before: Pose2 | None = None
+        self._before: Pose2D | None = None
         self._estimate: Estimate | None = None
-        self._map_to_odom = Pose2()
+        self._map_to_odom = Pose2D()
 
     # -- states
 
@@ -83,7 +83,7 @@ class Amcl(LifecycleNode):
         self._farthest = farthest if farthest > 0 else math.inf
         self._far_wall = number(self, "laser_likelihood_max_dist")
         if self._filter is None and given(self, "set_initial_pose"):
-            start = Pose2.of([number(self, f"initial_pose.{axis}") for axis in ("x", "y", "yaw")])
+            start = Pose2D.of([number(self, f"initial_pose.{axis}") for axis in ("x", "y", "yaw")])
             self._start = (start, _USUAL)
 
     def _make_transforms(self) -> None:
@@ -158,7 +158,7 @@ class Amcl(LifecycleNode):
             self.get_logger().error(f"The map cannot be used: {fault}")
             return
         if self._start is None and self._estimate is not None:
-            self._start = (Pose2.of(self._estimate.pose), self._estimate.covariance)
+            self._start = (Pose2D.of(self._estimate.pose), self._estimate.covariance)
         self._begin()
 
     def _begin(self) -> None:
@@ -237,7 +237,7 @@ class Amcl(LifecycleNode):
             self._update(particles, ends, odometry, min(laser.range_max, self._farthest), msg.header.stamp)
         self._publish_transform(msg.header.stamp)
 
-    def _due(self, odometry: Pose2) -> bool:
+    def _due(self, odometry: Pose2D) -> bool:
         """Whether the robot has moved enough, or has just been put somewhere, or someone asks."""
         if self._before is None or self._forced:
             return True
@@ -245,7 +245,7 @@ class Amcl(LifecycleNode):
         distance, turn = self._least
         return abs(motion.x) > distance or abs(motion.y) > distance or abs(motion.theta) > turn
 
-    def _update(self, particles: ParticleFilter, ends: np.ndarray, odometry: Pose2, farthest: float, stamp: Any) -> None:
+    def _update(self, particles: ParticleFilter, ends: np.ndarray, odometry: Pose2D, farthest: float, stamp: Any) -> None:
         """Move and weigh the particles, and tell what came of it."""
         if self._before is not None:
             particles.move(np.array(self._before), np.array(odometry))
@@ -255,7 +255,7 @@ class Amcl(LifecycleNode):
         if len(ends):
             particles.update(ends, farthest)
         self._estimate = particles.estimate()
-        self._map_to_odom = Pose2.of(self._estimate.pose) @ odometry.inverse()
+        self._map_to_odom = Pose2D.of(self._estimate.pose) @ odometry.inverse()
         self._pose_publisher.publish(pose_message(self._estimate, self._map_frame, stamp))
         if self._cloud_publisher.get_subscription_count():
             self._cloud_publisher.publish(cloud_message(particles, self._map_frame, stamp))

@@ -10,9 +10,9 @@ from nav2_msgs.msg import Particle, ParticleCloud
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import LaserScan
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.particle_filter import Estimate, ParticleFilter
 from coursekit.nodes.slam_toolbox.geometry import plane, put
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Laser
 
 POSE_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -25,7 +25,7 @@ def pose_message(estimate: Estimate, frame: str, stamp: Any) -> PoseWithCovarian
     """The estimate."""
     msg = PoseWithCovarianceStamped()
     msg.header.frame_id, msg.header.stamp = frame, stamp
-    put(Pose2.of(estimate.pose), msg.pose.pose.position, msg.pose.pose.orientation)
+    put(Pose2D.of(estimate.pose), msg.pose.pose.position, msg.pose.pose.orientation)
     covariance = np.zeros((6, 6))
     covariance[_PLANE] = estimate.covariance
     msg.pose.covariance = covariance.ravel()
@@ -39,12 +39,12 @@ def cloud_message(particles: ParticleFilter, frame: str, stamp: Any) -> Particle
     step = -(-len(particles.particles) // SHOWN)
     for row, weight in zip(particles.particles[::step].tolist(), particles.weights[::step].tolist(), strict=True):
         one = Particle(weight=weight * step)
-        put(Pose2(*row), one.pose.position, one.pose.orientation)
+        put(Pose2D(*row), one.pose.position, one.pose.orientation)
         msg.particles.append(one)
     return msg
 
 
-def pose_of(msg: PoseWithCovarianceStamped) -> tuple[Pose2, np.ndarray]:
+def pose_of(msg: PoseWithCovarianceStamped) -> tuple[Pose2D, np.ndarray]:
     """A pose of the plane and its covariance (3, 3); ValueError when they are no numbers."""
     pose = plane(msg.pose.pose.position, msg.pose.pose.orientation)
     covariance = np.asarray(msg.pose.covariance, dtype=float).reshape(6, 6)[_PLANE]

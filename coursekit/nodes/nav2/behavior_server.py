@@ -12,6 +12,7 @@ from nav2_msgs.msg import Costmap as CostmapMessage
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
@@ -20,7 +21,6 @@ from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import Whereabouts
-from coursekit.slam.pose import Pose2
 
 _SERVER: dict[str, Any] = {
     "costmap_topic": "local_costmap/costmap_raw",
@@ -168,7 +168,7 @@ class BehaviorServer(Server):
 
     # -- the robot
 
-    def pose(self) -> Pose2 | None:
+    def pose(self) -> Pose2D | None:
         """The robot in `global_frame`; None when tf does not know."""
         try:
             return self._where.robot(self.given["global_frame"])
@@ -190,7 +190,7 @@ class BehaviorServer(Server):
         if body.blocked(costs, here):
             return 1.0
         for k in range(1, max(round(most / step), 1) + 1):
-            at = at @ Pose2(speeds[0] * step, 0.0, speeds[1] * step)
+            at = at @ Pose2D(speeds[0] * step, 0.0, speeds[1] * step)
             if body.blocked(costs, at):
                 return (k - 1) * step
         return 1.0

@@ -10,7 +10,7 @@ from nav2_msgs.action import AssistedTeleop, BackUp, DriveOnHeading, Spin, Wait
 from rclpy.duration import Duration
 from std_msgs.msg import Empty
 
-from coursekit.slam.pose import wrap
+from coursekit.geometry.plane import wrap
 
 Speeds = tuple[float, float]
 

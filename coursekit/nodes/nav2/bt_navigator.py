@@ -12,12 +12,12 @@ from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
 from coursekit.nodes.nav2.tree_trip import Crew, TreeTrip, load_tree
 from coursekit.nodes.nav2.trip import Helpers, Trip
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
-from coursekit.slam.pose import Pose2
 
 _SERVER: dict[str, Any] = {
     "global_frame": "map",
@@ -90,7 +90,7 @@ class BtNavigator(Server):
         """A goal that someone clicked."""
         self._self_client.send_goal_async(NavigateToPose.Goal(pose=msg))
 
-    def _pose(self) -> Pose2 | None:
+    def _pose(self) -> Pose2D | None:
         try:
             return self._where.robot(self._frame)
         except TransformException:

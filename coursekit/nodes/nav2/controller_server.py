@@ -12,6 +12,7 @@ from nav_msgs.msg import Odometry, Path
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D, wrap
 from coursekit.nav.checkers import GoalChecker
 from coursekit.nav.controller import ControlError, Controller
 from coursekit.nav.planner import length
@@ -20,7 +21,6 @@ from coursekit.nodes.nav2.costmap_node import CostmapNode
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.slam_toolbox.geometry import plane
-from coursekit.slam.pose import Pose2, wrap
 
 
 class ControllerServer(Server):
@@ -202,7 +202,7 @@ class _Drive:
         here = server.costmap.pose()
         shift = server.costmap.where.between(frame, self.frame)
         points = shift.transform(self.poses[:, :2])
-        goal = shift @ Pose2.of(self.poses[-1])
+        goal = shift @ Pose2D.of(self.poses[-1])
         if self.checker.reached(here, goal, server._speeds):
             return self._arrived()
         now = server.get_clock().now().nanoseconds * 1e-9
@@ -214,7 +214,7 @@ class _Drive:
         self._feed_back(here, points)
         return False
 
-    def _speeds(self, costs: Any, here: Pose2, goal: Pose2, points: np.ndarray) -> tuple[float, float]:
+    def _speeds(self, costs: Any, here: Pose2D, goal: Pose2D, points: np.ndarray) -> tuple[float, float]:
         now = self.server._speeds
         if self.checker.near(here, goal):
             if not self.controller.blocked(costs, here):
@@ -245,7 +245,7 @@ class _Drive:
         self.handle.abort()
         return True
 
-    def _feed_back(self, here: Pose2, points: np.ndarray) -> None:
+    def _feed_back(self, here: Pose2D, points: np.ndarray) -> None:
         feedback = FollowPath.Feedback()
         nearest = int(np.hypot(points[:, 0] - here.x, points[:, 1] - here.y).argmin())
         feedback.distance_to_goal = length(points[nearest:])

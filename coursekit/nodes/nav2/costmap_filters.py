@@ -9,13 +9,13 @@ from nav2_msgs.msg import CostmapFilterInfo, SpeedLimit
 from nav_msgs.msg import OccupancyGrid
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import LETHAL, UNKNOWN, Costmap, combine
 from coursekit.nav.map_file import GridMap
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.parameters import declare, no_such_plugin
 from coursekit.nodes.nav2.scan_source import in_server_space
 from coursekit.nodes.nav2.whereabouts import Whereabouts
-from coursekit.slam.pose import Pose2
 
 _GIVEN: dict[str, Any] = {"enabled": True, "filter_info_topic": "costmap_filter_info", "transform_tolerance": 0.1}
 
@@ -59,7 +59,7 @@ class Filter:
         """What the mask says at places (n, 2) of a frame: 0 to 100, -1 where it says nothing."""
         assert self.mask is not None
         x, y, yaw = self.mask.origin
-        places = (Pose2(x, y, yaw).inverse() @ self._where.between(self._frame, frame)).transform(points)
+        places = (Pose2D(x, y, yaw).inverse() @ self._where.between(self._frame, frame)).transform(points)
         columns, rows = np.floor(places / self.mask.resolution).astype(int).T
         height, width = self.mask.cells.shape
         inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)

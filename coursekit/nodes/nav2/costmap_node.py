@@ -12,13 +12,13 @@ from nav_msgs.msg import OccupancyGrid
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import Costmap, occupancy
 from coursekit.nodes.nav2.costmap_layers import Layers
 from coursekit.nodes.nav2.costmap_parameters import COSTMAP, footprint
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.whereabouts import Whereabouts
-from coursekit.slam.pose import Pose2
 
 
 class CostmapNode(LifecycleNode):
@@ -106,7 +106,7 @@ class CostmapNode(LifecycleNode):
 
     # -- work
 
-    def pose(self) -> Pose2:
+    def pose(self) -> Pose2D:
         """The robot in the costmap's frame; TransformException when it is not known."""
         return self.where.robot(self.frame)
 

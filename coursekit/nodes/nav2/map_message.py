@@ -9,6 +9,7 @@ import numpy as np
 from nav_msgs.msg import OccupancyGrid
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
+from coursekit.geometry.rotation import yaw_of
 from coursekit.nav.map_file import GridMap
 
 MAP_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -34,5 +35,5 @@ def from_message(msg: OccupancyGrid) -> GridMap:
     cells = np.array(msg.data, dtype=np.int8).reshape(msg.info.height, msg.info.width)
     pose = msg.info.origin
     q = pose.orientation
-    yaw = math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
+    yaw = yaw_of((q.x, q.y, q.z, q.w))
     return GridMap(cells, float(f"{msg.info.resolution:.6g}"), (pose.position.x, pose.position.y, yaw))

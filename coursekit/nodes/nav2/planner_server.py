@@ -13,6 +13,7 @@ from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
 from coursekit.nodes.nav2.costmap_node import CostmapNode
@@ -20,7 +21,6 @@ from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.slam_toolbox.geometry import plane
-from coursekit.slam.pose import Pose2
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
 PATIENCE = 30
@@ -45,7 +45,7 @@ class PlannerServer(Server):
         declare(self, _SERVER)
         self.costmap = CostmapNode("global_costmap", self)
         self._planners: dict[str, Planner] = {}
-        self._ends: list[tuple[Pose2, tuple[float, float]]] = []
+        self._ends: list[tuple[Pose2D, tuple[float, float]]] = []
         """The goals of the last plan, and where the ways to them ended."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -153,7 +153,7 @@ class PlannerServer(Server):
             except PlanError as fault:
                 text = f'{name} plugin failed to plan calculation to ({to.x:.2f}, {to.y:.2f}): "{fault}"'
                 raise PlanError(text) from None
-            at = Pose2(*pieces[-1][-1].tolist())
+            at = Pose2D(*pieces[-1][-1].tolist())
             ends.append((to, (at.x, at.y)))
         self._ends = ends
         return np.vstack([piece if k == 0 else piece[1:] for k, piece in enumerate(pieces)])

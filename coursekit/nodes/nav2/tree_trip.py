@@ -14,24 +14,24 @@ from rclpy.action import ActionClient
 from std_msgs.msg import String
 from tf2_ros import TransformException
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.planner import length
 from coursekit.nav.second_thoughts import remaining
 from coursekit.nav.tree_controls import CONTROLS
+from coursekit.nodes.nav2.condition_nodes import CONDITIONS
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.running import Beat
 from coursekit.nodes.nav2.tree_actions import ACTIONS
-from coursekit.nodes.nav2.tree_looks import LOOKS
-from coursekit.slam.pose import Pose2
 
-KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **LOOKS}
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **CONDITIONS}
 MOST_BYTES = 2**20
 
 
 class Crew:
     """What the nodes of trees share: clients, what is heard, and where the robot is."""
 
-    def __init__(self, node: Any, where: Callable[[], Pose2 | None], place_of: Callable[[PoseStamped], Pose2]) -> None:
+    def __init__(self, node: Any, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D]) -> None:
         self.node, self.pose, self._place_of = node, where, place_of
         self._clients: dict[tuple[Any, str], Any] = {}
         self._heard: dict[str, tuple[Any, deque[Any]]] = {}

@@ -13,11 +13,11 @@ from nav2_msgs.srv import ClearEntireCostmap, IsPathValid
 from nav_msgs.msg import Path
 from rclpy.duration import Duration
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.planner import length
 from coursekit.nav.second_thoughts import remaining, worth_it
 from coursekit.nodes.nav2.errands import Errand, call
 from coursekit.nodes.nav2.running import Beat, pause
-from coursekit.slam.pose import Pose2
 
 MOST_RECOVERIES = 6
 REPLAN_SECONDS = 1.0
@@ -61,7 +61,7 @@ class Trip:
     """
 
     def __init__(
-        self, helpers: Helpers, goals: list[PoseStamped], where: Callable[[], Pose2 | None],
+        self, helpers: Helpers, goals: list[PoseStamped], where: Callable[[], Pose2D | None],
         stop: Callable[[], bool], tell: Callable[[Trip], None],
     ) -> None:  # fmt: skip
         self.helpers, self.goals, self._where, self._stop, self._tell = helpers, goals, where, stop, tell

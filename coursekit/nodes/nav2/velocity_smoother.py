@@ -9,7 +9,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
-from coursekit.nav.gentle import Gentle
+from coursekit.nav.acceleration_limiter import AccelerationLimiter
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Server, run
 
@@ -51,7 +51,7 @@ class VelocitySmoother(Server):
         if not given["smoothing_frequency"] > 0:
             raise ValueError(f"smoothing_frequency is {given['smoothing_frequency']}: give Hz, for example 20.0")
         self._given = given
-        self._gentle = Gentle(*(tuple(given[name]) for name in axes[:4]), together=given["scale_velocities"])  # type: ignore[misc, arg-type]
+        self._limiter = AccelerationLimiter(*(tuple(given[name]) for name in axes[:4]), together=given["scale_velocities"])  # type: ignore[misc, arg-type]
 
     # -- states
 
@@ -113,7 +113,7 @@ class VelocitySmoother(Server):
                 return
             self._wish = _STILL
         now = self._now if self._given["feedback"] == "OPEN_LOOP" else self._odometry
-        self._now = self._gentle.toward(now, self._wish, 1.0 / self._given["smoothing_frequency"])
+        self._now = self._limiter.toward(now, self._wish, 1.0 / self._given["smoothing_frequency"])
         dead = self._given["deadband_velocity"]
         self._say([0.0 if abs(one) < dead[k] else one for k, one in enumerate(self._now)])
 

@@ -12,9 +12,9 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.time import Time
 from tf2_ros import TransformException, TransformListener
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.slam_toolbox.geometry import of_transform, plane, to_pose
 from coursekit.nodes.slam_toolbox.scan_filter import WakingBuffer
-from coursekit.slam.pose import Pose2
 
 
 class Whereabouts:
@@ -59,21 +59,21 @@ class Whereabouts:
             return str(fault)
         return ""
 
-    def robot(self, frame: str) -> Pose2:
+    def robot(self, frame: str) -> Pose2D:
         """The robot's newest pose in a frame."""
         return of_transform(self.buffer.lookup_transform_core(frame, self.base, Time()))
 
-    def between(self, target: str, source: str) -> Pose2:
+    def between(self, target: str, source: str) -> Pose2D:
         """The newest pose of a frame in another."""
-        return Pose2() if target == source else of_transform(self.buffer.lookup_transform_core(target, source, Time()))
+        return Pose2D() if target == source else of_transform(self.buffer.lookup_transform_core(target, source, Time()))
 
-    def pose_in(self, frame: str, msg: PoseStamped) -> Pose2:
+    def pose_in(self, frame: str, msg: PoseStamped) -> Pose2D:
         """A pose of a message in a frame; without a frame of its own it is taken as being in that one."""
         here = plane(msg.pose.position, msg.pose.orientation)
         return self.between(frame, msg.header.frame_id or frame) @ here
 
 
-def stamped(pose: Pose2, frame: str, stamp: Any) -> PoseStamped:
+def stamped(pose: Pose2D, frame: str, stamp: Any) -> PoseStamped:
     """A pose as a message."""
     msg = PoseStamped()
     msg.header.frame_id, msg.header.stamp, msg.pose = frame, stamp, to_pose(pose)
@@ -84,5 +84,5 @@ def path_message(poses: Any, frame: str, stamp: Any) -> Path:
     """Poses (n, 3) as a path."""
     msg = Path()
     msg.header.frame_id, msg.header.stamp = frame, stamp
-    msg.poses = [stamped(Pose2(*row), frame, stamp) for row in poses.tolist()]
+    msg.poses = [stamped(Pose2D(*row), frame, stamp) for row in poses.tolist()]
     return msg

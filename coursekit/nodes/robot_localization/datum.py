@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from coursekit.geometry.pose import Pose, Vector, compose, inverse
 from coursekit.nav.utm import Utm
 from coursekit.sim.globe import Globe
-from coursekit.tf.pose import Pose, Vector, compose, inverse
 
 Fix = tuple[float, float, float]
 """Latitude and longitude [degrees] and altitude [m]."""

@@ -13,6 +13,8 @@ from robot_localization.srv import SetPose, ToggleFilterProcessing
 from std_srvs.srv import Empty
 from tf2_ros import TransformBroadcaster, TransformException
 
+from coursekit.geometry.pose import compose
+from coursekit.geometry.rotation import rpy_of
 from coursekit.nav.fusion.estimator import Estimator
 from coursekit.nav.fusion.kalman import Ekf, Estimate
 from coursekit.nav.fusion.state import ANGLES, POSE, POSITION, SIZE, wrapped
@@ -21,12 +23,11 @@ from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.robot_localization import messages, parameters
 from coursekit.nodes.robot_localization.ears import Ears
 from coursekit.nodes.robot_localization.frames import Frames
-from coursekit.nodes.robot_localization.geometry import pose_of, rpy, square, turned, turning, vector
+from coursekit.nodes.robot_localization.geometry import pose_of, square, turned, turning, vector
 from coursekit.nodes.robot_localization.health import Health
 from coursekit.nodes.robot_localization.preparing import Preparing
 from coursekit.nodes.robot_localization.sources import sources
 from coursekit.nodes.running import run
-from coursekit.tf.pose import compose
 
 
 class FilterNode(Node):
@@ -161,7 +162,7 @@ class FilterNode(Node):
         self._ears.deaf_until_ns = stamp
         pose = compose(seat, pose_of(msg.pose.pose.position, msg.pose.pose.orientation))
         state, covariance = np.zeros(SIZE), np.eye(SIZE) * 1e-6
-        state[POSITION], state[ANGLES] = pose[:3], rpy(pose[3:])
+        state[POSITION], state[ANGLES] = pose[:3], rpy_of(pose[3:])
         covariance[POSE, POSE] = turned(square(msg.pose.covariance), turning(seat))
         before = self._estimator.filter.now
         now_ns = self.get_clock().now().nanoseconds

@@ -6,8 +6,8 @@ from rclpy.node import Node
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformException, TransformListener
 
+from coursekit.geometry.pose import IDENTITY, Pose
 from coursekit.nodes.robot_localization.geometry import pose_of
-from coursekit.tf.pose import IDENTITY, Pose
 
 
 class Frames:

@@ -8,28 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from coursekit.geometry.pose import Pose, Quaternion, matrix
+from coursekit.geometry.rotation import quaternion_of
 from coursekit.nav.fusion.state import Array, Mask
-from coursekit.tf.pose import Pose, Quaternion, matrix
-from coursekit.urdf.kinematics import quaternion_of
-
-
-def rpy(q: Quaternion) -> tuple[float, float, float]:
-    """Roll, pitch and yaw of a unit quaternion [rad].
-
-    >>> [round(one, 3) for one in rpy((0.0, 0.0, 1.0, 0.0))]
-    [0.0, 0.0, 3.142]
-    """
-    x, y, z, w = q
-    lean = max(-1.0, min(1.0, 2 * (w * y - z * x)))
-    roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
-    return roll, math.asin(lean), math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
 def quaternion(angles: Iterable[float]) -> Quaternion:
     """The unit quaternion (x, y, z, w) of roll, then pitch, then yaw [rad].
 
-    >>> [round(one, 3) for one in rpy(quaternion([0.1, -0.2, 3.0]))]
-    [0.1, -0.2, 3.0]
+    >>> [round(one, 3) for one in quaternion([0.0, 0.0, 3.0])]
+    [0.0, 0.0, 0.997, 0.071]
     """
     roll, pitch, yaw = (float(one) for one in angles)
     return quaternion_of((roll, pitch, yaw))

@@ -8,10 +8,10 @@ from geometry_msgs.msg import AccelWithCovarianceStamped, TransformStamped
 from nav_msgs.msg import Odometry
 from rclpy.time import Time
 
+from coursekit.geometry.pose import Pose
 from coursekit.nav.fusion.kalman import Estimate
 from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, POSE, POSITION, TWIST
 from coursekit.nodes.robot_localization.geometry import quaternion
-from coursekit.tf.pose import Pose
 
 
 def _put(target: Any, numbers: Any) -> None:

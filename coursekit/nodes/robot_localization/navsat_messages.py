@@ -7,9 +7,9 @@ from geometry_msgs.msg import Point
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import NavSatFix, NavSatStatus
 
+from coursekit.geometry.pose import inverse
 from coursekit.nodes.robot_localization.datum import Bridge
 from coursekit.nodes.robot_localization.geometry import square, turned, turning
-from coursekit.tf.pose import inverse
 
 
 def odometry(where: Point, fix: NavSatFix, bridge: Bridge, frame: str) -> Odometry:

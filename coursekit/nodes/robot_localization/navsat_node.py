@@ -13,14 +13,15 @@ from robot_localization.srv import FromLL, SetDatum, SetUTMZone, ToLL
 from sensor_msgs.msg import Imu, NavSatFix, NavSatStatus
 from tf2_ros import StaticTransformBroadcaster, TransformException
 
+from coursekit.geometry.pose import IDENTITY, Pose, Quaternion, Vector, compose, inverse, rotate
+from coursekit.geometry.rotation import rpy_of
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.robot_localization import messages, parameters
 from coursekit.nodes.robot_localization.datum import Bridge, Fix, Plane, is_place, plane_at
 from coursekit.nodes.robot_localization.frames import Frames
-from coursekit.nodes.robot_localization.geometry import pose_of, quaternion, rpy, unit
+from coursekit.nodes.robot_localization.geometry import pose_of, quaternion, unit
 from coursekit.nodes.robot_localization.navsat_messages import filtered, odometry
 from coursekit.nodes.running import run
-from coursekit.tf.pose import IDENTITY, Pose, Quaternion, Vector, compose, inverse, rotate
 
 DEFAULTS: dict[str, Any] = {
     "frequency": 10.0, "delay": 0.0, "magnetic_declination_radians": 0.0, "yaw_offset": 0.0, "zero_altitude": False,
@@ -126,7 +127,7 @@ class NavsatTransform(Node):
         """Where the plane lies in the world, once a fix, a pose and a heading are known."""
         if self._plane is None or self._first is None or self._world is None or self._heading is None:
             return
-        given, (roll, pitch, yaw) = self._given, rpy(self._heading)
+        given, (roll, pitch, yaw) = self._given, rpy_of(self._heading)
         bent = self._plane.convergence(self._first)
         yaw += given["magnetic_declination_radians"] + given["yaw_offset"] + bent
         self.get_logger().info(

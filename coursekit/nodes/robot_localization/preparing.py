@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from coursekit.geometry.pose import Pose, between, compose, inverse
+from coursekit.geometry.rotation import rpy_of
 from coursekit.nav.fusion.measurement import Measurement, keep_in_plane
 from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, POSE, POSITION, SIZE, TWIST, Array, Mask
 from coursekit.nodes.robot_localization.frames import Frames
-from coursekit.nodes.robot_localization.geometry import quaternion, rpy, square, turned, turned_mask, turning, unit, vector
+from coursekit.nodes.robot_localization.geometry import quaternion, square, turned, turned_mask, turning, unit, vector
 from coursekit.nodes.robot_localization.sources import Source
-from coursekit.tf.pose import Pose, between, compose, inverse
 
 
 class Preparing:
@@ -52,7 +53,7 @@ class Preparing:
         pose = compose((0.0, 0.0, 0.0, *unit(q)), inverse((0.0, 0.0, 0.0, *seat[3:])))
         own = np.zeros((6, 6))
         own[3:, 3:] = square(covariance)
-        about = turning((0.0, 0.0, 0.0, *quaternion((0.0, 0.0, rpy(seat[3:])[2]))))
+        about = turning((0.0, 0.0, 0.0, *quaternion((0.0, 0.0, rpy_of(seat[3:])[2]))))
         used = source.part("pose")
         if source.differential:
             return self._difference(source, stamp_ns, pose, own, used)
@@ -62,7 +63,7 @@ class Preparing:
 
     def _absolute(self, source: Source, stamp_ns: int, pose: Pose, own: Array, used: Mask, rotation: Array) -> Measurement:
         values, covariance = np.zeros(SIZE), np.zeros((SIZE, SIZE))
-        values[POSITION], values[ANGLES] = pose[:3], rpy(pose[3:])
+        values[POSITION], values[ANGLES] = pose[:3], rpy_of(pose[3:])
         covariance[POSE, POSE] = turned(own, rotation)
         used[POSITION], used[ANGLES] = turned_mask(used[POSITION], rotation), turned_mask(used[ANGLES], rotation)
         return self._made(source, "pose", stamp_ns, values, covariance, used)
@@ -75,7 +76,7 @@ class Preparing:
             return None
         seconds, way = (stamp_ns - before[2]) * 1e-9, between(before[0], pose)
         values, covariance, counts = np.zeros(SIZE), np.zeros((SIZE, SIZE)), np.zeros(SIZE, bool)
-        values[LINEAR], values[ANGULAR] = np.array(way[:3]) / seconds, np.array(rpy(way[3:])) / seconds
+        values[LINEAR], values[ANGULAR] = np.array(way[:3]) / seconds, np.array(rpy_of(way[3:])) / seconds
         covariance[TWIST, TWIST] = (own + before[1]) * seconds
         counts[TWIST] = used[POSE]
         return self._made(source, "pose", stamp_ns, values, covariance, counts)

@@ -8,8 +8,9 @@ from typing import NamedTuple
 from geometry_msgs.msg import TransformStamped
 from tf2_py._convert import stamped
 
+from coursekit.geometry.pose import Pose
 from coursekit.urdf import Robot
-from coursekit.urdf.kinematics import Pose, joint_motion
+from coursekit.urdf.kinematics import joint_motion
 from coursekit.urdf.model import Joint
 
 MOST_PLANS = 64

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import partial
 
 import rclpy
 from rclpy.node import Node
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
 from coursekit.nodes.running import spin_to_the_end
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 
 from . import windows
 from .windows import RqtWindow
@@ -54,3 +55,6 @@ def main(kind: str) -> int:
     node.destroy_node()
     rclpy.try_shutdown()
     return 1
+
+
+graph, console, gui = partial(main, "rqt_graph"), partial(main, "rqt_console"), partial(main, "rqt_gui")

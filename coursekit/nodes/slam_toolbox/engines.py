@@ -6,13 +6,13 @@ import math
 from pathlib import Path
 from typing import Any, Protocol
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, load_map
 from coursekit.nodes.slam_toolbox.map_topic import grid_map
 from coursekit.nodes.slam_toolbox.markers import graph_markers, status_markers
 from coursekit.slam import storage
 from coursekit.slam.localizer import Localizer
 from coursekit.slam.parameters import SlamParameters
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result, Slam
 
@@ -24,8 +24,8 @@ class Engine(Protocol):
     """Takes scans, knows the pose, has a map."""
 
     @property
-    def pose(self) -> Pose2: ...
-    def add(self, scan: Scan, odometry: Pose2) -> Result: ...
+    def pose(self) -> Pose2D: ...
+    def add(self, scan: Scan, odometry: Pose2D) -> Result: ...
     def grid(self) -> GridMap | None: ...
     def markers(self, last: Result | None, frame: str, stamp: Any) -> Any: ...
 
@@ -37,11 +37,11 @@ class Mapping:
         self.slam = slam
 
     @property
-    def pose(self) -> Pose2:
+    def pose(self) -> Pose2D:
         """In the map."""
         return self.slam.pose
 
-    def add(self, scan: Scan, odometry: Pose2) -> Result:
+    def add(self, scan: Scan, odometry: Pose2D) -> Result:
         """Take a scan; with the first one the map's frame is that of the odometry, as in slam_toolbox."""
         if not self.slam.keyframes:
             self.slam.begin_at(odometry)
@@ -60,20 +60,20 @@ class Mapping:
 class Localizing:
     """Finds itself in a map that stays as it is; `near` None looks through the whole map first."""
 
-    def __init__(self, localizer: Localizer, cells: GridMap, near: Pose2 | None) -> None:
+    def __init__(self, localizer: Localizer, cells: GridMap, near: Pose2D | None) -> None:
         self.localizer, self._cells = localizer, cells
         self._wanted, self._near = True, near
 
     @property
-    def pose(self) -> Pose2:
+    def pose(self) -> Pose2D:
         """In the map."""
         return self.localizer.pose
 
-    def look_near(self, pose: Pose2) -> None:
+    def look_near(self, pose: Pose2D) -> None:
         """Begin anew at a pose that someone gave."""
         self._wanted, self._near = True, pose
 
-    def add(self, scan: Scan, odometry: Pose2) -> Result:
+    def add(self, scan: Scan, odometry: Pose2D) -> Result:
         """Take a scan; after a new start, look around first."""
         if self._wanted and len(scan.points):
             self._find(scan)
@@ -96,13 +96,13 @@ class Localizing:
         return status_markers(last, self.pose, frame, stamp)
 
 
-def localizing(slam: Slam, near: Pose2 | None) -> Localizing:
+def localizing(slam: Slam, near: Pose2D | None) -> Localizing:
     """Localise in the map of a session."""
     localizer = Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)
     return Localizing(localizer, grid_map(slam.map()), near)
 
 
-def load_slam(name: str, at: Pose2 | None, params: SlamParameters) -> Slam:
+def load_slam(name: str, at: Pose2D | None, params: SlamParameters) -> Slam:
     """A kept session, to go on from its first pose, or from `at`; OSError or ValueError when there is none."""
     slam = storage.load(name)
     slam.params = slam.tracker.params = slam.search.params = params
@@ -111,7 +111,7 @@ def load_slam(name: str, at: Pose2 | None, params: SlamParameters) -> Slam:
     return slam
 
 
-def load_localizing(name: str, near: Pose2 | None, params: SlamParameters) -> Localizing:
+def load_localizing(name: str, near: Pose2D | None, params: SlamParameters) -> Localizing:
     """Localise in a kept session, or in a map's .yaml; OSError or ValueError when there is none."""
     if Path(name).suffix != ".yaml":
         return localizing(load_slam(name, near, params), near)

@@ -8,33 +8,29 @@ from typing import Any
 from geometry_msgs.msg import Pose, TransformStamped
 from sensor_msgs.msg import LaserScan
 
-from coursekit.slam.pose import Pose2
+from coursekit.geometry.plane import Pose2D
+from coursekit.geometry.rotation import yaw_of
 from coursekit.slam.scan import Laser
 
 
-def yaw_of(q: Any) -> float:
-    """Heading of a quaternion: the direction of its x axis, seen from above [rad]."""
-    return math.atan2(2 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z)
-
-
-def plane(position: Any, orientation: Any) -> Pose2:
+def plane(position: Any, orientation: Any) -> Pose2D:
     """A position and a quaternion, seen from above."""
-    return Pose2(position.x, position.y, yaw_of(orientation))
+    return Pose2D(position.x, position.y, yaw_of((orientation.x, orientation.y, orientation.z, orientation.w)))
 
 
-def of_transform(msg: TransformStamped) -> Pose2:
+def of_transform(msg: TransformStamped) -> Pose2D:
     """A transform, seen from above."""
     return plane(msg.transform.translation, msg.transform.rotation)
 
 
-def put(pose: Pose2, position: Any, orientation: Any) -> None:
+def put(pose: Pose2D, position: Any, orientation: Any) -> None:
     """Write a pose of the plane into a position and a quaternion."""
     position.x, position.y, position.z = pose.x, pose.y, 0.0
     orientation.x = orientation.y = 0.0
     orientation.z, orientation.w = math.sin(pose.theta / 2), math.cos(pose.theta / 2)
 
 
-def to_pose(pose: Pose2) -> Pose:
+def to_pose(pose: Pose2D) -> Pose:
     """As geometry_msgs/Pose."""
     msg = Pose()
     put(pose, msg.position, msg.orientation)

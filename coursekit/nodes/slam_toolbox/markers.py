@@ -10,8 +10,8 @@ from geometry_msgs.msg import Point
 from std_msgs.msg import ColorRGBA
 from visualization_msgs.msg import Marker, MarkerArray
 
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.nodes.slam_toolbox.geometry import to_pose
-from coursekit.slam.pose import Array, Pose2
 from coursekit.slam.slam import Result, Slam
 
 DOUBTED = 0.1
@@ -34,12 +34,12 @@ def graph_markers(slam: Slam, last: Result | None, frame: str, stamp: Any) -> Ma
     return _array([*markers, status_marker(last, slam.pose, counts)], frame, stamp)
 
 
-def status_markers(last: Result | None, pose: Pose2, frame: str, stamp: Any) -> MarkerArray:
+def status_markers(last: Result | None, pose: Pose2D, frame: str, stamp: Any) -> MarkerArray:
     """The words alone, for a map that does not change."""
     return _array([status_marker(last, pose, "localising")], frame, stamp)
 
 
-def status_marker(last: Result | None, pose: Pose2, more: str) -> Marker:
+def status_marker(last: Result | None, pose: Pose2D, more: str) -> Marker:
     """Words above the robot."""
     marker = _marker("status", Marker.TEXT_VIEW_FACING, 0.25, WHITE)
     marker.pose = to_pose(pose)

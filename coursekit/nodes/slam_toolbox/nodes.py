@@ -10,25 +10,25 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 from rclpy.executors import ExternalShutdownException
 from std_srvs.srv import Empty, SetBool
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.slam_toolbox.engines import Localizing
 from coursekit.nodes.slam_toolbox.geometry import plane
 from coursekit.nodes.slam_toolbox.parameters import declare_lifelong
 from coursekit.nodes.slam_toolbox.services import Services
 from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox
-from coursekit.slam.pose import Pose2
 
 
-def start_pose(node: SlamToolbox) -> tuple[Pose2 | None, bool]:
+def start_pose(node: SlamToolbox) -> tuple[Pose2D | None, bool]:
     """Where a loaded map is to be entered (None: at its first pose), and whether that was said at all."""
     given = node.get_parameter("map_start_pose").value
     if given is not None and len(given):
         if len(given) == 3:
-            return Pose2.of(given), True
+            return Pose2D.of(given), True
         node.get_logger().error(
             "LocalizationSlamToolbox: Incorrect number of arguments for map starting pose. Must be in format: "
             "[x, y, theta]. Starting at the origin"
         )
-        return Pose2(), True
+        return Pose2D(), True
     return None, bool(node.get_parameter("map_start_at_dock").value)
 
 

@@ -18,13 +18,13 @@ from slam_toolbox.srv import (
     ToggleInteractive,
 )
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import save_map
 from coursekit.nodes.nav2.map_message import from_message
 from coursekit.nodes.nav2.map_saver import FREE_DEFAULT
 from coursekit.nodes.slam_toolbox.engines import Mapping, load_localizing, load_slam, localizing
 from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox
 from coursekit.slam import storage
-from coursekit.slam.pose import Pose2
 from coursekit.slam.slam import Slam
 
 ENDING = ".posegraph"
@@ -106,18 +106,18 @@ class Services:
         if request.match_type == kind.UNSET:
             self._node.get_logger().error("Deserialization called without valid match type set. Aborting.")
             return response
-        at = None if request.match_type == kind.START_AT_FIRST_NODE else Pose2.of((pose.x, pose.y, pose.theta))
+        at = None if request.match_type == kind.START_AT_FIRST_NODE else Pose2D.of((pose.x, pose.y, pose.theta))
         self.load(request.filename, at, localize=self._localize or request.match_type == kind.LOCALIZE_AT_POSE)
         return response
 
-    def load(self, name: str, at: Pose2 | None, *, localize: bool, anywhere: bool = False) -> bool:
+    def load(self, name: str, at: Pose2D | None, *, localize: bool, anywhere: bool = False) -> bool:
         """Go on with a kept session, at a pose, or at its first one; or, with `anywhere`, wherever the robot is."""
         log, params = self._node.get_logger(), self._node.slam_params
         if not name:
             log.warning("DeserializePoseGraph: Failed to read file: no name was given")
             return False
         try:
-            near = at if anywhere or at is not None else Pose2()
+            near = at if anywhere or at is not None else Pose2D()
             engine = load_localizing(name, near, params) if localize else Mapping(load_slam(name, at, params))
         except (OSError, ValueError) as fault:
             log.error(f"DeserializePoseGraph: Failed to read file: {fault}")

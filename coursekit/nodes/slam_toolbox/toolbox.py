@@ -12,13 +12,13 @@ from sensor_msgs.msg import LaserScan
 from tf2_ros import TransformBroadcaster, TransformException, TransformListener
 from visualization_msgs.msg import MarkerArray
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.slam_toolbox.engines import Engine, Mapping
 from coursekit.nodes.slam_toolbox.geometry import of_transform, put
 from coursekit.nodes.slam_toolbox.lasers import Lasers
 from coursekit.nodes.slam_toolbox.map_topic import MapTopic
 from coursekit.nodes.slam_toolbox.parameters import declare, number, slam_parameters
 from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer, lookup
-from coursekit.slam.pose import Pose2
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result, Slam
 from coursekit.slam.warm import warm
@@ -41,9 +41,9 @@ class SlamToolbox(Node):
         self.engine: Engine = Mapping(Slam(self.slam_params))
         self.last: Result | None = None
         self._stamp = Time()
-        self._map_to_odom = Pose2()
+        self._map_to_odom = Pose2D()
         self._count = 0
-        self.odometry: Pose2 | None = None
+        self.odometry: Pose2D | None = None
         warm()
         self._make_topics(keep_all)
         self.get_logger().info("Using solver plugin " + str(self.get_parameter("solver_plugin").value))
@@ -111,7 +111,7 @@ class SlamToolbox(Node):
         if self.get_parameter("enable_interactive_mode").value:
             self._scan_publisher.publish(msg)
 
-    def _odometry_at(self, msg: LaserScan) -> Pose2 | None:
+    def _odometry_at(self, msg: LaserScan) -> Pose2D | None:
         """The robot's pose by its odometry when the scan was taken."""
         try:
             return of_transform(lookup(self.buffer, self.odom_frame, self.base_frame, msg.header.stamp))
@@ -121,7 +121,7 @@ class SlamToolbox(Node):
             self.get_logger().warning(text, throttle_duration_sec=5.0)
             return None
 
-    def _settle(self, result: Result, odometry: Pose2, stamp: Time) -> None:
+    def _settle(self, result: Result, odometry: Pose2D, stamp: Time) -> None:
         """Publish what a scan has told."""
         self.last, self._stamp, self.odometry = result, stamp, odometry
         self._map_to_odom = result.pose @ odometry.inverse()

@@ -13,9 +13,9 @@ from rclpy.utilities import remove_ros_args
 from tf2_ros import Buffer, TransformException, TransformListener
 from tf_transformations import euler_from_quaternion
 
-from coursekit.core.session import current
+from coursekit.geometry.pose import matrix
+from coursekit.processes.session import current
 from coursekit.tf.errors import seconds_text
-from coursekit.tf.pose import matrix
 
 USAGE = """\
 Usage: tf2_echo source_frame target_frame [echo_rate] [precision]

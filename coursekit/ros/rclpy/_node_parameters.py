@@ -59,7 +59,7 @@ class NodeParameters(ParameterSetting):
                 value = self._parameter_overrides[full_name].value
             elif isinstance(value, ParameterValue):
                 raise ValueError(
-                    f"Cannot declare parameter {{{full_name}}} from a ParameterValue unless it has an override that is "
+                    f"Cannot declare a Parameter from a ParameterValue, as here {full_name}, without an override that is "
                     "not ignored: give the value itself."
                 )
             declared.append(Parameter(full_name, value=value))

@@ -14,7 +14,7 @@ from rclpy.parameter import Parameter
 def read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterDescriptor]:
     """(name, value, descriptor) of one tuple that was given to declare_parameters.
 
-    A ParameterValue is left as it is: it stands for "there is an override", and the caller knows whether there is.
+    A ParameterValue is left as it is: it gives a type and stands for "there is an override", which the caller knows.
     """
     if len(declaration) < 1 or len(declaration) > 3:
         raise TypeError(
@@ -45,6 +45,12 @@ def read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterD
         descriptor.type = value.value
         return name, None, descriptor
     if isinstance(value, ParameterValue):
+        if not descriptor.dynamic_typing:
+            if value.type == Parameter.Type.NOT_SET.value:
+                raise ValueError(
+                    "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
+                )
+            descriptor.type = value.type
         return name, value, descriptor
     if not descriptor.dynamic_typing and value is not None:
         descriptor.type = Parameter.Type.from_parameter_value(value).value

@@ -18,9 +18,9 @@ from geometry_msgs.msg import (
 )
 from tf2_ros import ConvertRegistration, TransformRegistration
 
+from coursekit.geometry.pose import Pose as Numbers
+from coursekit.geometry.pose import Quaternion, Vector, matrix, normalized
 from coursekit.tf import IDENTITY, compose, rotate
-from coursekit.tf.pose import Pose as Numbers
-from coursekit.tf.pose import Quaternion, Vector, matrix, normalized
 
 Message = TypeVar("Message")
 

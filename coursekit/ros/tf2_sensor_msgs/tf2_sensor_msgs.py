@@ -11,7 +11,7 @@ from sensor_msgs_py.point_cloud2 import create_cloud, read_points
 from tf2_geometry_msgs.tf2_geometry_msgs import _numbers, from_msg_msg, to_msg_msg
 from tf2_ros import ConvertRegistration, TransformRegistration
 
-from coursekit.tf.pose import matrix
+from coursekit.geometry.pose import matrix
 
 
 def transform_points(point_cloud: Any, transform: Transform | TransformStamped) -> np.ndarray[Any, Any]:

@@ -115,21 +115,22 @@ def test_an_unknown_controller_of_a_robot_is_told_when_it_is_spawned(run, friend
 def test_an_arm_that_moves_is_elsewhere_in_the_world_and_a_scanner_sees_it(run, friend, files, tmp_path):
     from gazebo_msgs.srv import GetEntityState
 
+    from coursekit.geometry.plane import Pose2D
     from coursekit.nodes.gazebo.simulators import running
-    from coursekit.sim import Lidar, Place
+    from coursekit.sim import Lidar
 
     urdf, _ = files(plugin=CLASSIC[0], blocks=PLUGIN.format(*CLASSIC[1:], tmp_path / "arm.yaml"))
     run("gazebo_ros", "gzserver")
     run("gazebo_ros", "spawn_entity.py", "-file", str(urdf), "-entity", "arm").wait(30)
     simulation = running(friend.session)[0].simulation
     look = Lidar(beams=1, height=0.1, range_max=9.0)
-    assert simulation.scan(look, place=Place(2.0, 0.0, 3.14159))[0] > 1.9, "nothing at that height but its thin column"
+    assert simulation.scan(look, place=Pose2D(2.0, 0.0, 3.14159))[0] > 1.9, "nothing at that height but its thin column"
     assert run("controller_manager", "spawner", "arm_controller").wait(20) == 0
     goal = FollowJointTrajectory.Goal(trajectory=trajectory(([0, 1.5708, 0, 0, 0, 0], 1)))
     assert send(friend, FollowJointTrajectory, "/arm_controller/follow_joint_trajectory", goal)[1] == 4
     tip = friend.ask(GetEntityState, "/get_entity_state", name="arm::link6").state.pose.position
     assert tip.x == pytest.approx(0.4, abs=0.02), "joint 2 lies down: four links are ahead of it"
-    assert simulation.scan(Lidar(beams=1, height=0.2, range_max=9.0), place=Place(2.0, 0.0, 3.14159))[0] < 1.7
+    assert simulation.scan(Lidar(beams=1, height=0.2, range_max=9.0), place=Pose2D(2.0, 0.0, 3.14159))[0] < 1.7
 
 
 def test_after_a_reset_the_arm_stands_as_at_first_and_can_be_moved_again(run, friend, files, tmp_path):

@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.gazebo.devices import CameraDevice, ImuDevice, JointDevice, OdometryDevice, RayDevice, TruthDevice
 from coursekit.nodes.gazebo.sdf_world import load_sdf, read_entity
-from coursekit.sim import Disc, Lidar, Place, Simulation, WorldError
+from coursekit.sim import Disc, Lidar, Simulation, WorldError
 from coursekit.urdf import UrdfError
 
 HEAD = "<?xml version='1.0'?><sdf version='{}'><world name='yard'>"
@@ -32,7 +33,7 @@ def model(name, body, pose="0 0 0 0 0 0", static=True):
     return f"<model name='{name}'><static>{str(static).lower()}</static><pose>{pose}</pose>{link}</model>"
 
 
-def ahead(world, height=0.3, place=Place()):
+def ahead(world, height=0.3, place=Pose2D()):
     return float(Lidar(beams=1, angle_max=0.0, range_max=50.0, range_min=0.0).look(world.cut(height), place)[0])
 
 
@@ -62,7 +63,7 @@ def test_shapes_stand_where_the_file_puts_them(world, body, distance):
 def test_poses_are_nested_and_may_be_relative_to_named_frames(world):
     inner = f"<model name='in'><pose>1 0 0 0 0 0</pose><link name='l'>{BOX.format('1 1 1')}</link></model>"
     outer = f"<model name='out'><static>1</static><pose>0 2 0.5 0 0 -1.5707963267948966</pose>{inner}</model>"
-    assert ahead(world(outer, "1.7"), place=Place(-3, 1)) == pytest.approx(2.5)
+    assert ahead(world(outer, "1.7"), place=Pose2D(-3, 1)) == pytest.approx(2.5)
     frames = (
         "<model name='m'><static>1</static><frame name='f'><pose>2 0 0.5 0 0 0</pose></frame>"
         f"<link name='l'><pose relative_to='f'>1 0 0 0 0 0</pose>{BOX.format('1 1 1')}</link></model>"
@@ -108,7 +109,7 @@ def test_models_that_are_not_static_can_be_pushed(world):
     made = world(
         model("m", f"<inertial><mass>2</mass></inertial>{BOX.format('0.4 0.4 0.4')}", "1 0 0.2 0 0 0", static=False)
     )
-    assert made.thing("m").mass == 2.0 and Simulation(made).place_of("m").x == 1.0
+    assert made.thing("m").mass == 2.0 and Simulation(made).pose_of("m").x == 1.0
 
 
 BURGER = """<sdf version='1.6'><model name='burger'><pose>0 0 0 0 0 0</pose><link name='base_footprint'/>

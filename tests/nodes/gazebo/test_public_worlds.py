@@ -4,9 +4,10 @@ import math
 
 import pytest
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.gazebo.sdf_world import load_sdf
 from coursekit.nodes.gazebo.world_of import find_world
-from coursekit.sim import Lidar, Place, RobotModel, Simulation
+from coursekit.sim import Lidar, RobotModel, Simulation
 
 WALL = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="inch" meter="0.0254"/><up_axis>Y_UP</up_axis></asset>
@@ -23,7 +24,7 @@ MESH = "<collision name='c'><geometry><mesh><uri>{}</uri><scale>1 1 1</scale></m
 BOX = "<collision name='c'><pose>{}</pose><geometry><box><size>{}</size></box></geometry></collision>"
 
 
-def ahead(world, place=Place(), height=0.3):
+def ahead(world, place=Pose2D(), height=0.3):
     return float(Lidar(beams=1, angle_max=0.0, range_max=50.0, range_min=0.0).look(world.cut(height), place)[0])
 
 
@@ -110,15 +111,15 @@ def test_models_may_stand_relative_to_others_and_on_one_of_their_frames(shop):
         f"<frame name='end'><pose>1 0 0 0 0 0</pose></frame><link name='l'>{BOX.format('0 0 0.5 0 0 0', '1 1 1')}</link>"
         "</model>", "1.9"
     )  # fmt: skip
-    assert ahead(made, Place(0, 0, math.pi / 2)) == pytest.approx(2.5)
-    assert ahead(made, Place(0, 2)) == pytest.approx(3.5)
+    assert ahead(made, Pose2D(0, 0, math.pi / 2)) == pytest.approx(2.5)
+    assert ahead(made, Pose2D(0, 2)) == pytest.approx(3.5)
 
 
 def test_nests_in_nests_keep_links_of_the_same_name_apart(shop):
     shop.put("post", BOX.format("0 0 0.5 0 0 0", "0.2 0.2 1"))
     row = "<include><uri>model://post</uri><pose>{} 0 0 0 0 0</pose></include>"
     made = shop(f"<model name='yard'><model name='row'>{row.format(2)}{row.format(4)}</model></model>")
-    assert ahead(made) == pytest.approx(1.9) and ahead(made, Place(3, 0)) == pytest.approx(0.9)
+    assert ahead(made) == pytest.approx(1.9) and ahead(made, Pose2D(3, 0)) == pytest.approx(0.9)
 
 
 def test_loose_things_rest_on_the_floor_or_on_what_they_stand_on(shop):
@@ -134,4 +135,4 @@ def test_loose_things_rest_on_the_floor_or_on_what_they_stand_on(shop):
     assert lows == {"upper": 0.4, "lower": 0.0, "flying": 0.0, "table": 0.68, "lunch": 0.72}
     simulation = Simulation(made)
     simulation.advance(1.0)
-    assert simulation.place_of("upper") == simulation.place_of("lower"), "nothing is shoved aside"
+    assert simulation.pose_of("upper") == simulation.pose_of("lower"), "nothing is shoved aside"

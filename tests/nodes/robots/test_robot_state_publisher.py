@@ -11,8 +11,9 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
+from coursekit.geometry.pose import compose
 from coursekit.urdf import load
-from coursekit.urdf.kinematics import Kinematics, compose
+from coursekit.urdf.kinematics import Kinematics
 from tests.urdf.oracle import ROBOTS
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)

@@ -6,14 +6,15 @@ import math
 
 import numpy as np
 import pytest
-from geometry_msgs.msg import Pose2D, PoseWithCovarianceStamped
+from geometry_msgs.msg import Pose2D as Pose2DMessage
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from slam_toolbox.srv import DeserializePoseGraph, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.map_message import from_message
 from coursekit.nodes.slam_toolbox.geometry import to_pose
-from coursekit.slam.pose import Pose2
 from tests.slam.building import drive
 from tests.slam.robot import Robot
 
@@ -21,16 +22,16 @@ WAY = [(3.0, 5.0), (10.0, 5.0)]
 START = next(iter(drive(WAY)))
 
 
-def at(x: float, y: float, heading: float) -> Pose2:
+def at(x: float, y: float, heading: float) -> Pose2D:
     """A place of the building, in the map that began at START."""
-    return START.to(Pose2(x, y, heading))
+    return START.to(Pose2D(x, y, heading))
 
 
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory):
     """A pose graph and a map of the way, by name without ending."""
-    from coursekit.core.executables import find
-    from coursekit.core.session import Session
+    from coursekit.processes.executables import find
+    from coursekit.processes.session import Session
 
     name = str(tmp_path_factory.mktemp("kept") / "office")
     with Session(virtual=True).use() as session:
@@ -44,11 +45,11 @@ def kept(tmp_path_factory):
     return name
 
 
-def start_pose(pose: Pose2) -> tuple[str, str]:
+def start_pose(pose: Pose2D) -> tuple[str, str]:
     return "-p", f"map_start_pose:=[{pose.x}, {pose.y}, {pose.theta}]"
 
 
-def tell_pose(rover: Robot, pose: Pose2, frame: str = "map") -> None:
+def tell_pose(rover: Robot, pose: Pose2D, frame: str = "map") -> None:
     publisher = rover.node.create_publisher(PoseWithCovarianceStamped, "initialpose", 1)
     msg = PoseWithCovarianceStamped()
     msg.header.frame_id, msg.pose.pose = frame, to_pose(pose)
@@ -81,7 +82,7 @@ def test_initialpose_moves_a_lost_robot(kept, robot, slam):
     argv = ("-p", f"map_file_name:={kept}", *start_pose(at(3.0, 5.0, 0.0)))
     process = slam(*argv, node="localization_slam_toolbox_node")
     rover = robot()
-    truth = Pose2(8.5, 5.0, math.pi)
+    truth = Pose2D(8.5, 5.0, math.pi)
     rover.tell(truth)
     assert rover.where_is(START.to(truth)) > 1
     tell_pose(rover, at(8.2, 5.1, math.pi - 0.2), frame="odom")
@@ -100,7 +101,7 @@ def test_mapping_goes_on_in_a_kept_session(kept, robot, slam, kind):
     begin = (3.0, 5.0) if kind == "first" else (9.0, 5.0)
     pose = at(*begin, 0.0)
     match = request.START_AT_FIRST_NODE if kind == "first" else request.START_AT_GIVEN_POSE
-    where = Pose2D(x=pose.x, y=pose.y, theta=pose.theta)
+    where = Pose2DMessage(x=pose.x, y=pose.y, theta=pose.theta)
     rover.ask(DeserializePoseGraph, "slam_toolbox/deserialize_map", filename=kept, match_type=match, initial_pose=where)
     rover.spin(0.6)
     before = (from_message(rover.maps[-1]).cells >= 0).sum()
@@ -119,7 +120,7 @@ def test_files_that_are_none_are_told(robot, slam, tmp_path):
         rover.ask(DeserializePoseGraph, "slam_toolbox/deserialize_map", filename=file, match_type=first)
     assert process.output.count("DeserializePoseGraph: Failed to read file") == 3
     assert "no file" in process.output and "is no saved SLAM session" in process.output
-    rover.tell(Pose2(3.0, 5.0, 0.0))
+    rover.tell(Pose2D(3.0, 5.0, 0.0))
     rover.spin(0.6)
     assert rover.maps
 

@@ -14,9 +14,9 @@ from slam_toolbox.srv import Pause, Reset, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
 from visualization_msgs.msg import MarkerArray
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import load_map
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
-from coursekit.slam.pose import Pose2
 from tests.slam.building import drive
 from tests.slam.robot import PERIOD, wall_gaps
 
@@ -49,7 +49,7 @@ def test_a_drive_gives_the_map_of_the_building_and_the_way_home(robot, slam, nod
 
 
 @pytest.mark.parametrize(
-    ("seat", "flipped"), [(Pose2(0.3, -0.2, 0.7), False), (Pose2(-0.2, 0.1, math.pi), True)], ids=["turned", "upside down"]
+    ("seat", "flipped"), [(Pose2D(0.3, -0.2, 0.7), False), (Pose2D(-0.2, 0.1, math.pi), True)], ids=["turned", "upside down"]
 )
 def test_the_lasers_seat_comes_from_tf(robot, slam, seat, flipped):
     slam()
@@ -64,7 +64,7 @@ def test_the_lasers_seat_comes_from_tf(robot, slam, seat, flipped):
 def test_a_scan_without_transform_says_what_is_missing(robot, slam):
     process, rover = slam(), robot(odometry=False)
     for _ in range(4):
-        rover.tell(Pose2(3.0, 5.0, 0.0))
+        rover.tell(Pose2D(3.0, 5.0, 0.0))
     out = process.output
     assert "Message Filter dropping message: frame 'laser' at time 1700000001" in out
     assert "for reason 'discarding message because the queue is full'" in out
@@ -74,7 +74,7 @@ def test_a_scan_without_transform_says_what_is_missing(robot, slam):
 
 def test_a_wrong_base_frame_is_named(robot, slam):
     process, rover = slam("-p", "base_frame:=base_link"), robot()
-    rover.tell(Pose2(3.0, 5.0, 0.0))
+    rover.tell(Pose2D(3.0, 5.0, 0.0))
     assert "Failed to compute laser pose" in process.output and "base_link" in process.output
 
 
@@ -106,7 +106,7 @@ def test_save_map_writes_what_nav2_reads(robot, slam, tmp_path):
     process, rover = slam(), robot()
     assert rover.ask(SaveMap, "slam_toolbox/save_map").result == SaveMap.Response.RESULT_NO_MAP_RECEIEVD
     assert "Map Saver: Cannot save map, no map yet received on topic /map." in process.output
-    rover.tell(Pose2(3.0, 5.0, 0.0))
+    rover.tell(Pose2D(3.0, 5.0, 0.0))
     answer = rover.ask(SaveMap, "slam_toolbox/save_map", name=String(data=str(tmp_path / "office")))
     assert answer.result == SaveMap.Response.RESULT_SUCCESS
     saved = load_map(tmp_path / "office.yaml")
@@ -129,9 +129,9 @@ def test_pausing_leaves_scans_aside_and_reset_begins_anew(robot, slam):
     rover.spin(0.6)
     assert np.array_equal(from_message(rover.maps[-1]).cells, before)
     assert rover.ask(Reset, "slam_toolbox/reset").result == Reset.Response.RESULT_SUCCESS
-    rover.tell(Pose2(5.5, 5.0, 0.0))
+    rover.tell(Pose2D(5.5, 5.0, 0.0))
     rover.spin(0.6)
-    assert rover.where().distance(rover.wheels.pose) < 0.01 < rover.wheels.pose.distance(Pose2())  # map is odom again
+    assert rover.where().distance(rover.wheels.pose) < 0.01 < rover.wheels.pose.distance(Pose2D())  # map is odom again
 
 
 def test_the_graph_and_the_last_match_are_shown(robot, slam):
@@ -159,7 +159,7 @@ def test_bad_parameters_fall_back_with_a_word(robot, slam):
     assert "resolution should be a number, at least 0.001, not -1.0: 0.05 is used" in process.output
     assert "You've set throttle_scans to be 0" in process.output
     rover = robot()
-    rover.tell(Pose2(3.0, 5.0, 0.0))
+    rover.tell(Pose2D(3.0, 5.0, 0.0))
     rover.spin(0.6)
     assert rover.maps[-1].info.resolution == pytest.approx(0.05)
 
@@ -167,7 +167,7 @@ def test_bad_parameters_fall_back_with_a_word(robot, slam):
 def test_serializing_needs_a_name_and_a_place(robot, slam, tmp_path):
     slam()
     rover, failed = robot(), SerializePoseGraph.Response.RESULT_FAILED_TO_WRITE_FILE
-    rover.tell(Pose2(3.0, 5.0, 0.0))
+    rover.tell(Pose2D(3.0, 5.0, 0.0))
     assert rover.ask(SerializePoseGraph, "slam_toolbox/serialize_map", filename="").result == failed
     nowhere = str(tmp_path / "none" / "a")
     assert rover.ask(SerializePoseGraph, "slam_toolbox/serialize_map", filename=nowhere).result == failed
@@ -176,11 +176,11 @@ def test_serializing_needs_a_name_and_a_place(robot, slam, tmp_path):
 def test_scans_come_through_best_effort_and_with_late_odometry(robot, slam, session):
     slam()
     rover = robot()
-    scan: LaserScan = rover.scan(Pose2(3.0, 5.0, 0.0))
+    scan: LaserScan = rover.scan(Pose2D(3.0, 5.0, 0.0))
     rover._scans.publish(scan)  # the odometry of its time comes half a period later
     rover.spin(PERIOD / 2)
-    stamped = rover._transform("odom", "base_footprint", Pose2())
-    before = rover._transform("odom", "base_footprint", Pose2())
+    stamped = rover._transform("odom", "base_footprint", Pose2D())
+    before = rover._transform("odom", "base_footprint", Pose2D())
     before.header.stamp = scan.header.stamp
     rover._moving.sendTransform([before, stamped])
     rover.spin(1.0)

@@ -64,7 +64,7 @@ def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:
 
 def turned(pose: Any, vector: tuple[float, float, float]) -> tuple[float, float, float]:
     """A direction of a link, as seen from the root."""
-    from coursekit.urdf.kinematics import compose
+    from coursekit.geometry.pose import compose
 
     x, y, z, *_ = compose((0.0, 0.0, 0.0, *pose[3:]), (*vector, 0.0, 0.0, 0.0, 1.0))
     return x, y, z

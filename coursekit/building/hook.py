@@ -1,0 +1,33 @@
+"""Adds what is made to wheels, source archives and installations: files of the underlay, and the students' chapters."""
+
+import json
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+
+class Hook(BuildHookInterface):  # type: ignore[type-arg]
+    """Called by hatchling before it collects the files of a build."""
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Write the underlay's files; into what is built, but no checkout, chapters without solutions."""
+        sys.path.insert(0, self.root)
+        from coursekit.building.underlay import write
+
+        made = write(Path(self.root) / "coursekit")
+        build_data["artifacts"] += [path.relative_to(self.root).as_posix() for path in made]
+        if version != "editable":
+            self._add_chapters(build_data)
+
+    def _add_chapters(self, build_data: dict[str, Any]) -> None:
+        from coursekit.grade.release import released
+
+        self._folder = tempfile.TemporaryDirectory()
+        for source in sorted((Path(self.root) / "notebooks").glob("*.ipynb")):  # a source archive has them already
+            made = Path(self._folder.name) / source.name
+            notebook = released(json.loads(source.read_text(encoding="utf-8")))
+            made.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
+            build_data["force_include"][str(made)] = f"coursekit/notebooks/{source.name}"

@@ -1,0 +1,79 @@
+"""Devices that only the newer Gazebo has, at work: poses of a model, and what touches it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from geometry_msgs.msg import TransformStamped
+from ros_gz_interfaces.msg import Contact, Contacts, Entity
+from tf2_msgs.msg import TFMessage
+
+from coursekit.geometry.plane import Array
+
+from .devices import PoseDevice, TouchDevice
+from .sensor_publishers import SensorPublisher, heading, pose_at, stamp_of
+
+
+class PosePublisher(SensorPublisher):
+    """gz::sim::systems::PosePublisher: where a model is, and its links in it."""
+
+    device: PoseDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(TFMessage, self.device.topic, 10)
+
+    def publish(self, time_ns: int) -> None:
+        if not self._out.get_subscription_count():
+            return
+        device, found = self.device, []
+        if device.world:
+            place = pose_at(self.simulation, self.robot, time_ns)
+            whole = TransformStamped(child_frame_id=device.model)
+            whole.header.frame_id = device.world
+            whole.transform.translation.x, whole.transform.translation.y = place.x, place.y
+            whole.transform.rotation = heading(place.theta)
+            found.append(whole)
+        for name, pose in device.links:
+            one = transform_of(np.array(pose).reshape(4, 4))
+            one.header.frame_id, one.child_frame_id = device.model, f"{device.model}/{name}"
+            found.append(one)
+        for one in found:
+            one.header.stamp = stamp_of(time_ns)
+        self._out.publish(TFMessage(transforms=found))
+
+
+def transform_of(pose: Array) -> TransformStamped:
+    """A 4x4 matrix as a message without header."""
+    msg = TransformStamped()
+    at, turned = msg.transform.translation, msg.transform.rotation
+    at.x, at.y, at.z = (float(one) for one in pose[:3, 3])
+    w = math.sqrt(max(0.0, 1.0 + float(np.trace(pose[:3, :3])))) / 2
+    if w < 1e-6:  # half a turn about one of the axes
+        turned.x, turned.y, turned.z = (math.sqrt(max(0.0, (1.0 + float(pose[i, i])) / 2)) for i in range(3))
+        turned.w = 0.0
+        return msg
+    skew = (pose[2, 1] - pose[1, 2], pose[0, 2] - pose[2, 0], pose[1, 0] - pose[0, 1])
+    turned.x, turned.y, turned.z, turned.w = (*(float(one) / (4 * w) for one in skew), w)
+    return msg
+
+
+class TouchPublisher(SensorPublisher):
+    """A contact sensor: what the model touches now."""
+
+    device: TouchDevice
+
+    def open(self) -> None:
+        self._out = self.publisher(Contacts, self.device.topic, 10)
+
+    def publish(self, time_ns: int) -> None:
+        if not self.robot.contacts or not self._out.get_subscription_count():
+            return
+        own = Entity(name=f"{self.robot.name}::{self.device.link}", type=Entity.COLLISION)
+        others = [Entity(name=name, type=Entity.COLLISION) for name in self.robot.contacts]
+        msg = Contacts(contacts=[Contact(collision1=own, collision2=other) for other in others])
+        msg.header.stamp, msg.header.frame_id = stamp_of(time_ns), self.device.frame
+        self._out.publish(msg)
+
+
+__all__ = ["PosePublisher", "TouchPublisher", "transform_of"]

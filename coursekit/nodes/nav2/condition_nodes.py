@@ -1,0 +1,159 @@
+"""The nodes of behaviour trees that look at the clock, the robot and its goals, with nav2's names and ports."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
+
+
+class Paced(TreeNode):
+    """RateController: ticks its child `hz` times a second, and while that is running."""
+
+    arity = (1, 1)
+    begun = -math.inf
+
+    def step(self) -> str:
+        """Tick when it is time."""
+        now, child = self.board["crew"].seconds(), self.children[0]
+        if self.status == IDLE:
+            self.begun = -math.inf
+        if child.status != RUNNING and not self.due(now):
+            return RUNNING
+        status = child.tick()
+        if status == SUCCESS:
+            self.began(now)
+        return status
+
+    def due(self, now: float) -> bool:
+        """Whether it is time again."""
+        return now - self.begun >= 1.0 / max(self.number("hz", 10.0), 1e-3)
+
+    def began(self, now: float) -> None:
+        """Count from here."""
+        self.begun = now
+
+
+class PacedBySpeed(Paced):
+    """SpeedController, at its greatest rate."""
+
+    def due(self, now: float) -> bool:
+        """Whether it is time again."""
+        return now - self.begun >= 1.0 / max(self.number("max_rate", 1.0), 1e-3)
+
+
+class PacedByWay(Paced):
+    """DistanceController: ticks its child each time the robot has gone `distance` [m]."""
+
+    place: Any = None
+
+    def due(self, now: float) -> bool:
+        """Whether the robot has gone that far."""
+        here = self.board["crew"].pose()
+        return self.begun == -math.inf or here is None or here.distance(self.place) >= self.number("distance", 1.0)
+
+    def began(self, now: float) -> None:
+        """Count from here."""
+        self.begun, self.place = now, self.board["crew"].pose()
+
+
+class TakeGoal(TreeNode):
+    """GoalUpdater: the newest pose of the topic `goal_update` in place of the goal, if there is one."""
+
+    arity = (1, 1)
+
+    def prepare(self) -> None:
+        """Listen."""
+        self.heard = self.board["crew"].listen("goal_update")
+
+    def step(self) -> str:
+        """Hand the goal on."""
+        self.put("output_goal", self.heard[-1] if self.heard else self.get("input_goal"))
+        return self.children[0].tick()
+
+
+class ConditionNode(TreeNode):
+    """A question that is answered at once: `answer(node)`."""
+
+    answer: Callable[[TreeNode], bool] = staticmethod(lambda node: False)
+
+    def step(self) -> str:
+        """Answer."""
+        return SUCCESS if self.answer(self) else FAILURE
+
+
+def _condition(name: str, answer: Callable[[TreeNode], bool]) -> type[ConditionNode]:
+    return type(name, (ConditionNode,), {"answer": staticmethod(answer)})
+
+
+def _near(node: TreeNode) -> bool:
+    return bool(node.board["crew"].gap(node.get("goal")) <= 0.25)
+
+
+def _drop_passed(node: TreeNode) -> bool:
+    """RemovePassedGoals: a goal but the last is passed from `radius` [m] on."""
+    goals = list(node.get("input_goals"))
+    while len(goals) > 1 and node.board["crew"].gap(goals[0]) < node.number("radius", 0.5):
+        goals.pop(0)
+    node.put("output_goals", goals)
+    return True
+
+
+def _place(pose: Any) -> tuple[float, float]:
+    return pose.pose.position.x, pose.pose.position.y
+
+
+def _truncate(node: TreeNode) -> bool:
+    """TruncatePath: without its last `distance` metres."""
+    path, left = node.get("input_path"), node.number("distance", 1.0)
+    poses = list(path.poses)
+    end = _place(poses[-1]) if poses else (0.0, 0.0)
+    while len(poses) > 1 and math.dist(_place(poses[-1]), end) < left:
+        poses.pop()
+    node.put("output_path", type(path)(header=path.header, poses=poses))
+    return True
+
+
+def _expired(node: TreeNode) -> bool:
+    now = node.board["crew"].seconds()
+    begun = node.__dict__.setdefault("begun", now)
+    if now - begun >= node.number("seconds", 1.0):
+        node.__dict__["begun"] = now
+        return True
+    return False
+
+
+def _travelled(node: TreeNode) -> bool:
+    here = node.board["crew"].pose()
+    begun = node.__dict__.setdefault("begun", here)
+    if here is not None and begun is not None and here.distance(begun) >= node.number("distance", 1.0):
+        node.__dict__["begun"] = here
+        return True
+    return False
+
+
+def _chooses(what: str) -> type[ConditionNode]:
+    """A selector: the name that was heard last on its topic, or the default one."""
+
+    def answer(node: TreeNode) -> bool:
+        heard = node.board["crew"].listen_to_text(node.get("topic_name", f"{what}_selector"))
+        node.put(f"selected_{what}", heard[-1] if heard else node.get(f"default_{what}", ""))
+        return True
+
+    return _condition(f"{what}_selector", answer)
+
+
+CONDITIONS: dict[str, type[TreeNode]] = {
+    "RateController": Paced, "DistanceController": PacedByWay, "SpeedController": PacedBySpeed, "GoalUpdater": TakeGoal,
+    "GoalReached": _condition("GoalReached", _near), "TimeExpired": _condition("TimeExpired", _expired),
+    "DistanceTraveled": _condition("DistanceTraveled", _travelled),
+    "GoalUpdated": ConditionNode, "GlobalUpdatedGoal": ConditionNode, "IsStuck": ConditionNode,
+    "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: node.board["crew"].pose() is not None),
+    "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
+    "TruncatePath": _condition("TruncatePath", _truncate),
+    **{f"{name}Selector": _chooses(what) for name, what in (
+        ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},
+}  # fmt: skip
+"""By their names in XML. A new goal begins the tree anew, so that GoalUpdated never says yes."""

@@ -1,1 +1,0 @@
-"""Interfaces: driving commands of vehicles that steer like cars."""

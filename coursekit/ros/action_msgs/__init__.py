@@ -1,1 +1,0 @@
-"""Interfaces: goals, cancelling and status of actions."""

@@ -1,1 +1,0 @@
-"""Interfaces: the action of the action tutorial."""

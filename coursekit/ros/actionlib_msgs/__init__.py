@@ -1,1 +1,0 @@
-"""Interfaces: goal status as actionlib had it."""

@@ -1,1 +1,0 @@
-"""Interfaces: time and duration."""

@@ -1,5 +1,0 @@
-"""Messages of builtin_interfaces, made from their definition files when first used."""
-
-from coursekit.interfaces.face import expose
-
-__getattr__, __dir__, __all__ = expose(__name__, __file__)

@@ -1,1 +1,0 @@
-"""Interfaces: components loaded into a running container."""

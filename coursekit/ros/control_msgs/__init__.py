@@ -1,1 +1,0 @@
-"""Interfaces: commands to joints and grippers, and the state of their controllers."""

@@ -1,1 +1,0 @@
-"""Interfaces: controllers and hardware of ros2_control."""

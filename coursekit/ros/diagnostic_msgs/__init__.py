@@ -1,1 +1,0 @@
-"""Interfaces: health of devices and programs."""

@@ -1,1 +1,0 @@
-"""Interfaces: interfaces to learn with."""

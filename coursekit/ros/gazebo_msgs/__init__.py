@@ -1,1 +1,0 @@
-"""Interfaces: entities of a simulated world."""

@@ -1,1 +1,0 @@
-"""Interfaces: places on the earth, maps and routes."""

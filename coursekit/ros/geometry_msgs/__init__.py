@@ -1,1 +1,0 @@
-"""Interfaces: points, poses, velocities, forces."""

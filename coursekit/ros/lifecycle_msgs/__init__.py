@@ -1,1 +1,0 @@
-"""Interfaces: states and transitions of managed nodes."""

@@ -1,1 +1,0 @@
-"""Interfaces of logging_demo."""

@@ -1,1 +1,0 @@
-"""Interfaces: updates and parts of maps."""

@@ -1,1 +1,0 @@
-"""Interfaces: navigation: costmaps, planning, behaviours."""

@@ -1,1 +1,0 @@
-"""Interfaces: poses and velocities in the plane."""

@@ -1,1 +1,0 @@
-"""Interfaces: maps, paths, odometry."""

@@ -1,1 +1,0 @@
-"""Interfaces: what receivers of satellite positions say."""

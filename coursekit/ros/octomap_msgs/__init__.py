@@ -1,1 +1,0 @@
-"""Interfaces: maps of space as octrees."""

@@ -1,1 +1,0 @@
-"""Interfaces: point clouds as indices, models and meshes."""

@@ -1,1 +1,0 @@
-"""Interfaces: the pendulum of the real-time demo."""

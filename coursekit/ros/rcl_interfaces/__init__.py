@@ -1,1 +1,0 @@
-"""Interfaces: parameters and logging."""

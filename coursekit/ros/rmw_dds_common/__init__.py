@@ -1,1 +1,0 @@
-"""Interfaces: what participants tell of their nodes."""

@@ -1,1 +1,0 @@
-"""Interfaces of robot_localization."""

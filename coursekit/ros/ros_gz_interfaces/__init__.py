@@ -1,1 +1,0 @@
-"""Interfaces: the newer Gazebo."""

@@ -1,1 +1,0 @@
-"""Interfaces: control of the recorder and the player of bags."""

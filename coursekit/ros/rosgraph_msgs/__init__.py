@@ -1,1 +1,0 @@
-"""Interfaces: the simulated clock."""

@@ -1,1 +1,0 @@
-"""Interfaces: what sensors measure."""

@@ -1,1 +1,0 @@
-"""Interfaces: solids, meshes, planes."""

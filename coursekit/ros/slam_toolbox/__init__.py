@@ -1,1 +1,0 @@
-"""Interfaces: services of the mapping node."""

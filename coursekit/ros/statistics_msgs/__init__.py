@@ -1,1 +1,0 @@
-"""Interfaces: statistics over windows of time."""

@@ -1,1 +1,0 @@
-"""Interfaces: services that need no data of their own."""

@@ -1,1 +1,0 @@
-"""Interfaces: disparity of stereo cameras."""

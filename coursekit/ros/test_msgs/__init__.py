@@ -1,1 +1,0 @@
-"""Interfaces: one interface for each feature of the language."""

@@ -1,1 +1,0 @@
-"""Interfaces of topic_tools_interfaces."""

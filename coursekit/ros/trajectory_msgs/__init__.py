@@ -1,1 +1,0 @@
-"""Interfaces: motions of joints over time."""

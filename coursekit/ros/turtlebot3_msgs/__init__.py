@@ -1,1 +1,0 @@
-"""Interfaces: sensors, sound and tasks of the TurtleBot3."""

@@ -1,1 +1,0 @@
-"""Interfaces: pose, colour and services of the turtle."""

@@ -1,1 +1,0 @@
-"""Interfaces: results of computer vision: boxes, classes, detections."""

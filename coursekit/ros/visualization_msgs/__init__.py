@@ -1,1 +1,0 @@
-"""Interfaces: markers to draw."""

@@ -107,7 +107,7 @@ def faults(cells):
 CHAPTERS = {
     "00_start_here.ipynb": ("viewer(", "drive.press(", "terminals("),
     "01_first_nodes.ipynb": ("graph()", "turtlesim_window()", "keys = terminal(", "terminals("),
-    "02_topics.ipynb": ("graph()", "colcon build", "%ros2 run s2_py_pubsub subscriber_exe &", "graph()", "terminals("),
+    "02_topics.ipynb": ("graph()", "%colcon build", "%ros2 run s2_py_pubsub subscriber_exe &", "graph()", "terminals("),
     "08_maps_and_slam.ipynb": ("viewer(", "map_view(tour=around)", "view = viewer(", "%show warehouse.yaml", "map_view()"),
 }
 

@@ -14,6 +14,8 @@ ROOMS = ("core", "processes", "rcl", "systems", "packages", "launch", "cli", "la
 """The rooms that know of systems."""
 CHAPTERS = ("0", "1", "2", "5", "8")
 """The chapters that a student begins with, and the one with maps."""
+CELL_SECONDS = "600"
+"""For one cell: the first one that maps or plans waits for Numba's compiler, which takes minutes in Wine."""
 EVERY_CHAPTER = tuple("0123456789ABCD")
 NOT_IN_WINE = ("browser", "windows")
 """They begin outside: with Chromium, or with Wine itself."""
@@ -64,7 +66,7 @@ class InChromium:
 def chapter(name: str) -> Piece:
     """A chapter by its number or letter: its outputs are compared, on the virtual clock."""
     [file] = (wine.ROOT / "notebooks").glob(f"{name.zfill(2) if name.isdigit() else name}_*.ipynb")
-    words = ("-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", "120")
+    words = ("-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", CELL_SECONDS, "--timeout", "900")
     return Piece(f"chapter {name}", (f"notebooks/{file.name}",), words, chapters=True)
 
 

@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class conformance notebooks wheel windows clean
+.PHONY: lab test check bench class conformance docs notebooks wheel windows clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) start.py setup
@@ -41,6 +41,11 @@ wheel: $(VENV)/.lab
 
 conformance: $(VENV)/.test
 	$(BIN)/python -m tests.conformance
+
+docs: $(VENV)/.test
+	$(BIN)/python -m pip install -q --disable-pip-version-check -c requirements.lock -e ".[docs]"
+	$(BIN)/python -m sphinx -q -W --keep-going docs build/docs
+	@echo "Open build/docs/index.html"
 
 clean:
 	rm -rf $(VENV) .venv-ros build dist

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import difflib
 import importlib
 import pkgutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
+
+from coursekit.suggestions import similar
 
 from . import chapters
 from .variants import checks_in
@@ -67,6 +68,6 @@ def find(name: str) -> Exercise:
         return known[name]
     said = str(name)[:40]
     of_chapter = [one for one in known if one.startswith(said.partition(".")[0] + ".")]
-    close = of_chapter or difflib.get_close_matches(said, known, 3)
+    close = of_chapter or similar(said, known, 3)
     there = f"There are: {', '.join(close)}." if close else "Names are like ch02.q1 and appb.q1."
     raise UnknownExercise(f"There is no exercise '{said}'. {there}")

@@ -6,7 +6,6 @@ ended, and only facts come out: what a hostile file makes its reader say, it cou
 
 from __future__ import annotations
 
-import difflib
 import os
 import stat
 from collections.abc import Callable, Sequence
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.interfaces.model import Message
+from coursekit.suggestions import similar
 
 from .facts import BuildFacts, RobotFacts, facts_of
 from .verdict import Wrong
@@ -133,5 +133,5 @@ def _near(path: Path) -> str:
     if not folder.is_dir():
         return f"The folder {folder.name}/ does not exist either."
     names = sorted(one.name for one in folder.iterdir())
-    close = difflib.get_close_matches(path.name, names, 3)
+    close = similar(path.name, names, 3)
     return f"{folder.name}/ has: {', '.join([*close, *(one for one in names if one not in close)][:8]) or 'nothing'}"

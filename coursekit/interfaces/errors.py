@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
+
+from coursekit.suggestions import hint
 
 
 class InterfaceError(ValueError):
@@ -38,9 +39,7 @@ class UnknownInterface(LookupError):
     def __init__(self, name: str, known: Iterable[str] = ()) -> None:
         self.name = name
         self.known = sorted(known)
-        close = difflib.get_close_matches(name, self.known, n=3)
-        hint = f"; did you mean {' or '.join(close)}?" if close else ""
-        super().__init__(f"no interface '{name}' found{hint}")
+        super().__init__(f"no interface '{name}' found{hint(name, self.known, 3)}")
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -56,5 +55,4 @@ def suggestion(word: str, known: Iterable[str]) -> str:
     >>> suggestion('flaot32', ['float32', 'int8'])
     "; did you mean 'float32'?"
     """
-    close = difflib.get_close_matches(word, list(known), n=1)
-    return f"; did you mean '{close[0]}'?" if close else ""
+    return hint(word, known, quotes="'")

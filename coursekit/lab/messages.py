@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable
 from typing import Any
 
 from coursekit.cli.ask import full_name
+from coursekit.suggestions import did_you_mean
 
 from .errors import NotThere
 from .hidden import HiddenNode, appears
@@ -20,8 +20,7 @@ def known_type(graph: Any, topic: str) -> str:
     types = dict(graph.topics()).get(topic)
     if not types:
         names = [name for name, _ in graph.topics()]
-        close = difflib.get_close_matches(topic, names, 1, 0.6)
-        hint = f"Did you mean {close[0]}?" if close else f"Topics are: {', '.join(names) or 'none'}."
+        hint = did_you_mean(topic, names, f"Topics are: {', '.join(names) or 'none'}.")
         raise NotThere(f"There is no topic {topic} in the graph: no node publishes or hears it. {hint}")
     if len(types) > 1:
         raise NotThere(f"Topic {topic} is used with several types ({', '.join(types)}); let all nodes use one.")

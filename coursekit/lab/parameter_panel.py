@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +9,7 @@ import yaml
 
 from coursekit.cli.ask import full_name
 from coursekit.cli.param_text import type_name
+from coursekit.suggestions import did_you_mean
 
 from .errors import NotThere
 from .hidden import appears
@@ -71,8 +71,7 @@ class ParameterPanel(Panel):
         appears(lambda: any(node.full_name == self.node_name for node in list(self.hidden.graph.nodes)))
         names = sorted(node.full_name for node in list(self.hidden.graph.nodes) if not node.name.startswith("_"))
         if self.node_name not in names:
-            close = difflib.get_close_matches(self.node_name, names, 1, 0.6)
-            hint = f"Did you mean {close[0]}?" if close else f"Nodes are: {', '.join(names) or 'none'}."
+            hint = did_you_mean(self.node_name, names, f"Nodes are: {', '.join(names) or 'none'}.")
             raise NotThere(f"There is no node {self.node_name}. {hint}")
 
     def _read(self, names: list[str]) -> None:
@@ -108,8 +107,7 @@ class ParameterPanel(Panel):
         from rclpy.parameter import Parameter
 
         if name not in self._rows:
-            close = difflib.get_close_matches(name, self._rows, 1, 0.6)
-            hint = f"Did you mean {close[0]}?" if close else f"It has: {', '.join(sorted(self._rows))}"
+            hint = did_you_mean(name, self._rows, f"It has: {', '.join(sorted(self._rows))}")
             raise NotThere(f"{self.node_name} has no parameter '{name}'. {hint}")
         own = Parameter.Type(self._rows[name].kind) if typed or value == [] else None
         return Parameter(name, own, value)

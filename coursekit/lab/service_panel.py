@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 from typing import Any
 
 from coursekit.cli.ask import full_name
+from coursekit.suggestions import did_you_mean
 from coursekit.view.graph_facts import nodes_at, take, types_of
 
 from .errors import NotThere
@@ -57,8 +57,7 @@ class ServiceCaller(Panel):
         served = {one: list(servers) for one, servers in list(self.hidden.graph.servers.items())}
         if name not in served:
             names = self._names()
-            close = difflib.get_close_matches(name, names, 1, 0.6)
-            hint = f"Did you mean {close[0]}?" if close else f"Served are: {', '.join(names) or 'none'}."
+            hint = did_you_mean(name, names, f"Served are: {', '.join(names) or 'none'}.")
             raise NotThere(f"Nobody serves {name or 'a service without a name'}. {hint}")
         return get_service(served[name][0].type_name)
 

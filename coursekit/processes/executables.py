@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import mmap
 import os
 import sysconfig
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.files import read_text
 from coursekit.interfaces.find import UNDERLAY, prefixes
+from coursekit.suggestions import hint
 from coursekit.systems import copies, layout
 from coursekit.wiring import COMPILED_HOST
 
@@ -38,7 +38,7 @@ class PackageNotFound(LookupError):
 
     def __init__(self, package: str, known: Sequence[str]) -> None:
         why = remark(package)
-        super().__init__(f"Package '{package}' not found{'; ' + why if why else _hint(package, known)}")
+        super().__init__(f"Package '{package}' not found{'; ' + why if why else hint(package, known)}")
         self.package = package
 
 
@@ -69,11 +69,6 @@ def skipped_of(package: str, prefix: Path) -> list[str]:
     """The targets in C++ that `colcon build` passed over when it installed the package into `prefix`."""
     listed = _index(prefix).parent / "coursekit_skipped" / package
     return read_text(listed).splitlines() if listed.is_file() else []
-
-
-def _hint(name: str, known: Sequence[str]) -> str:
-    close = difflib.get_close_matches(name, known, 3)
-    return f"; did you mean {' or '.join(close)}?" if close else ""
 
 
 def _index(prefix: Path) -> Path:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
+
+from coursekit.suggestions import did_you_mean
 
 
 class WorldError(ValueError):
@@ -28,10 +29,8 @@ def known(name: str, names: Iterable[str]) -> str:
     "Did you mean 'height'?"
     """
     there = sorted(names)
-    near = difflib.get_close_matches(str(name), there, 1, 0.6)
-    if near:
-        return f"Did you mean '{near[0]}'?"
-    return f"There are: {', '.join(there[:20]) or 'none'}{' ...' if len(there) > 20 else ''}."
+    all_of_them = f"There are: {', '.join(there[:20]) or 'none'}{' ...' if len(there) > 20 else ''}."
+    return did_you_mean(str(name), there, all_of_them, quotes="'")
 
 
 __all__ = ["WorldError", "known"]

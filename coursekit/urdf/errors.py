@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
+
+from coursekit.suggestions import did_you_mean
 
 
 class UrdfError(ValueError):
@@ -65,8 +66,5 @@ def close(name: str, known: Iterable[str]) -> str:
     'There are: base_link, wheel.'
     """
     names = list(known)
-    near = difflib.get_close_matches(name, names, 1, 0.6)
-    if near:
-        return f"Did you mean '{near[0]}'?"
     more = " ..." if len(names) > 12 else ""
-    return f"There are: {', '.join(names[:12]) or 'none'}{more}."
+    return did_you_mean(name, names, f"There are: {', '.join(names[:12]) or 'none'}{more}.", quotes="'")

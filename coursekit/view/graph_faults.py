@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -15,6 +14,7 @@ from coursekit.core.qos import (
     VOLATILE,
     Qos,
 )
+from coursekit.suggestions import hint, similar
 
 from .graph_facts import End, Facts, names_of, nodes_at, types_of
 
@@ -170,7 +170,7 @@ def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
     types = types_of(name, mine)
     candidates = [one for one in names_of(end for end in theirs if end.type in types) if _letters(one) != _letters(name)]
     last, served = name.rpartition("/")[2], names_of(mine)
-    close = difflib.get_close_matches(name, candidates, 1, ALIKE)
+    close = similar(name, candidates, 1, ALIKE)
     namesakes = [one for one in candidates if one.rpartition("/")[2] == last and one not in served]
     return next(iter(close or namesakes), None)
 
@@ -187,11 +187,9 @@ def _calls(kind: str, servers: Sequence[End], clients: Sequence[End]) -> Iterato
         ends = tuple((node, name) for node in nodes)
         offered, wanted = types_of(name, servers), types_of(name, clients)
         if name not in served:
-            close = difflib.get_close_matches(name, served, 1, ALIKE)
-            hint = f"; did you mean {close[0]}?" if close else ""
             there = ", ".join(served) or f"no {kind}"
             cure = f"Start the node that serves it; {_listed(nodes)} waits. Served: {there}."
-            yield Fault(f"nobody serves the {kind} {name}{hint}", cure, (name,), ends=ends)
+            yield Fault(f"nobody serves the {kind} {name}{hint(name, served, cutoff=ALIKE)}", cure, (name,), ends=ends)
         elif offered != wanted:
             cure = f"Use one type: served is {', '.join(offered)}, called {', '.join(wanted)}."
             yield Fault(f"{kind} {name} is used with two types", cure, (name,), ends=ends)

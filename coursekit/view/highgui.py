@@ -16,21 +16,18 @@ from __future__ import annotations
 import os
 import sys
 from collections import deque
-from collections.abc import Callable
 from typing import Any
 
 import cv2
 import numpy as np
 
+from coursekit.processes.live_things import LiveThings
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 from coursekit.processes.session import current
 
 from .capture import VirtualCapture
 
-Listener = Callable[["Window"], None]
-
 _RealCapture = cv2.VideoCapture
-_listeners: list[Listener] = []
 
 
 class Window:
@@ -51,6 +48,11 @@ class Window:
         return f"[window {self.name}: {width}x{height}]"
 
 
+_windows = LiveThings[Window]("cv2")
+watch = _windows.watch
+unwatch = _windows.unwatch
+
+
 class Desk:
     """The windows of one session, and the keys pressed in them."""
 
@@ -65,7 +67,7 @@ class Desk:
         window = self.windows.get(name)
         if window is None:
             window = self.windows[name] = Window(name)
-            _tell(window)
+            _windows.tell(window)
         return window
 
     def close(self, name: str) -> None:
@@ -73,7 +75,7 @@ class Desk:
         window = self.windows.pop(name, None)
         if window is not None:
             window.open = False
-            _tell(window)
+            _windows.tell(window)
 
     def press(self, key: str | int) -> None:
         """Press a key: a character, or a number as waitKey returns it."""
@@ -104,22 +106,6 @@ def desk() -> Desk:
     return found  # type: ignore[no-any-return]
 
 
-def watch(listener: Listener) -> None:
-    """Call `listener(window)` when one opens, closes or gets an image, in the execution context that does it."""
-    _listeners.append(listener)
-
-
-def unwatch(listener: Listener) -> None:
-    """Take a listener back."""
-    if listener in _listeners:
-        _listeners.remove(listener)
-
-
-def _tell(window: Window) -> None:
-    for listener in list(_listeners):
-        listener(window)
-
-
 def as_bgr(image: Any) -> Any:
     """What a window shows of an array, as OpenCV does it: 16 bits are divided, floats are from 0 to 1."""
     if image.dtype == np.uint16:
@@ -146,7 +132,7 @@ def imshow(winname: str, mat: Any) -> None:
     window = desk().window(winname)
     window.image = mat.copy()
     window.shown += 1
-    _tell(window)
+    _windows.tell(window)
 
 
 def namedWindow(winname: str, flags: int = 1) -> None:
@@ -181,7 +167,7 @@ def setWindowTitle(winname: str, title: str) -> None:
     """Change what stands above a window."""
     window = desk().window(winname)
     window.title = title
-    _tell(window)
+    _windows.tell(window)
 
 
 def getWindowProperty(winname: str, prop_id: int) -> float:

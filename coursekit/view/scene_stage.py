@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import threading
 from typing import Any
 
 from coursekit.nodes.rviz.config import Config, DisplayConfig
 from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.suggestions import similar
 from coursekit.tf import ExtrapolationException, Pose, TransformException
 
 from .displays import Display, NoTransform, make_display
@@ -140,7 +140,7 @@ class Stage:
             return f"For frame [{frame}]: no transform to [{fixed}] at its time. {error}"
         for one in (frame, fixed):
             if one not in known:
-                near = difflib.get_close_matches(one, known, 1, 0.7)
+                near = similar(one, known, 1, 0.7)
                 hint = f"Did you mean [{near[0]}]? " if near else ""
                 return f"No transform from [{frame}] to [{fixed}]: frame [{one}] does not exist. {hint}{_there(known)}"
         return f"No transform from [{frame}] to [{fixed}]: they are in two trees, under [{self.root(frame)}] and " \

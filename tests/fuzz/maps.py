@@ -78,7 +78,7 @@ TREE = SHARE / "nav2_bt_navigator/behavior_trees/navigate_w_replanning_time.xml"
 
 
 def _tree(path: Path) -> Any:
-    from coursekit.nodes.nav2.tree_trip import load_tree
+    from coursekit.nodes.nav2.trip import load_tree
 
     return load_tree(str(path), mock.MagicMock(), [])
 

@@ -17,7 +17,7 @@ from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, save_map
 from coursekit.nodes.gazebo.simulators import running
 from coursekit.nodes.gazebo.world_of import open_world
-from coursekit.nodes.slam_toolbox.geometry import to_pose
+from coursekit.nodes.scanning.planar import to_pose
 from coursekit.processes.executables import find
 from coursekit.sim import Simulation
 

@@ -11,7 +11,7 @@ from std_srvs.srv import Empty
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import save_map
 from coursekit.nodes.nav2.amcl_messages import POSE_QOS
-from coursekit.nodes.slam_toolbox.geometry import plane, to_pose
+from coursekit.nodes.scanning.planar import plane, to_pose
 from coursekit.processes.executables import find
 from coursekit.processes.session import Session
 from tests.slam.building import drawn

@@ -14,7 +14,7 @@ from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, Tr
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
-from coursekit.nodes.slam_toolbox.geometry import of_transform, put
+from coursekit.nodes.scanning.planar import of_transform, put
 from coursekit.slam.scan import Laser
 from tests.slam.building import Wheels, drive, look, office
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import difflib
 import os
 import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
+
+from coursekit.suggestions import hint
 
 LAUNCH_FILE_ENDINGS = (
     ".launch.py",
@@ -135,8 +136,7 @@ def _existing(path: str) -> str:
 def _near_package(name: str) -> str:
     from ament_index_python.packages import get_packages_with_prefixes
 
-    near = difflib.get_close_matches(name, sorted(get_packages_with_prefixes()), n=1)
-    return f"; did you mean {near[0]}?" if near else ""
+    return hint(name, sorted(get_packages_with_prefixes()))
 
 
 def file_in_share(package: str, share: str, name: str) -> str:

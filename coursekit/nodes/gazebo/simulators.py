@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+from coursekit.processes.live_things import LiveThings
 from coursekit.sim.simulation import Simulation
 
 
@@ -17,28 +18,9 @@ class Simulator(Protocol):
     def advance(self) -> int: ...
 
 
-_KEY = "running gazebo"
-
-
-def running(session: Any) -> list[Simulator]:
-    """The simulators of a session, in the order of their start."""
-    return list(_of(session))
-
-
-def _of(session: Any) -> list[Simulator]:
-    return session.locals.setdefault(_KEY, [])  # type: ignore[no-any-return]
-
-
-
-def add(simulator: Simulator) -> None:
-    """Enter one that has started."""
-    _of(simulator.session).append(simulator)
-
-
-def remove(simulator: Simulator) -> None:
-    """Take one out that has ended; harmless when it is out."""
-    if simulator in _of(simulator.session):
-        _of(simulator.session).remove(simulator)
-
+_simulators = LiveThings[Simulator]("gazebo")
+running = _simulators.running
+add = _simulators.add
+remove = _simulators.remove
 
 __all__ = ["Simulator", "add", "remove", "running"]

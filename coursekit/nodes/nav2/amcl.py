@@ -25,9 +25,9 @@ from coursekit.nodes.nav2.amcl_parameters import declare, filter_parameters, giv
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.parameters import Obedience
 from coursekit.nodes.running import run
-from coursekit.nodes.slam_toolbox.geometry import of_transform, put
-from coursekit.nodes.slam_toolbox.lasers import Lasers
-from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer, lookup
+from coursekit.nodes.scanning.lasers import Lasers
+from coursekit.nodes.scanning.planar import of_transform, put
+from coursekit.nodes.scanning.scan_filter import ScanFilter, WakingBuffer, lookup
 
 _USUAL = np.diag([0.25, 0.25, 0.06853891945200942])
 """Covariance of a start without one: half a metre, 15 degrees."""

@@ -12,7 +12,7 @@ from sensor_msgs.msg import LaserScan
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.particle_filter import Estimate, ParticleFilter
-from coursekit.nodes.slam_toolbox.geometry import plane, put
+from coursekit.nodes.scanning.planar import plane, put
 from coursekit.slam.scan import Laser
 
 POSE_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)

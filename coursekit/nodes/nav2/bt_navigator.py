@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
+from ament_index_python.packages import get_package_share_directory
 from geometry_msgs.msg import PoseStamped
 from nav2_msgs.action import NavigateThroughPoses, NavigateToPose
 from nav_msgs.msg import Odometry
@@ -15,8 +17,7 @@ from tf2_ros import TransformException
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
-from coursekit.nodes.nav2.tree_trip import Crew, TreeTrip, load_tree
-from coursekit.nodes.nav2.trip import Helpers, Trip
+from coursekit.nodes.nav2.trip import Crew, Trip, load_tree
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
 
 _SERVER: dict[str, Any] = {
@@ -30,7 +31,12 @@ _SERVER: dict[str, Any] = {
     "default_nav_through_poses_bt_xml": "",
 }
 _TREES = {NavigateToPose: "default_nav_to_pose_bt_xml", NavigateThroughPoses: "default_nav_through_poses_bt_xml"}
-"""Parameters that name a tree's file; without one the way is that of nav2's own default trees (see Trip)."""
+"""Parameters that name a tree's file."""
+_OWN = {
+    NavigateToPose: "navigate_to_pose_w_replanning_and_recovery.xml",
+    NavigateThroughPoses: "navigate_through_poses_w_replanning_and_recovery.xml",
+}
+"""The files of nav2_bt_navigator that count where a parameter names none."""
 
 
 class BtNavigator(Server):
@@ -50,7 +56,6 @@ class BtNavigator(Server):
             return TransitionCallbackReturn.FAILURE
         self._frame, self._speed = given["global_frame"], 0.0
         self._where = Whereabouts(self, given["robot_base_frame"])
-        self._helpers = Helpers(self)
         self._crew = Crew(self, self._pose, lambda goal: self._where.pose_in(self._frame, goal))
         self._period = max(given["bt_loop_duration"], 1) * 1e-3
         self._to_pose = self.serve(NavigateToPose, "navigate_to_pose", self._go_to)
@@ -64,10 +69,9 @@ class BtNavigator(Server):
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Take goals; FAILURE when a default tree cannot be loaded."""
-        for name in _TREES.values():
+        for name in _TREES:
             try:
-                if self.text(name):
-                    load_tree(self.text(name), self._crew, [])
+                load_tree(self._file(name), self._crew, [])
             except ValueError as fault:
                 self.get_logger().error(str(fault))
                 return TransitionCallbackReturn.FAILURE
@@ -78,7 +82,6 @@ class BtNavigator(Server):
         for heard in self._heard:
             self.destroy_subscription(heard)
         self._self_client.destroy()
-        self._helpers.destroy()
         self._crew.destroy()
         self._where.close()
         return super().on_cleanup(state)
@@ -115,35 +118,37 @@ class BtNavigator(Server):
         log.info(f"Begin navigating from current location ({here.x:.2f}, {here.y:.2f}) to ({to.x:.2f}, {to.y:.2f})")
         begin = self.get_clock().now()
 
-        def tell(trip: Trip | TreeTrip) -> None:
+        def tell(trip: Trip) -> None:
             handle.publish_feedback(self._feedback(kind.Feedback(), trip, begin))
 
         def stop() -> bool:
             return bool(handle.is_cancel_requested or action.replaced(handle))
 
-        trip: Trip | TreeTrip = Trip(self._helpers, goals, self._pose, stop, tell)
-        file = handle.request.behavior_tree or self.text(_TREES[kind])
-        if file:
-            try:
-                trip = TreeTrip(load_tree(file, self._crew, goals), self._crew, stop, tell, self._period)
-            except ValueError as fault:
-                log.error(f"{fault}. Navigation canceled.")
-                handle.abort()
-                return kind.Result()
-        end = await trip.run()
-        await self._finish(handle, action, end)
+        def goes_on() -> bool:
+            return bool(action.active and not handle.is_cancel_requested and action.replaced(handle))
+
+        try:
+            tree = load_tree(handle.request.behavior_tree or self._file(kind), self._crew, goals)
+        except ValueError as fault:
+            log.error(f"{fault}. Navigation canceled.")
+            handle.abort()
+            return kind.Result()
+        end = await Trip(tree, self._crew, stop, goes_on, tell, self._period).run()
+        self._finish(handle, action, end)
         return kind.Result()
 
-    async def _finish(self, handle: Any, action: Any, end: str) -> None:
-        """Say how a goal ended; the robot stops unless a newer goal drives it on."""
+    def _file(self, kind: Any) -> str:
+        """The tree of an action: the parameter's, or nav2's own."""
+        share = Path(get_package_share_directory("nav2_bt_navigator"))
+        return self.text(_TREES[kind]) or str(share / "behavior_trees" / _OWN[kind])
+
+    def _finish(self, handle: Any, action: Any, end: str) -> None:
+        """Say how a goal ended."""
         log = self.get_logger()
         if end == "stopped" and handle.is_cancel_requested:
-            await self._helpers.follow.cancel()
             log.info("Goal canceled")
             handle.canceled()
         elif end == "stopped":
-            if not action.active:
-                await self._helpers.follow.cancel()
             log.info("Goal preempted by a newer one" if action.active else "Deactivated: the goal is given up")
             handle.abort()
         elif end == "succeeded":
@@ -153,7 +158,7 @@ class BtNavigator(Server):
             log.error("Goal failed")
             handle.abort()
 
-    def _feedback(self, feedback: Any, trip: Trip | TreeTrip, begin: Any) -> Any:
+    def _feedback(self, feedback: Any, trip: Trip, begin: Any) -> Any:
         here, now = self._pose(), self.get_clock().now()
         if here is not None:
             feedback.current_pose = stamped(here, self._frame, now.to_msg())

@@ -20,7 +20,7 @@ from coursekit.nodes.nav2.controller_parameters import SERVER, controller, fit, 
 from coursekit.nodes.nav2.costmap_node import CostmapNode
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
-from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.nodes.scanning.planar import plane
 
 
 class ControllerServer(Server):

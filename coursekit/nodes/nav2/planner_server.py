@@ -20,7 +20,7 @@ from coursekit.nodes.nav2.costmap_node import CostmapNode
 from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
-from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.nodes.scanning.planar import plane
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
 PATIENCE = 30

@@ -12,8 +12,8 @@ from tf2_ros import TransformException
 
 from coursekit.nav.obstacles import ObstacleLayer
 from coursekit.nodes.nav2.whereabouts import Whereabouts
-from coursekit.nodes.slam_toolbox.geometry import fault_of, of_transform, upside_down
-from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, lookup
+from coursekit.nodes.scanning.planar import fault_of, of_transform, upside_down
+from coursekit.nodes.scanning.scan_filter import ScanFilter, lookup
 
 
 class ScanSource:

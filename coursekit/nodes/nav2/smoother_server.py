@@ -16,7 +16,7 @@ from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
-from coursekit.nodes.slam_toolbox.geometry import plane
+from coursekit.nodes.scanning.planar import plane
 
 _SERVER: dict[str, Any] = {
     "costmap_topic": "global_costmap/costmap_raw",

@@ -25,6 +25,8 @@ from rclpy.duration import Duration
 from std_srvs.srv import Empty
 
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
+from coursekit.nav.second_thoughts import remaining, worth_it
+from coursekit.nodes.scanning.planar import points_of
 
 
 def _time(node: TreeNode, port: str, default: float) -> Any:
@@ -56,6 +58,8 @@ class ActionNode(TreeNode):
         """Give the goal, and wait for its end over many ticks."""
         if self.status != RUNNING or self.again(self):
             if not self.client.server_is_ready():
+                name = self.ports.get("server_name") or self.server
+                self.board["crew"].error(f'"{name}" action server not available: is its node running and active?')
                 return FAILURE
             if self.recovers and self.status != RUNNING:
                 self.board["number_recoveries"] = self.board.get("number_recoveries", 0) + 1
@@ -64,6 +68,7 @@ class ActionNode(TreeNode):
         if self._result is None:
             if self._sent.done():
                 if not self._sent.result().accepted:
+                    self.board["crew"].error(f'Goal was rejected by the action server "{self.server}"')
                     return FAILURE
                 self._result = self._sent.result().get_result_async()
             return RUNNING
@@ -81,10 +86,49 @@ class ActionNode(TreeNode):
 
 
 class PlanToPose(ActionNode):
-    """ComputePathToPose."""
+    """ComputePathToPose. While a path is driven, another way that is hardly shorter replaces it only if it is blocked."""
 
     kind: Any
     kind, server = ComputePathToPose, "compute_path_to_pose"
+
+    def prepare(self) -> None:
+        """Have the clients."""
+        super().prepare()
+        self._is_valid = self.board["crew"].service(IsPathValid, "is_path_valid")
+        self._asked: Any = None
+
+    def step(self) -> str:
+        """Plan; then, if need be, ask whether the way ahead is still free."""
+        if self._asked is None:
+            status = super().step()
+            ahead = self._other_way() if status == SUCCESS else None
+            if ahead is None:
+                return status if status != SUCCESS else self._take()
+            self._asked = self._is_valid.call_async(IsPathValid.Request(path=ahead))
+        if not self._asked.done():
+            return RUNNING
+        answer, self._asked = self._asked.result(), None
+        return SUCCESS if answer is not None and answer.is_valid else self._take()
+
+    def stop(self) -> None:
+        """Give up the plan, or the question."""
+        self._asked = None
+        super().stop()
+
+    def _other_way(self) -> Any:
+        """What is left of the path that is driven, where the new one is another that is hardly shorter; else None."""
+        old = self.get("path")
+        here = self.board["crew"].pose() if old is not None and self.board.get("driven") is old else None
+        if here is None or not self._is_valid.service_is_ready():
+            return None
+        ahead = remaining(points_of(old), here.x, here.y)
+        if not len(ahead) or not self._new.poses or worth_it(points_of(self._new), ahead):
+            return None
+        return type(old)(header=old.header, poses=old.poses[-len(ahead) :])
+
+    def _take(self) -> str:
+        self.put("path", self._new)
+        return SUCCESS
 
     def goal(self) -> Any:
         """To the pose of `goal`; from `start`, where that is given."""
@@ -94,8 +138,8 @@ class PlanToPose(ActionNode):
         return asked
 
     def done(self, result: Any) -> None:
-        """Leave the path."""
-        self.put("path", result.path)
+        """Have a path to choose."""
+        self._new = result.path
 
 
 class PlanThroughPoses(PlanToPose):
@@ -116,9 +160,19 @@ class Follow(ActionNode):
 
     def goal(self) -> Any:
         """Along the path."""
-        self.path = self.get("path")
+        self.path = self.board["driven"] = self.get("path")
         names = {name: self.get(name, "") for name in ("controller_id", "goal_checker_id")}
         return FollowPath.Goal(path=self.path, **names)
+
+    def done(self, result: Any) -> None:
+        """Nothing is driven any more."""
+        self.board.pop("driven", None)
+
+    def stop(self) -> None:
+        """Stop the robot, unless another goal drives it on."""
+        self.board.pop("driven", None)
+        if not self.board["crew"].goes_on:
+            super().stop()
 
 
 class Smooth(ActionNode):

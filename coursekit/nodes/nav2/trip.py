@@ -1,190 +1,152 @@
-"""A robot's way to a goal, as nav2's default behaviour tree goes it: plan, follow, plan again; recover when that fails."""
+"""A robot's way to a goal, as somebody's behaviour tree goes it."""
 
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-import numpy as np
-from geometry_msgs.msg import Point, PoseStamped
-from nav2_msgs.action import BackUp, ComputePathThroughPoses, ComputePathToPose, FollowPath, Spin, Wait
-from nav2_msgs.srv import ClearEntireCostmap, IsPathValid
-from nav_msgs.msg import Path
-from rclpy.duration import Duration
+from geometry_msgs.msg import PoseStamped
+from rclpy.action import ActionClient
+from std_msgs.msg import String
+from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
+from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.planner import length
-from coursekit.nav.second_thoughts import remaining, worth_it
-from coursekit.nodes.nav2.errands import Errand, call
-from coursekit.nodes.nav2.running import Beat, pause
+from coursekit.nav.second_thoughts import remaining
+from coursekit.nav.tree_controls import CONTROLS
+from coursekit.nodes.nav2.condition_nodes import CONDITIONS
+from coursekit.nodes.nav2.map_message import MAP_QOS
+from coursekit.nodes.nav2.running import Beat
+from coursekit.nodes.nav2.tree_actions import ACTIONS
+from coursekit.nodes.scanning.planar import points_of
 
-MOST_RECOVERIES = 6
-REPLAN_SECONDS = 1.0
-PASSED_WITHIN = 0.7
-"""A place to pass on the way counts as passed from so near [m]."""
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **CONDITIONS}
+MOST_BYTES = 2**20
 
 
-class Helpers:
-    """The servers that do the work."""
+class Crew:
+    """What the nodes of trees share: clients, what is heard, and where the robot is."""
 
-    def __init__(self, node: Any) -> None:
-        self.node = node
-        self.plan = Errand(node, ComputePathToPose, "compute_path_to_pose")
-        self.plan_through = Errand(node, ComputePathThroughPoses, "compute_path_through_poses")
-        self.follow = Errand(node, FollowPath, "follow_path")
-        self.spin, self.wait = Errand(node, Spin, "spin"), Errand(node, Wait, "wait")
-        self.back_up = Errand(node, BackUp, "backup")
-        self.is_valid = node.create_client(IsPathValid, "is_path_valid")
-        self.clears = {
-            name: node.create_client(ClearEntireCostmap, f"{name}_costmap/clear_entirely_{name}_costmap")
-            for name in ("local", "global")
-        }
+    def __init__(self, node: Any, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D]) -> None:
+        self.node, self.pose, self._place_of = node, where, place_of
+        self.goes_on = False
+        """Whether a newer goal takes the place of this one: the robot is not stopped in between."""
+        self._clients: dict[tuple[Any, str], Any] = {}
+        self._heard: dict[str, tuple[Any, deque[Any]]] = {}
 
-    async def clear(self, *names: str) -> None:
-        """Clear costmaps."""
-        for name in names:
-            await call(self.node, self.clears[name])
+    def client(self, kind: Any, name: str) -> ActionClient:
+        """The client of an action."""
+        if (kind, name) not in self._clients:
+            self._clients[kind, name] = ActionClient(self.node, kind, name)
+        made: ActionClient = self._clients[kind, name]
+        return made
+
+    def service(self, kind: Any, name: str) -> Any:
+        """The client of a service."""
+        if (kind, name) not in self._clients:
+            self._clients[kind, name] = self.node.create_client(kind, name)
+        return self._clients[kind, name]
+
+    def listen(self, topic: str, kind: Any = PoseStamped, qos: Any = 10) -> deque[Any]:
+        """The newest message of a topic, or nothing."""
+        if topic not in self._heard:
+            kept: deque[Any] = deque(maxlen=1)
+            self._heard[topic] = self.node.create_subscription(kind, topic, kept.append, qos), kept
+        return self._heard[topic][1]
+
+    def listen_to_text(self, topic: str) -> list[str]:
+        """The newest text of a topic, or nothing."""
+        return [one.data for one in self.listen(topic, String, MAP_QOS)]
+
+    def error(self, text: str) -> None:
+        """Log what went wrong."""
+        self.node.get_logger().error(text)
+
+    def seconds(self) -> float:
+        """The time."""
+        return float(self.node.get_clock().now().nanoseconds * 1e-9)
+
+    def gap(self, goal: PoseStamped) -> float:
+        """How far the robot is from a pose [m]; endlessly, where tf does not know."""
+        here = self.pose()
+        try:
+            return math.inf if here is None else here.distance(self._place_of(goal))
+        except TransformException:
+            return math.inf
 
     def destroy(self) -> None:
         """Ask nobody any more."""
-        for errand in (self.plan, self.plan_through, self.follow, self.spin, self.wait, self.back_up):
-            errand.destroy()
-        for client in (self.is_valid, *self.clears.values()):
-            self.node.destroy_client(client)
+        for client in self._clients.values():
+            client.destroy() if isinstance(client, ActionClient) else self.node.destroy_client(client)
+        for subscription, _ in self._heard.values():
+            self.node.destroy_subscription(subscription)
+        self._clients.clear()
+        self._heard.clear()
+
+
+def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
+    """The tree of a file, for these goals; TreeError with the file, the fault and its cure."""
+    try:
+        with Path(file).open("rb") as stream:
+            text = stream.read(MOST_BYTES).decode()
+    except (OSError, ValueError) as fault:
+        reason = getattr(fault, "strerror", None) or "it is no text"
+        raise TreeError(f"Couldn't open input XML file: {file} ({reason}): name a behaviour tree's .xml in full") from None
+    try:
+        return read_tree(text, KINDS, {"crew": crew, "goal": goals[-1] if goals else None, "goals": goals})
+    except TreeError as fault:
+        raise TreeError(f"Error loading XML file: {file} {fault}") from None
 
 
 class Trip:
-    """One goal: `await run()` tells 'succeeded', 'failed' or 'stopped' (when `stop()` said so).
+    """One goal, gone by a tree: `await run()` tells 'succeeded', 'failed' or 'stopped' (when `stop()` said so).
 
-    `where()` gives the robot's pose, or None; `tell(trip)` is called ten times a second.
+    `tell(trip)` is called ten times a second, `goes_on()` when it was stopped: whether a newer goal drives the robot on.
     """
 
     def __init__(
-        self, helpers: Helpers, goals: list[PoseStamped], where: Callable[[], Pose2D | None],
-        stop: Callable[[], bool], tell: Callable[[Trip], None],
+        self, tree: TreeNode, crew: Crew, stop: Callable[[], bool], goes_on: Callable[[], bool],
+        tell: Callable[[Trip], None], period: float,
     ) -> None:  # fmt: skip
-        self.helpers, self.goals, self._where, self._stop, self._tell = helpers, goals, where, stop, tell
-        self.recoveries = self._turn = 0
-        self.path: np.ndarray = np.zeros((0, 2))
+        self._goes_on = goes_on
+        self.tree, self.crew, self._stop, self._tell, self._period = tree, crew, stop, tell, period
+
+    @property
+    def goals(self) -> list[PoseStamped]:
+        """The goals that are left."""
+        return list(self.tree.board["goals"])
+
+    @property
+    def recoveries(self) -> int:
+        """How often something was tried to get free."""
+        return int(self.tree.board.get("number_recoveries", 0))
 
     @property
     def distance(self) -> float:
         """What is left of the path [m]."""
-        return length(self._ahead())
-
-    def _ahead(self) -> np.ndarray:
-        """What is left of the path (n, 2); nothing where the robot's pose is not known."""
-        here = self._where()
-        return remaining(self.path, here.x, here.y) if here is not None and len(self.path) else self.path[:0]
+        here, path = self.crew.pose(), self.tree.board.get("path")
+        if here is None or path is None or not path.poses:
+            return 0.0
+        return length(remaining(points_of(path), here.x, here.y))
 
     async def run(self) -> str:
-        """Go."""
-        while True:
-            end = await self._attempt()
-            if end != "failed" or self._stop():
-                return end if end != "failed" else "stopped"
-            if self.recoveries >= MOST_RECOVERIES:
-                return "failed"
-            self.recoveries += 1
-            await self._recover()
-
-    async def _attempt(self) -> str:
-        """Plan and follow, with a cleared costmap the second time."""
-        for again in (False, True):
-            if not await self._plan():
-                return "failed"
-            if not await self._follow():
-                return "failed"
-            end = await self._on_the_way()
-            if end != "failed" or again:
-                return end
-            await self.helpers.clear("local")
-        return "failed"
-
-    async def _on_the_way(self) -> str:
-        """Wait for the end of the way, with a new plan every second."""
-        node, follow = self.helpers.node, self.helpers.follow
-        beat, since = Beat(node, 0.1), 0.0
+        """Go: 'succeeded', 'failed' or 'stopped'."""
+        beat, told = Beat(self.crew.node, self._period), -math.inf
         try:
-            while not follow.ended:
-                if self._stop():
-                    return "stopped"
-                self._tell(self)
+            while not self._stop():
+                status = self.tree.tick()
+                if status != RUNNING:
+                    return "succeeded" if status == SUCCESS else "failed"
+                if self.crew.seconds() - told >= 0.1:
+                    told = self.crew.seconds()
+                    self._tell(self)
                 await beat.next()
-                since += 0.1
-                if since > REPLAN_SECONDS and not follow.ended:
-                    since = 0.0
-                    if not (await self._plan(under_way=True) and (follow.ended or await self._follow())):
-                        await follow.cancel()
-                        return "stopped" if self._stop() else "failed"
+            return "stopped"
         finally:
             beat.stop()
-        return "succeeded" if follow.succeeded else "failed"
-
-    async def _plan(self, *, under_way: bool = False) -> bool:
-        """A path, if need be through a cleared costmap; under way the one that is driven, if that is as good."""
-        for again in (False, True):
-            if self._stop():
-                return False
-            if await self._plan_once(under_way):
-                return True
-            if not again:
-                await self.helpers.clear("global")
-                await pause(self.helpers.node, 0.5)
-        return False
-
-    async def _plan_once(self, under_way: bool) -> bool:
-        before = len(self.goals)
-        self._drop_passed()
-        if len(self.goals) == 1:
-            asked: Errand = self.helpers.plan
-            goal: Any = ComputePathToPose.Goal(goal=self.goals[0])
-        else:
-            asked, goal = self.helpers.plan_through, ComputePathThroughPoses.Goal(goals=self.goals)
-        if not await asked.do(goal, self._stop):
-            return False
-        message = asked.result.path
-        path = np.array([(one.pose.position.x, one.pose.position.y) for one in message.poses])
-        if not (under_way and len(self.goals) == before and await self._keeps_its_way(path)):
-            self._message, self.path = message, path
-        return True
-
-    async def _keeps_its_way(self, new: np.ndarray) -> bool:
-        """Whether the way that is driven is still free, and the new one is another that is hardly shorter."""
-        old = self._ahead()
-        if not len(old) or not len(new) or worth_it(new, old):
-            return False
-        ahead = Path(header=self._message.header, poses=self._message.poses[-len(old) :])
-        answer = await call(self.helpers.node, self.helpers.is_valid, IsPathValid.Request(path=ahead))
-        return bool(answer is not None and answer.is_valid)
-
-    def _drop_passed(self) -> None:
-        here = self._where()
-        while here is not None and len(self.goals) > 1:
-            first = self.goals[0].pose.position
-            if math.hypot(first.x - here.x, first.y - here.y) > PASSED_WITHIN:
-                break
-            self.goals = self.goals[1:]
-
-    async def _follow(self) -> bool:
-        return await self.helpers.follow.begin(FollowPath.Goal(path=self._message, controller_id="FollowPath"))
-
-    async def _recover(self) -> None:
-        """The next of: clear both costmaps, turn, wait, back up; what does not work gives way to the next."""
-        helpers = self.helpers
-        long = Duration(seconds=10).to_msg()
-        for _ in range(4):
-            self._tell(self)
-            turn, self._turn = self._turn, (self._turn + 1) % 4
-            if turn == 0:
-                await helpers.clear("local", "global")
-                await pause(helpers.node, 0.5)
-                return
-            errand, goal = {
-                1: (helpers.spin, Spin.Goal(target_yaw=1.57, time_allowance=long)),
-                2: (helpers.wait, Wait.Goal(time=Duration(seconds=5).to_msg())),
-                3: (helpers.back_up, BackUp.Goal(target=Point(x=0.30), speed=0.05, time_allowance=long)),
-            }[turn]
-            if await errand.do(goal, self._stop) or self._stop():
-                return
+            self.crew.goes_on = self._goes_on()
+            self.tree.halt()

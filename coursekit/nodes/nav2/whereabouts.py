@@ -13,8 +13,8 @@ from rclpy.time import Time
 from tf2_ros import TransformException, TransformListener
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.nodes.slam_toolbox.geometry import of_transform, plane, to_pose
-from coursekit.nodes.slam_toolbox.scan_filter import WakingBuffer
+from coursekit.nodes.scanning.planar import of_transform, plane, to_pose
+from coursekit.nodes.scanning.scan_filter import WakingBuffer
 
 
 class Whereabouts:

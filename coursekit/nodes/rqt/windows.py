@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
+
+from coursekit.processes.live_things import LiveThings
 
 
 @dataclass(eq=False)
@@ -19,22 +20,7 @@ class RqtWindow:
     running: bool = True
 
 
-Listener = Callable[[RqtWindow], bool]
-_listeners: list[Listener] = []
-
-
-def tell(window: RqtWindow) -> bool:
-    """It has started or ended; whether somebody draws it."""
-    drawn = [listener(window) for listener in list(_listeners)]  # all of them hear of it
-    return any(drawn)
-
-
-def watch(listener: Listener) -> None:
-    """Call `listener(window)` at every start and end; it must not block, and says whether it draws the window."""
-    _listeners.append(listener)
-
-
-def unwatch(listener: Listener) -> None:
-    """Take a listener back."""
-    if listener in _listeners:
-        _listeners.remove(listener)
+_windows = LiveThings[RqtWindow]("rqt")
+tell = _windows.tell
+watch = _windows.watch
+unwatch = _windows.unwatch

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
+
+from coursekit.suggestions import did_you_mean
 
 from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
@@ -67,10 +68,9 @@ def display_config(given: str | Mapping[str, Any] | DisplayConfig) -> DisplayCon
 def _options(kind: str, known: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
     for key, value in given.items():
         if key not in known:
-            near = difflib.get_close_matches(str(key), known, 1, 0.5)
-            hint = f"Did you mean '{near[0]}'? " if near else ""
+            meant = did_you_mean(str(key), known, quotes="'", cutoff=0.5)
             there = f"There are: {', '.join(known)}." if known else "It has none."
-            raise ValueError(f"{kind} has no option '{key}'. {hint}{there}")
+            raise ValueError(" ".join(filter(None, [f"{kind} has no option '{key}'.", meant, there])))
         if not _fits(known[key], value):
             raise ValueError(f"{kind}: '{key}' cannot be {value!r}; it is like {known[key]!r}.")
         if value not in (allowed := _WORDS.get(key, (value,))):

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from coursekit.suggestions import did_you_mean
+
 
 @dataclass(frozen=True)
 class Kind:
@@ -111,11 +113,9 @@ def kind_name(name: str) -> str:
     short = name.rpartition("/")[2]
     short = ALIASES.get(short, short)
     if short not in KINDS:
-        import difflib
-
-        near = difflib.get_close_matches(short, KINDS, 1, 0.5)
-        hint = f"Did you mean '{near[0]}'? " if near else ""
-        raise ValueError(f"There is no display '{name}'. {hint}There are: {', '.join(KINDS)}.")
+        meant = did_you_mean(short, KINDS, quotes="'", cutoff=0.5)
+        there = f"There are: {', '.join(KINDS)}."
+        raise ValueError(" ".join(filter(None, [f"There is no display '{name}'.", meant, there])))
     return short
 
 

@@ -11,7 +11,7 @@ from std_msgs.msg import ColorRGBA
 from visualization_msgs.msg import Marker, MarkerArray
 
 from coursekit.geometry.plane import Array, Pose2D
-from coursekit.nodes.slam_toolbox.geometry import to_pose
+from coursekit.nodes.scanning.planar import to_pose
 from coursekit.slam.slam import Result, Slam
 
 DOUBTED = 0.1

@@ -11,8 +11,8 @@ from rclpy.executors import ExternalShutdownException
 from std_srvs.srv import Empty, SetBool
 
 from coursekit.geometry.plane import Pose2D
+from coursekit.nodes.scanning.planar import plane
 from coursekit.nodes.slam_toolbox.engines import Localizing
-from coursekit.nodes.slam_toolbox.geometry import plane
 from coursekit.nodes.slam_toolbox.parameters import declare_lifelong
 from coursekit.nodes.slam_toolbox.services import Services
 from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox

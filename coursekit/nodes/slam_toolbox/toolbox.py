@@ -13,12 +13,12 @@ from tf2_ros import TransformBroadcaster, TransformException, TransformListener
 from visualization_msgs.msg import MarkerArray
 
 from coursekit.geometry.plane import Pose2D
+from coursekit.nodes.scanning.lasers import Lasers
+from coursekit.nodes.scanning.planar import of_transform, put
+from coursekit.nodes.scanning.scan_filter import ScanFilter, WakingBuffer, lookup
 from coursekit.nodes.slam_toolbox.engines import Engine, Mapping
-from coursekit.nodes.slam_toolbox.geometry import of_transform, put
-from coursekit.nodes.slam_toolbox.lasers import Lasers
 from coursekit.nodes.slam_toolbox.map_topic import MapTopic
 from coursekit.nodes.slam_toolbox.parameters import declare, number, slam_parameters
-from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer, lookup
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result, Slam
 from coursekit.slam.warm import warm

@@ -14,7 +14,7 @@ from std_srvs.srv import SetBool
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.map_message import from_message
-from coursekit.nodes.slam_toolbox.geometry import to_pose
+from coursekit.nodes.scanning.planar import to_pose
 from tests.slam.building import drive
 from tests.slam.robot import Robot
 

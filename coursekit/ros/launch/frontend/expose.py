@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, TypeVar
+
+from coursekit.suggestions import hint
 
 if TYPE_CHECKING:
     from ..action import Action
@@ -77,6 +78,4 @@ def instantiate_substitution(type_name: str, *args: Any) -> Substitution:
 
 def _alternatives(name: str, known: Iterable[str]) -> str:
     names = sorted(known)
-    near = difflib.get_close_matches(name, names, n=1)
-    hint = f"; did you mean {near[0]}?" if near else ""
-    return f"{hint} (known: {', '.join(names)})"
+    return f"{hint(name, names)} (known: {', '.join(names)})"

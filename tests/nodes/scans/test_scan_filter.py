@@ -6,7 +6,7 @@ from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from sensor_msgs.msg import LaserScan
 
-from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer
+from coursekit.nodes.scanning.scan_filter import ScanFilter, WakingBuffer
 from coursekit.processes.session import Session
 
 

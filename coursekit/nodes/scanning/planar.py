@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 from geometry_msgs.msg import Pose, TransformStamped
 from sensor_msgs.msg import LaserScan
 
-from coursekit.geometry.plane import Pose2D
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.geometry.rotation import yaw_of
 from coursekit.slam.scan import Laser
 
@@ -35,6 +36,11 @@ def to_pose(pose: Pose2D) -> Pose:
     msg = Pose()
     put(pose, msg.position, msg.orientation)
     return msg
+
+
+def points_of(path: Any) -> Array:
+    """The positions of a nav_msgs/Path, shape (n, 2) [m]."""
+    return np.array([(one.pose.position.x, one.pose.position.y) for one in path.poses]).reshape(-1, 2)
 
 
 def upside_down(q: Any) -> bool:

@@ -7,7 +7,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan
 from tf2_ros import Buffer, TransformException
 
-from coursekit.nodes.slam_toolbox.geometry import expected_beams, fault_of, laser_of
+from coursekit.nodes.scanning.planar import expected_beams, fault_of, laser_of
 from coursekit.slam.scan import Laser
 
 

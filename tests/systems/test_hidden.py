@@ -6,8 +6,8 @@ import tempfile
 
 import pytest
 
+from coursekit import files
 from coursekit.files import write_whole
-from coursekit.systems import which
 
 
 @pytest.mark.parametrize(("windows", "first"), [(True, "~"), (False, ".")])
@@ -19,13 +19,13 @@ def test_on_windows_no_dot_hides_a_file_that_is_being_written(tmp_path, monkeypa
         names.append(os.path.basename(name))
         return number, name
 
-    monkeypatch.setattr(which, "WINDOWS", windows)
+    monkeypatch.setattr(files, "WINDOWS", windows)
     monkeypatch.setattr(tempfile, "mkstemp", made)
     write_whole(tmp_path / "room.yaml", "image: room.pgm\n")
     assert [name[0] for name in names] == [first] and [one.name for one in tmp_path.iterdir()] == ["room.yaml"]
 
 
-@pytest.mark.skipif(not which.WINDOWS, reason="only Windows marks files as hidden")
+@pytest.mark.skipif(not files.WINDOWS, reason="only Windows marks files as hidden")
 def test_a_file_that_was_written_is_not_marked_as_hidden(tmp_path):
     write_whole(tmp_path / "room.yaml", "image: room.pgm\n")
     assert not os.stat(tmp_path / "room.yaml").st_file_attributes & stat.FILE_ATTRIBUTE_HIDDEN

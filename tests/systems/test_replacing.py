@@ -4,8 +4,8 @@ import os
 
 import pytest
 
+from coursekit import files
 from coursekit.files import write_whole
-from coursekit.systems import replacing, which
 
 
 @pytest.fixture
@@ -23,8 +23,8 @@ def open_elsewhere(monkeypatch):
 
         monkeypatch.setattr(os, "replace", replace)
 
-    monkeypatch.setattr(which, "WINDOWS", True)
-    monkeypatch.setattr(replacing.time, "sleep", lambda seconds: None)
+    monkeypatch.setattr(files, "WINDOWS", True)
+    monkeypatch.setattr(files.time, "sleep", lambda seconds: None)
     return refuse
 
 
@@ -44,16 +44,16 @@ def test_who_reads_on_is_told_of_and_the_old_file_stays_whole(tmp_path, open_els
 
 
 def test_elsewhere_a_refusal_is_told_at_once_as_the_system_tells_it(tmp_path, open_elsewhere, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
-    monkeypatch.setattr(replacing.time, "sleep", lambda seconds: pytest.fail("it waits"))
+    monkeypatch.setattr(files, "WINDOWS", False)
+    monkeypatch.setattr(files.time, "sleep", lambda seconds: pytest.fail("it waits"))
     open_elsewhere(1)
     with pytest.raises(PermissionError, match="Access is denied"):
         write_whole(tmp_path / "room.yaml", "new")
 
 
-@pytest.mark.skipif(not which.WINDOWS, reason="only Windows refuses")
+@pytest.mark.skipif(not files.WINDOWS, reason="only Windows refuses")
 def test_on_windows_a_file_that_is_read_is_told_of(tmp_path, monkeypatch):
-    monkeypatch.setattr(replacing.time, "sleep", lambda seconds: None)
+    monkeypatch.setattr(files.time, "sleep", lambda seconds: None)
     (tmp_path / "room.yaml").write_text("old")
     with open(tmp_path / "room.yaml", encoding="utf-8"), pytest.raises(PermissionError, match="has the file open"):
         write_whole(tmp_path / "room.yaml", "new")

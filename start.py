@@ -17,6 +17,8 @@ ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 NEEDED = (3, 10)
 """The oldest Python, which is Humble's."""
+NEVER_IN_A_FOLDER = '"$`\\'
+"""What runs as a command, or breaks, in the scripts that pip and venv write for a shell; Windows has no such scripts."""
 NEWEST_ON_INTEL_MACS = (3, 13)
 """The newest Python for which Numba has a package on Macs that have no processor of Apple's."""
 
@@ -38,6 +40,10 @@ def refusal():
             f"OpenCV has no package for Python on ARM, and this is {found}. Windows runs the other kind, too: "
             "on python.org, take 'Windows installer (64-bit)'."
         )
+    wrong = [sign for sign in NEVER_IN_A_FOLDER if sign in str(ROOT)]
+    if wrong and os.name == "posix":
+        why = f"pip's scripts take {' and '.join(wrong)} for commands"
+        return f"The course cannot be installed in {ROOT}: {why}. Rename the folder without it."
     return ""
 
 

@@ -7,8 +7,13 @@ import errno
 import os
 import stat
 import tempfile
+import time
 from pathlib import Path
 
+WINDOWS = os.name == "nt"
+"""Tests set it, to see on Linux what happens there."""
+PAUSES = (0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8)
+"""How long Windows is given between two tries to replace a file [s]."""
 TEXT, DATA = 16 << 20, 256 << 20
 """The largest text, and the largest other file, that is read [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -75,17 +80,38 @@ def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | Non
         target = target.resolve()  # a link stays a link
     if parents:
         target.parent.mkdir(parents=True, exist_ok=True)
-    number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:80]}.")
+    hidden = "~" if WINDOWS else "."  # some Windows disks mark names with a dot as hidden, and that mark stays
+    number, fresh = tempfile.mkstemp(dir=target.parent, prefix=f"{hidden}{target.name[:80]}.")
     try:
         with os.fdopen(number, "wb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
             file.flush()
             os.fsync(file.fileno())
         os.chmod(fresh, _rights(target) if mode is None else mode)
-        os.replace(fresh, target)
+        put_in_place(fresh, target)
     except BaseException:
         with contextlib.suppress(OSError):
             os.unlink(fresh)
+        raise
+
+
+def put_in_place(fresh: str | os.PathLike[str], target: str | os.PathLike[str]) -> None:
+    """Rename a file, over the old one if there is one.
+
+    Windows refuses that while a program has the old file open: a scanner of viruses, a disk in the cloud, a viewer. They
+    are done in a moment, and it is tried again. PermissionError, which says so, when they are not.
+    """
+    for pause in PAUSES if WINDOWS else ():
+        try:
+            os.replace(fresh, target)
+            return
+        except PermissionError:
+            time.sleep(pause)
+    try:
+        os.replace(fresh, target)
+    except PermissionError as error:
+        if WINDOWS:
+            error.strerror = "Another program has the file open: close it, and try again"
         raise
 
 

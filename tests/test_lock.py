@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import itertools
+from importlib import metadata
 from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
 from packaging.version import Version
 
 LINES = (Path(__file__).resolve().parents[1] / "requirements.lock").read_text(encoding="utf-8").splitlines()
@@ -53,3 +55,23 @@ def test_other_computers_are_not_held_back_by_it() -> None:
                 for one in locked(computer, "3.12")
                 if one.name in NEWEST_FOR_INTEL_MACS
             )
+
+
+def test_what_is_locked_for_a_python_takes_that_python() -> None:
+    """As far as this environment has it; the marker of what newer Pythons get has to leave the older ones out."""
+    refused = []
+    for one, python in itertools.product(LOCKED, PYTHONS):
+        is_for = one.marker is None or one in locked(("linux", "x86_64"), python)
+        if is_for and (taken := pythons_of(one)) is not None and f"{python}.5" not in taken:
+            refused.append(f"{one} on {python}: {taken}")
+    assert not refused
+
+
+def pythons_of(requirement: Requirement) -> SpecifierSet | None:
+    """For which Pythons the installed package is; None where another version, or none, is installed."""
+    try:
+        found = metadata.metadata(requirement.name)
+    except metadata.PackageNotFoundError:
+        return None
+    wanted = found["Requires-Python"] if found["Version"] in requirement.specifier else None
+    return SpecifierSet(wanted) if wanted else None

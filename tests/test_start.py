@@ -98,6 +98,16 @@ def test_a_python_that_cannot_have_the_packages_is_told(start, monkeypatch, caps
     assert code == 1 and said in capsys.readouterr().err and start.ran == []
 
 
+@posix("its programs of pip are no scripts of a shell")
+@pytest.mark.parametrize(("name", "refused"), [('a "b" $(c)', '" and $'), ("`a`", "`"), ("a\\b", "\\"), ("ñ o' %d", "")])
+def test_a_folder_whose_name_pip_s_scripts_would_run_is_refused_in_a_sentence(start, monkeypatch, capsys, name, refused):
+    monkeypatch.setattr(start, "ROOT", Path("/home/ada", name))
+    assert start.main(["lab"]) == bool(refused)
+    said = capsys.readouterr().err
+    assert (f"take {refused} for commands. Rename the folder" in said) == bool(refused)
+    assert bool(start.ran) != bool(refused)
+
+
 @pytest.mark.parametrize(
     ("folder", "version", "editable"),
     [("C:/course", (3, 11), True), ("C:/José/course", (3, 11), False), ("C:/José/course", (3, 13), True)],

@@ -20,7 +20,7 @@ from coursekit.systems.children import apart
 from coursekit.systems.endings import endings
 from coursekit.systems.folder import working_folder
 from coursekit.systems.keyboard import Keyboard
-from coursekit.systems.streams import use_utf8
+from coursekit.systems.streams import reader_has_gone, use_utf8
 from coursekit.systems.waiting import lines
 
 from . import endpoint
@@ -115,7 +115,9 @@ def _be_terminal(client: socket.socket, wish: dict[str, object]) -> int:
             raise endpoint.NoSession("the session ended before it was asked") from None
         try:
             return _show(client, keyboard)
-        except BrokenPipeError:  # who read our output has gone, as `head` does when it has its lines
+        except OSError as error:
+            if not reader_has_gone(error):
+                raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             return 128 + 13
 

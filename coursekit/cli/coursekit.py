@@ -15,7 +15,7 @@ from coursekit.cli.terminal_settings import terminal_settings
 from coursekit.packages.folder_name import refusal
 from coursekit.systems import rights
 from coursekit.systems.children import with_utf8
-from coursekit.systems.streams import use_utf8
+from coursekit.systems.streams import reader_has_gone, use_utf8
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -45,7 +45,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         status = int(args.main(args) or 0)
         sys.stdout.flush()
-    except BrokenPipeError:  # who read our output has gone, as `head` does when it has its lines
+    except OSError as error:
+        if not reader_has_gone(error):
+            raise
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     return status

@@ -18,7 +18,8 @@ from colcon_core.python_install_path import get_python_install_path
 from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
-from coursekit.cpp.toolchain import NoToolchain, Toolchain
+from coursekit.cpp.runtime import ROOM
+from coursekit.cpp.toolchain import NoToolchain, Toolchain, cache_folder
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
@@ -27,6 +28,7 @@ from coursekit.packages.cmake_beyond import NeedsCMake
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.colcon_links import stands_for_links
+from coursekit.packages.folder_name import cpp_refusal
 from coursekit.packages.prepare_cpp import prepared_toolchain
 from coursekit.processes.executables import stand_ins
 from coursekit.systems import copies
@@ -57,6 +59,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
                 return await self._copy_files("", strict=True)
             except NeedsCMake as error:
                 return await self._hand_to_cmake(error)
+        if why := self._refusal():
+            return await self._copy_files(why)
         try:
             tools = await prepared_toolchain()
         except NoToolchain as error:
@@ -69,7 +73,14 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             tools = await prepared_toolchain()
         except NoToolchain:
             return self._fail([error])
+        if why := self._refusal():
+            return self._fail([error, ValueError(why)])
         return await self._compile(tools)
+
+    def _refusal(self) -> str:
+        """Why CMake cannot build here; empty when it can."""
+        args = self.context.args
+        return cpp_refusal(*map(Path, (args.path, args.build_base, args.install_base)), ROOM, cache_folder())
 
     async def _copy_files(self, why: str, *, strict: bool = False) -> int:
         args, package = self.context.args, self.context.pkg.name

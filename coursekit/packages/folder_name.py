@@ -28,3 +28,19 @@ def refusal(folder: Path) -> str:
             what = _SHOWN.get(sign, repr(sign))
             return f"No workspace can be in {str(folder)!r}: {what} {why}. Rename the folder without it."
     return ""
+
+
+def cpp_refusal(*folders: Path) -> str:
+    """Why no C++ can be compiled in one of these folders, and what to do; '' where it can.
+
+    >>> print(cpp_refusal(Path("/home/ada/src"), Path('/home/ada/my "build"')))
+    no C++ can be compiled in '/home/ada/my "build"': CMake does not read '"' in the name of a folder, so rename it
+    >>> cpp_refusal(Path("/home/José Luis/$(ws) 'x' %d"))
+    ''
+    """
+    for folder in folders:
+        for sign in '"\\'.replace(os.sep, ""):
+            if sign in str(folder):
+                why = f"CMake does not read {sign!r} in the name of a folder, so rename it"
+                return f"no C++ can be compiled in {str(folder)!r}: {why}"
+    return ""

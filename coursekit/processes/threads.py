@@ -260,6 +260,9 @@ class VirtualRLock:
             self._owner = None
             self._block.release()
 
+    def locked(self) -> bool:
+        return self._block.locked()  # Python 3.14 asks it
+
     def _at_fork_reinit(self) -> None:
         self._block._at_fork_reinit()
         self._owner, self._count = None, 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from dataclasses import replace
 from typing import Any
 
@@ -11,6 +12,7 @@ import pymunk
 
 from coursekit.geometry.plane import Array, Pose2D
 
+from .alone import alone
 from .bodies import FIXED, LOOSE, ROBOT, body_of, moment, put, shapes_of
 from .contacts import drag, hits, overlap, part, pass_by, touch
 from .errors import WorldError, known
@@ -39,6 +41,8 @@ class Simulation:
 
     def __init__(self, world: World, seed: int = 0) -> None:
         self.world, self.seed = world, seed
+        self.busy = threading.RLock()
+        """Held while the world changes: a notebook's cell looks at it beside the simulator's own thread."""
         self.now_ns = 0
         """The time that the physics has reached; `advance_to` may ask for up to one step more."""
         self.changes = 0
@@ -63,6 +67,7 @@ class Simulation:
 
     # -- what is there
 
+    @alone
     def add(self, thing: Thing) -> None:
         """Put a thing into the world; WorldError if its name is taken."""
         self._free(thing.name)
@@ -88,6 +93,7 @@ class Simulation:
         self._doors[thing.name] = [pymunk.PivotJoint(ground, body, thing.place[:2]), limit]
         self.space.add(*self._doors[thing.name])
 
+    @alone
     def spawn(self, model: RobotModel, name: str = "", place: Pose2D | None = None) -> Robot:
         """A robot, at the world's start unless told. WorldError if the name is taken or something is in its way."""
         name = name or model.name
@@ -126,6 +132,7 @@ class Simulation:
                         cure=f"Spawn it somewhere free, for example at {self.world.start.x:g}, {self.world.start.y:g}.",
                     )  # fmt: skip
 
+    @alone
     def remove(self, name: str) -> None:
         """Take a robot or thing out; LookupError names near ones."""
         body = self._body(name)
@@ -168,6 +175,7 @@ class Simulation:
         body = self._body(name)
         return body.velocity.x, body.velocity.y, body.angular_velocity
 
+    @alone
     def put(self, name: str, place: Pose2D, velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
         """Put a robot or thing elsewhere, moving like that; LookupError names near ones."""
         body = self._body(name)
@@ -180,6 +188,7 @@ class Simulation:
             body.velocity, body.angular_velocity = velocity[:2], velocity[2]
         self.space.reindex_shapes_for_body(body)
 
+    @alone
     def reshape(self, name: str, parts: tuple[Part, ...]) -> None:
         """Give a robot other parts: its arm has moved. LookupError names near ones."""
         body = self._body(name)
@@ -193,6 +202,7 @@ class Simulation:
         self.space.reindex_shapes_for_body(body)
         self._changed()
 
+    @alone
     def reset(self, time: bool = True) -> None:
         """Everything back to where it began; with `time` the clock too."""
         for name, place in self._starts.items():
@@ -219,6 +229,7 @@ class Simulation:
         """Let time pass."""
         self.advance_to(self.now_ns + round(seconds * 1e9))
 
+    @alone
     def advance_to(self, time_ns: int) -> None:
         """Make whole steps until less than one is left."""
         while time_ns - self.now_ns >= STEP_NS:

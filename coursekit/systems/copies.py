@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePath
 from typing import Any
 
-from coursekit.files import is_file, read_text, write_whole
+from coursekit.files import is_file, put_in_place, read_text, write_whole
 
 LISTS = PurePath("share", "ament_index", "resource_index", "coursekit_copies")
 """Below a prefix: a file for each package that has such copies."""
@@ -79,7 +79,7 @@ def _replace(copy: Path, source: Path) -> None:
     os.close(number)
     try:
         shutil.copy2(source, fresh)
-        os.replace(fresh, copy)
+        put_in_place(fresh, copy)
     finally:
         with contextlib.suppress(OSError):
             os.unlink(fresh)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import sys
 
@@ -18,3 +19,12 @@ def use_utf8() -> None:
     for stream in (sys.stdin, sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace" if stream is not sys.stdin else "replace")
+
+
+def reader_has_gone(error: OSError) -> bool:
+    """Whether writing to a pipe failed because nobody reads it any more, as `head` does when it has its lines.
+
+    Windows says "Invalid argument" then.
+    """
+    nameless_invalid = error.errno == errno.EINVAL and error.filename is None
+    return isinstance(error, BrokenPipeError) or (which.WINDOWS and nameless_invalid)

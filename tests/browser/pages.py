@@ -46,7 +46,8 @@ ASK = """async (code) => {
 }"""
 _TELLS_ITS_STACKS = """
 import faulthandler, os, signal
-faulthandler.register(signal.SIGUSR1, file=open({folder!r} + f"/stacks-{{os.getpid()}}.txt", "w"))
+if hasattr(signal, "SIGUSR1"):  # Windows has none
+    faulthandler.register(signal.SIGUSR1, file=open({folder!r} + f"/stacks-{{os.getpid()}}.txt", "w"))
 """
 
 

@@ -14,8 +14,9 @@ from std_srvs.srv import Empty
 
 from coursekit.cli.parser import run
 from coursekit.processes.session import Session
+from tests.needs import slashed
 
-Command = Callable[[str], tuple[int, str]]
+Command = Callable[..., tuple[int, str]]
 
 
 def hidden_nodes() -> None:
@@ -38,8 +39,8 @@ def ros2() -> Iterator[Command]:
         session.start(hidden_nodes, name="hidden_nodes")
         session.clock.sleep(0.5)
 
-        def carry_out(line: str) -> tuple[int, str]:
-            process = session.start(lambda: run(shlex.split(line)), name="ros2")
+        def carry_out(line: str, *words: str) -> tuple[int, str]:
+            process = session.start(lambda: run([*shlex.split(line), *words]), name="ros2")
             return process.wait(10), process.output.strip()
 
         yield carry_out
@@ -78,12 +79,13 @@ def test_lifecycle_nodes_are_listed_and_counted(ros2: Command, line: str, text: 
 def test_an_interface_that_is_not_there_is_told_by_what_is_missing(ros2: Command) -> None:
     assert ros2("interface show nope/msg/String") == (1, "Unknown package 'nope'")
     code, text = ros2("interface show std_msgs/msg/Nope")
-    assert code == 1 and text.startswith("Could not find the interface '") and text.endswith("std_msgs/msg/Nope.idl'")
+    assert code == 1 and text.startswith("Could not find the interface '")
+    assert slashed(text).endswith("std_msgs/msg/Nope.idl'")
 
 
 def test_a_dump_into_no_folder_is_refused(ros2: Command, tmp_path: Path) -> None:
     assert ros2("param dump /seen --output-dir nowhere") == (1, "'nowhere' is not a valid directory.")
-    assert ros2(f"param dump /seen --output-dir {tmp_path}")[0] == 0 and (tmp_path / "seen.yaml").is_file()
+    assert ros2("param dump /seen --output-dir", str(tmp_path))[0] == 0 and (tmp_path / "seen.yaml").is_file()
 
 
 def test_a_report_of_failures_is_asked_for(ros2: Command) -> None:

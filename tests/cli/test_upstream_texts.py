@@ -14,7 +14,7 @@ from std_msgs.msg import String
 from coursekit.cli.parser import run
 from coursekit.processes.session import Session
 
-Command = Callable[[str], tuple[int, str]]
+Command = Callable[..., tuple[int, str]]
 
 
 def program() -> None:
@@ -45,8 +45,8 @@ def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session
 
 @pytest.fixture
 def ros2(session: Session) -> Command:
-    def carry_out(line: str) -> tuple[int, str]:
-        process = session.start(lambda: run(shlex.split(line)), name="ros2")
+    def carry_out(line: str, *words: str) -> tuple[int, str]:
+        process = session.start(lambda: run([*shlex.split(line), *words]), name="ros2")
         return process.wait(10), process.output
 
     return carry_out
@@ -66,7 +66,7 @@ def test_raw_messages_come_in_whole_words(ros2: Command) -> None:
 
 
 def test_where_parameters_are_saved_is_said_as_in_ros(ros2: Command, tmp_path: Path) -> None:
-    assert ros2(f"param dump /one --output-dir {tmp_path}") == (0, f"Saving to:  {tmp_path}/one.yaml\n")
+    assert ros2("param dump /one --output-dir", str(tmp_path)) == (0, f"Saving to:  {tmp_path / 'one.yaml'}\n")
 
 
 @pytest.mark.parametrize(
@@ -86,7 +86,7 @@ def test_a_file_is_loaded_by_the_full_name_of_a_node(
     ros2: Command, tmp_path: Path, names: str, flags: str, text: str
 ) -> None:
     (tmp_path / "file.yaml").write_text(f"{names}:\n  ros__parameters:\n    speed: 2.0\n")
-    code, said = ros2(f"param load /one {tmp_path}/file.yaml {flags}")
+    code, said = ros2("param load /one", str(tmp_path / "file.yaml"), *flags.split())
     assert (code, said) == (0 if "successful" in text else 1, text)
 
 

@@ -34,12 +34,12 @@ def prefix(tmp_path, monkeypatch):
 
 def test_the_underlay_is_searched_when_nothing_is_sourced(tmp_path):
     """Also behind a workspace that was sourced before: a program finds what a sourced ROS gives."""
-    shows = "import ament_index_python as a; print(*a.get_search_paths(), a.get_package_share_path('std_msgs'))"
+    shows = "import ament_index_python as a; print(*a.get_search_paths(), a.get_package_share_path('std_msgs'), sep='\\n')"
     for sourced, searched in ((None, [UNDERLAY]), (tmp_path, [tmp_path, UNDERLAY])):
         environ = {key: value for key, value in os.environ.items() if key != "AMENT_PREFIX_PATH"}
         environ.update({} if sourced is None else {"AMENT_PREFIX_PATH": str(sourced)})
         out = subprocess.run([sys.executable, "-c", shows], env=environ, capture_output=True, encoding="utf-8", check=True)
-        assert out.stdout.split() == [*map(str, searched), str(UNDERLAY / "share" / "std_msgs")]
+        assert out.stdout.splitlines() == [*map(str, searched), str(UNDERLAY / "share" / "std_msgs")]
 
 
 def test_what_a_program_sets_itself_is_all_that_is_searched(tmp_path, monkeypatch):
@@ -87,7 +87,7 @@ def test_bad_names_are_refused():
 def test_an_unknown_package_names_the_places_searched(prefix):
     with pytest.raises(PackageNotFoundError) as caught:
         get_package_prefix("nope")
-    assert caught.value.args[0] == f"package 'nope' not found, searching: ['{prefix}', '{UNDERLAY}']"
+    assert caught.value.args[0] == f"package 'nope' not found, searching: {[str(prefix), str(UNDERLAY)]}"
     assert isinstance(caught.value, KeyError)
 
 

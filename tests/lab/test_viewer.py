@@ -1,6 +1,7 @@
 """The viewer without a browser: what it shows, what it says, what it would send."""
 
 import math
+from xml.sax.saxutils import quoteattr
 
 import pytest
 from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped
@@ -191,7 +192,8 @@ def test_a_mesh_without_its_texture_is_drawn_plain_and_told_in_one_line(session,
     from tests.urdf.test_mesh_files import DAE, PLAIN
 
     (tmp_path / "crate.dae").write_text(DAE.format(texture="../materials/textures/none.png", emission=PLAIN))
-    geometry = f"<geometry><mesh filename='file://{tmp_path}/crate.dae'/></geometry>"
+    crate = quoteattr(f"file://{tmp_path}/crate.dae")
+    geometry = f"<geometry><mesh filename={crate}/></geometry>"
     text = f"<robot name='x'><link name='base'><visual>{geometry}</visual></link></robot>"
     lasting = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     talker.create_publisher(String, "/robot_description", lasting).publish(String(data=text))

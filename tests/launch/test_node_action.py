@@ -131,7 +131,7 @@ def test_packages_and_executables_are_found(context: LaunchContext, workspace) -
 
 def test_what_is_not_found_is_an_error_that_names_the_alternatives(launch, workspace) -> None:
     workspace.executable("demo", "show", SHOW)
-    assert "package 'demmo' not found" in launch([Node(package="demmo", executable="x")]).text
+    assert "package 'demmo' not found" in launch([Node(package="demmo", executable="x")]).text.replace("\\", "")
     text = launch([Node(package="demo", executable="sho")]).text
     assert "executable 'sho' not found on the libexec directory" in text
     assert "the package has: show" in text

@@ -23,12 +23,12 @@ BRINGUP = os.path.join(get_package_share_directory("nav2_bringup"), "launch", "b
 
 
 def robot(name, x):
-    text = open("{urdf}").read()
+    text = open({urdf!r}).read()
     return GroupAction([
         Node(package="robot_state_publisher", executable="robot_state_publisher", namespace=name, remappings=TF,
              parameters=[{{"use_sim_time": True, "robot_description": text}}]),
         Node(package="gazebo_ros", executable="spawn_entity.py",
-             arguments=["-entity", name, "-file", "{urdf}", "-robot_namespace", name, "-x", x]),
+             arguments=["-entity", name, "-file", {urdf!r}, "-robot_namespace", name, "-x", x]),
         IncludeLaunchDescription(PythonLaunchDescriptionSource(BRINGUP), launch_arguments={{
             "namespace": name, "use_namespace": "True", "map": LaunchConfiguration("map"), "use_sim_time": "True",
         }}.items()),
@@ -138,7 +138,7 @@ def test_two_robots_in_namespaces_go_their_own_ways(session, launch, program, tm
     urdf = Path(tmp_path) / "robot.urdf"
     own_tf = "<remapping>odom:=odom</remapping><remapping>/tf:=tf</remapping>"
     urdf.write_text(ROBOT.read_text().replace("<remapping>odom:=odom</remapping>", own_tf))
-    launch(TWO_ROBOTS.format(urdf=urdf))
+    launch(TWO_ROBOTS.format(urdf=str(urdf)))
     session.clock.sleep(3.0)
     assert program(("one", 0.0), ("two", 3.0)) == "ended SUCCEEDED SUCCEEDED"
     places = {name: robot.place.x for name, robot in running(session)[0].simulation.robots.items()}

@@ -31,9 +31,10 @@ VOLATILE = {
 def fingerprint():
     'Which object stands at every name of what could be replaced.'
     asyncio.get_event_loop_policy()  # made when it is asked for
-    for name in MODULES:
+    there = [name for name in MODULES if importlib.util.find_spec(name)]  # Windows has some, other systems others
+    for name in there:
         importlib.import_module(name)
-    places = {name: pkgutil.resolve_name(name) for name in [*MODULES, *CLASSES]}
+    places = {name: pkgutil.resolve_name(name) for name in [*there, *CLASSES]}
     seen = {
         f"{place}.{name}": value
         for place, owner in places.items()

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from coursekit.processes.session import Session
-from coursekit.processes.threads import VirtualLock
+from coursekit.processes.threads import VirtualLock, VirtualRLock
 
 
 def on_condition() -> None:
@@ -93,3 +93,11 @@ def test_a_lock_that_a_real_thread_opens_at_the_worst_moment_is_taken() -> None:
     with Session(virtual=True).use() as session:
         process = session.start(lambda: print(lock.acquire(timeout=5.0), time.monotonic()), name="taker")
         assert process.wait() == 0 and process.output == "True 0.0\n"
+
+
+def test_a_lock_that_one_may_take_twice_says_whether_it_is_taken_as_python_3_14_asks() -> None:
+    lock = VirtualRLock()
+    assert not lock.locked()
+    with lock, lock:
+        assert lock.locked()
+    assert not lock.locked()

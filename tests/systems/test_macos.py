@@ -125,6 +125,7 @@ def test_a_program_that_begins_others_afresh_gets_their_answers(tmp_path, way):
     file.write_text(SPAWNING, encoding="utf-8")
     words = [str(file)] if way == "file" else ["-c", "import squares; squares.main()"]
     env = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")])}
+    env["COURSEKIT_ALONE"] = "1"  # in no session that another test has left open
     done = subprocess.run([sys.executable, *words], env=env, capture_output=True, encoding="utf-8", check=False)
     assert "told [4, 9]" in done.stdout + done.stderr, done.stdout + done.stderr
 

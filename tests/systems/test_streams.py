@@ -1,5 +1,6 @@
 """A command's output is UTF-8, also where the code page has no such letters."""
 
+import errno
 import io
 import sys
 
@@ -38,3 +39,12 @@ def test_streams_of_another_kind_are_left_alone(monkeypatch):
     monkeypatch.setattr(sys, "stdout", io.StringIO())
     streams.use_utf8()
     assert isinstance(sys.stdout, io.StringIO)
+
+
+@pytest.mark.parametrize(("windows", "gone"), [(True, True), (False, False)])
+def test_windows_says_in_other_words_that_nobody_reads_any_more(monkeypatch, windows, gone):
+    monkeypatch.setattr(which, "WINDOWS", windows)
+    assert streams.reader_has_gone(OSError(errno.EINVAL, "Invalid argument")) == gone
+    assert streams.reader_has_gone(BrokenPipeError(errno.EPIPE, "Broken pipe"))
+    assert not streams.reader_has_gone(OSError(errno.EINVAL, "Invalid argument", "a?.yaml"))
+    assert not streams.reader_has_gone(FileNotFoundError(errno.ENOENT, "No such file or directory"))

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from coursekit.interfaces.find import UNDERLAY
 from coursekit.urdf import UrdfError, load, load_text, parse
 from coursekit.urdf.expand import expand
 from coursekit.urdf.texts import check_text, error_text, graphviz_text
@@ -117,6 +118,7 @@ def test_a_xacro_file_takes_arguments(tmp_path):
     assert load(path, {"size": "0.5"}).links["aaa"].visuals[0].geometry.radius == 0.5
 
 
+@pytest.mark.skipif("$(" in str(UNDERLAY), reason="xacro takes what is found for more to find, here as on a robot")
 def test_xacro_finds_packages_in_the_index(tmp_path):
     path = tmp_path / "r.xacro"
     path.write_text(XACRO.format(link="$(find coursekit_robots)"))

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-from . import wine
+from . import results, wine
 
 ROOMS = ("core", "processes", "rcl", "systems", "packages", "launch", "cli", "lab", "grade")
 """The rooms that know of systems."""
-CHAPTERS = ("00", "01", "02", "05", "08")
+CHAPTERS = ("0", "1", "2", "5", "8")
 """The chapters that a student begins with, and the one with maps."""
+CELL_SECONDS = "600"
+"""For one cell: the first one that maps or plans waits for Numba's compiler, which takes minutes in Wine."""
+EVERY_CHAPTER = tuple("0123456789ABCD")
+NOT_IN_WINE = ("browser", "windows")
+"""They begin outside: with Chromium, or with Wine itself."""
 
 
 @dataclass(frozen=True)
@@ -23,10 +31,13 @@ class Piece:
     chapters: bool = False
 
     def run(self, seconds: float | None = None, again: bool = False) -> int:
-        """pytest's exit code, 124 when it takes longer; `again` runs of tests only those that have failed."""
+        """pytest's exit code, 124 when it takes longer; `again` runs of tests only those that have failed.
+
+        What became of each test is in the file of `results`; of those that ran again, it is in none.
+        """
         jobs = os.environ.get("JOBS", "2")
         words = ["-n", jobs, "--dist", "loadfile", "-rs", "-o", f"cache_dir={wine.windows_path(wine.HOME / 'cache')}"]
-        words += ["--lf"] if again and not self.chapters else []
+        words += ["--lf"] if again and not self.chapters else [f"--junitxml={wine.windows_path(results.file_of(self.name))}"]
         extra = {"COURSEKIT_TIME": "virtual"} if self.chapters else {}
         code = wine.run(wine.PYTHON, "-m", "pytest", *words, *self.words, *self.paths, extra=extra, seconds=seconds)
         if seconds and code == 124:
@@ -34,33 +45,66 @@ class Piece:
         return code
 
 
-def tests(name: str, *paths: str, words: tuple[str, ...] = ()) -> Piece:
-    """A piece of tests, which are in folders or files; all of them where none is given."""
-    return Piece(name, paths, words)
+@dataclass(frozen=True)
+class InChromium:
+    """JupyterLab of Windows' Python, which a Chromium outside of Wine opens."""
+
+    name: str = "JupyterLab"
+
+    def run(self) -> int:
+        """pytest's exit code."""
+        command = [
+            sys.executable,
+            "-m",
+            "pytest",
+            f"--junitxml={results.file_of(self.name)}",
+            "tests/browser/test_windows.py",
+        ]
+        return subprocess.run(command, cwd=wine.ROOT, env=os.environ | {"COURSEKIT_WINE_LAB": "1"}, check=False).returncode
 
 
-def chapters(name: str, *starts: str) -> Piece:
-    """The chapters whose names begin so: their outputs are compared, on the virtual clock."""
-    files = sorted((wine.ROOT / "notebooks").glob("*.ipynb"))
-    names = tuple(f"notebooks/{one.name}" for one in files if one.name.startswith(starts))
-    nbval = ("-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", "120")
-    return Piece(name, names, nbval, chapters=True)
+def chapter(name: str) -> Piece:
+    """A chapter by its number or letter: its outputs are compared, on the virtual clock."""
+    [file] = (wine.ROOT / "notebooks").glob(f"{name.zfill(2) if name.isdigit() else name}_*.ipynb")
+    words = ("-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", CELL_SECONDS, "--timeout", "900")
+    return Piece(f"chapter {name}", (f"notebooks/{file.name}",), words, chapters=True)
 
 
-def _room(name: str, *without: str) -> Piece:
+def fast(name: str, *without: str) -> Piece:
+    """A room of tests without its slow ones and without some files."""
     ignored = tuple(f"--ignore=tests/{name}/{file}" for file in without)
-    return tests(name, f"tests/{name}", words=("-m", "not slow", *ignored))
+    return Piece(name, (f"tests/{name}",), ("-m", "not slow", *ignored))
 
 
-FAST = [*map(_room, ROOMS), *(chapters(f"chapter {one[1]}", one) for one in CHAPTERS)]
-ALL = [tests("tests"), chapters("chapters", "")]
+def slow(name: str) -> Piece:
+    """A room's slow tests."""
+    return Piece(f"{name}, slow", (f"tests/{name}",), ("-m", "slow"))
+
+
+def every_room() -> list[str]:
+    """The folders of tests that can run in Wine."""
+    folders = sorted(one.name for one in (wine.ROOT / "tests").iterdir() if any(one.glob("test_*.py")))
+    return [name for name in folders if name not in NOT_IN_WINE]
+
+
+def everything() -> list[Piece | InChromium]:
+    """All chapters and tests, the quickest to tell something first; the docstrings' examples are tests, too."""
+    rooms = every_room()
+    loose = tuple(f"tests/{one.name}" for one in sorted((wine.ROOT / "tests").glob("test_*.py")))
+    beside = [Piece("files", loose), Piece("docstrings", ("coursekit",))]
+    return [*map(chapter, EVERY_CHAPTER), InChromium(), *map(fast, rooms), *beside, *map(slow, rooms)]
+
+
+def named(names: Iterable[str]) -> list[Piece | InChromium]:
+    """Pieces by their names; SystemExit lists the names when there is none such."""
+    known = {piece.name: piece for piece in everything()}
+    if wrong := [name for name in names if name not in known]:
+        raise SystemExit(f"There is no piece {', '.join(wrong)}; there are: {', '.join(known)}.")
+    return [known[name] for name in names]
+
+
+FAST = [*map(fast, ROOMS), *map(chapter, CHAPTERS)]
 _BUILDS = ("test_build_state.py", "test_colcon.py", "test_links.py", "test_quiet.py")
 """They build for minutes, and Wine 8 refuses to start one of some twenty programs (WinError 1359) on a busy computer."""
-IN_CI = [
-    _room("systems"),
-    chapters("chapter 0", "00"),
-    _room("launch"),
-    chapters("chapter 1", "01"),
-    _room("packages", *_BUILDS),
-]
+IN_CI = [fast("systems"), chapter("0"), fast("launch"), chapter("1"), fast("packages", *_BUILDS)]
 """What passed every time that it was run, in the order of what it tells of Windows for its time."""

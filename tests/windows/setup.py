@@ -23,6 +23,7 @@ def set_up(version: str = "3.11") -> None:
     """Set up what is not there yet; again when the course's dependencies or this script have changed."""
     wine.HOME.mkdir(parents=True, exist_ok=True)
     if _stamp.is_file() and _stamp.read_text(encoding="utf-8") == _state(version):
+        wine.must_run(wine.PYTHON, "-m", "coursekit.building.underlay")  # an update may have brought new messages
         return
     python = windows_python.unpack(version, wine.HOME)
     wine.must_run("cmd", "/c", "ver")

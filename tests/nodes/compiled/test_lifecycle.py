@@ -104,7 +104,7 @@ from lifecycle_msgs.msg import Transition
 
 
 def generate_launch_description():
-    valve = LifecycleNode(executable="{program}", name="intake", namespace="yard", output="screen")
+    valve = LifecycleNode(executable={program!r}, name="intake", namespace="yard", output="screen")
     def change(number):
         return EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_action(valve), transition_id=number))
     then = [change(Transition.TRANSITION_ACTIVATE)]
@@ -117,7 +117,7 @@ def generate_launch_description():
 
 def test_a_launch_file_brings_it_to_work(valve, tmp_path, ros2):
     file = tmp_path / "valve.launch.py"
-    file.write_text(LAUNCH.format(program=valve))
+    file.write_text(LAUNCH.format(program=str(valve)))
     said = ros2("launch", str(file), seconds=4.0)
     assert "[yard.intake]: configure from unconfigured [1]" in said
     assert "[yard.intake]: activate from inactive [2]" in said

@@ -24,7 +24,7 @@ notebooks: $(VENV)/.test
 check: $(VENV)/.test
 	$(BIN)/ruff check .
 	$(BIN)/mypy
-	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "not slow" tests/core tests/interfaces tests/launch tests/cli
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "not slow" tests/core tests/rcl tests/processes tests/interfaces tests/launch tests/cli
 
 bench: $(VENV)/.test
 	$(BIN)/python -m tests.benchmarks

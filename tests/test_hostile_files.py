@@ -7,14 +7,14 @@ import pytest
 
 from coursekit.bag.errors import BagError
 from coursekit.bag.reader import BagReader
-from coursekit.core.parameter_file import ParameterFileError
-from coursekit.core.parameter_file import read as read_parameters
 from coursekit.interfaces import InterfaceError, UnknownInterface, find_definition, parse_file
 from coursekit.nav.map_error import MapError
 from coursekit.nav.map_file import load_map
 from coursekit.nodes.gazebo.model_paths import find_mesh, find_model
 from coursekit.nodes.gazebo.world_of import open_world
-from coursekit.nodes.rviz.config import read as read_view
+from coursekit.nodes.rviz.config_file import read as read_view
+from coursekit.rcl.parameter_file import ParameterFileError
+from coursekit.rcl.parameter_file import read as read_parameters
 from coursekit.sim import load_world
 from coursekit.sim.errors import WorldError
 from coursekit.urdf import MeshError, UrdfError, load

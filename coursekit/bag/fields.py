@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from coursekit.bag.errors import BagError
+from coursekit.bag.yaml_text import dump
 
 _MISSING = object()
 
@@ -62,8 +63,6 @@ class Fields:
         """A text, or, since version 9, the list that the text stood for; given back as text."""
         value = self._get(key, "")
         if isinstance(value, list):
-            from coursekit.bag.metadata_file import dump
-
             return dump(value) if value else ""
         return self.text(key, "")
 

@@ -10,6 +10,7 @@ import yaml
 from coursekit.bag.errors import BagError
 from coursekit.bag.fields import Fields
 from coursekit.bag.metadata import NEVER, BagFacts, FileFacts, TopicInformation, TopicMetadata
+from coursekit.bag.yaml_text import dump
 from coursekit.files import read_text, write_whole
 
 FILE_NAME = "metadata.yaml"
@@ -127,26 +128,6 @@ def _inside(name: str, version: int, where: str) -> str:
     if path.is_absolute() or drive or ".." in path.parts or "\0" in name or not path.name:
         raise BagError(f"{where} names the file {name!r}, which is outside of the bag's folder: it is not opened")
     return str(PurePosixPath(name))  # on Linux a backslash is a sign like others
-
-
-class _Dumper(yaml.SafeDumper):
-    """Lists are indented, and texts quoted, as rosbag2 does it."""
-
-    def increase_indent(self, flow: bool = False, indentless: bool = False) -> Any:
-        return super().increase_indent(flow, False)
-
-
-def _text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
-    style = '"' if not text or "\n" in text else None
-    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=style)
-
-
-_Dumper.add_representer(str, _text)
-
-
-def dump(value: Any) -> str:
-    """Return YAML text in rosbag2's layout, without the last line break."""
-    return yaml.dump(value, Dumper=_Dumper, sort_keys=False, width=10**9, allow_unicode=True).rstrip("\n")
 
 
 def as_dict(facts: BagFacts) -> dict[str, Any]:

@@ -9,7 +9,8 @@ from pathlib import Path
 from coursekit.bag import compression, metadata_file
 from coursekit.bag.errors import BagError
 from coursekit.bag.metadata import BagFacts, TopicMetadata
-from coursekit.bag.storage import FileReader, Message, check_storage_id, open_reader, storage_id_of
+from coursekit.bag.opening import open_reader
+from coursekit.bag.storage import FileReader, Message, check_storage_id, storage_id_of
 
 
 class BagReader:

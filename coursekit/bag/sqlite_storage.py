@@ -35,7 +35,7 @@ class SqliteWriter:
         if preset not in ("", "none", "resilient"):
             raise BagError(f"sqlite3 has no preset '{preset}'; it has none and resilient")
         self._path = path
-        # Written by the process's main lane, but closed by whoever ends the process.
+        # Written by the process's main execution context, but closed by whoever ends the process.
         self._db = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
         for pragma in (*(_RESILIENT if preset == "resilient" else _FAST), *_pragmas(config)):
             self._run(f"PRAGMA {pragma}")

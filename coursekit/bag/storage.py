@@ -1,4 +1,4 @@
-"""What the kinds of files that messages are kept in have in common, and how one is chosen."""
+"""What the kinds of files that messages are kept in have in common."""
 
 from __future__ import annotations
 
@@ -56,27 +56,3 @@ def check_storage_id(storage_id: str) -> str:
     if storage_id not in SUFFIXES:
         raise BagError(f"there is no storage '{storage_id}'; there are {' and '.join(sorted(SUFFIXES))}")
     return storage_id
-
-
-def open_reader(path: Path, storage_id: str) -> FileReader:
-    """Open a file for reading; BagError when that is not possible."""
-    if not path.is_file():
-        raise BagError(f"the file '{path}' of the bag is not there")
-    if check_storage_id(storage_id) == "mcap":
-        from coursekit.bag.mcap_reader import McapReader
-
-        return McapReader(path)
-    from coursekit.bag.sqlite_storage import SqliteReader
-
-    return SqliteReader(path)
-
-
-def open_writer(path: Path, storage_id: str, preset: str = "", config: str = "") -> FileWriter:
-    """Open a new file for writing, with the settings of a preset or of a configuration file."""
-    if check_storage_id(storage_id) == "mcap":
-        from coursekit.bag.mcap_writer import McapWriter
-
-        return McapWriter(path, preset, config)
-    from coursekit.bag.sqlite_storage import SqliteWriter
-
-    return SqliteWriter(path, preset, config)

@@ -11,7 +11,8 @@ from pathlib import Path
 from coursekit.bag import compression, metadata_file
 from coursekit.bag.errors import BagError
 from coursekit.bag.metadata import BagFacts, FileFacts, TopicInformation, TopicMetadata
-from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES, FileWriter, Message, check_storage_id, open_writer
+from coursekit.bag.opening import open_writer
+from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES, FileWriter, Message, check_storage_id
 
 SMALLEST_SPLIT = {"sqlite3": 86016, "mcap": 1024}
 """Bytes that a file must be allowed to have, for each storage."""

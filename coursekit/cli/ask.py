@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from coursekit.core.graph import Graph
-from coursekit.core.names import is_hidden
-from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
+from coursekit.rcl.names import is_hidden
 
 
 class Unhappy(Exception):

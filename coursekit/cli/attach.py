@@ -42,7 +42,7 @@ def connect_or_start() -> socket.socket:
     with contextlib.suppress(endpoint.NoSession):
         return endpoint.connect(domain)
     subprocess.Popen(
-        [sys.executable, "-m", "coursekit.cli.hub", str(domain)],
+        [sys.executable, "-m", "coursekit.cli.session_server", str(domain)],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from . import ask
 from .bag_arguments import qos_overrides, refuse, refusing

@@ -22,9 +22,8 @@ def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
 
 def notebooks_of(args: argparse.Namespace) -> Path:
     """The folder of the notebooks; the checks beside them are read."""
+    from coursekit.grade.editions import notebooks_folder
     from coursekit.grade.own_checks import OWN, BadChecks, read_checks
-
-    from .coursekit import notebooks_folder
 
     folder: Path = args.notebooks or notebooks_folder()
     try:

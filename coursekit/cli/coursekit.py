@@ -64,18 +64,10 @@ def _not_written(folder: Path, error: OSError) -> SystemExit:
     )
 
 
-def notebooks_folder() -> Path:
-    """Where the chapters are: beside the package in a checkout, inside it in an installed wheel."""
-    package = Path(__file__).resolve().parents[1]
-    for candidate in (package.parent / "notebooks", package / "notebooks"):
-        if candidate.is_dir():
-            return candidate
-    raise SystemExit("The chapters are not here. Reinstall with: pip install --force-reinstall coursekit")
-
-
 def update_course(args: argparse.Namespace) -> int:
     """Make or update the student's copy."""
     from coursekit.grade.copy import Course
+    from coursekit.grade.editions import notebooks_folder
 
     folder = _folder_of(args)
     if why := refusal(folder):
@@ -94,7 +86,7 @@ def update_course(args: argparse.Namespace) -> int:
 
 def lab_environment(folder: Path) -> dict[str, str]:
     """The environment of kernels and terminals: the underlay sourced, the course's folders named."""
-    from coursekit.cli.kernel import write_kernelspec
+    from coursekit.jupyter.kernel import write_kernelspec
     from coursekit.packages.environment import source_underlay
 
     env = with_utf8(os.environ)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.systems.streams import use_utf8
 
 from . import parser, ros2

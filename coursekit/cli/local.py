@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from coursekit.systems.endings import endings
 
 from .parser import run

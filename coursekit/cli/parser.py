@@ -8,10 +8,10 @@ import importlib.util
 import sys
 from collections.abc import Sequence
 
-from coursekit.core.arguments import RosArgumentsError
-from coursekit.core.executables import ExecutableNotFound, PackageNotFound, python_folders
-from coursekit.core.modules import use_private_modules
-from coursekit.core.process import current_process
+from coursekit.processes.executables import ExecutableNotFound, PackageNotFound, python_folders
+from coursekit.processes.private_modules import use_private_modules
+from coursekit.processes.process import current_process
+from coursekit.rcl.arguments import RosArgumentsError
 
 from .ask import Unhappy
 from .settling import let_settle

@@ -32,7 +32,7 @@ def stands_alone() -> bool:
 
 def run_alone(argv: Sequence[str]) -> int:
     """Carry out the command in a session of this process."""
-    from coursekit.core.session import current
+    from coursekit.processes.session import current
 
     from .local import run_in
 

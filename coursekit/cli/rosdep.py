@@ -17,7 +17,7 @@ from ament_index_python import get_packages_with_prefixes
 from catkin_pkg.package import InvalidPackage, Package
 from catkin_pkg.packages import find_packages
 
-from coursekit.core.elsewhere import remark
+from coursekit.processes.unavailable_packages import remark
 from coursekit.systems.streams import use_utf8
 
 _FOR_CPP = re.compile(

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core.process import Process, current_process
-from coursekit.core.session import Session, current
+from coursekit.processes.process import Process, current_process
+from coursekit.processes.session import Session, current
 
 YOUTH_SECONDS = 2.0
 """A program that has no node by then has none, or takes its time: nobody waits for it."""

@@ -11,7 +11,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from rosidl_runtime_py import set_message_fields
 from rosidl_runtime_py.utilities import get_message
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from . import ask, topic_qos
 

@@ -12,7 +12,7 @@ from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
 from rosidl_runtime_py.utilities import get_message
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from . import ask
 

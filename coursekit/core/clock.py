@@ -1,6 +1,6 @@
 """The session's clock: everything in coursekit that waits, waits here.
 
-Two kinds exist: `WallClock`, live, with threads; `coursekit.core.virtual.VirtualClock`, as fast as the machine can,
+Two kinds exist: `WallClock`, live, with threads; `coursekit.core.virtual_clock.VirtualClock`, as fast as the machine can,
 the same way every time.
 """
 
@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 from coursekit.systems import waiting
 
-from .lane import thread_lane
+from .execution_context import thread_context
 
 _monotonic_ns = time.monotonic_ns
 _time_ns = time.time_ns
@@ -25,7 +25,7 @@ _allocate_lock = threading.Lock
 
 
 def start_outside(thread: threading.Thread) -> None:
-    """Start a real thread, also where the threads of programs are lanes of the virtual clock."""
+    """Start a real thread, also where the threads of programs are execution contexts of the virtual clock."""
     _Thread_start(thread)
 
 
@@ -41,7 +41,7 @@ def waited_ns(seconds: float) -> int:
 
 
 class Waiter(Protocol):
-    """A one-lane wake-up: `notify` is remembered until the next `wait`."""
+    """A wake-up of one execution context: `notify` is remembered until the next `wait`."""
 
     def notify(self) -> None: ...
     def poke(self) -> None: ...
@@ -60,10 +60,10 @@ class Clock(Protocol):
     def new_waiter(self) -> Waiter: ...
     def new_event(self) -> Event: ...
     def spawn(self, function: Callable[[], Any], name: str) -> Any: ...
-    def call_at(self, deadline: int, function: Callable[[], None]) -> Alarm: ...
+    def call_at(self, deadline: int, function: Callable[[], None]) -> TimerHandle: ...
 
 
-class Alarm:
+class TimerHandle:
     """A call planned for a time; `cancel()` takes it back."""
 
     __slots__ = ("deadline", "function")
@@ -150,16 +150,16 @@ class WallWaiter:
 
     def wait(self, deadline: int | None = None) -> bool:
         """Block until notified or until `deadline` (steady nanoseconds); returns whether it was notified."""
-        lane = thread_lane()
-        lane.blocked_on = self  # before looking at pending, so that no Ctrl-C falls in between
+        context = thread_context()
+        context.blocked_on = self  # before looking at pending, so that no Ctrl-C falls in between
         try:
-            if lane.pending:
-                lane.run_pending()
+            if context.pending:
+                context.run_pending()
             got = waiting.acquire(self._lock, None if deadline is None else (deadline - _monotonic_ns()) * 1e-9)
         finally:
-            lane.blocked_on = None
-        if lane.pending:
-            lane.run_pending()
+            context.blocked_on = None
+        if context.pending:
+            context.run_pending()
         return got
 
 
@@ -169,7 +169,7 @@ class WallClock:
     virtual = False
 
     def __init__(self) -> None:
-        self._alarms = _Alarms()
+        self._timers = _TimerThread()
 
     now = staticmethod(_time_ns)
     steady = staticmethod(_monotonic_ns)
@@ -196,32 +196,32 @@ class WallClock:
         start_outside(thread)
         return thread
 
-    def call_at(self, deadline: int, function: Callable[[], None]) -> Alarm:
+    def call_at(self, deadline: int, function: Callable[[], None]) -> TimerHandle:
         """Call `function`, which must not block, at `deadline` (steady nanoseconds), from a thread of the clock's."""
-        return self._alarms.add(Alarm(deadline, function))
+        return self._timers.add(TimerHandle(deadline, function))
 
     def close(self) -> None:
         """Forget the planned calls and end their thread."""
-        self._alarms.close()
+        self._timers.close()
 
 
-class _Alarms:
+class _TimerThread:
     """One thread that makes planned calls; it lives only while some are planned."""
 
     def __init__(self) -> None:
-        self._heap: list[tuple[int, int, Alarm]] = []
+        self._heap: list[tuple[int, int, TimerHandle]] = []
         self._numbers = itertools.count()
         self._changed = threading.Condition()
         self._thread: threading.Thread | None = None
 
-    def add(self, alarm: Alarm) -> Alarm:
+    def add(self, handle: TimerHandle) -> TimerHandle:
         with self._changed:
-            heapq.heappush(self._heap, (alarm.deadline, next(self._numbers), alarm))
+            heapq.heappush(self._heap, (handle.deadline, next(self._numbers), handle))
             if self._thread is None:
-                self._thread = threading.Thread(target=self._run, name="coursekit-alarms", daemon=True)
+                self._thread = threading.Thread(target=self._run, name="coursekit-timer", daemon=True)
                 start_outside(self._thread)
             self._changed.notify()
-        return alarm
+        return handle
 
     def close(self) -> None:
         with self._changed:
@@ -231,20 +231,20 @@ class _Alarms:
     def _run(self) -> None:
         while True:
             with self._changed:
-                alarm = self._next()
-                if alarm is None:
+                handle = self._next()
+                if handle is None:
                     self._thread = None
                     return
-            alarm.ring()
+            handle.ring()
 
-    def _next(self) -> Alarm | None:
+    def _next(self) -> TimerHandle | None:
         while self._heap:
-            deadline, _, alarm = self._heap[0]
+            deadline, _, handle = self._heap[0]
             late = _monotonic_ns() - deadline
-            if alarm.function is None or late >= 0:
+            if handle.function is None or late >= 0:
                 heapq.heappop(self._heap)
-                if alarm.function is not None:
-                    return alarm
+                if handle.function is not None:
+                    return handle
             else:
                 self._changed.wait(-late * 1e-9)
         return None

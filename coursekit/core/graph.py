@@ -61,7 +61,7 @@ class GraphNode:
 class Graph:
     """Nodes, topics and services of one domain; safe to use from any thread.
 
-    >>> from coursekit.core.virtual import VirtualClock
+    >>> from coursekit.core.virtual_clock import VirtualClock
     >>> graph = Graph(VirtualClock())
     >>> graph.add_node("talker", "/").full_name
     '/talker'

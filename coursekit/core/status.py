@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .ready import Source
+from .ready_queue import Source
 
 DEADLINE, LIVELINESS, INCOMPATIBLE, MESSAGE_LOST, MATCHED = "deadline", "liveliness", "incompatible", "lost", "matched"
 

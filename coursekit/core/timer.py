@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from .ready import ReadyQueue, Source
-from .timebase import TimeBase
+from .ready_queue import ReadyQueue, Source
+from .time_base import TimeBase
 
 
 class Timer(Source):

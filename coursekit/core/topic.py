@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .qos import AUTOMATIC, INFINITE, KEEP_ALL, TRANSIENT_LOCAL, Qos
-from .ready import Source
+from .ready_queue import Source
 from .status import DEADLINE, INCOMPATIBLE, LIVELINESS, MATCHED, Status
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class Endpoint(Source):
 class Publisher(Endpoint):
     """The sending end."""
 
-    __slots__ = ("_deadline_alarm", "_history", "_last_sign", "_lease_alarm", "_live", "targets")
+    __slots__ = ("_deadline_timer", "_history", "_last_sign", "_lease_timer", "_live", "targets")
 
     def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
@@ -56,8 +56,8 @@ class Publisher(Endpoint):
         self._history: deque[tuple[Any, int]] | None = deque(maxlen=depth) if keeps else None
         self._last_sign = 0
         self._live = True
-        self._deadline_alarm: Any = None
-        self._lease_alarm: Any = None
+        self._deadline_timer: Any = None
+        self._lease_timer: Any = None
         if self.qos.deadline != INFINITE:
             self._watch_deadline()
         if self.qos.lease != INFINITE and self.qos.liveliness != AUTOMATIC:
@@ -71,7 +71,7 @@ class Publisher(Endpoint):
             target.push((kept, stamp, self))
         if self._history is not None:
             self._history.append((msg._clone(), stamp))
-        if self._deadline_alarm is not None or not self._live or self._lease_alarm is not None:
+        if self._deadline_timer is not None or not self._live or self._lease_timer is not None:
             self._sign_of_life()
 
     def replay(self, target: Subscription) -> None:
@@ -93,16 +93,16 @@ class Publisher(Endpoint):
             self._live = True
             for target in self.targets:
                 target.status(LIVELINESS).add(1, -1 if target.lost_publisher(self) else 0)
-        if self._lease_alarm is None:
-            self._lease_alarm = self.graph.clock.call_at(steady + self.qos.lease, self._check_lease)
+        if self._lease_timer is None:
+            self._lease_timer = self.graph.clock.call_at(steady + self.qos.lease, self._check_lease)
 
     def _check_lease(self) -> None:
-        self._lease_alarm = None
+        self._lease_timer = None
         if not self.alive:
             return
         due = self._last_sign + self.qos.lease
         if due > self.graph.clock.steady():
-            self._lease_alarm = self.graph.clock.call_at(due, self._check_lease)
+            self._lease_timer = self.graph.clock.call_at(due, self._check_lease)
         elif self._live:
             self._live = False
             self.status(LIVELINESS).add()
@@ -116,19 +116,19 @@ class Publisher(Endpoint):
     def _watch_deadline(self) -> None:
         steady = self.graph.clock.steady()
         due = self._last_sign + self.qos.deadline
-        if self._deadline_alarm is not None and due <= steady:
+        if self._deadline_timer is not None and due <= steady:
             self.status(DEADLINE).add()
             self._last_sign = steady
         if self.alive:
-            due = max(self._last_sign, steady if self._deadline_alarm is None else 0) + self.qos.deadline
-            self._deadline_alarm = self.graph.clock.call_at(due, self._watch_deadline)
+            due = max(self._last_sign, steady if self._deadline_timer is None else 0) + self.qos.deadline
+            self._deadline_timer = self.graph.clock.call_at(due, self._watch_deadline)
 
     def close(self) -> None:
         """Leave the graph."""
         self.alive = False
-        for alarm in (self._deadline_alarm, self._lease_alarm):
-            if alarm is not None:
-                alarm.cancel()
+        for handle in (self._deadline_timer, self._lease_timer):
+            if handle is not None:
+                handle.cancel()
         self.graph.remove_publisher(self)
 
 
@@ -138,7 +138,7 @@ class Subscription(Endpoint):
     A reader that needs a few numbers of each message sets `reduce`: what it makes of a message is queued, not a copy.
     """
 
-    __slots__ = ("_deadline_alarm", "_last_sign", "_lost", "queue", "reduce")
+    __slots__ = ("_deadline_timer", "_last_sign", "_lost", "queue", "reduce")
 
     def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
@@ -148,10 +148,10 @@ class Subscription(Endpoint):
         self.reduce: Callable[[Any], Any] | None = None
         self._lost: list[Publisher] = []
         self._last_sign = graph.clock.steady()
-        self._deadline_alarm: Any = None
+        self._deadline_timer: Any = None
         if self.qos.deadline != INFINITE:
             due = self._last_sign + self.qos.deadline
-            self._deadline_alarm = graph.clock.call_at(due, self._check_deadline)
+            self._deadline_timer = graph.clock.call_at(due, self._check_deadline)
 
     def has_work(self) -> bool:
         """Whether a message waits."""
@@ -160,7 +160,7 @@ class Subscription(Endpoint):
     def push(self, entry: tuple[Any, int, Publisher]) -> None:
         """Queue a message; the oldest one goes when the queue is full."""
         self.queue.append(entry)
-        if self._deadline_alarm is not None:
+        if self._deadline_timer is not None:
             self._last_sign = self.graph.clock.steady()
         if not self.queued:
             self.signal()
@@ -195,13 +195,13 @@ class Subscription(Endpoint):
         if self._last_sign + self.qos.deadline <= steady:
             self.status(DEADLINE).add()
             self._last_sign = steady
-        self._deadline_alarm = self.graph.clock.call_at(self._last_sign + self.qos.deadline, self._check_deadline)
+        self._deadline_timer = self.graph.clock.call_at(self._last_sign + self.qos.deadline, self._check_deadline)
 
     def close(self) -> None:
         """Leave the graph."""
         self.alive = False
-        if self._deadline_alarm is not None:
-            self._deadline_alarm.cancel()
+        if self._deadline_timer is not None:
+            self._deadline_timer.cancel()
         self.graph.remove_subscription(self)
 
 

@@ -10,6 +10,15 @@ from pathlib import Path
 ENGLISH = "en"
 
 
+def notebooks_folder() -> Path:
+    """Where the chapters are: beside the package in a checkout, inside it in an installed wheel."""
+    package = Path(__file__).resolve().parents[1]
+    for candidate in (package.parent / "notebooks", package / "notebooks"):
+        if candidate.is_dir():
+            return candidate
+    raise SystemExit("The chapters are not here. Reinstall with: pip install --force-reinstall coursekit")
+
+
 def languages(notebooks: Path) -> list[str]:
     """The languages that there is at least one chapter in."""
     return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if _is_language(path) and any(path.glob("*.ipynb")))]

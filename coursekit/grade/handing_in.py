@@ -17,8 +17,10 @@ from typing import Any
 from coursekit.files import write_whole
 
 from . import events
+from .editions import notebooks_folder
 from .exercise import exercises_in
 from .harmless import shown
+from .identifying import named_in
 from .mark import Marked, mark
 from .parcel import (
     EVENTS,
@@ -92,8 +94,6 @@ def missing_checks(name: str, notebook: Mapping[str, Any], known: Recogniser) ->
 def _chapters(notebooks: Path | None) -> dict[str, Any]:
     """The chapters of the course, by file name."""
     if notebooks is None:
-        from coursekit.cli.coursekit import notebooks_folder
-
         notebooks = notebooks_folder()
     return {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks.glob("*.ipynb"))}
 
@@ -149,7 +149,7 @@ def verify(
         return found, None
     own = dict(known.chapters[name].source)
     if variants is not None:
-        student = variants.roster.find(file.stem) or variants.roster.find(str(manifest.get("student")))
+        student = named_in(file.stem, variants.roster) or named_in(str(manifest.get("student")), variants.roster)
         if not student:
             return [*found, "it is nobody's in the list of names: without a name its numbers are not known"], None
         own = variants.copies(student, {name: own})[name]

@@ -31,6 +31,16 @@ class Identified:
     how: str = ""
 
 
+def named_in(name: str, roster: Roster) -> str:
+    """The student who stands in the name of a folder or file; '' if none does, or more than one could be meant.
+
+    >>> named_in("annleeds_1234_AnnLeeds_03_services", Roster(["Ann Lee", "Ann Leeds"]))
+    'Ann Leeds'
+    """
+    found = Identifier(roster).by_name(name)
+    return roster.label(found.people[0]) if len(found.people) == 1 else ""
+
+
 class Identifier:
     """Knows a class, and the marks of its copies.
 

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
-from coursekit.cli.kernel import load_lab
+from coursekit.jupyter.kernel import load_lab
 
 from .plain import error_of
 from .wire import pack, refresh, unpack_of_judge
@@ -60,7 +60,7 @@ def _silence() -> Iterator[None]:
 @contextlib.contextmanager
 def _virtual_alarm(seconds: float) -> Iterator[None]:
     """End what waits on the session's clock for something that never comes; no real time is lost."""
-    from coursekit.core.session import current
+    from coursekit.processes.session import current
 
     clock = current().clock
 

@@ -12,6 +12,8 @@ from collections import deque
 from pathlib import Path
 from typing import Any
 
+from coursekit.wiring import COMMANDS, load
+
 from .limited import end_with_parent
 
 
@@ -26,7 +28,7 @@ class Programs:
         self._started: list[Any] = []
 
     def on_event(self, event: list[Any]) -> None:
-        """An order of the watcher's; the main lane carries it out."""
+        """An order of the watcher's; the main execution context carries it out."""
         self._orders.append(event)
         self._waiter.notify()
 
@@ -42,9 +44,8 @@ class Programs:
                     self._end(float(what))
 
     def _start(self, argv: list[str]) -> None:
-        from coursekit.cli.parser import run
-
-        self._started.append(self.session.start(lambda: run(argv), name="ros2", argv=argv))
+        ros2 = load(COMMANDS["ros2"])
+        self._started.append(self.session.start(lambda: ros2(argv), name="ros2", argv=argv))
 
     def _end(self, seconds: float) -> None:
         """Press Ctrl-C in all of them, and say what they printed and how they ended."""
@@ -61,8 +62,8 @@ def main() -> int:
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1):  # what a program writes past sys.stdout is no frame
         os.dup2(nothing, number)
-    from coursekit.core.session import current
     from coursekit.joined import Follower, Pipe
+    from coursekit.processes.session import current
 
     _source_workspace(os.environ.get("COURSEKIT_WORKSPACE", ""))
     session = current()

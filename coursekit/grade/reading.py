@@ -74,7 +74,7 @@ def message(workspace: Path, path: str) -> Message:
 
 def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
     """What a file of parameters gives to each of these nodes, as ROS reads it."""
-    from coursekit.core.arguments import parse_ros_arguments
+    from coursekit.rcl.arguments import parse_ros_arguments
 
     file = _file(workspace, path)
     _bytes(file)

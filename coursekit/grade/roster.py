@@ -69,8 +69,8 @@ class Person:
 class Roster:
     """A class.
 
-    >>> Roster(["Ann Lee", "Ann Leeds"]).find("annleeds_1234_AnnLeeds_03_services")
-    'Ann Leeds'
+    >>> Roster(["Ann Lee", "Ben Ito"]).told()
+    '2 students'
     """
 
     def __init__(
@@ -151,13 +151,6 @@ class Roster:
         if not people:
             raise ValueError(f"There are no names in {file}. Write one on each line.")
         return cls(people, table, layout, notes)
-
-    def find(self, handed_in_by: str) -> str:
-        """The student who stands in the name of a folder or file; '' if none does, or more than one could be meant."""
-        from .identifying import Identifier
-
-        found = Identifier(self).by_name(handed_in_by)
-        return self.label(found.people[0]) if len(found.people) == 1 else ""
 
     def of(self, label: str) -> Person | None:
         """The person of that label, id, e-mail or name; of a part of the name, too, where only one has it; else None.

@@ -17,6 +17,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from coursekit.wiring import COMMANDS, load
+
 from .plan import MESSAGES, Plan, Seen
 from .recording import Recorder
 
@@ -71,9 +73,8 @@ class Watcher:
         self._told.set()
 
     def _start(self, argv: list[str]) -> Any:
-        from coursekit.cli.parser import run
-
-        return self.session.start(lambda: run(argv), name="ros2", argv=argv)
+        ros2 = load(COMMANDS["ros2"])
+        return self.session.start(lambda: ros2(argv), name="ros2", argv=argv)
 
     def _watch(self) -> None:
         import rclpy
@@ -163,8 +164,8 @@ def _other_side() -> Any:
 
 
 def _carried_out(plan: Plan, read: int, write: int, patience: float, failed: Callable[[str], None]) -> dict[str, Any]:
-    from coursekit.core.session import current
     from coursekit.joined import Leader, Pipe
+    from coursekit.processes.session import current
 
     _know_the_types_of(os.environ.get("COURSEKIT_WORKSPACE", ""))
     session = current()

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.core.graph import Graph
-from coursekit.core.virtual import VirtualClock
+from coursekit.core.virtual_clock import VirtualClock
 
 from .mirror import Mirror
 from .pipe import Broken, Pipe

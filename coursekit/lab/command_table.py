@@ -11,13 +11,13 @@ from typing import Any
 import ipywidgets
 from IPython.core.magic import Magics, cell_magic, magics_class
 
-from coursekit.core.child import ChildProcess
-from coursekit.core.session import current
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.session import current
 from coursekit.systems.words import split_words
 
 from .bundle import with_text
+from .cells import give_to, this_cell
 from .errors import BadArgument, NotThere
-from .kernel import give_to, this_cell
 from .magics import CourseMagics, workspace, workspace_environment
 from .terminal import Terminal
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.core.executables import PackageNotFound, executables_of
+from coursekit.processes.executables import PackageNotFound, executables_of
 
 
 def compiled(package: str) -> bool:

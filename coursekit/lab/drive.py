@@ -9,7 +9,7 @@ from geometry_msgs.msg import Twist
 from coursekit.cli.attach import domain_id
 from coursekit.core.graph import GraphNode
 from coursekit.core.qos import Qos
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from .errors import BadArgument
 

@@ -9,7 +9,6 @@ import re
 from pathlib import Path
 from typing import Any
 
-from coursekit.core.session import current
 from coursekit.files import write_whole
 from coursekit.grade import events
 from coursekit.grade.handing_in import make_parcel, who_and_where
@@ -17,11 +16,13 @@ from coursekit.grade.mark import Marked
 from coursekit.grade.parcel import EVENTS, digest_of
 from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
+from coursekit.processes.session import current
 from coursekit.systems import typed
 
+from .cells import last_runs
 from .errors import BadArgument, NotNow
 from .evidence_picture import page
-from .kernel import last_runs, running_shell
+from .kernel import running_shell
 
 _NAME = re.compile(r"s\d+(_\d+)?(\.(png|pdf))?")
 

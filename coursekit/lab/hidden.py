@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.cli.attach import domain_id
-from coursekit.core.session import Session, current
+from coursekit.processes.session import Session, current
 
 WAIT_SECONDS = 5.0
 """How long code waits for an answer before it says that none came."""
@@ -28,7 +28,7 @@ def appears(condition: Callable[[], bool]) -> bool:
 class HiddenNode:
     """An rclpy node that works until `close`, and leaves nothing behind.
 
-    >>> from coursekit.core.session import Session
+    >>> from coursekit.processes.session import Session
     >>> with Session(virtual=True).use():
     ...     hidden = HiddenNode("looker")
     ...     print(hidden.node.get_name())
@@ -73,7 +73,7 @@ class HiddenNode:
             pass
 
     def close(self) -> None:
-        """Leave the graph and end the lane; harmless afterwards."""
+        """Leave the graph and end the execution context; harmless afterwards."""
         if self.context.ok():
             self.context.try_shutdown()
             self.node.destroy_node()

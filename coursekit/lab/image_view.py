@@ -9,8 +9,8 @@ from sensor_msgs.msg import CompressedImage, Image
 from coursekit.cli.attach import domain_id
 from coursekit.core.graph import GraphNode
 from coursekit.core.qos import BEST_EFFORT, Qos
-from coursekit.core.session import current
 from coursekit.nodes.images.transport import to_bgr
+from coursekit.processes.session import current
 
 from .picture import Picture
 

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.session import current
 from coursekit.nodes.robots import boards
 from coursekit.nodes.robots.boards import Board
+from coursekit.processes.session import current
 
 from .errors import NotThere
 from .hidden import appears
-from .joint_windows import take_over
 from .panel import Panel, static
 
 START = "Start one: %ros2 run joint_state_publisher_gui joint_state_publisher_gui &"
+shown: list[Callable[[Board], None]] = []
+"""Called with a board when a cell shows its sliders: their window goes then."""
 
 
 class JointPanel(Panel):
@@ -134,7 +136,8 @@ def joint_sliders(node: str = "") -> JointPanel:
     In ROS 2: the window of `ros2 run joint_state_publisher_gui joint_state_publisher_gui`.
     """
     made = JointPanel(node)
-    take_over(made.board)
+    for listener in shown:
+        listener(made.board)
     return made
 
 

@@ -2,32 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from coursekit.nodes.robots import boards
 from coursekit.nodes.robots.boards import Board
 
+from .joint_panel import JointPanel, shown
 from .node_windows import NodeWindows
 
-
-def _make(board: Board) -> Any:
-    from .joint_panel import JointPanel
-
-    return JointPanel(board.full_name)
-
-
-_windows = NodeWindows(_make)
+_windows = NodeWindows(lambda board: JointPanel(board.full_name))
 
 
 def show_joint_windows() -> None:
     """Have joint_state_publisher_gui nodes show their windows in this notebook."""
     boards.unwatch(_hear)
     boards.watch(_hear)
-
-
-def take_over(board: Board) -> None:
-    """A cell shows these sliders: their window goes."""
-    _windows.hide(board)
+    if _windows.hide not in shown:
+        shown.append(_windows.hide)
 
 
 def _hear(board: Board) -> None:
@@ -40,4 +29,4 @@ def _hear(board: Board) -> None:
         session.spawn(_windows.forget, board)
 
 
-__all__ = ["show_joint_windows", "take_over"]
+__all__ = ["show_joint_windows"]

@@ -1,4 +1,4 @@
-"""The session inside a Jupyter kernel: its start, its door for terminals, and what belongs to which cell."""
+"""The session inside a Jupyter kernel: its start, its end, and its server for terminals."""
 
 from __future__ import annotations
 
@@ -7,17 +7,21 @@ import contextlib
 import os
 import sys
 import time
-from collections import Counter
 from typing import Any
 
 import ipywidgets
 
-from coursekit.cli.kernel import hear_all, keep_output_in_cells
-from coursekit.core.session import Session, current
+from coursekit.cli.attach import domain_id
+from coursekit.cli.session_server import serve
+from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
+from coursekit.processes.session import Session, current
 
 from . import shell_lines
-from .panel import Panel, end_panels, open_panels
+from .cells import Cells
+from .command_table import CommandMagics
+from .magics import CourseMagics
+from .panel import end_panels
 
 SUBSHELL_SECONDS = 0.5
 """A page that makes no subshell in this time is none, or is busy [s]."""
@@ -47,14 +51,13 @@ def start() -> Session:
         session.embedded = True
         hear_all(shell.kernel)
         keep_output_in_cells(shell)
-        cells = Cells(session, shell)
-        _state["cells"] = cells
-        _register_magics(shell)
+        cells = Cells(session, shell, lambda: _begin_cell(session, shell.kernel))
+        shell.register_magics(CourseMagics, CommandMagics)
         shell_lines.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
-        _open_door(session)
+        _serve_terminals(session)
     atexit.register(_stop)
     return session
 
@@ -70,20 +73,15 @@ def _have_a_subshell(session: Session, kernel: Any) -> None:
         time.sleep(0.02)
 
 
-def _register_magics(shell: Any) -> None:
-    from .command_table import CommandMagics
-    from .magics import CourseMagics
-
-    shell.register_magics(CourseMagics, CommandMagics)
+def _begin_cell(session: Session, kernel: Any) -> None:
+    _claim_terminals()
+    _have_a_subshell(session, kernel)
 
 
-def _open_door(session: Session) -> None:
+def _serve_terminals(session: Session) -> None:
     """Have the terminals of the domain: the notebook that is opened last has them, until a cell of another is run."""
-    from coursekit.cli.attach import domain_id
-    from coursekit.cli.hub import open_door
-
-    _state["door"] = open_door(session, domain_id(), notebook_name(), take=True)
-    if _state["door"] is None:
+    _state["server"] = serve(session, domain_id(), notebook_name(), take=True)
+    if _state["server"] is None:
         print("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor")
 
 
@@ -99,16 +97,16 @@ def running_variables() -> dict[str, Any]:
 
 
 def _claim_terminals() -> None:
-    door = _state.get("door")
-    if door is not None:
+    server = _state.get("server")
+    if server is not None:
         with contextlib.suppress(OSError):
-            door.claim()
+            server.claim()
 
 
 def _stop() -> None:
-    door = _state.pop("door", None)
-    if door is not None:
-        door.close()
+    server = _state.pop("server", None)
+    if server is not None:
+        server.close()
     session = _state.pop("session", None)
     if session is not None:
         session.close(grace_sec=0.5)
@@ -140,115 +138,4 @@ def _forget_interpreter_contexts(session: Session) -> None:
     session.locals.clear()
 
 
-class Cells:
-    """Knows which processes and nodes each cell made, so that running it again replaces them."""
-
-    def __init__(self, session: Session, shell: Any) -> None:
-        self.session = session
-        self.cell = ""
-        self.made: dict[str, list[Any]] = {}
-        self.ran: dict[str, str] = {}
-        """The text of each cell as it was run last."""
-        self.counts: Counter[str] = Counter()
-        """How often the running cell has done what."""
-        self.shell = shell
-        session.on_start.append(self._note_process)
-        shell.events.register("pre_run_cell", self._begin)
-        shell.events.register("post_run_cell", self._end)
-        session.in_cell = bool(shell.kernel.get_parent())  # the one that imports the lab, or the kernel starts with it
-
-    @property
-    def in_cell(self) -> bool:
-        """Whether a cell runs now."""
-        return bool(self.session.in_cell)
-
-    def _note_process(self, process: Any) -> None:
-        if process.parent is None and self.session.in_cell and self.cell:
-            self.made.setdefault(self.cell, []).append(process)
-
-    def _note_nodes(self) -> None:
-        nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
-        seen = [node for node in nodes if not node.name.startswith("_")]  # hidden ones belong to panels
-        for one in [*seen, *(panel for panel in open_panels() if panel.of_cell)]:
-            if not any(one is known for made in self.made.values() for known in made):
-                self.made.setdefault(self.cell, []).append(one)
-
-    def _begin(self, info: Any) -> None:
-        self.cell = getattr(info, "cell_id", None) or ""
-        self.counts.clear()
-        if self.cell:
-            self.ran.pop(self.cell, None)  # the cell that runs comes last
-            self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
-        replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
-        if replaced:
-            print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
-        self.session.in_cell = True
-        _claim_terminals()
-        _have_a_subshell(self.session, self.shell.kernel)
-
-    def _end(self, _result: Any) -> None:
-        if self.cell:
-            self._note_nodes()
-        self.session.in_cell = False
-
-
-def last_runs() -> dict[str, str]:
-    """The text of each cell as it was run last, by the cell's id."""
-    cells = _state.get("cells")
-    return dict(cells.ran) if cells is not None else {}
-
-
-def adopt(old: Any, new: Any) -> Any:
-    """Let `new` belong to the cell that made `old`: it was started again, not by a cell. Returns `new`."""
-    cells = _state.get("cells")
-    for made in cells.made.values() if cells is not None else ():
-        if old in made:
-            made[made.index(old)] = new
-    return new
-
-
-def this_cell() -> str:
-    """The id of the cell that runs now or ran last; '' outside of a kernel."""
-    cells = _state.get("cells")
-    return cells.cell if cells is not None else ""
-
-
-def run_number(what: str) -> int:
-    """Which time it is that the running cell does this: 0, then 1, ..."""
-    cells = _state.get("cells")
-    if cells is None:
-        return 0
-    cells.counts[what] += 1
-    return int(cells.counts[what]) - 1
-
-
-def give_to(cell: str, process: Any) -> None:
-    """Let a process belong to a cell: it was started by what the cell shows."""
-    cells = _state.get("cells")
-    if cells is not None and cell:
-        cells.made.setdefault(cell, []).append(process)
-
-
-def _describe(one: Any) -> str:
-    return f"node {one.full_name}" if hasattr(one, "full_name") else f"process {' '.join(one.argv)}"
-
-
-def _end_one(one: Any) -> bool:
-    """End a process, node or panel of an earlier run; whether it is worth a word that it was still there."""
-    if isinstance(one, Panel):
-        one.close()
-        return False
-    if hasattr(one, "full_name"):
-        there = one in one.graph.nodes
-        one.close()
-        return there
-    if one.exit_code is not None:
-        return False
-    one.interrupt()
-    if one.wait(1.0) is None:
-        one.kill()
-        one.wait(2.0)
-    return True
-
-
-__all__ = ["adopt", "give_to", "last_runs", "reset", "run_number", "start", "this_cell"]
+__all__ = ["reset", "start"]

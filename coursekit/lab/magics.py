@@ -12,14 +12,14 @@ from typing import Any
 
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
-from coursekit.core.child import ChildProcess
-from coursekit.core.session import current
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.session import current
 from coursekit.systems.letter_case import other_spelling
 from coursekit.systems.words import split_words
 
+from .cells import adopt
 from .errors import NotThere
 from .expanding import Values
-from .kernel import adopt
 from .terminal import Terminal, Terminals
 from .waiting import until_said
 from .written import Written

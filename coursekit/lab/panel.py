@@ -8,7 +8,7 @@ from typing import Any
 
 import anywidget
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from .bundle import forms_of, with_text
 from .hidden import HiddenNode

@@ -10,7 +10,7 @@ from typing import Any
 import anywidget
 import cv2
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from .bundle import forms_of
 from .script import script, style

@@ -10,7 +10,7 @@ import os
 import subprocess
 from typing import Any
 
-from coursekit.core.patching import KERNEL, Change, Patch
+from coursekit.processes.patching import KERNEL, Change, Patch
 from coursekit.systems import which
 from coursekit.systems.children import with_utf8
 

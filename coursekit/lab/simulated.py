@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from .errors import NotThere
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.sim.place import Place, wrap
 from coursekit.view.working import Working
 

@@ -9,8 +9,8 @@ from typing import Any
 import anywidget
 import traitlets
 
-from coursekit.core.session import current
 from coursekit.nodes.turtlesim import simulators
+from coursekit.processes.session import current
 from coursekit.sim.turtle import SIDE
 from coursekit.view.turtle import KINDS, describe, png, shape
 

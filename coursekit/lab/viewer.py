@@ -6,8 +6,11 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from coursekit.nodes.rviz.config import Config, DisplayConfig, make_config, read, save
+from coursekit.nodes.rviz import windows
+from coursekit.nodes.rviz.config import Config, DisplayConfig, make_config
+from coursekit.nodes.rviz.config_file import read, save
 from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.processes.session import current
 from coursekit.view.displays import Display
 from coursekit.view.scene_stage import Stage
 from coursekit.view.scene_text import described
@@ -200,6 +203,12 @@ def bare_config(hidden: HiddenNode) -> Config:
     return make_config("", ["Grid", *robots, {"type": "TF", "show_names": len(robots) < 2}])
 
 
+def _newest() -> Config | None:
+    """What the newest rviz2 that runs shows; None when none runs."""
+    running = windows.running(current())
+    return running[-1].config if running else None
+
+
 def viewer(
     file: str | Path | None = None,
     *,
@@ -216,14 +225,12 @@ def viewer(
 
     In ROS 2: `rviz2 -d FILE`.
     """
-    from .viewer_windows import newest
-
     if file is not None:
         config: Config | None = read(file)
     elif displays is not None:
         config = make_config(fixed_frame, displays, view)
     else:
-        config = newest() if not fixed_frame and not view else None
+        config = _newest() if not fixed_frame and not view else None
     made = Viewer(config, height)
     if file is not None or displays is None:
         if fixed_frame:

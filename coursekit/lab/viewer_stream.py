@@ -19,7 +19,7 @@ JPEG_QUALITY = 80
 
 
 class Stream:
-    """The lane of a viewer that sends. Nothing queues: while a page draws, or none is there, changes only add up."""
+    """Sends what a viewer shows, beside everything else. Nothing queues: while a page draws, changes only add up."""
 
     def __init__(self, panel: Viewer) -> None:
         self.panel = panel

@@ -2,29 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from coursekit.core.session import current
 from coursekit.nodes.rviz import windows
-from coursekit.nodes.rviz.config import Config
 from coursekit.nodes.rviz.windows import RvizWindow
 
 from .node_windows import NodeWindows
+from .viewer import Viewer
 
-
-def _make(window: RvizWindow) -> Any:
-    from .viewer import Viewer
-
-    return Viewer(window.config)
-
-
-_windows = NodeWindows(_make)
-
-
-def newest() -> Config | None:
-    """What the newest rviz2 that runs shows; None when none runs."""
-    running = windows.running(current())
-    return running[-1].config if running else None
+_windows = NodeWindows(lambda window: Viewer(window.config))
 
 
 def show_rviz_windows() -> None:
@@ -45,4 +29,4 @@ def _hear(window: RvizWindow) -> bool:
     return True
 
 
-__all__ = ["newest", "show_rviz_windows"]
+__all__ = ["show_rviz_windows"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from coursekit.cli.ask import full_name
-from coursekit.core.session import Session, current
+from coursekit.processes.session import Session, current
 from coursekit.view.working import Working
 
 from .hidden import HiddenNode

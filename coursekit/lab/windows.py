@@ -6,8 +6,8 @@ from typing import Any
 
 import ipywidgets
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 from coursekit.view import highgui
 from coursekit.view.highgui import Desk, Window
 

@@ -9,9 +9,9 @@ import os
 from pathlib import Path
 from typing import Any
 
+from .cells import run_number, this_cell
 from .changes import appended, edited, undone
 from .errors import NotNow, NotThere
-from .kernel import run_number, this_cell
 
 
 class Written:

@@ -10,7 +10,7 @@ import rclpy
 from rclpy.executors import Executor, ExternalShutdownException
 from rclpy.node import Node
 
-from coursekit.core.process import ProcessKilled, current_process
+from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.systems import signal_names
 
 

@@ -9,7 +9,7 @@ from colcon_core.environment import EnvironmentExtensionPoint
 from colcon_core.plugin_system import satisfies_version
 from colcon_core.shell import ShellExtensionPoint, get_shell_extensions
 
-from coursekit.core.process import DISTRIBUTION
+from coursekit.processes.process import DISTRIBUTION
 
 TOLD = ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
 

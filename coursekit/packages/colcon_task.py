@@ -18,7 +18,6 @@ from colcon_core.python_install_path import get_python_install_path
 from colcon_core.shell import create_environment_hook, get_command_environment
 from colcon_core.task import TaskExtensionPoint, create_file, install, run
 
-from coursekit.core.executables import stand_ins
 from coursekit.cpp.toolchain import NoToolchain, Toolchain
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
@@ -28,6 +27,7 @@ from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.colcon_links import stands_for_links
 from coursekit.packages.prepare_cpp import prepared_toolchain
+from coursekit.processes.executables import stand_ins
 from coursekit.systems import copies
 
 PACKAGE_TYPE = "ros.ament_cmake_files"

@@ -7,8 +7,8 @@ import sys
 from collections.abc import MutableMapping
 from pathlib import Path
 
-from coursekit.core.process import DISTRIBUTION
 from coursekit.interfaces.find import with_underlay
+from coursekit.processes.process import DISTRIBUTION
 
 
 def source_underlay(environ: MutableMapping[str, str]) -> None:

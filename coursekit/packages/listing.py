@@ -9,9 +9,9 @@ from pathlib import Path
 
 from ament_index_python import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
 
-from coursekit.core.executables import PackageNotFound, executables_of
 from coursekit.files import read_bytes
 from coursekit.interfaces.errors import suggestion
+from coursekit.processes.executables import PackageNotFound, executables_of
 
 
 def _fail(text: str) -> int:

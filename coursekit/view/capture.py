@@ -10,7 +10,7 @@ from typing import Any
 
 import cv2
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.sim.camera import Scene
 
 WIDTH, HEIGHT, RATE = 640, 480, 30.0

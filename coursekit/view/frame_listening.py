@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.tf import FrameBuffer, Sample
 
 Kept = tuple[str, str, int, int, float, float, float, float, float, float, float]

@@ -22,7 +22,7 @@ class GraphPicture:
     every stored SVG byte for byte, so that the smallest change of a colour would fail all notebooks.
 
     >>> from coursekit.core.graph import Graph
-    >>> from coursekit.core.virtual import VirtualClock
+    >>> from coursekit.core.virtual_clock import VirtualClock
     >>> graph = Graph(VirtualClock())
     >>> node = graph.add_node("talker", "/")
     >>> print(GraphPicture(graph).text())

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-from coursekit.core.names import is_hidden
 from coursekit.core.qos import Qos
+from coursekit.rcl.names import is_hidden
 
 DEBUG_TOPICS = ("/parameter_events", "/rosout")
 DEBUG_NODES = "/rqt_gui_py_node_"

@@ -22,8 +22,8 @@ from typing import Any
 import cv2
 import numpy as np
 
-from coursekit.core.patching import IMPORTS, Patch, always, door
-from coursekit.core.session import current
+from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
+from coursekit.processes.session import current
 
 from .capture import VirtualCapture
 
@@ -105,7 +105,7 @@ def desk() -> Desk:
 
 
 def watch(listener: Listener) -> None:
-    """Call `listener(window)` when one opens, closes or gets an image, in the lane that does it."""
+    """Call `listener(window)` when one opens, closes or gets an image, in the execution context that does it."""
     _listeners.append(listener)
 
 
@@ -238,9 +238,9 @@ def has_camera() -> bool:
 def install() -> None:
     """Lend cv2 what it lacks here, while sessions are open."""
     if not has_display():
-        door.lend(*_WINDOW_PATCHES)
+        patch_manager.lend(*_WINDOW_PATCHES)
     if not has_camera():
-        door.lend(_CAMERA_PATCH)
+        patch_manager.lend(_CAMERA_PATCH)
 
 
 def patches() -> list[Patch]:

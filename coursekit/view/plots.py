@@ -15,8 +15,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib._pylab_helpers import Gcf
 
-from coursekit.core.patching import IMPORTS, Patch, always, door
-from coursekit.core.process import Process, current_process
+from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
+from coursekit.processes.process import Process, current_process
 
 from .highgui import desk, imshow
 
@@ -164,7 +164,7 @@ def patches() -> list[Patch]:
 
 def install() -> None:
     """Lend pyplot these, while sessions are open."""
-    door.lend(*_PATCHES)
+    patch_manager.lend(*_PATCHES)
 
 
 _REASON, _TEST = "a program's figures become windows of the session", "tests/view/test_plots.py"

@@ -15,8 +15,8 @@ from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, TransformListener
 from tf2_ros.transform_listener import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 
 from .frame_tree import FrameTree
 

@@ -26,18 +26,18 @@ class Working(AbstractContextManager["Working"]):
         self.share: float | None = None
         """How much is done, 0 to 1; None where nobody knows, or where the work lasts `seconds`."""
         self._over = threading.Event()
-        self._lane = threading.Thread(target=self._show, daemon=True)
+        self._thread = threading.Thread(target=self._show, daemon=True)
         self._since = time.monotonic()
 
     def __enter__(self) -> Working:
         if _has_a_page():
-            self._lane.start()
+            self._thread.start()
         return self
 
     def __exit__(self, *_: Any) -> None:
         self._over.set()
-        if self._lane.ident is not None:
-            self._lane.join()
+        if self._thread.ident is not None:
+            self._thread.join()
 
     def _show(self) -> None:
         from IPython.display import HTML, display
@@ -61,7 +61,7 @@ class Working(AbstractContextManager["Working"]):
 
 def _has_a_page() -> bool:
     """Whether a notebook's page may be looked at: a kernel on the wall clock."""
-    from coursekit.core.session import current
+    from coursekit.processes.session import current
 
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None

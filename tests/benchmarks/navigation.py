@@ -35,7 +35,7 @@ def measure(goals, seed, speed=0.2, world="tec_warehouse"):
     from nav2_msgs.action import NavigateToPose
     from rclpy.action import ActionClient
 
-    from coursekit.core.session import Session
+    from coursekit.processes.session import Session
     from coursekit.slam.pose import Pose2
     from tests.nodes.nav2_stage import Stage
 

@@ -43,9 +43,9 @@ def ours() -> float:
     from std_msgs.msg import String
     from tf2_msgs.msg import TFMessage
 
-    from coursekit.core.session import Session
     from coursekit.lab.hidden import HiddenNode
     from coursekit.lab.viewer import viewer
+    from coursekit.processes.session import Session
 
     with Session().use():
         node = HiddenNode("robot").node

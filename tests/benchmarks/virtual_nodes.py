@@ -2,7 +2,7 @@
 
 import time
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 _clock = time.perf_counter  # before the virtual clock takes its place
 

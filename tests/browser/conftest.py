@@ -11,7 +11,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from coursekit.cli.kernel import write_kernelspec
+from coursekit.jupyter.kernel import write_kernelspec
 from tests.browser.pages import Notebook, close, serving
 
 _NO_NEWS = {"fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": True}

@@ -69,7 +69,7 @@ def main():
     for number in range(3000):
         print(f"\\x1b[3{number % 8}mline {number}\\x1b[0m")
         time.sleep(0.001)
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.lab.terminal import Terminal
 shown = Terminal(current().start(main, name="flood"), "flood")
 sent = []

@@ -81,7 +81,7 @@ if __name__ == "__main__":
 """.strip()
 START = """
 import runpy
-from coursekit.core.session import current
+from coursekit.processes.session import current
 circle = current().start(lambda: runpy.run_path(str(workspace() / "circle.py"), run_name="__main__"), name="circle")
 """
 VIEWER = "shown = viewer(fixed_frame='odom', displays=['Grid', 'RobotModel', {'type': 'TF', 'marker_scale': 0.6,\

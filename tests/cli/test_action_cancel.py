@@ -1,7 +1,7 @@
 """Ctrl-C in `ros2 action send_goal` cancels the goal."""
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 
 def started(session, *argv):

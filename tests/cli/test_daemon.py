@@ -3,7 +3,7 @@
 import pytest
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 
 @pytest.fixture

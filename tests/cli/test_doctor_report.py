@@ -1,8 +1,8 @@
 """`ros2 doctor --report` tells of the topics and of who cannot hear whom."""
 
 from coursekit.cli.parser import run
-from coursekit.core.executables import find
-from coursekit.core.session import Session
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 
 
 def report(*nodes):

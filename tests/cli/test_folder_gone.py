@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from coursekit.systems.folder import working_folder
 from tests.needs import ON_WINDOWS
 

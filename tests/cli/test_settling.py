@@ -6,9 +6,9 @@ import pytest
 from std_msgs.msg import String
 
 from coursekit.cli import settling
-from coursekit.core.process import Process
 from coursekit.core.qos import Qos
-from coursekit.core.session import Session
+from coursekit.processes.process import Process
+from coursekit.processes.session import Session
 
 
 class Clock:

@@ -6,7 +6,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 
 def robot():

@@ -13,7 +13,7 @@ from std_msgs.msg import String
 from std_srvs.srv import Empty
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 Command = Callable[[str], tuple[int, str]]
 

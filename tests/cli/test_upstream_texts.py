@@ -12,7 +12,7 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 Command = Callable[[str], tuple[int, str]]
 

@@ -4,10 +4,10 @@ import sys
 
 import pytest
 
+from coursekit import wiring
 from coursekit.cli import ros2, window_commands
 from coursekit.cli.parser import run
-from coursekit.core.commands import inside
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 
 def test_rviz2_is_run_with_its_words(monkeypatch):
@@ -59,6 +59,7 @@ def test_a_window_of_rqt_is_run_by_its_command(monkeypatch, command, package):
 )
 def test_without_a_notebook_a_window_of_rqt_says_what_to_type(command, instead):
     with Session(virtual=True).use() as session:
-        process = session.start(lambda: inside(command)([]), name=command)
+        carry_out = wiring.command(command)
+        process = session.start(lambda: carry_out([]), name=command)
         assert process.wait(5) == 1
         assert process.output.startswith("No notebook shows this window. Here: ") and instead in process.output

@@ -3,8 +3,8 @@
 import pytest
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
 from coursekit.interfaces import find
+from coursekit.processes.session import Session
 
 FACE = "from coursekit.interfaces.face import expose\n__getattr__, __dir__, __all__ = expose(__name__, __file__)\n"
 

@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from coursekit.core.clock import WallClock
-from coursekit.core.virtual import START_NS, VirtualClock
+from coursekit.core.virtual_clock import START_NS, VirtualClock
 
 
 @pytest.fixture(params=[WallClock, VirtualClock])
@@ -66,12 +66,12 @@ def test_virtual_lanes_run_in_the_order_in_which_they_are_due():
     clock, log = VirtualClock(), []
     for name, period in (("slow", 0.3), ("fast", 0.1)):
 
-        def lane(name=name, period=period):
+        def context(name=name, period=period):
             for _ in range(3):
                 clock.sleep(period)
                 log.append((name, clock.steady() // 10**6))
 
-        clock.spawn(lane, name)
+        clock.spawn(context, name)
     clock.sleep(1)
     assert [when for _, when in log] == [100, 200, 300, 300, 600, 900]
     assert [who for who, when in log if when == 300] == ["slow", "fast"]  # the slow one lay down first
@@ -111,15 +111,15 @@ def test_a_thread_from_outside_wakes_a_virtual_lane():
 
 
 class InterruptedClock(VirtualClock):
-    """A clock in which a thread from outside always comes at the worst moment: when a lane has decided to wait."""
+    """A clock in which a thread from outside always comes at the worst moment: when somebody has decided to wait."""
 
     def __init__(self):
         super().__init__()
         self.outside = None
 
-    def _block(self, lane, waiter, deadline):
+    def _block(self, context, waiter, deadline):
         run_outside(self.outside)
-        super()._block(lane, waiter, deadline)
+        super()._block(context, waiter, deadline)
 
 
 def run_outside(function):

@@ -7,7 +7,7 @@ from std_srvs.srv import SetBool
 from coursekit.core.graph import Graph
 from coursekit.core.qos import BEST_EFFORT, KEEP_ALL, RELIABLE, TRANSIENT_LOCAL, VOLATILE, Qos
 from coursekit.core.status import DEADLINE, INCOMPATIBLE, LIVELINESS
-from coursekit.core.virtual import VirtualClock
+from coursekit.core.virtual_clock import VirtualClock
 
 
 @pytest.fixture

@@ -2,10 +2,10 @@
 
 import pytest
 
-from coursekit.core.ready import ReadyQueue
-from coursekit.core.timebase import ROS_TIME, STEADY_TIME, TimeBase
+from coursekit.core.ready_queue import ReadyQueue
+from coursekit.core.time_base import ROS_TIME, STEADY_TIME, TimeBase
 from coursekit.core.timer import Timer
-from coursekit.core.virtual import VirtualClock
+from coursekit.core.virtual_clock import VirtualClock
 
 MS = 1_000_000
 

@@ -98,13 +98,13 @@ def _substitution_faults() -> Faults:
 
 
 def _parameters(path: Path) -> Any:
-    from coursekit.core import parameter_file
+    from coursekit.rcl import parameter_file
 
     return parameter_file.read(path)
 
 
 def _parameters_faults() -> Faults:
-    from coursekit.core.parameter_file import ParameterFileError
+    from coursekit.rcl.parameter_file import ParameterFileError
 
     return ParameterFileError, OSError
 
@@ -119,13 +119,13 @@ PARAMETERS = b"""/**:
 
 
 def _arguments(path: Path) -> Any:
-    from coursekit.core.arguments import parse_ros_arguments
+    from coursekit.rcl.arguments import parse_ros_arguments
 
     return parse_ros_arguments(["program", *_text(path).split(" ")])
 
 
 def _arguments_faults() -> Faults:
-    from coursekit.core.arguments import RosArgumentsError
+    from coursekit.rcl.arguments import RosArgumentsError
 
     return (RosArgumentsError,)
 

@@ -7,7 +7,7 @@ import zipfile
 import pytest
 
 from coursekit.cli.coursekit import main
-from coursekit.grade.identifying import Identifier
+from coursekit.grade.identifying import Identifier, named_in
 from coursekit.grade.roster import Roster
 from coursekit.grade.variants import Variants
 
@@ -58,14 +58,14 @@ NAMES = {
 
 @pytest.mark.parametrize(("name", "handed_in"), [(name, one) for name, listed in NAMES.items() for one in listed])
 def test_the_platform_s_names_for_files_are_known(tmp_path, name, handed_in):
-    assert roster_of(tmp_path, name).find(handed_in) == "Ana García López"
+    assert named_in(handed_in, roster_of(tmp_path, name)) == "Ana García López"
 
 
 @pytest.mark.parametrize(
     "handed_in", ["Joana García López_5_assignsubmission_file_", "ito", "ana", "An Ito", "02_topics.ipynb", ""]
 )
 def test_what_only_resembles_a_name_is_nobody_s(tmp_path, handed_in):
-    assert roster_of(tmp_path, "names.txt").find(handed_in) == ""
+    assert named_in(handed_in, roster_of(tmp_path, "names.txt")) == ""
 
 
 def test_two_who_fit_are_asked_about_and_a_name_within_a_name_is_not_meant():
@@ -83,7 +83,7 @@ def test_people_of_one_name_are_told_apart_by_ids_and_asked_about_by_name(tmp_pa
     (tmp_path / "a.csv").write_text("name,id\nAnn Lee,a01\nAnn Lee,a02\n")
     roster = Roster.read(tmp_path / "a.csv")
     assert roster.students == ["Ann Lee (a01)", "Ann Lee (a02)"]
-    assert roster.find("Ann Lee") == "" and roster.find("a02.zip") == "Ann Lee (a02)"
+    assert named_in("Ann Lee", roster) == "" and named_in("a02.zip", roster) == "Ann Lee (a02)"
 
 
 @pytest.mark.parametrize(

@@ -129,7 +129,7 @@ def test_a_xacro_that_computes_does_so_where_it_harms_nobody(work, text, monkeyp
 
 
 def test_waiting_for_what_never_comes_costs_no_real_time(work):
-    never = "from coursekit.core.session import current\ncurrent().clock.new_event().wait()"
+    never = "from coursekit.processes.session import current\ncurrent().clock.new_event().wait()"
     assert "waited for" in work.run(never, 25)
     assert "waited for" in work.run("import time\nwhile True: time.sleep(1.0)", 25)
     assert work.run("after = 1", 10) == "" and work.value("after", int) == 1

@@ -2,6 +2,7 @@
 
 import pytest
 
+from coursekit.grade.identifying import named_in
 from coursekit.grade.roster import Roster
 
 
@@ -29,8 +30,8 @@ def test_no_names_and_equal_names_are_told(tmp_path):
     "file", ["ann lee", "AnnLee_03_services", "annlee_12345_67890_AnnLee_03_services-1", "Lee_Ann Lee_s3"]
 )
 def test_a_student_is_known_by_the_name_of_what_was_handed_in(file):
-    assert Roster(["Ann Lee", "Ben Ito"]).find(file) == "Ann Lee"
-    assert Roster(["Ben Ito"]).find(file) == ""
+    assert named_in(file, Roster(["Ann Lee", "Ben Ito"])) == "Ann Lee"
+    assert named_in(file, Roster(["Ben Ito"])) == ""
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,9 @@ from dataclasses import asdict
 
 import pytest
 
-from coursekit.core.session import Session
 from coursekit.grade import trial
 from coursekit.grade.trial import Plan, TrialFailed, try_out
+from coursekit.processes.session import Session
 
 
 def test_a_trial_takes_no_time_of_the_session():

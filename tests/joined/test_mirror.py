@@ -8,7 +8,7 @@ from std_msgs.msg import Int32, String
 
 from coursekit.core.graph import Graph
 from coursekit.core.qos import BEST_EFFORT, TRANSIENT_LOCAL, Qos
-from coursekit.core.virtual import VirtualClock
+from coursekit.core.virtual_clock import VirtualClock
 from coursekit.joined.mirror import Mirror
 
 

@@ -10,8 +10,8 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_msgs.msg import String
 
-from coursekit.core.session import Session
 from coursekit.lab.panel import end_panels
+from coursekit.processes.session import Session
 
 
 class Robot(Node):

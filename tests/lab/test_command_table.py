@@ -3,10 +3,10 @@
 import nbformat
 import pytest
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
 from coursekit.lab.command_table import CommandMagics, CommandTable, Row, read_rows
 from coursekit.lab.magics import CourseMagics, workspace
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 from tests.notebooks.running import NOTEBOOKS
 
 SCENE = (

@@ -5,15 +5,15 @@ import pytest
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import Image
 
-from coursekit.core.executables import find
-from coursekit.core.patching import door
 from coursekit.core.qos import Qos
-from coursekit.core.session import Session
 from coursekit.lab.drive import SILENCE_SECONDS, Driver, meaning
 from coursekit.lab.image_view import image_view
 from coursekit.lab.pad import pad
 from coursekit.lab.turtle import NONE_RUNS, turtlesim_window
 from coursekit.lab.windows import NO_WINDOWS, windows
+from coursekit.processes.executables import find
+from coursekit.processes.patching import patch_manager
+from coursekit.processes.session import Session
 from coursekit.view import highgui
 
 
@@ -21,7 +21,7 @@ from coursekit.view import highgui
 def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
     with Session(virtual=True).use() as made:
-        door.renew()
+        patch_manager.renew()
         yield made
 
 

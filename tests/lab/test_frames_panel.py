@@ -3,8 +3,8 @@ import rclpy
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
 
-from coursekit.core.session import Session
 from coursekit.lab.frames_panel import FramesPanel, frames
+from coursekit.processes.session import Session
 
 
 def robot(behind_ns=0):

@@ -2,13 +2,13 @@
 
 import pytest
 
-from coursekit.core.executables import find
-from coursekit.core.patching import door
-from coursekit.core.session import Session
-from coursekit.lab import joint_windows
+from coursekit.lab import joint_panel, joint_windows
 from coursekit.lab.joint_panel import joint_sliders
 from coursekit.lab.panel import end_panels, open_panels
 from coursekit.nodes.robots import boards
+from coursekit.processes.executables import find
+from coursekit.processes.patching import patch_manager
+from coursekit.processes.session import Session
 from tests.urdf.oracle import ROBOTS
 
 
@@ -66,7 +66,7 @@ def test_a_slider_moves_its_joint_within_the_limits(session, gui):
 
 
 def test_the_buttons_center_and_randomize(session, gui):
-    door.renew()  # pytest changes sys.stderr between a fixture and its test
+    patch_manager.renew()  # pytest changes sys.stderr between a fixture and its test
     panel = joint_sliders()
     panel._hear(panel, {"type": "randomize"}, [])
     assert all(panel.positions.values())
@@ -99,7 +99,8 @@ def test_a_window_that_opens_while_a_cell_takes_over_does_not_stay(session):
     (board,) = boards.running(session)
     joint_windows._windows.show(board)
     session.clock.sleep(0.1)
-    joint_windows.take_over(board)
+    for listener in joint_panel.shown:
+        listener(board)
     path = find("robot_state_publisher", "robot_state_publisher")
     session.start_executable(path, [str(ROBOTS / "r2d2_2.urdf")], name="robot")
     session.clock.sleep(4.0)

@@ -4,7 +4,6 @@ import pytest
 import rclpy
 from std_msgs.msg import String
 
-from coursekit.core.names import is_hidden
 from coursekit.lab.graph_panel import GraphPanel, graph
 from coursekit.lab.log_console import LogConsole
 from coursekit.lab.messages import echo
@@ -12,6 +11,7 @@ from coursekit.lab.panel import end_panels, open_panels
 from coursekit.lab.parameter_panel import ParameterPanel
 from coursekit.lab.service_panel import ServiceCaller
 from coursekit.lab.topic_panel import TopicPanel
+from coursekit.rcl.names import is_hidden
 from tests.lab.panel_robot import heard_by_browser, robot_running, says
 
 

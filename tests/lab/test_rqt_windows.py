@@ -2,10 +2,10 @@
 
 import pytest
 
-from coursekit.core.session import Session
 from coursekit.lab import rqt_windows
 from coursekit.lab.panel import open_panels
 from coursekit.nodes.rqt.windows import RqtWindow
+from coursekit.processes.session import Session
 
 KINDS = {"rqt_graph": ["GraphPanel"], "rqt_console": ["LogConsole"], "rqt_plot": ["PlotPicture"],
          "rqt_gui": ["ServiceCaller", "TopicPanel", "LogConsole", "GraphPanel"]}  # fmt: skip

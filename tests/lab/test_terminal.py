@@ -1,7 +1,7 @@
 import pytest
 
-from coursekit.core.session import Session
 from coursekit.lab.terminal import LINES, Terminal
+from coursekit.processes.session import Session
 
 
 @pytest.fixture

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from coursekit.cli.parser import run as run_cli
-from coursekit.core.executables import find
-from coursekit.core.patching import door
-from coursekit.core.session import Session
 from coursekit.lab.map_view import map_view
 from coursekit.lab.tour import drive_along
 from coursekit.nav.map_file import GridMap, save_map
+from coursekit.processes.executables import find
+from coursekit.processes.patching import patch_manager
+from coursekit.processes.session import Session
 
 CART = Path(__file__).parents[2] / "robots" / "urdf" / "robot_lidar.urdf"
 
@@ -21,7 +21,7 @@ CART = Path(__file__).parents[2] / "robots" / "urdf" / "robot_lidar.urdf"
 def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
     with Session(virtual=True).use() as made:
-        door.renew()
+        patch_manager.renew()
         yield made
 
 

@@ -7,11 +7,11 @@ from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamp
 from nav_msgs.msg import Path
 from sensor_msgs.msg import LaserScan
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
 

@@ -22,10 +22,10 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
 from tf2_msgs.msg import TFMessage
 
-from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
+from coursekit.processes.session import Session
 from coursekit.view.scene_shapes import Lines, Points, Triangles
 
 

@@ -10,10 +10,10 @@ from sensor_msgs.msg import Image, LaserScan, PointCloud2, PointField
 from std_msgs.msg import ColorRGBA
 from visualization_msgs.msg import Marker, MarkerArray
 
-from coursekit.core.session import Session
 from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
+from coursekit.processes.session import Session
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
 

@@ -3,9 +3,9 @@
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
-from coursekit.core.session import Session
 from coursekit.lab.magics import CourseMagics
 from coursekit.lab.waiting import wait
+from coursekit.processes.session import Session
 
 
 @pytest.fixture

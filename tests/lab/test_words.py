@@ -2,9 +2,9 @@
 
 from pathlib import PureWindowsPath
 
-from coursekit.core.session import Session
 from coursekit.lab import magics
 from coursekit.lab.magics import _read
+from coursekit.processes.session import Session
 from coursekit.systems import which
 
 

@@ -1,12 +1,13 @@
 """`edit`, `%%write` and `%%write -a`, run again as a student goes back to them."""
 
 import errno
+from collections import Counter
 from types import SimpleNamespace
 
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
-from coursekit.lab import kernel
+from coursekit.lab import cells as kernel_cells
 from coursekit.lab.errors import NotNow, NotThere
 from coursekit.lab.magics import CourseMagics, edit
 
@@ -18,8 +19,8 @@ def desk(tmp_path, monkeypatch):
     """A course whose cells write: desk.cell("A") is the cell that runs."""
     monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
     monkeypatch.setenv("COURSEKIT_WORKSPACE", str(tmp_path / "ros2_ws"))
-    cells = SimpleNamespace(cell="", counts=kernel.Counter())
-    monkeypatch.setitem(kernel._state, "cells", cells)
+    cells = SimpleNamespace(cell="", counts=Counter())
+    monkeypatch.setitem(kernel_cells._running, "cells", cells)
     magics = CourseMagics(InteractiveShell())
 
     def cell(name):

@@ -12,7 +12,7 @@ import pytest
 from launch import LaunchContext, LaunchDescription, LaunchService
 from launch.logging import reset
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 HEADER_LINES = 2
 

@@ -149,7 +149,7 @@ def test_a_required_process_ends_the_launch(launch) -> None:
 def test_two_runs_on_the_virtual_clock_print_the_same(talker, tmp_path) -> None:
     from launch import LaunchDescription, LaunchService
 
-    from coursekit.core.session import Session
+    from coursekit.processes.session import Session
 
     def run() -> str:
         def main() -> None:
@@ -242,7 +242,7 @@ def test_a_terminal_window_before_a_node_is_left_out(launch, talker) -> None:
 def test_the_wall_clock_launches_as_well(workspace, tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
     from launch import LaunchDescription, LaunchService
 
-    from coursekit.core.session import Session
+    from coursekit.processes.session import Session
 
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     workspace.executable("demo", "brief", "print('brief')")

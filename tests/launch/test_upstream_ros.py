@@ -71,7 +71,7 @@ def test_what_actions_were_given_is_found_under_upstreams_names() -> None:
 
 
 def test_lists_are_tuples_in_the_parameter_file_of_a_node_which_reads_it() -> None:
-    from coursekit.core.arguments import parse_ros_arguments
+    from coursekit.rcl.arguments import parse_ros_arguments
 
     parameters = [{"a": [1.5, 2.5], "b": {"c": ["x"]}}]
     node: Any = Node(package="p", executable="e", name="n", namespace="ns", parameters=parameters)

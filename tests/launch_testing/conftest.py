@@ -20,7 +20,7 @@ from launch_testing.launch_test import parse_arguments, run
 from launch_testing.loader import LoadTestsFromPythonModule
 from launch_testing.test_runner import LaunchTestRunner
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 HEAD = """
 import sys, time, unittest

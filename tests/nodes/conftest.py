@@ -2,15 +2,15 @@
 
 import pytest
 
-from coursekit.core.executables import find
-from coursekit.core.patching import door
-from coursekit.core.session import Session
+from coursekit.processes.executables import find
+from coursekit.processes.patching import patch_manager
+from coursekit.processes.session import Session
 
 
 @pytest.hookimpl(wrapper=True, trylast=True)
 def pytest_runtest_call(item):
     """pytest changes sys.stdout between a fixture and its test; processes keep theirs."""
-    door.renew()
+    patch_manager.renew()
     return (yield)
 
 

@@ -13,11 +13,11 @@ from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from scipy import ndimage
 
 from coursekit.cli.parser import run as run_cli
-from coursekit.core.executables import find
 from coursekit.nav.map_file import GridMap, save_map
 from coursekit.nodes.gazebo.simulators import running
 from coursekit.nodes.gazebo.world_of import open_world
 from coursekit.nodes.slam_toolbox.geometry import to_pose
+from coursekit.processes.executables import find
 from coursekit.sim import Place, Simulation
 from coursekit.slam.pose import Pose2
 

@@ -8,11 +8,11 @@ from nav2_msgs.msg import ParticleCloud
 from rclpy.qos import qos_profile_sensor_data
 from std_srvs.srv import Empty
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
 from coursekit.nav.map_file import save_map
 from coursekit.nodes.nav2.amcl_messages import POSE_QOS
 from coursekit.nodes.slam_toolbox.geometry import plane, to_pose
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 from coursekit.slam.pose import Pose2
 from tests.slam.building import drawn
 from tests.slam.robot import WALLS, Robot

@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.core.components import registered
+from coursekit.processes.components import registered
 
 
 def test_components_are_loaded_listed_and_unloaded(session, run, ros2):

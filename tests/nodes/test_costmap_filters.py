@@ -9,8 +9,8 @@ from ament_index_python.packages import get_package_share_directory
 from nav2_msgs.action import NavigateToPose
 from rclpy.action import ActionClient
 
-from coursekit.core.executables import find
 from coursekit.nav.map_file import GridMap, save_map
+from coursekit.processes.executables import find
 from coursekit.slam.pose import Pose2
 from tests.nodes.nav2_stage import CELL, ROBOT, Stage
 

@@ -5,8 +5,8 @@ import rclpy
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.parameter import Parameter
 
-from coursekit.core.session import Session
 from coursekit.nodes.cpp_node import CppNode
+from coursekit.processes.session import Session
 
 DEPTH = "qos_overrides./parameter_events.publisher.depth"
 

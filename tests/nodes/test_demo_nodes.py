@@ -1,8 +1,8 @@
 import pytest
 
 from coursekit.cli.parser import run
-from coursekit.core.executables import find
-from coursekit.core.session import Session
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 
 
 def test_the_action_tutorial_counts_up_to_its_result():

@@ -5,9 +5,10 @@ from pathlib import Path
 import pytest
 from ament_index_python import get_package_share_directory
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
-from coursekit.nodes.rviz.config import Config, display_config, make_config, read, save
+from coursekit.nodes.rviz.config import Config, display_config, make_config
+from coursekit.nodes.rviz.config_file import read, save
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 
 RVIZ = """
 Visualization Manager:

@@ -120,7 +120,7 @@ def test_tf2_monitor_tells_delay_and_rate(run, session):
 
 
 def test_view_frames_writes_pdf_and_gv(session, tmp_path):
-    from coursekit.core.executables import find
+    from coursekit.processes.executables import find
 
     session.start(circling, name="circling")
     path = find("tf2_tools", "view_frames")

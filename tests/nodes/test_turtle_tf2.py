@@ -4,7 +4,7 @@ import importlib
 
 import pytest
 
-from coursekit.core.executables import find
+from coursekit.processes.executables import find
 
 MODULES = {
     "dynamic_frame_tf2_broadcaster": "DynamicFrameBroadcaster",

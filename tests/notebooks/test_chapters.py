@@ -10,7 +10,7 @@ from coursekit.grade.exercise import all_exercises
 from .running import chapters, code_cells, read, run
 
 LEFT_BEHIND = """
-from coursekit.core.session import current as _current
+from coursekit.processes.session import current as _current
 import threading as _threading
 reset()
 print([p.name for p in _current().processes], [n.full_name for g in _current().graphs.values() for n in g.nodes])

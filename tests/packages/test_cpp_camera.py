@@ -33,8 +33,8 @@ def workspace(tmp_path_factory):
 
 
 SEEN = """
-from coursekit.core.executables import find, make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import find, make_process
+from coursekit.processes.session import Session
 from coursekit.sim.camera import Scene
 from coursekit.view.highgui import desk
 from sensor_msgs.msg import Image

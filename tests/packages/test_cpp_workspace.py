@@ -58,8 +58,8 @@ def test_nodes_of_a_launch_file_speak_at_exact_times(workspace):
 
 
 TOGETHER = """
-from coursekit.core.executables import find, make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import find, make_process
+from coursekit.processes.session import Session
 from k_survey.msg import Leg
 import rclpy
 
@@ -88,8 +88,8 @@ def test_programs_of_both_languages_meet_on_topics_and_services(workspace):
 
 
 ALONE = """
-from coursekit.core.executables import find, make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import find, make_process
+from coursekit.processes.session import Session
 
 with (session := Session(virtual={virtual})).use():
     def start(name, *words):

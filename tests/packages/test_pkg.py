@@ -9,7 +9,7 @@ import pytest
 from catkin_pkg.package import parse_package
 
 from coursekit.cli.verbs import pkg
-from coursekit.core.executables import executables_of, packages
+from coursekit.processes.executables import executables_of, packages
 from tests.needs import slashed
 
 

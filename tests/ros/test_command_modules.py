@@ -15,7 +15,7 @@ from ros2cli.node.daemon import DaemonNode, is_daemon_running, shutdown_daemon, 
 from ros2cli.node.direct import DirectNode
 from ros2cli.node.strategy import NodeStrategy
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 MODULES = """ros2action.api ros2bag.api ros2cli.cli ros2cli.command ros2cli.daemon ros2cli.helpers ros2cli.node ros2cli.verb
 ros2component.api ros2doctor.api ros2interface.api ros2lifecycle.api ros2multicast.api ros2node.api ros2param.api ros2pkg.api

@@ -9,7 +9,7 @@ from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.qos import HistoryPolicy, QoSProfile
 from std_msgs.msg import Int64
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 PUBLISHERS, MESSAGES = 8, 125_000
 

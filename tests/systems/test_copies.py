@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from coursekit.core.executables import prefix_of
+from coursekit.processes.executables import prefix_of
 from coursekit.systems import copies
 
 

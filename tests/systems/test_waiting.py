@@ -6,7 +6,7 @@ import threading
 import pytest
 
 from coursekit.core.clock import WallClock
-from coursekit.core.virtual import VirtualClock
+from coursekit.core.virtual_clock import VirtualClock
 from coursekit.systems import waiting, which
 
 

@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 
-from coursekit.core.session import Session
 from coursekit.interfaces import find
 from coursekit.packages.overlay import overlay_environment
+from coursekit.processes.session import Session
 from coursekit.systems.words import split_words
 
 SOURCE = Path(__file__).parents[1] / "fixtures" / "tutorial_ws" / "src"

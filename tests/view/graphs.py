@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from coursekit.core.graph import Graph, GraphNode
 from coursekit.core.qos import Qos
-from coursekit.core.virtual import VirtualClock
+from coursekit.core.virtual_clock import VirtualClock
 from coursekit.interfaces import load
 
 STRING = load("std_msgs/msg/String")

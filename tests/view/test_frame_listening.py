@@ -5,7 +5,7 @@ import rclpy
 from geometry_msgs.msg import TransformStamped
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from coursekit.view.frame_listening import listen_to_frames
 
 
@@ -19,7 +19,7 @@ def session():
 
 @pytest.fixture
 def listening(session):
-    """A lazy buffer and one that hears at once, with their node in a lane of its own."""
+    """A lazy buffer and one that hears at once, with their node in an execution context of its own."""
     node = rclpy.create_node("listener")
     session.spawn(lambda: rclpy.spin(node))
     session.clock.sleep(0.1)

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from coursekit.core import on_import
-from coursekit.core.session import Session
+from coursekit import wiring
+from coursekit.processes.session import Session
 from coursekit.view import capture, highgui
 
 IMAGE = np.full((30, 40, 3), 7, np.uint8)
@@ -169,7 +169,7 @@ def test_helpers_are_called_after_the_import_of_their_module(session, tmp_path, 
     (tmp_path / "needy.py").write_text("ready = False\n")
     (tmp_path / "helper_of_needy.py").write_text("def install():\n    import needy\n    needy.ready = True\n")
     monkeypatch.syspath_prepend(str(tmp_path))
-    monkeypatch.setitem(on_import.HELPERS, "needy", "helper_of_needy")
+    monkeypatch.setitem(wiring.IMPORT_HOOKS, "needy", "helper_of_needy")
     import needy
 
     assert needy.ready

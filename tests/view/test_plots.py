@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from coursekit.view.highgui import desk
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from . import wine
 
-ROOMS = ("core", "systems", "packages", "launch", "cli", "lab", "grade")
+ROOMS = ("core", "processes", "rcl", "systems", "packages", "launch", "cli", "lab", "grade")
 """The rooms that know of systems."""
 CHAPTERS = ("00", "01", "02", "05", "08")
 """The chapters that a student begins with, and the one with maps."""

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from coursekit.cli import ask
-from coursekit.core.components import registered
-from coursekit.core.executables import find, packages
-from coursekit.core.session import current
 from coursekit.nodes.running import pass_on_output
+from coursekit.processes.components import registered
+from coursekit.processes.executables import find, packages
+from coursekit.processes.session import current
 
 _SERVICES = {
     "load_node": "composition_interfaces/srv/LoadNode",

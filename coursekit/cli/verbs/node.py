@@ -8,7 +8,7 @@ from ros2node.api import INFO_NONUNIQUE_WARNING_TEMPLATE
 
 from coursekit.cli import ask
 from coursekit.core.graph import names_and_types
-from coursekit.core.names import is_hidden
+from coursekit.rcl.names import is_hidden
 
 DUPLICATES = (
     "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects."

@@ -6,8 +6,8 @@ import argparse
 import sys
 from typing import Any
 
-from coursekit.core.commands import COMPILED
-from coursekit.core.executables import (
+from coursekit.interfaces.find import UNDERLAY
+from coursekit.processes.executables import (
     ExecutableNotFound,
     PackageNotFound,
     executables_of,
@@ -16,12 +16,12 @@ from coursekit.core.executables import (
     make_process,
     packages,
 )
-from coursekit.core.prefixed import prefixed
-from coursekit.core.process import current_process
-from coursekit.core.session import current
-from coursekit.interfaces.find import UNDERLAY
+from coursekit.processes.prefixed import prefixed
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 from coursekit.systems.signal_names import described
 from coursekit.systems.words import split_words
+from coursekit.wiring import COMPILED_HOST
 
 PREFIX = "[ros2run]:"
 
@@ -99,10 +99,10 @@ def _outcome(code: int) -> int:
 
 
 def _run_with_prefix(command: list[str]) -> int:
-    from coursekit.core.child import ChildProcess
+    from coursekit.processes.child import ChildProcess
 
     if has_compiled_here(command):
-        process: Any = make_process(current(), UNDERLAY / COMPILED, command, name=command[0])
+        process: Any = make_process(current(), UNDERLAY / COMPILED_HOST, command, name=command[0])
     else:
         process = ChildProcess(current(), command, name=command[0])
     return _outcome(_wait(current().launch(process, _pass_on())))

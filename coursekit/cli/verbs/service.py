@@ -7,7 +7,7 @@ from typing import Any
 import yaml
 
 from coursekit.cli import ask
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 
 def register(subparsers: Any) -> None:

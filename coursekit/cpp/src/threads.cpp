@@ -1,4 +1,4 @@
-// Threads on the virtual clock: each has its lane in the session, one runs at a time, and who has to wait says so there.
+// Threads on the virtual clock: each has its execution context in the session, one runs at a time, and who has to wait says so there.
 #include <errno.h>
 #include <pthread.h>
 

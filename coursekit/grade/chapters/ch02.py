@@ -37,7 +37,7 @@ def _word(chance: Random) -> str:
 )
 def full_name(work: Work) -> None:
     """Names expand as ROS expands them, for nodes of any name."""
-    from coursekit.core.names import expand
+    from coursekit.rcl.names import expand
 
     function, chance = work.function("full_name"), work.dice("ch02.q1")
     for name in ("scan", "/scan", "~/scan", "a/b", "/a/b", _word(chance), "~"):  # the rarest last: all else is right then

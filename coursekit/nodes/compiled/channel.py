@@ -1,4 +1,4 @@
-"""The connection of one thread of a compiled program, and the lane that stands for that thread."""
+"""The connection of one thread of a compiled program, and the execution context that stands for that thread."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class CallbackFailed(Exception):
 
 
 class Channel:
-    """While the thread computes the lane waits here, so on the virtual clock nothing else happens."""
+    """While the thread computes the execution context waits here, so on the virtual clock nothing else happens."""
 
     def __init__(self, host: Host, connection: socket.socket) -> None:
         self._host = host
@@ -35,14 +35,14 @@ class Channel:
     def serve(self) -> None:
         """Stand for the thread until it ends."""
         host = self._host
-        host.of_lane[host.session.lane()] = self
+        host.of_context[host.session.execution_context()] = self
         try:
             self._send(b"A")  # it may begin
             self._serve_until_return()
         except Gone:
             pass
         finally:
-            host.of_lane.pop(host.session.lane(), None)
+            host.of_context.pop(host.session.execution_context(), None)
             self.close()
             self.ended.set()
 

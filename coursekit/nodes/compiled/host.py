@@ -1,7 +1,8 @@
 """A compiled rclcpp program as a process of the session: `host.py PROGRAM ARGUMENTS...`.
 
-The program is a child of the system. Each of its threads has one connection and, here, one lane that stands for it: while
-the child computes, the lane waits for it; while the child sleeps or spins, the lane sleeps or spins in its stead.
+The program is a child of the system. Each of its threads has one connection and, here, one execution context that stands
+for it. While the thread computes, the context waits for it. While the thread sleeps or spins, the context does so in its
+stead.
 """
 
 from __future__ import annotations
@@ -18,9 +19,7 @@ from typing import Any
 
 from rclpy.signals import shutdown_all
 
-from coursekit.core.process import ProcessKilled, current_process
-from coursekit.core.ready import ReadyQueue
-from coursekit.core.session import current
+from coursekit.core.ready_queue import ReadyQueue
 from coursekit.nodes.compiled import (
     actions,
     entities,
@@ -35,6 +34,8 @@ from coursekit.nodes.compiled import (
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
+from coursekit.processes.process import ProcessKilled, current_process
+from coursekit.processes.session import current
 from coursekit.systems import children
 from coursekit.systems.signal_names import signal_called
 
@@ -74,7 +75,7 @@ class Host:
         self.flags = VIRTUAL if self.clock.virtual else 0
         self.things: dict[int, Any] = {}
         """What the program has made, by number."""
-        self.of_lane: dict[Any, Channel] = {}
+        self.of_context: dict[Any, Channel] = {}
         self.threads: dict[int, Channel] = {}
         """The channels of threads that the program made on the virtual clock, by its own numbers."""
         self.blocked: dict[int, list[Any]] = {}
@@ -229,16 +230,16 @@ class Host:
             return number
 
     def call(self, handler: int, data: bytes = b"") -> Unpacker:
-        """Call one of the program's callbacks in the thread that the running lane stands for, else in a worker's."""
-        channel = self.of_lane.get(self.session.lane())
+        """Call one of the program's callbacks in the thread that the running context stands for, else in a worker's."""
+        channel = self.of_context.get(self.session.execution_context())
         if channel is not None:
             return channel.call(handler, data)
         channel = self._worker()
-        self.of_lane[self.session.lane()] = channel
+        self.of_context[self.session.execution_context()] = channel
         try:
             return channel.call(handler, data)
         finally:
-            self.of_lane.pop(self.session.lane(), None)
+            self.of_context.pop(self.session.execution_context(), None)
             self._idle.append(channel)
 
     def _worker(self) -> Channel:

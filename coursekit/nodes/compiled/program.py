@@ -69,7 +69,7 @@ def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_thread(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """The program made a thread on the virtual clock: it gets its lane, and begins when that has its turn."""
+    """The program made a thread on the virtual clock: it gets its execution context, and begins when that has its turn."""
     host.threads[frame.integer()] = channel = host.accept()[1]
     host.session.spawn(channel.serve)
 

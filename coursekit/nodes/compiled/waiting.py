@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.guard_condition import GuardCondition
 
-from coursekit.core.ready import ReadyQueue
+from coursekit.core.ready_queue import ReadyQueue
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ from typing import Any
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rclpy.node import Node
 
-from coursekit.core.components import find_component
-from coursekit.core.process import current_process
 from coursekit.nodes.running import run
+from coursekit.processes.components import find_component
+from coursekit.processes.process import current_process
 from coursekit.systems import signal_names
 
 from .loading import LoadedComponent
@@ -59,7 +59,7 @@ class ComponentManager(Node):
         return path
 
     def _graph_of_mine(self) -> Any:
-        from coursekit.core.session import current
+        from coursekit.processes.session import current
 
         return current().graph(self.context.get_domain_id())
 

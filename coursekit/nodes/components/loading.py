@@ -9,11 +9,11 @@ from typing import Any
 from composition_interfaces.srv import LoadNode
 from rclpy.parameter import Parameter
 
-from coursekit.core.components import Given, give_to_first_node
-from coursekit.core.executables import make_process
-from coursekit.core.process import current_process
-from coursekit.core.session import current
 from coursekit.nodes.running import pass_on_output
+from coursekit.processes.components import Given, give_to_first_node
+from coursekit.processes.executables import make_process
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 
 PATIENCE = 10.0  # seconds until a component has its node
 _LEVELS = {10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal"}

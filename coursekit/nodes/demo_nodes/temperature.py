@@ -27,7 +27,7 @@ class Thermometer(Node):
         self._publisher.publish(msg)
 
 
-class Alarm(Node):
+class TimerHandle(Node):
     """Hears emergencies. rclpy has no content filters: what is none is dropped here, not by the middleware."""
 
     def __init__(self) -> None:
@@ -50,4 +50,4 @@ def publisher(args: list[str] | None = None) -> int:
 
 def subscriber(args: list[str] | None = None) -> int:
     """Listen until Ctrl-C."""
-    return run(Alarm, args)
+    return run(TimerHandle, args)

@@ -11,8 +11,8 @@ from typing import Any
 import rclpy
 from rclpy.utilities import remove_ros_args
 
-from coursekit.core.process import current_process
 from coursekit.nodes.running import to_the_end
+from coursekit.processes.process import current_process
 from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 

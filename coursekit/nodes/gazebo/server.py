@@ -12,7 +12,7 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rosgraph_msgs.msg import Clock
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.sim import Simulation, WorldError
 
 from . import simulators

@@ -16,7 +16,7 @@ from rclpy.qos_overriding_options import QoSOverridingOptions
 from rclpy.utilities import remove_ros_args
 from rosidl_runtime_py.utilities import get_message, get_service
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 from .bridge_config import Bridged, of_file, of_word
 from .bridge_types import SERVICES, carried_by, conversion, full_name

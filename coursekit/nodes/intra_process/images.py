@@ -11,8 +11,8 @@ from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
 
-from coursekit.core.process import current_process
 from coursekit.nodes.running import run, spin_to_the_end, terminate
+from coursekit.processes.process import current_process
 
 WIDTH, HEIGHT = 320, 240
 _GREEN = (0, 255, 0)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import random
 
-from coursekit.core.session import current
 from coursekit.nodes.robots import boards
 from coursekit.nodes.robots.joint_state_publisher import JointStatePublisher, run
+from coursekit.processes.session import current
 from coursekit.urdf.errors import close
 
 

@@ -8,9 +8,9 @@ import sys
 import rclpy
 from rclpy.node import Node
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
 from coursekit.nodes.running import spin_to_the_end
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 
 from . import windows
 from .windows import RqtWindow

@@ -6,12 +6,7 @@ import difflib
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
-
-import yaml
-
-from coursekit.files import read_text, write_whole
 
 from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
@@ -111,49 +106,4 @@ def _view(given: Any) -> dict[str, Any] | None:
     return {key: value if key == "target" else float(value) for key, value in made.items()}
 
 
-def read(path: str | Path, rooted: bool = True) -> Config:
-    """The view in a file: ours, or one that RViz saved. Raises OSError, and ValueError which names the file.
-
-    With `rooted` topics are absolute; else those of an .rviz file stay as written, for a node to resolve.
-    """
-    file = Path(path)
-    try:
-        data = yaml.safe_load(read_text(file))
-        if not isinstance(data, dict):
-            raise ValueError("it holds no mapping with 'displays:'")
-        if "Visualization Manager" in data:
-            from .rviz_file import from_rviz
-
-            config = from_rviz(data)
-            for one in config.displays if rooted else ():
-                one.topic = one.topic if one.topic.startswith("/") or not KINDS[one.kind].type else f"/{one.topic}"
-            return config
-        unknown = [key for key in data if key not in ("fixed_frame", "displays", "view")]
-        if unknown:
-            raise ValueError(f"'{unknown[0]}' is not known; there are fixed_frame, displays and view")
-        return make_config(data.get("fixed_frame", ""), data.get("displays") or [], data.get("view"))
-    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, yaml.YAMLError) as error:
-        raise ValueError(f"{file} cannot be read as a viewer's configuration: {error}") from None
-
-
-def save(config: Config, path: str | Path) -> None:
-    """Write a view as small YAML: only what differs from the defaults."""
-    data: dict[str, Any] = {"fixed_frame": config.fixed_frame, "displays": [_small(one) for one in config.displays]}
-    if config.view:
-        data["view"] = config.view
-    write_whole(path, yaml.safe_dump(data, sort_keys=False, default_flow_style=None))
-
-
-def _small(display: DisplayConfig) -> dict[str, Any]:
-    kind = KINDS[display.kind]
-    made: dict[str, Any] = {"type": display.kind}
-    if kind.type:
-        made["topic"] = display.topic
-    if display.name != display.kind:
-        made["name"] = display.name
-    if not display.enabled:
-        made["enabled"] = False
-    return made | {key: value for key, value in display.options.items() if value != {**QOS, **kind.options}.get(key)}
-
-
-__all__ = ["Config", "DisplayConfig", "display_config", "make_config", "read", "save"]
+__all__ = ["Config", "DisplayConfig", "display_config", "make_config"]

@@ -14,13 +14,14 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.utilities import remove_ros_args
 from rclpy.validate_topic_name import validate_topic_name
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
 from coursekit.interfaces import load
 from coursekit.nodes.running import spin_to_the_end
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 
 from . import windows
-from .config import Config, DisplayConfig, make_config, read
+from .config import Config, DisplayConfig, make_config
+from .config_file import read
 from .kinds import KINDS
 
 LOOK_SECONDS = 2.0

@@ -10,7 +10,7 @@ from geometry_msgs.msg import Twist, TwistStamped
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
-from coursekit.core.process import current_process
+from coursekit.processes.process import current_process
 
 USAGE = """
 Keys typed here become Twist messages; a US keyboard has them where they belong.

@@ -13,7 +13,7 @@ from rclpy.utilities import remove_ros_args
 from tf2_ros import Buffer, TransformException, TransformListener
 from tf_transformations import euler_from_quaternion
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from coursekit.tf.errors import seconds_text
 from coursekit.tf.pose import matrix
 

@@ -15,7 +15,7 @@ from rclpy.utilities import remove_ros_args
 from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, TransformException, TransformListener
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 PERIOD_SECONDS = 0.5
 PERIODS = 20

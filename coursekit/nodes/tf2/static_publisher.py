@@ -15,8 +15,8 @@ from rclpy.utilities import remove_ros_args
 from tf2_ros import StaticTransformBroadcaster
 from tf_transformations import quaternion_from_euler
 
-from coursekit.core.session import current
 from coursekit.nodes.running import spin_to_the_end, terminate
+from coursekit.processes.session import current
 
 USAGE = """\
 usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX] [--qy QY] [--qz QZ] [--qw QW] \

@@ -13,8 +13,8 @@ from rclpy.action import ActionClient
 from rclpy.executors import ExternalShutdownException
 from turtlesim.action import RotateAbsolute
 
-from coursekit.core.process import current_process
 from coursekit.nodes.cpp_node import CppNode
+from coursekit.processes.process import current_process
 
 ARROWS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "right": (0.0, -1.0), "left": (0.0, 1.0)}
 """Arrow keys: (linear, angular)."""

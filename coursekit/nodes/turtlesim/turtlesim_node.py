@@ -13,12 +13,12 @@ from rclpy.exceptions import InvalidTopicNameException
 from std_srvs.srv import Empty
 from turtlesim.srv import Kill, Spawn
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
 from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import to_the_end
 from coursekit.nodes.turtlesim import simulators
 from coursekit.nodes.turtlesim.turtle import TurtleInterface
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 from coursekit.sim.turtle import SIDE, STEP, World
 
 BACKGROUND = {"r": ("Red", 69), "g": ("Green", 86), "b": ("Blue", 255)}

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ament_index_python.resources import get_resource, get_resources
 from ament_index_python.search_paths import get_search_paths
-from coursekit.core.elsewhere import remark
+from coursekit.processes.unavailable_packages import remark
 from coursekit.systems import copies
 
 

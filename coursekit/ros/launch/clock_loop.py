@@ -16,7 +16,7 @@ from collections.abc import Callable
 from contextvars import Context
 from typing import Any
 
-from coursekit.core import session
+from coursekit.processes import session
 
 
 class ClockLoop(asyncio.AbstractEventLoop):
@@ -82,7 +82,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
         return asyncio.Task(coro, loop=self, **kwargs)
 
     def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
-        """Run a function in a lane of its own; the future gets what it returns or raises."""
+        """Run a function in an execution context of its own; the future gets what it returns or raises."""
         future = self.create_future()
 
         def work() -> None:

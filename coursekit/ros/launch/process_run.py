@@ -66,7 +66,7 @@ class ProcessRun:
         return True
 
     def __on_output(self, stream: str, text: str) -> None:
-        """Pass output on to the loop; called in the process's own lane."""
+        """Pass output on to the loop; called in the process's own execution context."""
         self.__pieces.append((stream, text))
         if not self.__emits:
             self.__emits = True

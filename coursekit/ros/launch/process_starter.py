@@ -7,14 +7,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from coursekit.core import script, session
-from coursekit.core.child import ChildProcess
-from coursekit.core.commands import COMPILED, inside
-from coursekit.core.executables import has_compiled_here
-from coursekit.core.prefixed import is_package_executable, prefixed
 from coursekit.interfaces.find import UNDERLAY
+from coursekit.processes import script, session
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.executables import has_compiled_here
+from coursekit.processes.prefixed import is_package_executable, prefixed
 from coursekit.systems.layout import executable_name
 from coursekit.systems.words import plain_words, shell_command
+from coursekit.wiring import COMPILED_HOST, command
 
 from .substitutions.find_executable import which
 
@@ -44,7 +44,7 @@ def start_process(
     cmd = prefixed(without_terminal(cmd))
     words = plain_words(" ".join(cmd)) if shell else list(cmd)
     name = executable_name(Path(words[0])) if words else ""
-    run = inside(name) if words and not is_package_executable(words[0]) else None
+    run = command(name) if words and not is_package_executable(words[0]) else None
     if run is not None:
         argv = words[1:]
         return current.start(lambda: run(argv), name=name, argv=argv, env=env, cwd=cwd, on_output=on_output, tty=tty)
@@ -60,7 +60,7 @@ def start_process(
     if found is None:
         raise FileNotFoundError(2, "there is no such program", cmd[0])
     if has_compiled_here(cmd):
-        host, name = UNDERLAY / COMPILED, os.path.basename(found)
+        host, name = UNDERLAY / COMPILED_HOST, os.path.basename(found)
         words = [found, *cmd[1:]]
         return current.start_executable(host, words, name=name, env=env, cwd=cwd, on_output=on_output, tty=tty)
     child = ChildProcess(current, [found, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)

@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 
-from coursekit.core import session
+from coursekit.processes import session
 
 
 class TemporaryFiles:

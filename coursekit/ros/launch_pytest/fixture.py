@@ -70,7 +70,7 @@ def get_event_loop_fixture(*, scope: str = "function") -> Any:
 
         from launch.clock_loop import ClockLoop
 
-        from coursekit.core.session import current
+        from coursekit.processes.session import current
 
         loop: Any = ClockLoop() if current().clock.virtual else asyncio.new_event_loop()  # type: ignore[abstract]
         asyncio.set_event_loop(loop)
@@ -120,9 +120,9 @@ def finalize_launch_service(launch_service: Any, eprefix: str = "", auto_shutdow
     Raises:
         AssertionError: when it failed.
     """
-    from coursekit.core.patching import door
+    from coursekit.processes.patching import patch_manager
 
-    door.renew()  # pytest may have put its own in their place since the launch began
+    patch_manager.renew()  # pytest may have put its own in their place since the launch began
     if auto_shutdown:
         launch_service.shutdown(force_sync=True)
     loop = launch_service.event_loop

@@ -35,7 +35,7 @@ def pytest_configure(config: Any) -> None:
     )
     if config.pluginmanager.hasplugin("pytester"):
         # tests of tests forget the modules that they imported, but these change the interpreter and are imported only once
-        importlib.import_module("coursekit.core.session")
+        importlib.import_module("coursekit.processes.session")
         importlib.import_module("launch")
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from coursekit.core.patching import door
+from coursekit.processes.patching import patch_manager
 
 from .collecting import LaunchTest, is_generator
 from .fixture import ATTRIBUTE, finalize_launch_service
@@ -19,7 +19,7 @@ Runner = Callable[..., None]
 
 def runner_of(item: Any) -> Runner:
     """Return the function that runs an item's test, with its arguments."""
-    door.renew()  # pytest has put its own in their place since the launch began
+    patch_manager.renew()  # pytest has put its own in their place since the launch began
     function, test = item.obj, getattr(item, ATTRIBUTE)
     stages = _Stages(function, test, item.funcargs["launch_service"], item.funcargs["event_loop"])
     if not is_generator(function):

@@ -6,9 +6,9 @@ from typing import Any
 
 from launch.launch_context import LaunchContext
 
-from coursekit.core import session
-from coursekit.core.lane import ProcessKilled
-from coursekit.core.process import current_process
+from coursekit.core.execution_context import ProcessKilled
+from coursekit.processes import session
+from coursekit.processes.process import current_process
 
 KEY = "ros_adapter"
 

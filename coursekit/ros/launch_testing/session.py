@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from coursekit.core.commands import DOOR, HOLDER, load
-from coursekit.core.session import current
-from coursekit.core.whose import current_process
+from coursekit.processes.current_process import current_process
+from coursekit.processes.session import current
+from coursekit.wiring import HOLDER, SERVE, load
 
 Result = TypeVar("Result")
 DOMAINS = range(101)
@@ -56,23 +56,23 @@ def own_domain() -> Iterator[None]:
         yield
         return
     before = os.environ.get("ROS_DOMAIN_ID")
-    domain, door = _choose(before or "")
+    domain, server = _choose(before or "")
     os.environ["ROS_DOMAIN_ID"] = str(domain)
     try:
         yield
     finally:
-        if door is not None:
-            door.close()
+        if server is not None:
+            server.close()
         os.environ.pop("ROS_DOMAIN_ID")
         if before is not None:
             os.environ["ROS_DOMAIN_ID"] = before
 
 
 def _choose(wanted: str) -> tuple[int, Any]:
-    """A domain, and the door through which its terminals reach the test; None where the commands' own session has them."""
+    """A domain, and the server through which its terminals reach the test; None where the commands' own session has them."""
     for domain in [int(wanted)] if wanted.isdecimal() else DOMAINS:
-        door = load(DOOR)(current(), domain, NAME)
-        if door is not None or wanted.isdecimal() or load(HOLDER)(domain) == "":
+        server = load(SERVE)(current(), domain, NAME)
+        if server is not None or wanted.isdecimal() or load(HOLDER)(domain) == "":
             current().meet(domain)
-            return domain, door
+            return domain, server
     return DOMAINS[0], None

@@ -12,9 +12,9 @@ import importlib
 import importlib.util
 from typing import Any
 
-from coursekit.core import script
-from coursekit.core.patching import door
-from coursekit.core.session import locals_here
+from coursekit.processes import script
+from coursekit.processes.patching import patch_manager
+from coursekit.processes.session import locals_here
 from rclpy._lent import lender
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from rclpy.utilities import (
@@ -188,4 +188,4 @@ def spin_until_future_complete(
 
 
 script.join()
-door.put_at_once("sys.meta_path (last)")
+patch_manager.put_at_once("sys.meta_path (last)")

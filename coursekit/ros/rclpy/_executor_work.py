@@ -1,6 +1,6 @@
 """What an executor does next: ready entities and tasks, and the waiting for them.
 
-Ready entities stand in a queue (`coursekit.core.ready`), so a wake-up costs the same with two nodes and with two
+Ready entities stand in a queue (`coursekit.core.ready_queue`), so a wake-up costs the same with two nodes and with two
 hundred; real rclpy asks every entity in every cycle.
 """
 
@@ -11,8 +11,8 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.ready import ReadyQueue
-from coursekit.core.session import current
+from coursekit.core.ready_queue import ReadyQueue
+from coursekit.processes.session import current
 from rclpy.task import Future, Task
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 
 @dataclass

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core.ready import Source
-from coursekit.core.session import current
-from coursekit.core.timebase import TimeBase
+from coursekit.core.ready_queue import Source
+from coursekit.core.time_base import TimeBase
 from coursekit.core.timer import Timer as CoreTimer
+from coursekit.processes.session import current
 from rclpy._rclpy_info import RequestInfo, as_bytes, message_info, service_info
 from rclpy._rclpy_names import ClockChange as ClockChange
 from rclpy._rclpy_names import ClockType as ClockType

@@ -9,8 +9,8 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.process import current_process
-from coursekit.core.session import locals_here
+from coursekit.processes.process import current_process
+from coursekit.processes.session import locals_here
 
 _KEY = "rclpy.thread_pools"
 

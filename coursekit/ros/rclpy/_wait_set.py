@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from coursekit.core.ready import Source
-from coursekit.core.session import current
+from coursekit.core.ready_queue import Source
+from coursekit.processes.session import current
 
 
 class WaitSet:

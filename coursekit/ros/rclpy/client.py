@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from typing import Any
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Client as _Handle
 from rclpy.task import Future

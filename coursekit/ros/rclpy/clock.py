@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from rclpy._rclpy_pybind11 import Clock as _Handle
 from rclpy._rclpy_pybind11 import ClockChange, ClockType
 from rclpy.duration import Duration

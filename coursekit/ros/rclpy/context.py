@@ -9,9 +9,9 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, parse_ros_arguments
-from coursekit.core.process import current_process
-from coursekit.core.session import current, locals_here
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current, locals_here
+from coursekit.rcl.arguments import RosArgumentsError, UnknownRosArguments, parse_ros_arguments
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 
 

@@ -7,8 +7,8 @@ import warnings
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.lane import ProcessKilled
-from coursekit.core.session import current
+from coursekit.core.execution_context import ProcessKilled
+from coursekit.processes.session import current
 from rclpy._executor_base import Executor
 from rclpy._executor_work import (
     _POLL_WEIGHT,

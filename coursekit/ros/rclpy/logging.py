@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from coursekit.core.arguments import RosArguments
+from coursekit.rcl.arguments import RosArguments
 from rclpy.impl.log_file import logging_directory
 from rclpy.impl.logging_state import LoggingSeverity as LoggingSeverity
 from rclpy.impl.logging_state import logging_state

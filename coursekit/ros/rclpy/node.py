@@ -7,9 +7,9 @@ from typing import Any
 
 from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 
-from coursekit.core.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
-from coursekit.core.components import take_for_first_node
-from coursekit.core.process import current_process
+from coursekit.processes.components import take_for_first_node
+from coursekit.processes.process import current_process
+from coursekit.rcl.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._lent import lender
 from rclpy._node_entities import NodeEntities

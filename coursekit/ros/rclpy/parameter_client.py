@@ -15,7 +15,7 @@ from rcl_interfaces.srv import (
     SetParametersAtomically,
 )
 
-from coursekit.core import session
+from coursekit.processes import session
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_services_default
 from rclpy.task import Future

@@ -7,7 +7,7 @@ from typing import Any
 
 from rcl_interfaces.msg import Parameter, ParameterEvent
 
-from coursekit.core import names
+from coursekit.rcl import names
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 

@@ -6,9 +6,9 @@ import signal
 import threading
 from typing import Any
 
-from coursekit.core.patching import IMPORTS, Change, door
-from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.processes.patching import IMPORTS, Change, patch_manager
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
 from rclpy.context import shutdown_all
 
@@ -65,7 +65,7 @@ def _install_in_interpreter(options: SignalHandlerOptions) -> None:
         if options & bit and signum not in _interpreter["previous"]:
             _interpreter["previous"][signum] = signal.signal(signum, _handle)
     _interpreter["options"] = options
-    door.lend(_HANDLERS)
+    patch_manager.lend(_HANDLERS)
 
 
 def _handle(signum: int, frame: Any) -> None:
@@ -106,7 +106,7 @@ _HANDLERS = Change(
     "handlers of SIGINT and SIGTERM",
     lambda _nothing: _uninstall_in_interpreter,
     "Ctrl-C and kill end the contexts of rclpy, between init() and shutdown()",
-    "tests/core/test_patches.py",
+    "tests/processes/test_patches.py",
     IMPORTS,
 )
 

@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._rclpy_pybind11 import Timer as _Handle
 from rclpy.exceptions import ROSInterruptException

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from coursekit.core.arguments import remove_ros_arguments as _remove
-from coursekit.core.session import current, locals_here
+from coursekit.processes.session import current, locals_here
+from coursekit.rcl.arguments import remove_ros_arguments as _remove
 from rclpy.context import Context
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.core import names
+from coursekit.rcl import names
 from rclpy.exceptions import InvalidNodeNameException
 
 

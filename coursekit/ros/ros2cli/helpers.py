@@ -10,7 +10,7 @@ from typing import Any
 import rclpy
 from rclpy.utilities import timeout_sec_to_nsec
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 _WAIT_SECONDS = 5.0
 

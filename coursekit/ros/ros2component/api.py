@@ -12,7 +12,7 @@ from ros2cli.node.strategy import NodeStrategy
 from ros2node.api import NodeName, get_node_names, get_service_server_info
 from ros2param.api import get_parameter_value
 
-from coursekit.core.components import registered
+from coursekit.processes.components import registered
 
 COMPONENTS_RESOURCE_TYPE = "rclcpp_components"
 _SERVICES = {"load_node": LoadNode, "unload_node": UnloadNode, "list_nodes": ListNodes}

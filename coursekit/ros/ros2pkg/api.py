@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core import executables
+from coursekit.processes import executables
 
 
 class PackageNotFound(Exception):

@@ -23,7 +23,7 @@ from ros2cli.node.strategy import NodeStrategy
 from rosidl_runtime_py import get_message_interfaces, message_to_yaml
 from rosidl_runtime_py.utilities import get_message
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 
 POLL_SECONDS = 0.1
 POLICIES = (

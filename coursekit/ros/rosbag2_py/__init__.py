@@ -8,7 +8,7 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from coursekit.core import script
+from coursekit.processes import script
 
 _HOMES = {
     "_compression_options": (

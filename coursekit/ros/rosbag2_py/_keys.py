@@ -8,8 +8,8 @@ import sys
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from coursekit.core.process import current_process
-from coursekit.core.session import current
+from coursekit.processes.process import current_process
+from coursekit.processes.session import current
 
 SPACE, RIGHT, UP, DOWN = " ", "\x1b[C", "\x1b[A", "\x1b[B"
 NAMES = {SPACE: "SPACE", RIGHT: "CURSOR_RIGHT", UP: "CURSOR_UP", DOWN: "CURSOR_DOWN"}

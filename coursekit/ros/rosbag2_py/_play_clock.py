@@ -9,7 +9,7 @@ from typing import Any
 class PlayClock:
     """Times in nanoseconds; `clock` is the session's.
 
-    >>> from coursekit.core.virtual import VirtualClock
+    >>> from coursekit.core.virtual_clock import VirtualClock
     >>> wall = VirtualClock(); played = PlayClock(wall, start=0, rate=2.0)
     >>> wall.sleep(1.0); played.now()
     2000000000

@@ -16,9 +16,9 @@ from rosidl_runtime_py.utilities import get_message
 
 from coursekit.bag.errors import BagError
 from coursekit.bag.metadata import TopicMetadata
-from coursekit.core.session import current
 from coursekit.interfaces.errors import CdrError
 from coursekit.interfaces.find import known_packages, prefixes
+from coursekit.processes.session import current
 from rosbag2_py._inbox import Inbox
 from rosbag2_py._keys import DOWN, NAMES, RIGHT, SPACE, UP, Keyboard
 from rosbag2_py._play_clock import PlayClock

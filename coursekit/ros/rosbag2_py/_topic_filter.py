@@ -8,7 +8,7 @@ from typing import Any
 
 from rosidl_runtime_py.utilities import get_message
 
-from coursekit.core.names import is_hidden
+from coursekit.rcl.names import is_hidden
 
 
 class TopicFilter:

@@ -13,7 +13,7 @@ from typing import Any
 from rclpy.context import Context
 from rclpy.qos import QoSProfile
 
-from coursekit.core.process import current_process
+from coursekit.processes.process import current_process
 from rosbag2_py._compression_options import CompressionOptions, compression_mode_from_string
 from rosbag2_py._keys import until_told_to_end
 from rosbag2_py._storage import StorageOptions

@@ -11,7 +11,7 @@ from coursekit.bag import compression
 from coursekit.bag.metadata import TopicMetadata
 from coursekit.bag.storage import SUFFIXES, Message
 from coursekit.bag.writer import BagWriter, WriteSettings
-from coursekit.core.process import current_process
+from coursekit.processes.process import current_process
 from rosbag2_py._compression_options import CompressionOptions
 from rosbag2_py._storage import ConverterOptions, StorageOptions
 

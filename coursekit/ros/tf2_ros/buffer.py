@@ -16,7 +16,7 @@ from tf2_msgs.srv import FrameGraph
 from tf2_py import BufferCore
 from tf2_py._convert import nanoseconds
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from tf2_ros.buffer_interface import BufferInterface
 
 _AT_ONCE = Duration()

@@ -22,7 +22,7 @@ from tf2_py import (
     TransformException,
 )
 
-from coursekit.core.session import current
+from coursekit.processes.session import current
 from tf2_ros.buffer_interface import BufferInterface
 
 _ERRORS = {

@@ -11,7 +11,7 @@ import pytest
 import rclpy
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from tests.cli.bag.stage import Stage, write
 
 

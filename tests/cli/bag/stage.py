@@ -13,7 +13,7 @@ from coursekit.bag.metadata import TopicMetadata
 from coursekit.bag.storage import Message
 from coursekit.bag.writer import BagWriter, WriteSettings
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from tests.bag.made import CHATTER, text_bytes
 
 SECOND = 10**9

@@ -12,7 +12,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from coursekit.bag.metadata import TopicMetadata
 from coursekit.bag.storage import Message
 from coursekit.bag.writer import BagWriter, WriteSettings
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from tests.bag.made import CHATTER, all_of, text_bytes
 from tests.cli.bag.stage import SECOND, Stage, write
 

@@ -12,8 +12,8 @@ import yaml
 from rosbags.rosbag2 import Reader
 from std_msgs.msg import String
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 from tests.bag.made import all_of
 from tests.cli.bag.stage import START, lines, stop
 

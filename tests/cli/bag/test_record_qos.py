@@ -9,7 +9,7 @@ from typing import Any
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 from tests.bag.made import all_of
 from tests.cli.bag.stage import lines, stop
 

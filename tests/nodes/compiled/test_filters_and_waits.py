@@ -6,7 +6,7 @@ import pytest
 from laser_geometry import LaserProjection
 from sensor_msgs.msg import LaserScan
 
-from coursekit.core.executables import make_process
+from coursekit.processes.executables import make_process
 from tests.nodes.compiled.conftest import program
 
 

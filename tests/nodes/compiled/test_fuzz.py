@@ -16,11 +16,11 @@ from hypothesis import strategies as st
 from rcl_interfaces.msg import ParameterEvent
 from sensor_msgs.msg import PointCloud2, PointField
 
-from coursekit.core.session import Session
 from coursekit.interfaces.cdr import serialize
 from coursekit.nodes.compiled.channel import Channel
 from coursekit.nodes.compiled.frames import packed
 from coursekit.nodes.compiled.host import OPERATIONS, Host
+from coursekit.processes.session import Session
 from tests.nodes.compiled.conftest import program
 
 WAITING = {"sleep", "join", "block", "wait", "spin", "spin_once", "spin_some", "read", "thread", "ros_sleep"}
@@ -42,7 +42,7 @@ def stand_in(session: Session) -> Any:
     """A host without a child."""
     made = object.__new__(Host)
     made.session, made.clock, made.flags = session, session.clock, 0
-    made.things, made.of_lane, made.waiting = {}, {}, []
+    made.things, made.of_context, made.waiting = {}, {}, []
     made.process = SimpleNamespace(on_signal=[], handlers={}, env={})
     made.own_gids = set()
     made.output = SimpleNamespace(drain=lambda: None)  # type: ignore[assignment]

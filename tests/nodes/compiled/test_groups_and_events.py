@@ -7,8 +7,8 @@ import rclpy
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
 
-from coursekit.core.executables import make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 HEAD = """
 #include <iostream>

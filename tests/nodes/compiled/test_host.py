@@ -11,8 +11,8 @@ from typing import Any
 import psutil
 
 import coursekit.nodes.compiled.host as host
-from coursekit.core.executables import make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 Build = Callable[[str, str], Path]
 HOST = Path(host.__file__)

@@ -6,7 +6,7 @@ import pytest
 import rclpy
 from std_msgs.msg import String
 
-from coursekit.core.executables import make_process
+from coursekit.processes.executables import make_process
 from tests.nodes.compiled.conftest import program
 
 

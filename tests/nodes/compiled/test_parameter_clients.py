@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import rclpy
 
-from coursekit.core.executables import make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 PROGRAM = """
 #include <iostream>

@@ -10,8 +10,8 @@ import threading
 import psutil
 import pytest
 
-from coursekit.core.executables import has_compiled_here, make_process
-from coursekit.core.session import Session
+from coursekit.processes.executables import has_compiled_here, make_process
+from coursekit.processes.session import Session
 from tests.nodes.compiled.conftest import program
 
 STARTS = int(os.environ.get("COURSEKIT_STARTS", "20"))

@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
-from coursekit.core.executables import make_process
 from coursekit.nodes.compiled import vision
 from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
+from coursekit.processes.executables import make_process
 from tests.nodes.compiled.conftest import ROOM, program
 
 

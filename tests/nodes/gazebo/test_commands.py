@@ -1,7 +1,7 @@
 """Launch files that start the simulator as a program."""
 
 from coursekit.cli.parser import run
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 LAUNCH = """
 from launch import LaunchDescription

@@ -29,8 +29,8 @@ def at(x: float, y: float, heading: float) -> Pose2:
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory):
     """A pose graph and a map of the way, by name without ending."""
-    from coursekit.core.executables import find
-    from coursekit.core.session import Session
+    from coursekit.processes.executables import find
+    from coursekit.processes.session import Session
 
     name = str(tmp_path_factory.mktemp("kept") / "office")
     with Session(virtual=True).use() as session:

@@ -6,8 +6,8 @@ from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from sensor_msgs.msg import LaserScan
 
-from coursekit.core.session import Session
 from coursekit.nodes.slam_toolbox.scan_filter import ScanFilter, WakingBuffer
+from coursekit.processes.session import Session
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from diagnostic_updater import (
 )
 from geometry_msgs.msg import PoseStamped
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 

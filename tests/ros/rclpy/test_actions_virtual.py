@@ -4,7 +4,7 @@ import rclpy
 from rclpy.action import ActionClient, ActionServer
 from test_msgs.action import Fibonacci
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 
 def server():

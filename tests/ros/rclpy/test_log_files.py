@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import pytest
 from rclpy.impl.logging_state import LoggingState
 from rclpy.logging import LoggingSeverity, get_logger, get_logger_effective_level, set_logger_level
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 CALLER = ("/home/me/node.py", "spin_around", 12)
 STAMP = 1_700_000_000_123_456_789

@@ -11,7 +11,7 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.task import Future
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 CALLS = 40
 

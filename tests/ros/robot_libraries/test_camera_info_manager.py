@@ -7,7 +7,7 @@ from rclpy.executors import SingleThreadedExecutor
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 INFO = CameraInfo(width=640, height=480, distortion_model="plumb_bob", d=[0.1] * 5, k=[500.0] * 9, r=[1.0] * 9, p=[2.0] * 12)
 

@@ -15,8 +15,8 @@ from rclpy.time import Time
 from rosidl_runtime_py.utilities import get_message
 from std_msgs.msg import String
 
-from coursekit.core.executables import find
-from coursekit.core.session import Session
+from coursekit.processes.executables import find
+from coursekit.processes.session import Session
 
 RECORDER = """
     import rclpy

@@ -20,8 +20,8 @@ from rosbag2_py._qos import offer_for, offers_text, parse_offers, request_for
 from std_msgs.msg import String
 
 from coursekit.bag.errors import BagError
-from coursekit.core import script
-from coursekit.core.session import Session
+from coursekit.processes import script
+from coursekit.processes.session import Session
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from rclpy.time import Time
 from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, LookupException, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 
-from coursekit.core.session import Session
+from coursekit.processes.session import Session
 
 
 def stamped(parent, child, time, x=42.0):

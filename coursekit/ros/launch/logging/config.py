@@ -12,8 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from coursekit.core import session
-from coursekit.core.process import current_process
+from coursekit.processes import session
+from coursekit.processes.process import current_process
 
 from . import handlers
 

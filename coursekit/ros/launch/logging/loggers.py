@@ -6,7 +6,7 @@ import logging
 from collections.abc import Mapping
 from typing import Any
 
-from coursekit.core import session
+from coursekit.processes import session
 
 from .config import LaunchConfig, current_config
 

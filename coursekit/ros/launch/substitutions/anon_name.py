@@ -50,7 +50,7 @@ class AnonName(Substitution):
 
 def _unique(name: str) -> str:
     """Return `name` with two numbers of the session's own: the same in every run on the virtual clock."""
-    from coursekit.core import session
+    from coursekit.processes import session
 
     uuid = session.current().new_uuid()
     numbers = [int.from_bytes(part, "big") for part in (uuid[:2], uuid[2:8])]

@@ -69,7 +69,7 @@ class LifecycleNode(Node):
         )
 
     def __call(self, transition_id: int, context: LaunchContext) -> None:
-        """Ask the node for the transition, in a lane of its own; a shutdown ends the waiting."""
+        """Ask the node for the transition, in an execution context of its own; a shutdown ends the waiting."""
         from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
         logger = get_logger("launch_ros.actions.lifecycle_node")

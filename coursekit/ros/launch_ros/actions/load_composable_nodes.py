@@ -57,7 +57,7 @@ class LoadComposableNodes(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Write the requests now, while the scope's settings hold; ask the container in a lane beside the launch."""
+        """Write the requests now, while the scope's settings hold; ask the container beside the launch."""
         from composition_interfaces.srv import LoadNode
 
         self.__container_name = self.__name_of_container(context)

@@ -14,7 +14,7 @@ from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
-from coursekit.core.executables import why_missing, why_skipped
+from coursekit.processes.executables import why_missing, why_skipped
 from coursekit.systems.layout import executable_files, is_executables_part
 
 from .find_package import FindPackagePrefix

@@ -6,7 +6,7 @@ from typing import Any
 
 from launch.launch_context import LaunchContext
 
-from coursekit.core import session
+from coursekit.processes import session
 
 PATIENCE = 10  # seconds until it is said that nobody offers the service
 
@@ -14,7 +14,7 @@ PATIENCE = 10  # seconds until it is said that nobody offers the service
 def call_service(client: Any, request: Any, context: LaunchContext, logger: Any) -> Any:
     """Return the service's answer; None, after a warning, when the launch shut down meanwhile.
 
-    Blocks: to be called in a lane of its own, not in the launch's loop.
+    Blocks: to be called in an execution context of its own, not in the launch's loop.
     """
     waited = 0
     while not client.wait_for_service(timeout_sec=1.0):

@@ -27,7 +27,7 @@ def to_parameters_list(
         elif isinstance(parameter, dict):
             values += parameter.items()
         else:
-            from coursekit.core.arguments import parse_ros_arguments
+            from coursekit.rcl.arguments import parse_ros_arguments
 
             full_name = f"{(namespace or '').rstrip('/')}/{node_name or ''}"
             arguments = parse_ros_arguments(["--ros-args", "--params-file", str(parameter)])

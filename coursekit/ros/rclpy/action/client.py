@@ -10,7 +10,7 @@ from action_msgs.msg import GoalStatusArray
 from action_msgs.srv import CancelGoal
 from unique_identifier_msgs.msg import UUID
 
-from coursekit.core import session
+from coursekit.processes import session
 from rclpy._lent import lender
 from rclpy.action.client_goal_handle import ClientGoalHandle
 from rclpy.action.goal_state import TERMINAL

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from coursekit.core import names
+from coursekit.rcl import names
 
 
 class ActionNames(NamedTuple):

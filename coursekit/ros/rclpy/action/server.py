@@ -10,7 +10,7 @@ from typing import Any
 from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
 
-from coursekit.core import session
+from coursekit.processes import session
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.defaults import (
     CancelResponse,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core import session
+from coursekit.processes import session
 
 
 class Once:

@@ -10,8 +10,8 @@ from datetime import datetime
 from enum import IntEnum
 from typing import Any, TextIO
 
-from coursekit.core.process import current_process
-from coursekit.core.session import locals_here
+from coursekit.processes.process import current_process
+from coursekit.processes.session import locals_here
 from rclpy.impl.log_file import LogFile
 
 

@@ -6,7 +6,7 @@ import sys
 from types import FrameType
 from typing import Any
 
-from coursekit.core import session
+from coursekit.processes import session
 from rclpy.impl.log_filters import FILTERS, get_filters_from_kwargs
 from rclpy.impl.logging_state import Listener, LoggingSeverity, logging_state
 

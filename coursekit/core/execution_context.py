@@ -1,0 +1,62 @@
+"""An execution context is one line of execution: a thread on the wall clock, a greenlet on the virtual one."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+
+class ProcessKilled(BaseException):
+    """Raised inside a process that was killed; it is not an Exception, so `except Exception` lets it pass."""
+
+    def __init__(self, signum: int = 9) -> None:
+        super().__init__(signum)
+        self.signum = signum
+
+
+class ExecutionContext:
+    """What can be blocked, woken and interrupted.
+
+    `pending` holds callables that the execution context runs itself, the next time it is about to wait or has waited:
+    that is how a Ctrl-C reaches code that sleeps, spins or waits.
+    """
+
+    def __init__(self) -> None:
+        self.blocked_on: Any = None
+        self.pending: deque[Callable[[], None]] = deque()
+        self.ident = threading.get_ident()
+        self.turn = 0
+        self.polls = 0
+
+    def post(self, action: Callable[[], None]) -> None:
+        """Have the execution context run `action` (which may raise) and wake it if it waits."""
+        self.pending.append(action)
+        waiter = self.blocked_on
+        if waiter is not None:
+            waiter.poke()
+
+    def run_pending(self) -> None:
+        """Run what was posted; an exception of the first action ends the call and keeps the rest."""
+        while self.pending:
+            try:
+                action = self.pending.popleft()
+            except IndexError:  # taken by another thread in between
+                return
+            action()
+
+
+class _ThreadContexts(threading.local):
+    context: ExecutionContext | None = None
+
+
+_of_thread = _ThreadContexts()
+
+
+def thread_context() -> ExecutionContext:
+    """The execution context of the thread that asks, made on first use."""
+    context = _of_thread.context
+    if context is None:
+        context = _of_thread.context = ExecutionContext()
+    return context

@@ -1,0 +1,80 @@
+"""Clocks as ROS has them: system, steady and ROS time, the last with an override (simulation time) and jumps."""
+
+from __future__ import annotations
+
+import itertools
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+ROS_TIME, SYSTEM_TIME, STEADY_TIME = 1, 2, 3
+
+JumpCallback = Callable[[int, int, bool], None]
+
+
+class TimeBase:
+    """One clock; `now()` in nanoseconds.
+
+    >>> from coursekit.core.virtual_clock import VirtualClock
+    >>> base = TimeBase(ROS_TIME, VirtualClock())
+    >>> base.set_override(5); base.set_active(True); base.now()
+    5
+    """
+
+    def __init__(self, kind: int, clock: Any) -> None:
+        self.kind = kind
+        self.clock = clock
+        self.active = False
+        self.override = 0
+        self._watchers: list[tuple[Any, JumpCallback | None, JumpCallback | None]] = []
+        self._numbers = itertools.count()
+        self._timers: weakref.WeakSet[Any] = weakref.WeakSet()
+
+    def now(self) -> int:
+        """The time on this clock."""
+        if self.active:
+            return self.override
+        return self.clock.steady() if self.kind == STEADY_TIME else self.clock.now()
+
+    def new_number(self) -> int:
+        """A number for a timer of this clock: timers hear of changes in the order in which they were made."""
+        return next(self._numbers)
+
+    def add_timer(self, timer: Any) -> None:
+        """Tell `timer` when this clock is set or jumps."""
+        self._timers.add(timer)
+
+    def add_watcher(self, token: Any, before: JumpCallback | None, after: JumpCallback | None) -> None:
+        """Call `before` and `after` around each change with (delta ns, kind of change 1..4, went_active)."""
+        self._watchers.append((token, before, after))
+
+    def remove_watcher(self, token: Any) -> None:
+        """Take callbacks back."""
+        self._watchers = [entry for entry in self._watchers if entry[0] is not token]
+
+    def set_active(self, active: bool) -> None:
+        """Switch the override on or off."""
+        if active == self.active:
+            return
+        before = self.now()
+        after = self.override if active else self.clock.now()
+        self._change(after - before, True, lambda: setattr(self, "active", active))
+
+    def set_override(self, nanoseconds: int) -> None:
+        """Set the time that counts while the override is active."""
+        if not self.active:
+            self.override = nanoseconds
+            return
+        self._change(nanoseconds - self.override, False, lambda: setattr(self, "override", nanoseconds))
+
+    def _change(self, delta: int, toggled: bool, apply: Callable[[], None]) -> None:
+        watchers = list(self._watchers)
+        for _, before, _ in watchers:
+            if before is not None:
+                before(delta, toggled, self.active)
+        apply()
+        for _, _, after in watchers:
+            if after is not None:
+                after(delta, toggled, self.active)
+        for timer in sorted(self._timers, key=lambda timer: timer.number):
+            timer.time_changed(delta, toggled)

@@ -1,0 +1,129 @@
+"""What belongs to which cell of the notebook: a cell that is run again replaces what it made."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.processes.session import Session
+
+from .panel import Panel, open_panels
+
+_running: dict[str, Cells] = {}
+"""The cells of this kernel, under 'cells'; nothing outside of one."""
+
+
+class Cells:
+    """Knows which processes and nodes each cell made, so that running it again replaces them."""
+
+    def __init__(self, session: Session, shell: Any, on_begin: Callable[[], None]) -> None:
+        self.session = session
+        self.on_begin = on_begin
+        """Called when a cell begins."""
+        self.cell = ""
+        self.made: dict[str, list[Any]] = {}
+        self.ran: dict[str, str] = {}
+        """The text of each cell as it was run last."""
+        self.counts: Counter[str] = Counter()
+        """How often the running cell has done what."""
+        session.on_start.append(self._note_process)
+        shell.events.register("pre_run_cell", self._begin)
+        shell.events.register("post_run_cell", self._end)
+        session.in_cell = bool(shell.kernel.get_parent())  # the one that imports the lab, or the kernel starts with it
+        _running["cells"] = self
+
+    @property
+    def in_cell(self) -> bool:
+        """Whether a cell runs now."""
+        return bool(self.session.in_cell)
+
+    def _note_process(self, process: Any) -> None:
+        if process.parent is None and self.session.in_cell and self.cell:
+            self.made.setdefault(self.cell, []).append(process)
+
+    def _note_nodes(self) -> None:
+        nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
+        seen = [node for node in nodes if not node.name.startswith("_")]  # hidden ones belong to panels
+        for one in [*seen, *(panel for panel in open_panels() if panel.of_cell)]:
+            if not any(one is known for made in self.made.values() for known in made):
+                self.made.setdefault(self.cell, []).append(one)
+
+    def _begin(self, info: Any) -> None:
+        self.cell = getattr(info, "cell_id", None) or ""
+        self.counts.clear()
+        if self.cell:
+            self.ran.pop(self.cell, None)  # the cell that runs comes last
+            self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
+        replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
+        if replaced:
+            print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
+        self.session.in_cell = True
+        self.on_begin()
+
+    def _end(self, _result: Any) -> None:
+        if self.cell:
+            self._note_nodes()
+        self.session.in_cell = False
+
+
+def last_runs() -> dict[str, str]:
+    """The text of each cell as it was run last, by the cell's id."""
+    cells = _running.get("cells")
+    return dict(cells.ran) if cells is not None else {}
+
+
+def adopt(old: Any, new: Any) -> Any:
+    """Let `new` belong to the cell that made `old`: it was started again, not by a cell. Returns `new`."""
+    cells = _running.get("cells")
+    for made in cells.made.values() if cells is not None else ():
+        if old in made:
+            made[made.index(old)] = new
+    return new
+
+
+def this_cell() -> str:
+    """The id of the cell that runs now or ran last; '' outside of a kernel."""
+    cells = _running.get("cells")
+    return cells.cell if cells is not None else ""
+
+
+def run_number(what: str) -> int:
+    """Which time it is that the running cell does this: 0, then 1, ..."""
+    cells = _running.get("cells")
+    if cells is None:
+        return 0
+    cells.counts[what] += 1
+    return int(cells.counts[what]) - 1
+
+
+def give_to(cell: str, process: Any) -> None:
+    """Let a process belong to a cell: it was started by what the cell shows."""
+    cells = _running.get("cells")
+    if cells is not None and cell:
+        cells.made.setdefault(cell, []).append(process)
+
+
+def _describe(one: Any) -> str:
+    return f"node {one.full_name}" if hasattr(one, "full_name") else f"process {' '.join(one.argv)}"
+
+
+def _end_one(one: Any) -> bool:
+    """End a process, node or panel of an earlier run; whether it is worth a word that it was still there."""
+    if isinstance(one, Panel):
+        one.close()
+        return False
+    if hasattr(one, "full_name"):
+        there = one in one.graph.nodes
+        one.close()
+        return there
+    if one.exit_code is not None:
+        return False
+    one.interrupt()
+    if one.wait(1.0) is None:
+        one.kill()
+        one.wait(2.0)
+    return True
+
+
+__all__ = ["Cells", "adopt", "give_to", "last_runs", "run_number", "this_cell"]

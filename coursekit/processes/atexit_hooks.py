@@ -1,0 +1,47 @@
+"""`atexit` of each process: what a program registers runs when it ends, not when the interpreter does.
+
+What libraries register (weakref's finalizers, say) concerns the interpreter, whichever process happened to load them.
+"""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import os
+import sys
+import sysconfig
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from .current_process import current_process
+
+_register, _unregister = atexit.register, atexit.unregister
+_LIBRARIES = [sysconfig.get_path(kind) for kind in ("stdlib", "platstdlib", "purelib", "platlib")]
+_OF_ALL = tuple(f"{Path(folder).resolve()}{os.sep}" for folder in (*_LIBRARIES, str(Path(__file__).parents[1])))
+
+
+def _is_program(globals_of_caller: dict[str, Any]) -> bool:
+    """Whether code is a program's own: neither Python's, nor a library's, nor ours."""
+    file = globals_of_caller.get("__file__")
+    return file is None or not str(Path(file).resolve()).startswith(_OF_ALL)
+
+
+def register(func: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Callable[..., Any]:
+    """`atexit.register`, of the process whose program asks."""
+    process = current_process()
+    if process is None or not _is_program(sys._getframe(1).f_globals):
+        return _register(func, *args, **kwargs)
+    process.at_exit.append(functools.partial(func, *args, **kwargs))
+    return func
+
+
+def unregister(func: Callable[..., Any], /) -> None:
+    """`atexit.unregister`, of the process that asks and of the interpreter."""
+    process = current_process()
+    _unregister(func)
+    if process is not None:
+        process.at_exit[:] = [kept for kept in process.at_exit if kept.func != func]
+
+
+__all__ = ["register", "unregister"]

@@ -1,0 +1,217 @@
+"""Executables of packages: where they are, and how they become processes."""
+
+from __future__ import annotations
+
+import difflib
+import mmap
+import os
+import sysconfig
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from coursekit.files import read_text
+from coursekit.interfaces.find import UNDERLAY, prefixes
+from coursekit.systems import copies, layout
+from coursekit.wiring import COMPILED_HOST
+
+from .child import ChildProcess
+from .private_modules import use_private_modules
+from .process import Process, current_process
+from .unavailable_packages import remark, remark_on_executable
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_PROGRAMS = (b"\x7fELF", b"\xcf\xfa\xed\xfe")
+_LINK = b"COURSEKIT_LINK"
+"""The runtime's word for its address, which only programs hold that are linked with it."""
+_HOW = (
+    "a Python node needs a line under console_scripts in setup.py, a C++ node "
+    "install(TARGETS ... DESTINATION lib/${PROJECT_NAME}) in CMakeLists.txt, both a build"
+)
+
+
+class PackageNotFound(LookupError):
+    """No such package in any prefix; the text names close ones."""
+
+    def __init__(self, package: str, known: Sequence[str]) -> None:
+        why = remark(package)
+        super().__init__(f"Package '{package}' not found{'; ' + why if why else _hint(package, known)}")
+        self.package = package
+
+
+class ExecutableNotFound(LookupError):
+    """The package has no such executable; the text names those that it has."""
+
+    def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
+        names = ", ".join(known) or f"none ({_HOW})"
+        why = why_missing(package, executable)
+        super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}{why and '; ' + why}")
+        self.package = package
+        self.executable = executable
+
+
+def why_missing(package: str, executable: str) -> str:
+    """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
+    return why_skipped(package, executable) or remark_on_executable(package, executable)
+
+
+def why_skipped(package: str, executable: str) -> str:
+    """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
+    if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
+        return f"'{executable}' is written in C++, which the last build of '{package}' skipped: `colcon build` says why"
+    return ""
+
+
+def skipped_of(package: str, prefix: Path) -> list[str]:
+    """The targets in C++ that `colcon build` passed over when it installed the package into `prefix`."""
+    listed = _index(prefix).parent / "coursekit_skipped" / package
+    return read_text(listed).splitlines() if listed.is_file() else []
+
+
+def _hint(name: str, known: Sequence[str]) -> str:
+    close = difflib.get_close_matches(name, known, 3)
+    return f"; did you mean {' or '.join(close)}?" if close else ""
+
+
+def _index(prefix: Path) -> Path:
+    return prefix / "share" / "ament_index" / "resource_index" / "packages"
+
+
+def packages() -> dict[str, Path]:
+    """Every package and its prefix; the first prefix that has one wins."""
+    found: dict[str, Path] = {}
+    for prefix in prefixes():
+        folder = _index(prefix)
+        for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
+            found.setdefault(entry.name, prefix)
+    return dict(sorted(found.items()))
+
+
+def prefix_of(package: str) -> Path:
+    """The prefix of a package; raises PackageNotFound."""
+    for prefix in prefixes():
+        if (_index(prefix) / package).exists():
+            copies.renew(prefix, package)
+            return prefix
+    raise PackageNotFound(package, list(packages()))
+
+
+def executables_of(package: str) -> list[Path]:
+    """The executables of a package, sorted; raises PackageNotFound.
+
+    Where C++ was passed over, coursekit's programs of that package answer under its names.
+    """
+    prefix = prefix_of(package)
+    found = {path.name: path for path in stand_ins(package)} if skipped_of(package, prefix) else {}
+    found |= {path.name: path for path in _programs(package, prefix)}
+    return [found[name] for name in sorted(found)]
+
+
+def stand_ins(package: str) -> list[Path]:
+    """The programs that coursekit has of a package itself."""
+    return _programs(package, UNDERLAY)
+
+
+def _programs(package: str, prefix: Path) -> list[Path]:
+    folder = prefix / "lib" / package
+    return [one for one in folder.iterdir() if one.is_file() and _runs(one, prefix)] if folder.is_dir() else []
+
+
+def _runs(path: Path, prefix: Path) -> bool:
+    if path.name.startswith((".", "__")) or layout.is_executables_part(path):
+        return False
+    return prefix == UNDERLAY or os.access(path, os.X_OK) or path.suffix == ".exe"
+
+
+def find(package: str, executable: str) -> Path:
+    """The file of an executable; raises PackageNotFound or ExecutableNotFound.
+
+    >>> find("demo_nodes_py", "talkr")
+    Traceback (most recent call last):
+        ...
+    coursekit.processes.executables.ExecutableNotFound: No executable 'talkr' in package 'demo_nodes_py'. It has: ...
+    """
+    known = executables_of(package)
+    for path in known:
+        if executable in (path.name, layout.executable_name(path)):
+            return path
+    raise ExecutableNotFound(package, executable, [path.name for path in known])
+
+
+def is_python(path: Path) -> bool:
+    """Whether a file is a Python program, or what setuptools makes of one on Windows."""
+    path = layout.python_script(path)
+    if path.suffix == ".py" or UNDERLAY in path.parents:
+        return True
+    with open(path, "rb") as file:
+        first = file.readline(256)
+    return first.startswith(b"#!") and b"python" in first
+
+
+def is_compiled_here(path: Path) -> bool:
+    """Whether a file is a C++ program that was built here: it asks the session for all that rclcpp does."""
+    if UNDERLAY in path.parents:
+        return False
+    with open(path, "rb") as file:
+        if file.read(4) not in _PROGRAMS:
+            return False
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            return data.find(_LINK) >= 0
+
+
+def has_compiled_here(command: Sequence[str]) -> bool:
+    """Whether a command runs a C++ program that was built here, perhaps under a debugger: `gdb -ex run --args PATH`."""
+    return any(is_compiled_here(Path(word)) for word in command if os.path.isfile(word))
+
+
+def python_folders(env: Mapping[str, str]) -> list[str]:
+    """The folders that PYTHONPATH and the prefixes of `env` add to Python's path, without those of the interpreter."""
+    folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]
+    for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+        if prefix and Path(prefix) != UNDERLAY:
+            folders.append(str(layout.site_packages(Path(prefix))))
+    ours = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), str(UNDERLAY / "ros"), str(UNDERLAY.parent)}
+    return [one for one in dict.fromkeys(folders) if one not in ours and Path(one).is_dir()]
+
+
+def make_process(
+    session: Session,
+    path: Path,
+    argv: Sequence[str] = (),
+    *,
+    name: str | None = None,
+    env: Mapping[str, str] | None = None,
+    cwd: str | os.PathLike[str] | None = None,
+) -> Any:
+    """A process that runs the file: inside this interpreter if it is Python, else a child of the system."""
+    name = name or path.name
+    if not path.exists():
+        raise FileNotFoundError(f"'{path}' does not exist, so it cannot be run. Was its package built?")
+    if is_compiled_here(path):
+        path, argv = UNDERLAY / COMPILED_HOST, [str(path), *argv]
+    if not is_python(path):
+        return ChildProcess(session, [str(path), *argv], name=name, env=env, cwd=cwd)
+    path = layout.python_script(path)
+    parent = current_process()
+    process = Process(
+        session, _program(path), name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=parent
+    )
+    process.argv = [str(path), *argv]
+    beside = [] if UNDERLAY in path.parents else [str(path.parent)]
+    use_private_modules(process, [*beside, *python_folders(process.env)])
+    return process
+
+
+def _program(path: Path) -> Callable[[], Any]:
+    """What `python PATH` does."""
+
+    def main() -> None:
+        module = ModuleType("__main__")
+        module.__file__ = str(path)
+        module.__dict__["__builtins__"] = __builtins__
+        exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
+
+    return main

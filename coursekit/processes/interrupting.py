@@ -1,0 +1,147 @@
+"""How signals reach a process: in its own main execution context, as the system would deliver them."""
+
+from __future__ import annotations
+
+import ctypes
+import signal
+import sys
+from abc import abstractmethod
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from coursekit.core.execution_context import ExecutionContext, ProcessKilled
+
+from .base_process import BaseProcess
+from .current_process import owner
+from .output import Input
+
+if TYPE_CHECKING:
+    from .process import Process
+    from .session import Session
+
+
+RETRY_NS = 2_000_000
+"""When it is tried again to reach a thread that was importing."""
+
+
+class Interruptible(BaseProcess):
+    """The part of a process in this interpreter that others interrupt, terminate and kill."""
+
+    stdin: Input
+    _main: Callable[[], Any]
+    _main_context: ExecutionContext | None
+
+    def __init__(self, session: Session, name: str, argv: Sequence[str], parent: Process | None) -> None:
+        super().__init__(session, name, argv, parent)
+        self.handlers: dict[int, Any] = {}
+        self.on_signal: list[Callable[[int], bool]] = []
+        """Called in the main execution context when a signal arrives; True means that it has been dealt with."""
+
+    def send_signal(self, signum: int) -> None:
+        """Deliver a signal the way the system would, in the process's own main execution context."""
+        if self.exit_code is not None:
+            return
+        if signum == 9:
+            self._kill()
+        else:
+            self._deliver(lambda: self._receive(signum))
+
+    def _receive(self, signum: int) -> None:
+        if signum == signal.SIGINT and self.stdin.take_ctrl_c():
+            return
+        handler = self.handlers.get(signum, signal.SIG_DFL)
+        reactions = [react(signum) for react in list(self.on_signal)] if handler == signal.SIG_DFL else []
+        if any(reactions):
+            return
+        if callable(handler) and handler is not signal.default_int_handler:
+            handler(int(signum), None)
+        elif handler == signal.SIG_IGN:
+            return
+        elif signum == signal.SIGINT:
+            raise KeyboardInterrupt
+        else:
+            raise ProcessKilled(signum)
+
+    def _deliver(self, action: Callable[[], None]) -> None:
+        context = self._main_context
+        if context is None:  # not begun: it is interrupted as soon as it does
+            self._main = action
+            return
+        context.post(action)
+        if not self.session.clock.virtual:
+            clock = self.session.clock
+            alarm_at = clock.steady() + 50_000_000
+            clock.call_at(alarm_at, lambda: self._look_at(context))
+
+    def _look_at(self, context: ExecutionContext) -> None:
+        if context.pending:
+            self.session.clock.spawn(lambda: self._reach_busy(context), f"signals of {self.name}")
+
+    def _reach_busy(self, context: ExecutionContext) -> None:
+        """The context has not waited since: call the handler here, as the process; its code gets what that raises."""
+        try:
+            action = context.pending.popleft()
+        except IndexError:
+            return
+        owner.set(self)  # type: ignore[arg-type] # what a handler prints is the program's
+        try:
+            action()
+        except BaseException as error:
+            self._raise(context, _like(error))
+
+    def _raise(self, context: ExecutionContext, kind: type[BaseException]) -> None:
+        if self.exit_code is not None or raise_in_thread(context.ident, kind):
+            return  # it has ended, and another thread may have its number by now
+        clock = self.session.clock
+        clock.call_at(clock.steady() + RETRY_NS, lambda: self._raise(context, kind))
+
+    def _kill(self) -> None:
+        self._deliver(raise_killed)
+        if not self.session.clock.virtual:
+            alarm_at = self.session.clock.steady() + 1_000_000_000
+            self.session.clock.call_at(alarm_at, self._cut_off)
+
+    def _cut_off(self) -> None:
+        if self.exit_code is None:
+            self.abandoned = True
+            if self._main_context is not None and not self.session.clock.virtual:
+                self.session.cut_off.append(self._main_context.ident)
+            self.out.write(
+                "stderr",
+                f"[coursekit] process {self.name} [{self.pid}] does not answer: it was cut off from the graph, "
+                "but its thread is still busy (a call that never returns). Restart the kernel to be rid of it.\n",
+            )
+            self._end(-9)
+
+    @abstractmethod
+    def _end(self, code: int) -> None:
+        """Let it have ended, with this exit code."""
+
+
+def _like(error: BaseException) -> type[BaseException]:
+    """A class whose instances, made without arguments, are like the error: Python makes one in the other thread."""
+    kind = type(error)
+
+    def again(self: BaseException) -> None:
+        kind.__init__(self, *error.args)
+        self.__dict__.update(error.__dict__)
+
+    names = {"__module__": kind.__module__, "__qualname__": kind.__qualname__}
+    return type(kind.__name__, (kind,), {"__init__": again, **names})
+
+
+def raise_killed() -> None:
+    raise ProcessKilled(9)
+
+
+def raise_in_thread(ident: int, kind: type[BaseException]) -> bool:
+    """Raise `kind` in a thread that runs Python code, at its next bytecode; False, and not now, when it is importing.
+
+    In the import system's own code (not in that of the module that is imported) it would leave the interpreter's import
+    lock taken, and no thread could ever import again.
+    """
+    frame = sys._current_frames().get(ident)
+    if frame is not None and frame.f_code.co_filename.startswith("<frozen importlib"):
+        return False
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
+    return True

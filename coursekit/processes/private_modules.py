@@ -1,0 +1,152 @@
+"""Fresh modules for each process: two runs of a program share no globals, and a rebuilt package is read anew."""
+
+from __future__ import annotations
+
+import builtins
+import importlib
+import importlib.machinery
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from .patching import PRIVATE, patch_manager
+from .process import Process, current_process
+
+_real_import = builtins.__import__
+_real_import_module = importlib.import_module
+_lock = threading.RLock()
+_path_lock = threading.Lock()
+_added: set[str] = set()
+"""Folders of sys.path that are there for processes."""
+_KEY = "coursekit.modules"
+_NEVER = ("__pycache__", "coursekit")
+
+
+class PrivateModules:
+    """The modules that one process has for itself: those of the workspace packages on its path."""
+
+    def __init__(self, folders: Sequence[str]) -> None:
+        self.folders = list(folders)
+        self.names = {name for folder in folders for name in top_level_names(Path(folder))}
+        self.modules: dict[str, ModuleType] = {}
+        self._depth = 0
+
+    def find(self, name: str, wanted: Sequence[str]) -> ModuleType | None:
+        """A module that the process has already, if it has all that is wanted from it."""
+        module = self.modules.get(name)
+        if module is None or any(not hasattr(module, one) for one in wanted if one != "*"):
+            return None
+        return module
+
+    @contextmanager
+    def in_place(self) -> Iterator[None]:
+        """Make sys.modules show this process's modules."""
+        with _lock:
+            if self._depth:
+                yield
+                return
+            self._depth += 1
+            others = self._take_out()
+            sys.modules.update(self.modules)
+            importlib.invalidate_caches()
+            try:
+                yield
+            finally:
+                self.modules.update(self._take_out())
+                sys.modules.update(others)
+                self._depth -= 1
+
+    def _take_out(self) -> dict[str, ModuleType]:
+        mine = [name for name in list(sys.modules) if name.partition(".")[0] in self.names]
+        return {name: sys.modules.pop(name) for name in mine}
+
+
+def top_level_names(folder: Path) -> Iterator[str]:
+    """Modules and packages that can be imported from a folder.
+
+    A folder without an __init__.py is no package where the real one can be imported: the `launch` folder of a package
+    built with --symlink-install must not hide ROS's launch, nor a folder `numpy` numpy. Coursekit is never anyone's own.
+    """
+    if not folder.is_dir():
+        return
+    for entry in sorted(folder.iterdir()):
+        if entry.suffix == ".py":
+            yield entry.stem
+        elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER and not _is_elsewhere(entry):
+            yield entry.name
+
+
+def _is_elsewhere(folder: Path) -> bool:
+    """Whether Python would import something else by this name."""
+    if (folder / "__init__.py").exists():
+        return False
+    beside = [place for place in sys.path if Path(place or ".").resolve() != folder.parent.resolve()]
+    found = importlib.machinery.PathFinder.find_spec(folder.name, beside)
+    return folder.name in sys.builtin_module_names or (found is not None and found.origin is not None)
+
+
+def use_private_modules(process: Process, folders: Sequence[str]) -> None:
+    """Give `process` fresh modules of the packages in `folders`, which also come first on sys.path."""
+    patch_manager.enter(process.session, PRIVATE)
+    _put_first(folders)
+    process.locals[_KEY] = PrivateModules(folders)
+
+
+def _put_first(folders: Sequence[str]) -> None:
+    """Into a new list: another process that looks through the old one must not miss a folder that moves meanwhile."""
+    with _path_lock:
+        _added.update(folder for folder in folders if folder not in sys.path)
+        sys.path = list(dict.fromkeys([*folders, *sys.path]))
+
+
+def _private_of_caller(top: str) -> PrivateModules | None:
+    process = current_process()
+    private = process.locals.get(_KEY) if process is not None else None
+    return private if private is not None and top in private.names else None
+
+
+def import_(
+    name: str,
+    globals: dict[str, Any] | None = None,
+    locals: dict[str, Any] | None = None,
+    fromlist: Any = (),
+    level: int = 0,
+) -> Any:
+    if current_process() is None:
+        return _real_import(name, globals, locals, fromlist, level)
+    package = (globals or {}).get("__package__") or ""
+    private = _private_of_caller((name if not level else package).partition(".")[0])
+    if private is None:
+        return _real_import(name, globals, locals, fromlist, level)
+    known = private.find(name, fromlist or ()) if not level else None
+    if known is not None:
+        return known if fromlist else private.modules[name.partition(".")[0]]
+    with private.in_place():
+        return _real_import(name, globals, locals, fromlist, level)
+
+
+def import_module(name: str, package: str | None = None) -> ModuleType:
+    top = (package or "") if name.startswith(".") else name
+    private = _private_of_caller(top.partition(".")[0])
+    if private is None:
+        return _real_import_module(name, package)
+    with private.in_place():
+        return _real_import_module(name, package)
+
+
+def own_path(_nothing: object = None) -> Callable[[], None]:
+    """Remember sys.path; returns what puts it back, without the folders of processes and with what others have added."""
+    found, before = sys.path, list(sys.path)
+
+    def undo() -> None:
+        with _path_lock:
+            others = [folder for folder in sys.path if folder not in _added and folder not in before]
+            found[:] = [*others, *(folder for folder in before if folder in sys.path)]
+            sys.path = found
+            _added.clear()
+
+    return undo

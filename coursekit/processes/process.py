@@ -1,0 +1,194 @@
+"""A process of the session: one unmodified `main()` with its own argv, output, signals and exit code."""
+
+from __future__ import annotations
+
+import contextvars
+import ctypes
+import functools
+import os
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Callable, Iterable, Sequence
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from coursekit.core.execution_context import ExecutionContext, ProcessKilled, thread_context
+from coursekit.interfaces.find import with_underlay
+from coursekit.systems.folder import working_folder
+
+from .current_process import current_process as current_process
+from .current_process import owner
+from .interrupting import Interruptible, raise_killed
+from .output import Input
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
+DISTRIBUTION = {
+    "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
+}  # fmt: skip
+"""What sourcing ROS says of itself; launch files and nodes ask for it."""
+
+
+class Process(Interruptible):
+    """One running program of the session.
+
+    Made by `Session.start`; see there.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        main: Callable[[], Any],
+        *,
+        name: str,
+        argv: Sequence[str] = (),
+        env: dict[str, str] | None = None,
+        cwd: str | os.PathLike[str] | None = None,
+        parent: Process | None = None,
+    ) -> None:
+        super().__init__(session, name, [name, *argv], parent)
+        inherited = parent.env if parent is not None else dict(session.environ)
+        self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
+        with_underlay(self.env)
+        above = working_folder() if parent is None else parent.cwd
+        self.cwd: str = above if cwd is None else os.fspath(cwd)
+        self.started = session.clock.steady()
+        self.locals: dict[Any, Any] = {}
+        """What other rooms keep per process: the default rclpy context, log levels, ..."""
+        self.cleanups: list[Callable[[], None]] = []
+        self.before_join: list[Callable[[], None]] = []
+        """Called when its main() has ended, before its threads are waited for: pools let go of those without work."""
+        self.at_exit: list[functools.partial[Any]] = []
+        self.stdin = Input(session)
+        self.on_wants_keys: Callable[[], None] | None = None
+        """Called when it wants each key as it is typed, not whole lines; set by who types."""
+        self.stdin_to: Any = None
+        """A process that gets what is typed, as the program in the foreground of a shell does."""
+        self.threads: list[threading.Thread] = []
+        """Its non-daemon threads: it ends when they have."""
+        self.contexts: list[ExecutionContext] = []
+        self._main = main
+        self._main_context: ExecutionContext | None = None
+
+    # -- what is typed to it
+
+    def write_stdin(self, text: str) -> None:
+        """Type `text` into its standard input."""
+        if self.stdin_to is not None:
+            self.stdin_to.write_stdin(text)
+        else:
+            self.stdin.feed(text)
+
+    def want_keys(self) -> None:
+        """Ask whoever types for each key at once: what a terminal calls raw mode."""
+        for process in (self, self.parent):
+            if process is not None and process.on_wants_keys is not None:
+                process.on_wants_keys()
+
+    def close_stdin(self) -> None:
+        """End its standard input, as Ctrl-D does."""
+        if self.stdin_to is not None:
+            self.stdin_to.close_stdin()
+        else:
+            self.stdin.end()
+
+    # -- running
+
+    def begin(self) -> None:
+        """Start the execution context in which `main` runs."""
+        context = contextvars.copy_context()
+        context.run(owner.set, self)
+        context.run(self.session.clock.spawn, self._run, f"{self.name}-{self.pid}")
+
+    def _run(self) -> None:
+        self._main_context = self.session.execution_context()
+        if not self.session.clock.virtual:  # threads that it makes are, as a main thread's, no daemons
+            threading.current_thread()._daemonic = False  # type: ignore[attr-defined]
+        code = 1
+        try:
+            enter_folder(self.cwd)
+            code = self._call_main()
+            self._call_all(self.before_join)
+            self._join_threads()
+            self._call_all(reversed(self.at_exit))
+        except ProcessKilled as death:
+            code = -death.signum
+        except BaseException:
+            self._report(sys.exc_info())
+        finally:
+            self._end(code)
+
+    def _call_main(self) -> int:
+        try:
+            return exit_status(self._main(), self)
+        except SystemExit as leaving:
+            return exit_status(leaving.code, self)
+        except ProcessKilled:
+            raise
+        except KeyboardInterrupt:
+            self._report(sys.exc_info())
+            return -int(signal.SIGINT)
+        except BaseException:
+            self._report(sys.exc_info())
+            return 1
+
+    def _join_threads(self) -> None:
+        """Python waits for a program's non-daemon threads; so does a process."""
+        try:
+            for thread in list(self.threads):
+                thread.join()
+        except KeyboardInterrupt:
+            self._report(sys.exc_info())
+
+    def _call_all(self, last_words: Iterable[Callable[[], Any]]) -> None:
+        for say in last_words:
+            try:
+                say()
+            except Exception:
+                self._report(sys.exc_info())
+
+    def _report(self, error: tuple[Any, Any, TracebackType | None]) -> None:
+        """Print the traceback from the program's first line on, without the frames of this file."""
+        kind, value, trace = error
+        here = __file__
+        while trace is not None and trace.tb_frame.f_code.co_filename == here:
+            trace = trace.tb_next
+        if kind is KeyboardInterrupt and trace is not None and trace.tb_frame.f_code.co_filename.startswith(_PACKAGE):
+            return  # a program of ours that was still starting: its inside helps nobody
+        self.out.write("stderr", "".join(traceback.format_exception(kind, value, trace)))
+
+    def _end(self, code: int) -> None:
+        if self.exit_code is not None:
+            return  # it was cut off before
+        self._call_all(reversed(self.cleanups))
+        self.exit_code = code
+        for context in self.contexts:
+            if context is not self._main_context:
+                context.post(raise_killed)
+        self._tell_of_end()
+        for kept in (self.before_join, self.cleanups, self.on_signal, self.locals):
+            kept.clear()  # type: ignore[attr-defined]
+        self._ended.set()
+
+
+def exit_status(result: Any, process: Process) -> int:
+    """The exit code that `sys.exit(result)` gives; a text is printed to stderr and gives 1."""
+    if result is None:
+        return 0
+    if isinstance(result, int):
+        return int(result) & 0xFF
+    process.out.write("stderr", f"{result}\n")
+    return 1
+
+
+def enter_folder(folder: str) -> None:
+    """Give the calling thread a working folder of its own, where the system can (Linux)."""
+    if sys.platform != "linux" or thread_context().ident == threading.main_thread().ident:
+        return
+    clone_fs = 0x200
+    if ctypes.CDLL(None, use_errno=True).unshare(clone_fs) == 0 and os.path.isdir(folder):
+        os.chdir(folder)

@@ -1,0 +1,80 @@
+"""One remap rule of a command line: `[node:][rostopic://]match:=replacement`."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from coursekit.rcl import names
+
+_WORD = r"(?:[A-Za-z]|_(?!_))(?:[A-Za-z0-9]|_(?!_))*"
+_PATH = rf"/?{_WORD}(?:/{_WORD})*"
+_SCOPE = re.compile(rf"(?:({_WORD}):(?!=))?(.*)", re.DOTALL)
+_MATCH = re.compile(rf"(?:(rostopic|rosservice)://)?((?:~/)?{_PATH})")
+_REPLACEMENT = re.compile(rf"(?:~/)?{_PATH}")
+
+
+@dataclass(frozen=True)
+class Remap:
+    """One rule.
+
+    `kind` is 'node', 'namespace', 'topic', 'service' or 'any' (topics and services).
+    """
+
+    kind: str
+    node: str | None
+    match: str
+    replacement: str
+
+
+class RuleError(ValueError):
+    """A rule after -r, -p or --log-level that cannot be read."""
+
+
+def scope(text: str) -> tuple[str | None, str]:
+    """Return the node that a rule is for (None for all) and the rest of the rule."""
+    found = _SCOPE.fullmatch(text)
+    assert found is not None  # the pattern takes any text
+    if found[1] in ("rostopic", "rosservice") and found[2].startswith("//"):
+        return None, text
+    return found[1], found[2]
+
+
+def sides(rule: str) -> tuple[str, str]:
+    """Return what stands before and after `:=`; RuleError when the rule has no such form."""
+    left, mark, right = rule.partition(":=")
+    if not mark:
+        raise RuleError("Expected ':=' between the two sides, as in name:=value")
+    if not right:
+        raise RuleError("nothing follows ':='")
+    if "*" in left:
+        raise RuleError("Wildcard '*' is not implemented")
+    return left, right
+
+
+def remap_rule(text: str) -> Remap:
+    """Return the rule that the text says; RuleError when it says none.
+
+    >>> remap_rule("talker:chatter:=news")
+    Remap(kind='any', node='talker', match='chatter', replacement='news')
+    """
+    node, rule = scope(text)
+    left, right = sides(rule)
+    if left in ("__node", "__name"):
+        _expect(names.validate_node_name(right))
+        return Remap("node", node, left, right)
+    if left == "__ns":
+        _expect(names.validate_namespace(right))
+        return Remap("namespace", node, left, right)
+    found = _MATCH.fullmatch(left)
+    if not found:
+        raise RuleError(f"Expecting token or wildcard, got '{left}'")
+    if not _REPLACEMENT.fullmatch(right):
+        raise RuleError(f"'{right}' is no name to remap to")
+    kind = {"rostopic": "topic", "rosservice": "service"}.get(found[1], "any")
+    return Remap(kind, node, found[2], right)
+
+
+def _expect(reason: names.Reason | None) -> None:
+    if reason:
+        raise RuleError(reason[0])

@@ -153,9 +153,10 @@ class Bandwidth(_Meter):
 
     def count(self, data: bytes) -> None:
         """A message has come."""
-        self._sizes.append(len(data))
+        size = -(-len(data) // 4) * 4  # as it comes over a network, in whole words
+        self._sizes.append(size)
         self._times.append(self.now())
-        self.values.append(len(data))
+        self.values.append(size)
         self.arrived += 1
 
     def show(self) -> None:

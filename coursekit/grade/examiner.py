@@ -9,7 +9,7 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -18,12 +18,11 @@ from . import sandbox
 from .checking import judge_work
 from .exercise import Exercise, find
 from .facts import as_json, checked
-from .inside import NOT_NEEDED
 from .interruptions import Gone, NeedsWorkspace
 from .limited import end_with_parent
 from .own_checks import read_checks
 from .remote import RemoteWork
-from .repair import Repaired, Step, repair
+from .repair import Repaired, repair
 from .submissions import read_notebook
 from .verdict import Verdict
 from .work import NOTHING
@@ -36,8 +35,6 @@ MEMORY = 8 << 30
 """Bytes of address space of an examiner."""
 LONGEST = 2000
 """Characters of a sentence that quotes a student's work."""
-_SHOWS = (*NOT_NEEDED, "wait(", "graph(", "print(graph(", "terminal", "progress(", "print(terminal", "frames(",
-          "evidence(", "hand_in(", "%ros2 --")  # fmt: skip
 
 
 @dataclass
@@ -175,8 +172,8 @@ def _run_and_judge(
                 except NeedsWorkspace:
                     later.append(step.exercise)
                 stopped, over = "", False
-            elif source := _needed(step):
-                error = work.run(source, limits.cell if step.solution else limits.course_cell)
+            elif step.source.strip():
+                error = work.run(step.source, limits.cell if step.solution else limits.course_cell)
                 if step.solution:
                     stopped, over = error, work.cell_timed_out
         work.finish(limits.build)
@@ -217,15 +214,6 @@ def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
 def _plain(text: str) -> str:
     """A sentence that quotes a student's work, of bounded length and without what has no place in text."""
     return text[:LONGEST].encode("utf-8", "replace").decode()
-
-
-def _needed(step: Step) -> str:
-    """What is run of a cell: of the course's own not the lines that only show something."""
-    if step.solution:
-        return step.source
-    lines: Sequence[str] = step.source.splitlines()
-    kept = [line for line in lines if not line.startswith(_SHOWS) or line.count("(") != line.count(")")]
-    return "\n".join(kept).strip()
 
 
 if __name__ == "__main__":

@@ -24,7 +24,6 @@ WAIT_SECONDS = 600.0
 """Virtual seconds that a cell may take."""
 SLOWNESS = 2.0
 """How much more real time than computing time may pass."""
-NOT_NEEDED = ("%ros2 run", "%ros2 launch", "%ros2 topic", "%ros2 node", "%ros2 service", "%ros2 param", "%ros2 action")
 
 
 class TookTooLong(KeyboardInterrupt):

@@ -10,6 +10,9 @@ from typing import Any
 from .copy import without_solution
 from .variants import CHECK
 
+LIVE = "live"
+"""The tag of cells that drive or watch running programs: a mark needs none of them, so they are left out."""
+
 
 @dataclass
 class Step:
@@ -47,7 +50,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         grading = cell.get("metadata", {}).get("nbgrader", {})
         text = "".join(cell["source"])
         name = str(grading.get("grade_id", ""))
-        if cell["cell_type"] != "code":
+        if cell["cell_type"] != "code" or LIVE in cell.get("metadata", {}).get("tags", []):
             continue
         if grading.get("solution"):
             answer = _answer(name, text, by_id, unknown, made.notes)

@@ -16,6 +16,8 @@ from typing import Any
 _MISSING: Any = object()
 IMPORTS, PROCESSES, VIRTUAL, PRIVATE = "any session", "processes", "virtual clock", "private modules"
 KERNEL = "kernel"
+HELD = "_coursekit_patches"
+"""The attribute of `sys` that has the manager while anything is patched."""
 GROUPS = (IMPORTS, PROCESSES, VIRTUAL, PRIVATE)
 """While what a patch is in place: any session; one with processes; a virtual clock; processes with modules of their own.
 
@@ -131,6 +133,7 @@ class PatchManager:
     def enter(self, session: Any, *groups: str) -> None:
         """Put the patches of `groups` in place until `session` closes; also those that somebody has overwritten."""
         with self._lock:
+            self._replace_a_forgotten_one()
             is_new = session not in self._wanted[IMPORTS]
             for group in groups:
                 if session not in self._wanted[group]:
@@ -139,6 +142,19 @@ class PatchManager:
         if is_new:
             for listener in self.on_open:  # outside of the lock: it imports, and who imports a library may wait to lend
                 listener()
+
+    def _replace_a_forgotten_one(self) -> None:
+        """Take back what an earlier copy of this module has patched: pytest's pytester forgets modules after each test."""
+        earlier = vars(sys).get(HELD)
+        if earlier is not None and earlier is not self:
+            earlier.leave_all()
+        vars(sys)[HELD] = self
+
+    def leave_all(self) -> None:
+        """Take back everything, whoever wants it."""
+        with self._lock:
+            for session in {id(one): one for group in self._wanted.values() for one in group}.values():
+                self.leave(session)
 
     def renew(self) -> None:
         """Put in place again what is wanted, and has been overwritten: pytest gives each test streams of its own.
@@ -168,6 +184,8 @@ class PatchManager:
                     patch.take_back()
             if not self._wanted[IMPORTS]:
                 self._lent.clear()
+            if not self.is_open() and vars(sys).get(HELD) is self:
+                del vars(sys)[HELD]
 
     def lend(self, *patches: Patch) -> None:
         """Add the patches of a library that has been imported; harmless when they are there."""

@@ -16,7 +16,7 @@ from coursekit.grade import folders, sandbox
 
 from .class_of_200 import make_class
 from .kinds import Kind
-from .test_class import faults, only
+from .test_class import deserved, earned, faults, only
 
 TIERS = {"bubblewrap": [], "limits": ["--unsafe"]}
 
@@ -38,9 +38,13 @@ def grade_class(percent: float, tier: str) -> int:
         main(["grade", "--allow-root", str(folder), "--jobs", jobs, "--out", str(out), *TIERS[tier], *only(made.values())])
         took = time.monotonic() - began
         wrong = faults(out.with_suffix(""), out, made)
+        (least, most, _), (total, statuses) = deserved(made), earned(out)
         folders.remove(folder)  # too deep for whoever clears up after a temporary folder
     told = f"{len(made)} submissions in {took / 60:.1f} minutes; {len(wrong)} marks that are not deserved"
-    print(f"{tier}: {told}", *wrong, sep="\n")
+    summed = f"{total:g} points together, {least:g} to {most:g} deserved; " + ", ".join(
+        f"{number} {status}" for status, number in statuses.most_common()
+    )
+    print(f"{tier}: {told}", f"{tier}: {summed}", *wrong, sep="\n")
     return 1 if wrong else 0
 
 

@@ -2,7 +2,9 @@
 
 import csv
 import json
+import os
 import re
+from collections import Counter
 
 import pytest
 
@@ -46,6 +48,10 @@ def faults(kept, table, made):
         rows = {row["student"]: row for row in csv.DictReader(file)}
     if set(rows) != set(made):
         found.append(f"students: {set(rows) ^ set(made)}")
+    least, most, statuses = deserved(made)
+    total, counted = earned(table)
+    if not least <= total <= most or counted != statuses:
+        found.append(f"the class: {total:g} points, {dict(counted)} instead of {least:g} to {most:g}, {dict(statuses)}")
     if HOST.exists():
         found.append(f"something reached the host: {HOST}")
     for student, kind in made.items():
@@ -60,7 +66,35 @@ def faults(kept, table, made):
     return found
 
 
-def test_the_whole_class_has_200_students():
-    assert sum(kind.number for kind in KINDS) == 200
+def deserved(made):
+    """The least and the most that a class earns together, and how many of its submissions have each status."""
+    bounds = [(min(kind.deserves), max(kind.deserves)) for kind in made.values()]
+    least, most = (sum(side) for side in zip(*bounds, strict=True))
+    return least, most, Counter(kind.status for kind in made.values())
+
+
+def earned(table):
+    """The points of a whole table together, and how many of its rows have each status."""
+    with open(table, newline="", encoding="utf-8-sig") as file:
+        rows = list(csv.DictReader(file))
+    return sum(float(row["total"]) for row in rows if row["total"]), Counter(row["status"] for row in rows)
+
+
+def test_what_a_class_deserves_together_follows_from_what_each_kind_deserves():
+    right, either = (next(kind for kind in KINDS if kind.name == name) for name in ("right", "file-system"))
+    late = next(kind for kind in KINDS if kind.status == "timed out")
+    assert deserved({"ann": right, "ben": either, "cem": late}) == (
+        right.deserves[0] + 6 + min(late.deserves),
+        right.deserves[0] + 7 + max(late.deserves),
+        {"graded": 2, "timed out": 1},
+    )
+
+
+def test_the_whole_class_is_written_as_200_submissions_of_every_kind(tmp_path):
+    made = make_class(tmp_path / "class", lambda kind: kind.number)
+    written = os.listdir(os.fsencode(tmp_path / "class"))
+    folders.remove(tmp_path / "class")  # too deep for whoever clears up after the tests
+    assert len(made) == len(written) == 200
+    assert set(made.values()) == set(KINDS) and set(HOSTILE) <= set(KINDS)
     assert set(SAMPLE) <= {kind.name for kind in KINDS}
-    assert len({kind.name for kind in KINDS}) == len(KINDS) and set(HOSTILE) <= set(KINDS)
+    assert len({kind.name for kind in KINDS}) == len(KINDS)

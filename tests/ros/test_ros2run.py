@@ -1,8 +1,10 @@
 """ros2run.api and ros2pkg.api: what launch files of the demos import."""
 
+from argparse import Namespace
+
 import pytest
 from ros2pkg.api import get_executable_paths, get_package_names, get_prefix_path
-from ros2run.api import PackageNotFound, get_executable_path
+from ros2run.api import ExecutableNameCompleter, PackageNotFound, get_executable_path
 
 
 def test_an_executable_is_found_by_name():
@@ -20,3 +22,9 @@ def test_a_package_that_is_not_there_is_named():
     with pytest.raises(PackageNotFound) as raised:
         get_executable_path(package_name="no_such_package", executable_name="x")
     assert raised.value.package_name == "no_such_package"
+
+
+@pytest.mark.parametrize(("package", "offered"), [("demo_nodes_py", True), ("no_such_package", False)])
+def test_completion_offers_nothing_for_a_package_that_is_not_there(package, offered):
+    complete = ExecutableNameCompleter(package_name_key="package_name")
+    assert ("talker" in complete("", Namespace(package_name=package))) is offered

@@ -37,6 +37,9 @@ class ExecutableNameCompleter:
         self.package_name_key = package_name_key
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The executables of the package that was typed before."""
+        """The executables of the package that was typed before; none when there is no such package."""
         package = getattr(parsed_args, self.package_name_key)
-        return [Path(path).name for path in get_executable_paths(package_name=package)]
+        try:
+            return [Path(path).name for path in get_executable_paths(package_name=package)]
+        except PackageNotFound:
+            return []

@@ -207,3 +207,27 @@ def test_sdf_and_collada_have_joints_too(text, expected):
 def test_limits_that_are_no_numbers_are_told(text, tag, wrong):
     with pytest.raises(UrdfError, match=f'"{tag}" limit must be a float for joint "j1"'):
         read(text.format(least=wrong), Options({}, {}))
+
+
+def test_the_module_of_its_package_shows_the_joints_as_dictionaries(session, tmp_path):
+    from joint_state_publisher.joint_state_publisher import JointStatePublisher
+
+    file = tmp_path / "arm.urdf"
+    file.write_text(arm(("a", "revolute", LIMIT.format(-1, 2)), ("b", "continuous", '<mimic joint="a" multiplier="2"/>')))
+    rclpy.init()
+    node = JointStatePublisher(file)
+    assert node.joint_list == ["a", "b"] and list(node.dependent_joints) == ["b"]
+    assert dict(node.free_joints["a"]) == {"min": -1.0, "max": 2.0, "zero": 0.0, "position": 0.0}
+    node.free_joints["a"]["position"] = 0.5
+    node.free_joints["a"]["velocity"] = 0.1
+    heard = []
+    node.create_subscription(JointState, "joint_states", heard.append, 1)
+    while not heard:
+        rclpy.spin_once(node)
+    assert (list(heard[0].position), list(heard[0].velocity)) == ([0.5, 1.0], [0.1, 0.2])
+    with pytest.raises(KeyError):
+        node.free_joints["a"]["effort"]
+    with pytest.raises(KeyError):
+        node.free_joints["a"]["colour"] = "red"
+    node.destroy_node()
+    rclpy.shutdown()

@@ -123,6 +123,21 @@ def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path
     assert "has a node 'Dance', which is not known here; known are: AlwaysFailure" in stage.launch.output
 
 
+def test_a_goal_that_cannot_begin_leaves_no_robot_driving(stage, tmp_path):
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+    first = give(stage, client, Pose2D(8.0, 0.5, 0.0))
+    stage.spin(3.0)
+    assert stage.robot.velocity[0] > 0.2
+    goal = NavigateToPose.Goal(pose=stage.stamped(Pose2D(3.0, 1.0, 0.0)), behavior_tree=str(tmp_path / "missing.xml"))
+    refused = stage.until(client.send_goal_async(goal))
+    assert stage.until(refused.get_result_async()).status == 6
+    assert stage.until(first.get_result_async()).status == 6
+    stage.spin(0.5)
+    assert abs(stage.robot.velocity[0]) < 0.01
+
+
 def test_a_cart_that_does_not_stop_is_let_by(stage):
     square = ((-0.25, -0.25), (0.25, -0.25), (0.25, 0.25), (-0.25, 0.25))
     ends = ((5.5, 0.0), (-1.0, 0.0))

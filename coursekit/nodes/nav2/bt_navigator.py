@@ -45,6 +45,8 @@ class BtNavigator(Server):
     def __init__(self) -> None:
         super().__init__("bt_navigator")
         declare(self, _SERVER)
+        self._driver: Any = None
+        """The goal that drives the robot now; one that cannot begin takes no other's place."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Offer the actions; FAILURE when a parameter cannot work."""
@@ -125,7 +127,7 @@ class BtNavigator(Server):
             return bool(handle.is_cancel_requested or action.replaced(handle))
 
         def goes_on() -> bool:
-            return bool(action.active and not handle.is_cancel_requested and action.replaced(handle))
+            return self._driver not in (handle, None)
 
         try:
             tree = load_tree(handle.request.behavior_tree or self._file(kind), self._crew, goals)
@@ -133,7 +135,9 @@ class BtNavigator(Server):
             log.error(f"{fault}. Navigation canceled.")
             handle.abort()
             return kind.Result()
+        self._driver = handle
         end = await Trip(tree, self._crew, stop, goes_on, tell, self._period).run()
+        self._driver = None if self._driver is handle else self._driver
         self._finish(handle, action, end)
         return kind.Result()
 

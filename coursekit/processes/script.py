@@ -68,7 +68,8 @@ def of_command(cmd: Sequence[str], folder: str | None) -> tuple[Path, list[str]]
     path = Path(folder or working_folder(), words[0]) if words else Path()
     if path.suffix != ".py" or not path.is_file():
         return None
-    return (path, words[1:]) if _USES_ROS.search(_beginning(path)) else None
+    text = _beginning(path)
+    return (path, words[1:]) if _USES_ROS.search(text) and not _STARTS_INTERPRETERS.search(text) else None
 
 
 def _beginning(path: Path) -> bytes:

@@ -38,8 +38,8 @@ whole list. It is made from the tables in the code by `python -m tests.processes
 
 def rows() -> list[Patch]:
     """All patches of all rooms."""
-    lent = (signals.patches(), highgui.patches(), plots.patches(), kernel.patches(), shell_lines.patches())
-    return [*patches.TABLE, *(patch for table in lent for patch in table)]
+    rooms = (signals, highgui, plots, kernel, shell_lines)
+    return [*patches.TABLE, *(patch for room in rooms for patch in room.patches())]
 
 
 def document() -> str:

@@ -43,7 +43,7 @@ def test_the_folders_of_the_newest_process_come_first_and_once(path):
 def test_after_the_last_session_the_path_is_as_it_was_found():
     """In an interpreter of its own: here a session of another test may still be open, and want its folders."""
     code = (
-        "import sys; from tests.core.test_modules import started_with\n"
+        "import sys; from tests.processes.test_private_modules import started_with\n"
         "path, before = sys.path, list(sys.path)\n"
         "assert started_with(before[-1], '/new')[:2] == [before[-1], '/new']\n"
         "assert sys.path is path and path == before"

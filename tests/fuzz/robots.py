@@ -59,9 +59,9 @@ def _world(path: Path) -> Any:
 
 
 def _rviz(path: Path) -> Any:
-    from coursekit.nodes.rviz import config
+    from coursekit.nodes.rviz import config_file
 
-    return config.read(path)
+    return config_file.read(path)
 
 
 def _camera(path: Path) -> Any:

@@ -201,6 +201,6 @@ def test_items_are_removed_from_lists_and_variables_unset(project):
 )
 def test_what_cannot_be_carried_out_wants_cmake_itself(tmp_path, command):
     (tmp_path / "CMakeLists.txt").write_text(f"project(pkg)\n{command}\n")
-    with pytest.raises(NeedsCMake, match=r"CMakeLists.txt:2: .* needs CMake itself, .* pip install "coursekit\[cpp\]""):
+    with pytest.raises(NeedsCMake, match=r'CMakeLists.txt:2: .* needs CMake itself, .* pip install "coursekit\[cpp\]"'):
         read_project(tmp_path, strict=True)
     assert read_project(tmp_path).project == "pkg"

@@ -96,7 +96,7 @@ int main(int argc, char ** argv)
   }
   rclcpp::executors::SingleThreadedExecutor executor;
   executor.add_node(node);
-  executor.spin_some();
+  executor.spin_all(std::chrono::nanoseconds(0));
   auto stamp = [](int t) {return rclcpp::Time(t * 1000000LL, RCL_ROS_TIME);};
   auto & cache = node->cache();
   std::cout << ms(cache.getElemBeforeTime(stamp(350))) << ms(cache.getElemAfterTime(stamp(300)))

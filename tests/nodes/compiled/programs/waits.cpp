@@ -22,6 +22,15 @@ struct rclcpp::TypeAdapter<std::string, String>
 };
 using Adapted = rclcpp::TypeAdapter<std::string, String>;
 
+// Calls back for all messages that wait: spin_some takes one of each subscription, as in Humble.
+static void take_all(rclcpp::Node::SharedPtr node)
+{
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  executor.spin_all(std::chrono::nanoseconds(0));
+  executor.remove_node(node);
+}
+
 static void wait_sets(rclcpp::Node::SharedPtr node)
 {
   auto heard = [](const String & message) {std::cout << "called with " << message.data << std::endl;};
@@ -96,7 +105,7 @@ static void bytes(rclcpp::Node::SharedPtr node)
   auto lent = publisher->borrow_loaned_message();
   lent.get().data = "lent";
   publisher->publish(std::move(lent));
-  rclcpp::spin_some(node);
+  take_all(node);
   std::cout << std::endl;
 }
 static void adapters(rclcpp::Node::SharedPtr node)
@@ -110,7 +119,7 @@ static void adapters(rclcpp::Node::SharedPtr node)
   String message;
   message.data = "three";
   publisher->publish(message);
-  rclcpp::spin_some(node);
+  take_all(node);
   std::cout << std::endl;
 }
 int main(int argc, char ** argv)

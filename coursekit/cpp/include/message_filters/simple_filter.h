@@ -113,6 +113,10 @@ public:
       [callback](const EventType & event) {
         if constexpr (std::is_invocable_v<const C &, const MConstPtr &>) {
           callback(event.getMessage());
+        } else if constexpr (std::is_invocable_v<const C &, const std::shared_ptr<M> &>) {
+          callback(std::make_shared<M>(*event.getMessage()));  // whoever may change it gets one of its own
+        } else if constexpr (std::is_invocable_v<const C &, const M &>) {
+          callback(*event.getMessage());
         } else {
           callback(event);
         }

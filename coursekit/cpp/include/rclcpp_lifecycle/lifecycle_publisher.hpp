@@ -16,12 +16,8 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(LifecyclePublisher)
   using typename Base::PublishedType;
 
-  void publish(std::unique_ptr<PublishedType> message) override
-  {
-    if (may_speak()) {
-      Base::publish(std::move(message));
-    }
-  }
+  template<class Deleter>
+  void publish(std::unique_ptr<PublishedType, Deleter> message) {publish(*message);}
   void publish(const PublishedType & message) override
   {
     if (may_speak()) {

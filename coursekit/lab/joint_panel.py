@@ -6,8 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.nodes.robots import boards
-from coursekit.nodes.robots.boards import Board
+from coursekit.nodes.robots.boards import Board, boards
 from coursekit.processes.session import current
 
 from .errors import NotThere

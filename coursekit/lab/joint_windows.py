@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.nodes.robots import boards
-from coursekit.nodes.robots.boards import Board
+from coursekit.nodes.robots.boards import Board, boards
 
 from .joint_panel import JointPanel, shown
 from .node_windows import NodeWindows

@@ -7,8 +7,7 @@ from typing import Any
 
 import ipywidgets
 
-from coursekit.nodes.rqt import windows
-from coursekit.nodes.rqt.windows import RqtWindow
+from coursekit.nodes.rqt.windows import RqtWindow, windows
 from coursekit.view import highgui
 
 from .graph_panel import GraphPanel

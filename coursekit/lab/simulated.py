@@ -11,9 +11,9 @@ from .errors import NotThere
 
 def simulator() -> Any:
     """The newest running simulator; LookupError when none runs."""
-    from coursekit.nodes.gazebo.simulators import running
+    from coursekit.nodes.gazebo.simulators import simulators
 
-    found = running(current())
+    found = simulators.running(current())
     if not found:
         raise NotThere("No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py world:=robot_world &")
     return found[-1]

@@ -9,7 +9,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from coursekit.nodes.turtlesim import simulators
+from coursekit.nodes.turtlesim.simulators import simulators
 from coursekit.processes.session import current
 from coursekit.sim.turtle import SIDE
 from coursekit.view.turtle import KINDS, describe, png, shape

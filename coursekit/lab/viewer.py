@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from coursekit.nodes.rviz import windows
 from coursekit.nodes.rviz.config import Config, DisplayConfig, make_config
 from coursekit.nodes.rviz.config_file import read, save
 from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.nodes.rviz.windows import windows
 from coursekit.processes.session import current
 from coursekit.view.displays import Display
 from coursekit.view.scene_stage import Stage

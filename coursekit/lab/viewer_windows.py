@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.nodes.rviz import windows
-from coursekit.nodes.rviz.windows import RvizWindow
+from coursekit.nodes.rviz.windows import RvizWindow, windows
 
 from .node_windows import NodeWindows
 from .viewer import Viewer

@@ -5,7 +5,7 @@ import pytest
 from coursekit.lab import joint_panel, joint_windows
 from coursekit.lab.joint_panel import joint_sliders
 from coursekit.lab.panel import end_panels, open_panels
-from coursekit.nodes.robots import boards
+from coursekit.nodes.robots.boards import boards
 from coursekit.processes.executables import find
 from coursekit.processes.patching import patch_manager
 from coursekit.processes.session import Session

@@ -15,7 +15,7 @@ from scipy import ndimage
 from coursekit.cli.parser import run as run_cli
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, save_map
-from coursekit.nodes.gazebo.simulators import running
+from coursekit.nodes.gazebo.simulators import simulators
 from coursekit.nodes.gazebo.world_of import open_world
 from coursekit.nodes.scanning.planar import to_pose
 from coursekit.processes.executables import find
@@ -58,7 +58,7 @@ class Stage:
         self._start("robot_state_publisher", "robot_state_publisher", str(robot), "--ros-args", "-p", "use_sim_time:=true")
         spawned = self._start("gazebo_ros", "spawn_entity.py", "-entity", "rdk", "-file", str(robot))
         spawned.wait(20.0)
-        self.simulation = running(session)[0].simulation
+        self.simulation = simulators.running(session)[0].simulation
         self.robot = self.simulation.robots["rdk"]
         arguments = ["launch", "nav2_bringup", "bringup_launch.py", f"map:={self.map_file}", "use_sim_time:=True", *more]
         self.launch = session.start(lambda: run_cli(arguments), name="ros2", argv=arguments)

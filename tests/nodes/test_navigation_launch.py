@@ -6,7 +6,7 @@ import pytest
 
 from coursekit.cli.parser import run as run_cli
 from coursekit.nav.map_file import save_map
-from coursekit.nodes.gazebo.simulators import running
+from coursekit.nodes.gazebo.simulators import simulators
 from tests.nodes.nav2_stage import ROBOT, true_map
 
 TWO_ROBOTS = """
@@ -141,7 +141,7 @@ def test_two_robots_in_namespaces_go_their_own_ways(session, launch, program, tm
     launch(TWO_ROBOTS.format(urdf=str(urdf)))
     session.clock.sleep(3.0)
     assert program(("one", 0.0), ("two", 3.0)) == "ended SUCCEEDED SUCCEEDED"
-    places = {name: robot.place.x for name, robot in running(session)[0].simulation.robots.items()}
+    places = {name: robot.place.x for name, robot in simulators.running(session)[0].simulation.robots.items()}
     assert places == {"one": pytest.approx(1.0, abs=0.35), "two": pytest.approx(4.0, abs=0.35)}
 
 
@@ -153,7 +153,7 @@ def test_components_in_a_container_drive_through_the_velocity_smoother(session, 
     launch(COMPONENTS)
     session.clock.sleep(3.0)
     assert program(("", 0.0)) == "ended SUCCEEDED"
-    assert running(session)[0].simulation.robots["rdk"].place.x == pytest.approx(1.0, abs=0.35)
+    assert simulators.running(session)[0].simulation.robots["rdk"].place.x == pytest.approx(1.0, abs=0.35)
 
 
 def test_the_bringup_composes_its_nodes_in_one_process_when_asked(session, run, program, tmp_path):

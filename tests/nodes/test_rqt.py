@@ -7,8 +7,8 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 from turtlesim.msg import Pose
 
-from coursekit.nodes.rqt import windows
 from coursekit.nodes.rqt.plot import Plot, numbers, part, paths
+from coursekit.nodes.rqt.windows import windows
 from coursekit.view import highgui
 from coursekit.view.graph_facts import take
 

@@ -10,7 +10,7 @@ from std_srvs.srv import Empty
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
 
-from coursekit.nodes.turtlesim import simulators
+from coursekit.nodes.turtlesim.simulators import simulators
 from coursekit.sim.turtle import SIDE
 
 

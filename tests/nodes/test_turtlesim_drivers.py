@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from coursekit.nodes.turtlesim import simulators
+from coursekit.nodes.turtlesim.simulators import simulators
 
 ROTATE = ("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute")
 

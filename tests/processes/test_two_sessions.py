@@ -7,7 +7,7 @@ from rclpy.executors import MultiThreadedExecutor
 from std_msgs.msg import String
 from turtlesim.srv import Spawn
 
-from coursekit.nodes.turtlesim import simulators
+from coursekit.nodes.turtlesim.simulators import simulators
 from coursekit.processes.executables import find
 from coursekit.processes.session import Session
 

@@ -15,7 +15,6 @@ from rosgraph_msgs.msg import Clock
 from coursekit.processes.session import current
 from coursekit.sim import Simulation, WorldError
 
-from . import simulators
 from .articulated import Articulated
 from .assembly import Assembly
 from .controlled import ControlPublisher
@@ -42,6 +41,7 @@ from .sensor_publishers import PUBLISHERS, SensorPublisher, stamp_of
 from .services import Services
 from .settle import settled
 from .sim_time import SimTime
+from .simulators import simulators
 from .states import States
 from .trajectory_publisher import TrajectoryPublisher
 from .warm_up import warm_up

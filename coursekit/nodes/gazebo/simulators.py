@@ -18,9 +18,4 @@ class Simulator(Protocol):
     def advance(self) -> int: ...
 
 
-_simulators = LiveThings[Simulator]("gazebo")
-running = _simulators.running
-add = _simulators.add
-remove = _simulators.remove
-
-__all__ = ["Simulator", "add", "remove", "running"]
+simulators = LiveThings[Simulator]("gazebo")

@@ -23,10 +23,4 @@ class Board(Protocol):
     def randomize(self) -> None: ...
 
 
-_boards = LiveThings[Board]("joint_state_publisher_gui")
-running = _boards.running
-add = _boards.add
-remove = _boards.remove
-tell = _boards.tell
-watch = _boards.watch
-unwatch = _boards.unwatch
+boards = LiveThings[Board]("joint_state_publisher_gui")

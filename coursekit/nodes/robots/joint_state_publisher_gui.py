@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 
-from coursekit.nodes.robots import boards
+from coursekit.nodes.robots.boards import boards
 from coursekit.nodes.robots.joint_state_publisher import JointStatePublisher, run
 from coursekit.processes.session import current
 from coursekit.urdf.errors import close

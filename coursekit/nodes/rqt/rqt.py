@@ -13,8 +13,7 @@ from coursekit.nodes.running import spin_to_the_end
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 
-from . import windows
-from .windows import RqtWindow
+from .windows import RqtWindow, windows
 
 INSTEAD = {
     "rqt_graph": "`ros2 node list`, and `ros2 node info NODE`",

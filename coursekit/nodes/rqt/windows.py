@@ -20,7 +20,4 @@ class RqtWindow:
     running: bool = True
 
 
-_windows = LiveThings[RqtWindow]("rqt")
-tell = _windows.tell
-watch = _windows.watch
-unwatch = _windows.unwatch
+windows = LiveThings[RqtWindow]("rqt")

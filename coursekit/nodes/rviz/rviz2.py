@@ -19,10 +19,10 @@ from coursekit.nodes.running import spin_to_the_end
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 
-from . import windows
 from .config import Config, DisplayConfig, make_config
 from .config_file import read
 from .kinds import KINDS
+from .windows import windows
 
 LOOK_SECONDS = 2.0
 """How long it waits before it says which topics nobody publishes."""

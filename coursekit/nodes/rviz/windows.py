@@ -20,10 +20,4 @@ class RvizWindow(Protocol):
     def full_name(self) -> str: ...
 
 
-_windows = LiveThings[RvizWindow]("rviz2")
-running = _windows.running
-add = _windows.add
-remove = _windows.remove
-tell = _windows.tell
-watch = _windows.watch
-unwatch = _windows.unwatch
+windows = LiveThings[RvizWindow]("rviz2")

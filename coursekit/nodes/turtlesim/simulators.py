@@ -24,10 +24,4 @@ class Simulator(Protocol):
     def background(self) -> tuple[int, int, int]: ...
 
 
-_simulators = LiveThings[Simulator]("turtlesim")
-running = _simulators.running
-add = _simulators.add
-remove = _simulators.remove
-tell = _simulators.tell
-watch = _simulators.watch
-unwatch = _simulators.unwatch
+simulators = LiveThings[Simulator]("turtlesim")

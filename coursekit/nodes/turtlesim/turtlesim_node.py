@@ -15,7 +15,7 @@ from turtlesim.srv import Kill, Spawn
 
 from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import to_the_end
-from coursekit.nodes.turtlesim import simulators
+from coursekit.nodes.turtlesim.simulators import simulators
 from coursekit.nodes.turtlesim.turtle import TurtleInterface
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current

@@ -116,13 +116,13 @@ def test_an_arm_that_moves_is_elsewhere_in_the_world_and_a_scanner_sees_it(run, 
     from gazebo_msgs.srv import GetEntityState
 
     from coursekit.geometry.plane import Pose2D
-    from coursekit.nodes.gazebo.simulators import running
+    from coursekit.nodes.gazebo.simulators import simulators
     from coursekit.sim import Lidar
 
     urdf, _ = files(plugin=CLASSIC[0], blocks=PLUGIN.format(*CLASSIC[1:], tmp_path / "arm.yaml"))
     run("gazebo_ros", "gzserver")
     run("gazebo_ros", "spawn_entity.py", "-file", str(urdf), "-entity", "arm").wait(30)
-    simulation = running(friend.session)[0].simulation
+    simulation = simulators.running(friend.session)[0].simulation
     look = Lidar(beams=1, height=0.1, range_max=9.0)
     assert simulation.scan(look, place=Pose2D(2.0, 0.0, 3.14159))[0] > 1.9, "nothing at that height but its thin column"
     assert run("controller_manager", "spawner", "arm_controller").wait(20) == 0

@@ -7,7 +7,7 @@ import pytest
 
 from coursekit.cli.parser import run as run_cli
 from coursekit.nav.map_file import save_map
-from coursekit.nodes.gazebo.simulators import running
+from coursekit.nodes.gazebo.simulators import simulators
 from tests.nodes.nav2_stage import true_map
 from tests.nodes.robot_localization.conftest import mask
 
@@ -84,6 +84,6 @@ def test_navigation_drives_on_the_filters_odometry(session, tmp_path, space, sla
     session.clock.sleep(8.0)
     tourist = session.start(lambda: tour(space, slam), name="tour")
     tourist.wait(120.0)
-    place = running(session)[0].simulation.robots["car"].place
+    place = simulators.running(session)[0].simulation.robots["car"].place
     assert "ended SUCCEEDED" in tourist.output, launched.output[-3000:]
     assert math.hypot(place.x - 1.3, place.y - 0.3) < 0.4

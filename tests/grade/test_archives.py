@@ -15,7 +15,7 @@ from coursekit.grade.release import release
 from tests.grade.solutions import MARKER, NOTEBOOKS, found_in, solutions
 
 ROOT = NOTEBOOKS.parent
-KNOW_THE_MARKER = ("coursekit/grade/copy.py", "docs/own_exercises.md")
+KNOW_THE_MARKER = ("coursekit/grade/copy.py", "docs/own_exercises.md", "docs/adding.md")
 
 
 @pytest.fixture(scope="module")

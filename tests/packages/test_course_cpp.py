@@ -60,5 +60,5 @@ def test_ros2_run_and_parameters_of_a_launch_file(workspace):
     assert "launched 640x480" in said
     said = sourced(
         workspace, "COURSEKIT_STOP_AFTER=1.6 ros2 run s2_cpp_pubsub publisher_exe --ros-args -r __node:=me"
-    ).stdout
+    ).stderr
     assert "[me]: sending 'C++ says 2'" in said

@@ -4,8 +4,8 @@ import time
 
 import pytest
 
+from coursekit.grade.bundle import pack_bundle
 from coursekit.grade.lateness import Policy, read_policy
-from coursekit.grade.parcel import pack_parcel
 from coursekit.grade.roster import Person, Roster
 
 from .handed import NOON, TOPICS, by_name, cheap_mark, collected, grade, text, write, zipped
@@ -25,7 +25,7 @@ def folder(tmp_path, monkeypatch):
 
 def sealed(when, *done):
     said = time.strftime("%Y-%m-%d %H:%M:%S +0000", time.gmtime(when))
-    return pack_parcel({TOPICS: text(*done).encode()}, {"student": "Ann Lee", "notebook": TOPICS, "time": said})
+    return pack_bundle({TOPICS: text(*done).encode()}, {"student": "Ann Lee", "notebook": TOPICS, "time": said})
 
 
 def test_the_seal_goes_before_the_platform_and_the_platform_before_the_file(folder):

@@ -46,7 +46,7 @@ NodeInstanceWrapper make(const std::string & plugin, const rclcpp::NodeOptions &
   auto found = factories().find(without_spaces(plugin));
   if (found == factories().end()) {
     throw std::runtime_error(
-            "Failed to find class with the requested plugin name: " + plugin + ". Is RCLCPP_COMPONENTS_REGISTER_NODE(" + plugin +
+            "Failed to find class with the requested plugin name. It is " + plugin + ": is RCLCPP_COMPONENTS_REGISTER_NODE(" + plugin +
             ") in a source of its library?");
   }
   return found->second->create_node_instance(options);

@@ -239,7 +239,7 @@ def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
         fitting = [r.key for r in records if name in (r.key, r.label, r.handed.person.id, r.handed.person.email)]
         if not fitting:
             known = ", ".join(one.label for one in records[:10])
-            raise ValueError(f"--again: nobody is called '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
+            raise ValueError(f"--again: no student '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
         found += fitting
     return found
 

@@ -1,9 +1,9 @@
-"""The submission bundle, one file: the notebook, pictures, what happened, and a manifest with the mark of a clean run.
+"""The submission bundle, one file: the notebook, pictures, the log, and a manifest with the mark of a clean run.
 
-What its seal proves: the bundle is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove:
-who that was, and when (the clock is the student's). All that is needed for a seal is on the student's computer. So the mark
-that counts comes from running the notebook again, and the bundles of a class are compared: a log or a picture that two people
-hand in is reported, sealed anew or not.
+What its seal proves: the bundle is as the student's `hand_in()` wrote it, unless someone made the seal again. What it does
+not prove: who that was, and when (the clock is the student's). Everything needed for a seal is on the student's computer. So
+the mark that counts comes from running the notebook again, and the bundles of a class are compared: a log or a picture that
+two people hand in is reported, whatever its seal.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ def _faults(data: bytes) -> list[str]:
     found += events.faults(_lines(files))
     found += [] if found else _untold(files)
     if not found and _zipped({MANIFEST: _text(manifest), **{name: files[name] for name in manifest["files"]}}) != data:
-        found.append("the zip was packed anew")
+        found.append("the zip was packed again")
     return found
 
 
@@ -103,7 +103,7 @@ def _untold(files: Mapping[str, bytes]) -> list[str]:
     made = {str(one.get("picture") or one.get("notebook")): one["sha256"] for one in lines if "sha256" in one}
     found = {name: (digest_of(data), made.get(PurePosixPath(name).name)) for name, data in files.items() if name != EVENTS}
     return [
-        f"{name}: it was changed since {EVENTS} tells of it" if told else f"{name}: {EVENTS} does not tell of it"
+        f"{name}: it was changed after its entry in {EVENTS}" if told else f"{name}: {EVENTS} does not tell of it"
         for name, (is_now, told) in found.items()
         if told != is_now
     ]

@@ -151,7 +151,7 @@ def verify(
     if variants is not None:
         student = named_in(file.stem, variants.roster) or named_in(str(manifest.get("student")), variants.roster)
         if not student:
-            return [*found, "it is nobody's in the list of names: without a name its numbers are not known"], None
+            return [*found, "its name is not in the list: without a name its numbers are not known"], None
         own = variants.copies(student, {name: own})[name]
     with tempfile.TemporaryDirectory() as scratch:
         place = Path(scratch) / name

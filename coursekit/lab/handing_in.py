@@ -41,7 +41,7 @@ def student(name: str = "") -> str:
         return str(json.loads(file.read_text(encoding="utf-8")))
     found = name or (me if isinstance(me, str) else "")
     if len(found.split()) < 2:
-        raise BadArgument('Whose is it? Say it once, in the brackets: by="Firstname Lastname"')
+        raise BadArgument('Whose is it? Write the name once, in the brackets: by="Firstname Lastname"')
     file.parent.mkdir(parents=True, exist_ok=True)
     write_whole(file, json.dumps(found))
     return found

@@ -87,7 +87,7 @@ def test_files_that_are_taken_out_put_in_changed_or_moved_are_found(bundle):
         name, content = files[number]
         assert bundle_faults(zipped([*files[:number], (name, content + b" "), *files[number + 1 :]]))
     assert bundle_faults(zipped([*files, ("more.txt", b"")])) == ["more.txt: was put in afterwards"]
-    assert bundle_faults(zipped(files[::-1])) == ["the zip was packed anew"]
+    assert bundle_faults(zipped(files[::-1])) == ["the zip was packed again"]
 
 
 def test_events_that_are_changed_or_reordered_are_found(bundle):
@@ -105,7 +105,7 @@ def test_a_picture_and_a_notebook_that_the_log_does_not_tell_of_are_found(bundle
     assert bundle_faults(pack_bundle(files, facts)) == []
     for name in ("evidence/VeraCourse_evidence_s2.png", "names.ipynb"):
         changed = pack_bundle({**files, name: b"another"}, facts)
-        assert bundle_faults(changed) == [f"{name}: it was changed since events.jsonl tells of it"]
+        assert bundle_faults(changed) == [f"{name}: it was changed after its entry in events.jsonl"]
     more = pack_bundle({**files, "evidence/VeraCourse_evidence_s3.png": b"painted"}, facts)
     assert bundle_faults(more) == ["evidence/VeraCourse_evidence_s3.png: events.jsonl does not tell of it"]
 

@@ -101,7 +101,7 @@ def test_grace_percent_floor_and_extensions(folder, tmp_path):
 @pytest.mark.parametrize(
     ("policy", "told"),
     [("graze = 3", "'graze' is not known. There are: due, grace_minutes"), ("percent_per_day = '10'", "has to be a number"),
-     ("[extensions]\nZoe = 3", "'Zoe' is nobody"), ("due = 'soon'", "no time. Write it as"), ("due = ", "policy.toml"),
+     ("[extensions]\nZoe = 3", "'Zoe' is no student"), ("due = 'soon'", "no time. Write it as"), ("due = ", "policy.toml"),
      ("count = 'best'", "'newest' or 'in-time'"), ("grace_minutes = -1", "0 or more")],
 )  # fmt: skip
 def test_a_policy_that_is_not_understood_is_refused(tmp_path, policy, told):

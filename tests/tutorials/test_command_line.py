@@ -42,7 +42,7 @@ def test_topics_are_listed_with_types_and_watched(sim, terminal, said):
     terminal(f"ros2 topic pub --rate 1 /turtle1/cmd_vel geometry_msgs/msg/Twist {SPIN}")
     assert "average rate: 62.5" in said("ros2 topic hz /turtle1/pose", 3.0)
     size = "\tMessage size mean: 0.02 KB min: 0.02 KB max: 0.02 KB\n"
-    assert said("ros2 topic bw /turtle1/pose", 1.5) == f"Subscribed to [/turtle1/pose]\n1.52 KB/s from 63 messages\n{size}"
+    assert said("ros2 topic bw /turtle1/pose", 1.5) == f"Subscribed to [/turtle1/pose]\n1.51 KB/s from 63 messages\n{size}"
 
 
 def test_services_are_listed_found_and_called(sim, said):

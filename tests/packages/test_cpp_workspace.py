@@ -179,6 +179,29 @@ def test_tests_in_cpp_are_built_and_run_or_named(workspace):
     assert "Summary: 3 tests, 0 errors, 1 failure, 0 skipped" in told and "test_route.cpp" in told
 
 
+FIRST_TEST = """#include <gtest/gtest.h>
+TEST(first, sum) {ASSERT_EQ(4, 2 + 2);}
+int main(int argc, char ** argv) {testing::InitGoogleTest(&argc, argv); return RUN_ALL_TESTS();}
+"""
+
+
+@pytest.mark.skipif(not os.path.isfile("/usr/include/gtest/gtest.h"), reason="needs libgtest-dev")
+def test_a_package_of_nothing_but_tests_in_cpp_has_them_run(workspace, tmp_path):
+    (tmp_path / "src").mkdir()
+    made = sourced(workspace, f"ros2 pkg create --build-type ament_cmake --destination-directory {tmp_path / 'src'} only_tests")
+    assert made.returncode == 0
+    package = tmp_path / "src" / "only_tests"
+    (package / "test").mkdir()
+    (package / "test" / "first.cpp").write_text(FIRST_TEST, encoding="utf-8")
+    rules = (package / "CMakeLists.txt").read_text(encoding="utf-8")
+    tests = "if(BUILD_TESTING)\n  find_package(ament_cmake_gtest REQUIRED)\n  ament_add_gtest(only_first test/first.cpp)\nendif()\n"
+    (package / "CMakeLists.txt").write_text(rules.replace("ament_package()", f"{tests}ament_package()"), encoding="utf-8")
+    assert colcon(tmp_path, "build").returncode == 0
+    tested = colcon(tmp_path, "test")
+    assert "Skipped" not in tested.stdout, tested.stdout
+    assert colcon(tmp_path, "test-result").stdout == "Summary: 1 test, 0 errors, 0 failures, 0 skipped\n"
+
+
 def copied(tmp_path, package):
     shutil.copytree(SOURCES / package, tmp_path / "src" / package)
     return tmp_path / "src" / package

@@ -165,7 +165,8 @@ class Bandwidth(_Meter):
         total = sum(self._sizes)
         rate = total / max(self.now() - self._times[0], 1e-9)
         mean, least, most = (_bytes(size, rate) for size in (total / len(self._sizes), min(self._sizes), max(self._sizes)))
-        print(f"{_bytes(rate, rate)}/s from {len(self._sizes)} messages\n\tMessage size mean: {mean} min: {least} max: {most}")
+        print(f"{_bytes(rate, rate)}/s from {len(self._sizes)} messages")
+        print(f"\tMessage size mean: {mean} min: {least} max: {most}")
 
 
 def _bytes(size: float, rate: float) -> str:

@@ -188,14 +188,15 @@ int main(int argc, char ** argv) {testing::InitGoogleTest(&argc, argv); return R
 @pytest.mark.skipif(not os.path.isfile("/usr/include/gtest/gtest.h"), reason="needs libgtest-dev")
 def test_a_package_of_nothing_but_tests_in_cpp_has_them_run(workspace, tmp_path):
     (tmp_path / "src").mkdir()
-    made = sourced(workspace, f"ros2 pkg create --build-type ament_cmake --destination-directory {tmp_path / 'src'} only_tests")
-    assert made.returncode == 0
+    words = f"--build-type ament_cmake --destination-directory {tmp_path / 'src'} only_tests"
+    assert sourced(workspace, f"ros2 pkg create {words}").returncode == 0
     package = tmp_path / "src" / "only_tests"
     (package / "test").mkdir()
     (package / "test" / "first.cpp").write_text(FIRST_TEST, encoding="utf-8")
+    tests = "find_package(ament_cmake_gtest REQUIRED)\n  ament_add_gtest(only_first test/first.cpp)\n"
     rules = (package / "CMakeLists.txt").read_text(encoding="utf-8")
-    tests = "if(BUILD_TESTING)\n  find_package(ament_cmake_gtest REQUIRED)\n  ament_add_gtest(only_first test/first.cpp)\nendif()\n"
-    (package / "CMakeLists.txt").write_text(rules.replace("ament_package()", f"{tests}ament_package()"), encoding="utf-8")
+    rules = rules.replace("ament_package()", f"if(BUILD_TESTING)\n  {tests}endif()\nament_package()")
+    (package / "CMakeLists.txt").write_text(rules, encoding="utf-8")
     assert colcon(tmp_path, "build").returncode == 0
     tested = colcon(tmp_path, "test")
     assert "Skipped" not in tested.stdout, tested.stdout

@@ -48,7 +48,7 @@ def run_release(args: argparse.Namespace) -> int:
     if moodle:
         _expect_numbers(variants)
     personal, wheel = args.variants is not None, args.wheel or WHEEL
-    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle):
+    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle, language=args.language):
         print((args.out / written.relative_to(out)).as_posix())
     if args.wheel is None:
         print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")

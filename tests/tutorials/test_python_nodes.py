@@ -29,9 +29,7 @@ def test_own_interfaces(said):
     assert said("ros2 interface show path_interfaces/msg/Ball") == (
         "geometry_msgs/Point middle\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\nfloat64 radius\n"
     )
-    assert said("ros2 interface show path_interfaces/srv/SumOfThree") == (
-        "int64 a\nint64 b\nint64 c\n---\nint64 sum\n"
-    )
+    assert said("ros2 interface show path_interfaces/srv/SumOfThree") == ("int64 a\nint64 b\nint64 c\n---\nint64 sum\n")
     assert said("ros2 interface show path_interfaces/action/Walk") == "int32 steps\n---\nint32[] done\n---\nint32[] so_far\n"
 
 

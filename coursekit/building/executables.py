@@ -84,6 +84,7 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "publisher_lambda": "coursekit.nodes.examples.topics:publisher_cpp",
         "publisher_member_function": "coursekit.nodes.examples.topics:publisher_cpp",
         "publisher_not_composable": "coursekit.nodes.examples.topics:publisher_cpp",
+        "publisher_wait_for_all_acked": "coursekit.nodes.examples.topics:publisher_acknowledged_cpp",
     },
     "examples_rclcpp_minimal_service": {
         "service_main": "coursekit.nodes.examples.services:service_cpp",

@@ -164,18 +164,17 @@ class Bandwidth(_Meter):
             return
         total = sum(self._sizes)
         rate = total / max(self.now() - self._times[0], 1e-9)
-        print(
-            f"{_bytes(rate)}/s from {len(self._sizes)} messages\n\tMessage size mean: {_bytes(total / len(self._sizes))} "
-            f"min: {_bytes(min(self._sizes))} max: {_bytes(max(self._sizes))}"
-        )
+        mean, least, most = (_bytes(size, rate) for size in (total / len(self._sizes), min(self._sizes), max(self._sizes)))
+        print(f"{_bytes(rate, rate)}/s from {len(self._sizes)} messages")
+        print(f"\tMessage size mean: {mean} min: {least} max: {most}")
 
 
-def _bytes(size: float) -> str:
-    """A size with its unit.
+def _bytes(size: float, rate: float) -> str:
+    """A size in the unit that suits a rate [B/s]: all figures of a report share one.
 
-    >>> _bytes(96), _bytes(12345), _bytes(2e6)
-    ('96 B', '12.35 KB', '2.00 MB')
+    >>> _bytes(96, 960), _bytes(24, 1500), _bytes(2e6, 6e6)
+    ('96 B', '0.02 KB', '2.00 MB')
     """
-    if size < 1000:
+    if rate < 1000:
         return f"{size:.0f} B"
-    return f"{size / 1e3:.2f} KB" if size < 1e6 else f"{size / 1e6:.2f} MB"
+    return f"{size / 1e3:.2f} KB" if rate < 1e6 else f"{size / 1e6:.2f} MB"

@@ -21,14 +21,15 @@ from coursekit.files import read_text
 from coursekit.systems import layout
 
 _MAKES = re.compile(
-    r"^\s*(add_executable|add_library|ament_auto_add_(executable|library)|pybind11_add_module)\s*\(", re.M | re.I
+    r"^\s*(add_executable|add_library|ament_auto_add_(executable|library)|ament_add_g(test|mock)|pybind11_add_module)\s*\(",
+    re.M | re.I,
 )
 _COLOR = re.compile(rb"\x1b\[[\d;]*m")
 _OF_CMAKE = re.compile(rb"\[\d+/\d+\] |ninja: |FAILED: |--|loading initial cache file |\Z")
 
 
 def needs_compiler(folder: Path) -> bool:
-    """Whether a package has C++ to compile, or to give to others."""
+    """Whether a package has C++ to compile, tests among it, or to give to others."""
     return any(_MAKES.search(read_text(path, errors="replace")) for path in folder.rglob("CMakeLists.txt") if path.is_file())
 
 

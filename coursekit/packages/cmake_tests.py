@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import argparse
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
@@ -47,6 +49,24 @@ def left_out(reading: Reading) -> list[str]:
     """The names of the tests that neither we nor gtest can run."""
     known = {*_RUNNABLE, *_COMPILED}
     return [call.words[0] for call in reading.tests if call.words and call.command.name not in known]
+
+
+def selection(words: Sequence[str]) -> Callable[[str], bool]:
+    """What `--ctest-args` choose by a test's name, as ctest does; ValueError for a pattern that is none.
+
+    >>> chosen = selection(["-R", "map", "-E", "slow"])
+    >>> [chosen(name) for name in ("test_map", "test_map_slow", "test_scan")]
+    [True, False, False]
+    """
+    parser = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    parser.add_argument("-R", "--tests-regex", default="")
+    parser.add_argument("-E", "--exclude-regex")
+    asked, _ = parser.parse_known_args(list(words))
+    try:
+        wanted, unwanted = re.compile(asked.tests_regex), re.compile(asked.exclude_regex or r"\b\B")
+    except re.error as error:
+        raise ValueError(f"--ctest-args: {error.pattern!r} is no pattern of names: {error}") from error
+    return lambda name: bool(wanted.search(name)) and not unwanted.search(name)
 
 
 def note_missing_result(test: TestCommand) -> None:

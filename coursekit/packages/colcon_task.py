@@ -202,6 +202,10 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         manifest.write_text("".join(f"{name}\n" for name in self._installed), encoding="utf-8")
 
 
+def _none(reading: Reading) -> str:
+    return "none has a name that --ctest-args choose" if reading.tests else "it has none"
+
+
 def _prefixes(env: dict[str, Any]) -> list[Path]:
     return [Path(p) for p in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
 
@@ -220,12 +224,13 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         base = Path(args.test_result_base or args.build_base) / "test_results"
         try:
             reading = read_project(Path(args.path), testing=True)
-            tests = cmake_tests.commands(reading, base)
-        except (CMakeError, OSError) as error:
+            chosen = cmake_tests.selection(args.ctest_args or [])
+            tests = [test for test in cmake_tests.commands(reading, base) if chosen(test.name)]
+        except (CMakeError, OSError, ValueError) as error:
             self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
             return 1
-        names = cmake_tests.compiled(reading)
-        skipped = cmake_tests.left_out(reading)
+        names = [one for one in cmake_tests.compiled(reading) if chosen(one)]
+        skipped = [one for one in cmake_tests.left_out(reading) if chosen(one)]
         if names and await self._build_tests(names, env):
             tests += [cmake_tests.compiled_command(one, Path(args.build_base), base / reading.project) for one in names]
         else:
@@ -234,7 +239,7 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         if any(ended):
             self.context.put_event_into_queue(TestFailure(name))
         if skipped or not tests:
-            print(f"Skipped tests of {name}: {', '.join(skipped) or 'it has none that need no compiler'}", flush=True)
+            print(f"Skipped tests of {name}: {', '.join(skipped) or _none(reading)}", flush=True)
         return 0
 
     async def _build_tests(self, names: list[str], env: dict[str, str]) -> bool:

@@ -26,6 +26,7 @@ from .output import Input
 if TYPE_CHECKING:
     from .session import Session
 
+_ROOM = os.path.dirname(__file__) + os.sep
 _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
 DISTRIBUTION = {
     "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
@@ -152,13 +153,12 @@ class Process(Interruptible):
                 self._report(sys.exc_info())
 
     def _report(self, error: tuple[Any, Any, TracebackType | None]) -> None:
-        """Print the traceback from the program's first line on, without the frames of this file."""
+        """Print the traceback from the program's first line on, without the frames that started it."""
         kind, value, trace = error
-        here = __file__
-        while trace is not None and trace.tb_frame.f_code.co_filename == here:
+        while trace is not None and trace.tb_frame.f_code.co_filename.startswith(_ROOM):
             trace = trace.tb_next
-        if kind is KeyboardInterrupt and trace is not None and trace.tb_frame.f_code.co_filename.startswith(_PACKAGE):
-            return  # a program of ours that was still starting: its inside helps nobody
+        if kind is KeyboardInterrupt and (trace is None or trace.tb_frame.f_code.co_filename.startswith(_PACKAGE)):
+            return  # a program of ours, or one that had not begun: the inside helps nobody
         self.out.write("stderr", "".join(traceback.format_exception(kind, value, trace)))
 
     def _end(self, code: int) -> None:

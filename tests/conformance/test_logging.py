@@ -266,3 +266,17 @@ def test_rcl_says_what_it_makes(make_world, capfd):
         "Initializing timer with period: 500000000ns",
     ]
     assert lines.count("Service initialized") >= 1
+
+
+def test_rcl_says_when_it_calls_a_timer(make_world, capfd):
+    world = make_world(args=[])
+    node = world.node("a", start_parameter_services=False, enable_rosout=False)
+    called = []
+    node.create_timer(0.01, lambda: called.append(1))
+    rclpy.logging.set_logger_level("rcl", LoggingSeverity.DEBUG)
+    try:
+        world.spin_until(lambda: called)
+        said = [found[3] for found in LINE.finditer(capfd.readouterr().err) if found[2] == "rcl"]
+    finally:
+        rclpy.logging.set_logger_level("rcl", LoggingSeverity.UNSET)
+    assert said.count("Calling timer") == len(called)

@@ -248,3 +248,13 @@ def test_points_are_told_in_another_turtles_frame_once_its_frames_are_known(sess
     session.clock.sleep(5.0)
     told = [line for line in said(drawer) if line]
     assert told and all(line.startswith("Point of turtle3 in frame of turtle1: x:") for line in told)
+
+
+def test_debug_of_a_container_s_loggers_shows_the_core_s_too(session, run, ros2):
+    container = run("rclcpp_components", "component_container")
+    ros2("component", "load", "/ComponentManager", "composition", "composition::Talker")
+    ros2("component", "load", "/ComponentManager", "logging_demo", "logging_demo::LoggerConfig")
+    assert "[rcl]: " not in container.output
+    ros2("service", "call", "/config_logger", "logging_demo/srv/ConfigLogger", "{logger_name: '', level: DEBUG}")
+    session.clock.sleep(1.2)
+    assert "[rcl]: Calling timer\n" in container.output, container.output

@@ -99,3 +99,15 @@ def test_a_guard_condition_ends_the_program(session, run):
 def test_the_wave_is_a_cloud_of_ten_thousand_points(session, run, ros2):
     run("examples_rclpy_pointcloud_publisher", "pointcloud_publisher")
     assert ros2("topic", "echo", "--once", "--field", "width", "/test_cloud").startswith("10000\n")
+
+
+def test_a_publisher_tells_at_its_end_that_all_has_arrived(session, run):
+    listener = run("examples_rclcpp_minimal_subscriber", "subscriber_member_function")
+    talker = run("examples_rclcpp_minimal_publisher", "publisher_wait_for_all_acked")
+    session.clock.sleep(1.2)
+    talker.interrupt()
+    assert talker.wait(5) == 0
+    assert lines(talker) == [
+        "Publishing: 'Hello, world! 0'", "Publishing: 'Hello, world! 1'", "All subscribers acknowledge messages",
+    ]  # fmt: skip
+    assert lines(listener) == ["I heard: 'Hello, world! 0'", "I heard: 'Hello, world! 1'"]

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.packages.cmake_run import read_project
-from coursekit.packages.cmake_tests import commands, compiled, left_out
+from coursekit.packages.cmake_tests import commands, compiled, left_out, selection
 from coursekit.packages.cmake_text import CMakeError
 
 BIN = Path(sys.executable).parent
@@ -24,6 +24,19 @@ if(BUILD_TESTING)
   ament_add_gtest(in_cpp test/test_it.cpp)
 endif()
 """
+
+
+MANIFEST = """<package format="3"><name>app</name><version>0.0.0</version><description>d</description>
+<maintainer email="a@example.com">a</maintainer><license>Apache-2.0</license>
+<export><build_type>ament_cmake</build_type></export></package>"""
+
+
+def colcon(root, *words):
+    """Run colcon in a folder, without a workspace that is sourced."""
+    env = {key: value for key, value in os.environ.items() if not key.endswith("_PREFIX_PATH") and key != "PYTHONPATH"}
+    env |= {"PATH": f"{BIN}{os.pathsep}{env['PATH']}"}
+    command = [str(BIN / "colcon"), "--log-base", "log", *words]
+    return subprocess.run(command, cwd=root, env=env, capture_output=True, encoding="utf-8", check=False)
 
 
 @pytest.fixture
@@ -75,16 +88,38 @@ def test_colcon_runs_them_and_counts_what_fails(package, tmp_path):
         test_math="def test_math():\n    assert 2 + 2 == 4\n\n\ndef test_wrong():\n    assert 2 + 2 == 5\n",
         test_broken="import os\nos._exit(3)\n",
     )
-    (folder / "package.xml").write_text(
-        '<package format="3"><name>app</name><version>0.0.0</version><description>d</description>'
-        '<maintainer email="a@example.com">a</maintainer><license>Apache-2.0</license>'
-        "<export><build_type>ament_cmake</build_type></export></package>"
-    )
-    env = {key: value for key, value in os.environ.items() if not key.endswith("_PREFIX_PATH") and key != "PYTHONPATH"}
-    env |= {"PATH": f"{BIN}{os.pathsep}{env['PATH']}"}
-    said = []
-    for words in (["build"], ["test"], ["test-result", "--all"]):
-        command = [str(BIN / "colcon"), "--log-base", "log", *words]
-        done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, encoding="utf-8", check=False)
-        said.append(done.stdout)
+    (folder / "package.xml").write_text(MANIFEST)
+    said = [colcon(tmp_path, *words).stdout for words in (["build"], ["test"], ["test-result", "--all"])]
     assert "Summary: 3 tests, 1 error, 1 failure, 0 skipped" in said[-1], said
+
+
+TWO = """project(app)
+if(BUILD_TESTING)
+  ament_add_pytest_test(of_maps test/test_maps.py)
+  ament_add_pytest_test(of_scans test/test_scans.py)
+endif()
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "ran", "told"),
+    [
+        ("-R scan", ["of_scans"], ""),
+        ("-E scan", ["of_maps"], ""),
+        ("tests", ["of_maps", "of_scans"], ""),
+        ("-R nothing", [], "Skipped tests of app: none has a name that --ctest-args choose\n"),
+    ],
+)
+def test_ctest_args_choose_tests_by_name(package, tmp_path, words, ran, told):
+    folder = package(TWO, test_maps="def test_it(): pass\n", test_scans="def test_it(): pass\n")
+    (folder / "package.xml").write_text(MANIFEST)
+    assert colcon(tmp_path, "build").returncode == 0
+    tested = colcon(tmp_path, "test", "--ctest-args", *words.split(), "--packages-select", "app")
+    assert tested.returncode == 0 and told in tested.stdout
+    found = (tmp_path / "build/app/test_results/app").glob("*.xml")
+    assert sorted(path.name.split(".")[0] for path in found) == ran
+
+
+def test_a_pattern_of_ctest_that_is_none_is_told():
+    with pytest.raises(ValueError, match="--ctest-args: '\\(' is no pattern"):
+        selection(["-R", "("])

@@ -179,6 +179,76 @@ def test_tests_in_cpp_are_built_and_run_or_named(workspace):
     assert "Summary: 3 tests, 0 errors, 1 failure, 0 skipped" in told and "test_route.cpp" in told
 
 
+FIRST_TEST = """#include <gtest/gtest.h>
+TEST(first, sum) {ASSERT_EQ(4, 2 + 2);}
+int main(int argc, char ** argv) {testing::InitGoogleTest(&argc, argv); return RUN_ALL_TESTS();}
+"""
+
+
+@pytest.mark.skipif(not os.path.isfile("/usr/include/gtest/gtest.h"), reason="needs libgtest-dev")
+def test_a_package_of_nothing_but_tests_in_cpp_has_them_run(workspace, tmp_path):
+    (tmp_path / "src").mkdir()
+    words = f"--build-type ament_cmake --destination-directory {tmp_path / 'src'} only_tests"
+    assert sourced(workspace, f"ros2 pkg create {words}").returncode == 0
+    package = tmp_path / "src" / "only_tests"
+    (package / "test").mkdir()
+    (package / "test" / "first.cpp").write_text(FIRST_TEST, encoding="utf-8")
+    tests = "find_package(ament_cmake_gtest REQUIRED)\n  ament_add_gtest(only_first test/first.cpp)\n"
+    rules = (package / "CMakeLists.txt").read_text(encoding="utf-8")
+    rules = rules.replace("ament_package()", f"if(BUILD_TESTING)\n  {tests}endif()\nament_package()")
+    (package / "CMakeLists.txt").write_text(rules, encoding="utf-8")
+    assert colcon(tmp_path, "build").returncode == 0
+    tested = colcon(tmp_path, "test")
+    assert "Skipped" not in tested.stdout, tested.stdout
+    assert colcon(tmp_path, "test-result").stdout == "Summary: 1 test, 0 errors, 0 failures, 0 skipped\n"
+
+
+KEEPER = """
+#include "example_interfaces/msg/int32.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "rosbag2_cpp/writer.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("keeper");
+  rosbag2_cpp::Writer bag;
+  bag.open("kept");
+  auto heard = [&](std::shared_ptr<rclcpp::SerializedMessage> message) {
+      bag.write(message, "count", "example_interfaces/msg/Int32", node->now());
+    };
+  auto subscription = node->create_subscription<example_interfaces::msg::Int32>("count", 10, heard);
+  rclcpp::spin(node);
+}
+"""
+
+
+def test_a_package_that_names_rosbag2_cpp_records_what_is_published(workspace, tmp_path):
+    (tmp_path / "src").mkdir()
+    needs = "rclcpp rosbag2_cpp example_interfaces"
+    words = f"--build-type ament_cmake --destination-directory {tmp_path / 'src'} k_bags --dependencies {needs}"
+    assert sourced(workspace, f"ros2 pkg create {words}").returncode == 0
+    package = tmp_path / "src" / "k_bags"
+    (package / "src" / "keeper.cpp").write_text(KEEPER, encoding="utf-8")
+    rules = (package / "CMakeLists.txt").read_text(encoding="utf-8")
+    own = f"add_executable(keeper src/keeper.cpp)\nament_target_dependencies(keeper {needs})\n"
+    own += "install(TARGETS keeper DESTINATION lib/${PROJECT_NAME})\n"
+    (package / "CMakeLists.txt").write_text(rules.replace("ament_package()", f"{own}ament_package()"), encoding="utf-8")
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 0 and "skip" not in built.stdout + built.stderr, built.stdout + built.stderr
+    publish = "ros2 topic pub -r 2 /count example_interfaces/msg/Int32 '{data: 5}'"
+    (tmp_path / "both.launch.py").write_text(
+        "from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n"
+        "from launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='k_bags', executable='keeper'),\n"
+        f"        ExecuteProcess(cmd=[{publish!r}], shell=True)])\n",
+        encoding="utf-8",
+    )
+    said = sourced(tmp_path, "COURSEKIT_STOP_AFTER=4 ros2 launch both.launch.py && ros2 bag info kept")
+    assert "Topic: count | Type: example_interfaces/msg/Int32 | Count: " in said.stdout, said.stdout + said.stderr
+    assert "Count: 0" not in said.stdout
+
+
 def copied(tmp_path, package):
     shutil.copytree(SOURCES / package, tmp_path / "src" / package)
     return tmp_path / "src" / package

@@ -41,6 +41,8 @@ def test_topics_are_listed_with_types_and_watched(sim, terminal, said):
     assert echo.output == "linear:\n  x: 2.0\n  y: 0.0\n  z: 0.0\nangular:\n  x: 0.0\n  y: 0.0\n  z: 1.8\n---\n"
     terminal(f"ros2 topic pub --rate 1 /turtle1/cmd_vel geometry_msgs/msg/Twist {SPIN}")
     assert "average rate: 62.5" in said("ros2 topic hz /turtle1/pose", 3.0)
+    size = "\tMessage size mean: 0.02 KB min: 0.02 KB max: 0.02 KB\n"
+    assert said("ros2 topic bw /turtle1/pose", 1.5) == f"Subscribed to [/turtle1/pose]\n1.51 KB/s from 63 messages\n{size}"
 
 
 def test_services_are_listed_found_and_called(sim, said):

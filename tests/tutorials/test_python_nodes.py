@@ -29,9 +29,7 @@ def test_own_interfaces(said):
     assert said("ros2 interface show path_interfaces/msg/Ball") == (
         "geometry_msgs/Point middle\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\nfloat64 radius\n"
     )
-    assert said("ros2 interface show path_interfaces/srv/SumOfThree") == (
-        "int64 a\nint64 b\nint64 c\n---\nint64 sum\n"
-    )
+    assert said("ros2 interface show path_interfaces/srv/SumOfThree") == ("int64 a\nint64 b\nint64 c\n---\nint64 sum\n")
     assert said("ros2 interface show path_interfaces/action/Walk") == "int32 steps\n---\nint32[] done\n---\nint32[] so_far\n"
 
 
@@ -103,3 +101,18 @@ def test_a_package_is_created_and_built(said, tmp_path, kind):
     assert "going to create a new package" in said(f"ros2 pkg create --build-type {kind} --license Apache-2.0 {name}")
     built = colcon(tmp_path, "build", "--symlink-install", "--packages-select", name)
     assert built.returncode == 0 and "Summary: 1 package finished" in built.stdout
+
+
+def test_ctrl_c_shows_where_a_student_s_node_was(terminal):
+    talker = terminal("ros2 run path_py talker", 0.6)
+    talker.interrupt()
+    assert talker.wait(5.0) is not None
+    assert "Traceback (most recent call last):\n" in talker.output, talker.output
+    assert "in main\n" in talker.output and "\nKeyboardInterrupt\n" in talker.output
+
+
+def test_ctrl_c_shows_no_inside_of_the_course_s_nodes(terminal):
+    talker = terminal("ros2 run demo_nodes_py talker", 1.1)
+    talker.interrupt()
+    assert talker.wait(5.0) is not None
+    assert "Traceback" not in talker.output

@@ -1,5 +1,6 @@
 """tf2 in Python: frames that stay, frames that move, listeners, a frame of one's own, time and the past."""
 
+import importlib
 import math
 import re
 
@@ -48,3 +49,11 @@ def test_points_wait_for_their_frames(terminal):
     assert "died" not in launch.output
     listener = terminal("ros2 run turtle_tf2_cpp turtle_tf2_message_filter", 2.0)
     assert "Point of turtle3 in frame of turtle1: x:" in listener.output
+
+
+@pytest.mark.parametrize("module", ["turtle_tf2_broadcaster", "static_turtle_tf2_broadcaster"])
+def test_quaternions_are_made_by_the_turtles_broadcasters(module):
+    """The page about quaternions takes its function from there, and inverts what it gives in place."""
+    q = importlib.import_module(f"turtle_tf2_py.{module}").quaternion_from_euler(math.pi, 0, 0)
+    q[3] = -q[3]
+    assert q == pytest.approx([1, 0, 0, 0])

@@ -1,6 +1,10 @@
 """URDF: robots from scratch, xacro, the state publisher, files for Gazebo."""
 
+import numpy as np
 import pytest
+
+from coursekit.urdf import Mesh
+from coursekit.urdf.shapes import GREY, surfaces_of
 
 FILES = ["01-myfirst", "02-multipleshapes", "03-origins", "04-materials", "05-visual", "06-flexible", "07-physics"]
 
@@ -31,3 +35,10 @@ def test_a_state_publisher_moves_the_robot(terminal, said):
     assert "[robot_state_publisher]: got segment arm" in launch.output
     assert "name:\n- swivel\n" in said("ros2 topic echo --once /joint_states")
     assert "- Translation: [" in said("ros2 run tf2_ros tf2_echo odom arm", 1.5)
+
+
+@pytest.mark.parametrize(("name", "length"), [("l_finger", 0.1), ("l_finger_tip", 0.03)])
+def test_the_meshes_that_the_page_names_are_there(name, length):
+    (surface,) = surfaces_of(Mesh(f"package://urdf_tutorial/meshes/{name}.dae"))
+    assert np.ptp(surface.vertices, axis=0)[0] == pytest.approx(length, abs=0.01)
+    assert surface.colour != GREY

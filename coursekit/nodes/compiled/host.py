@@ -24,6 +24,7 @@ from rclpy.utilities import get_default_context
 from coursekit.core.ready_queue import ReadyQueue
 from coursekit.nodes.compiled import (
     actions,
+    bags,
     entities,
     executing,
     graph,
@@ -58,12 +59,10 @@ _ERRORS = {
     "UnsupportedEventTypeError": "UnsupportedEventTypeException",
     "UnknownROSArgsError": "RCLInvalidROSArgsError",
 }
-OPERATIONS = {
-    name[3:]: function
-    for room in (program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision)
-    for name, function in vars(room).items()
-    if name.startswith("do_")
-}
+_ROOMS = (
+    program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags,
+)  # fmt: skip
+OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 
 
 class Host:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from composition_interfaces.srv import LoadNode
+from rclpy.impl.logging_state import share_levels
 from rclpy.parameter import Parameter
 
 from coursekit.nodes.running import pass_on_output
@@ -47,6 +48,8 @@ class LoadedComponent:
             words = [*words, "--ros-args", "--log-level", _LEVELS[request.log_level]]
         parameters = [Parameter.from_parameter_msg(one) for one in request.parameters]
         self.process = make_process(current(), path, words)
+        if request.log_level not in _LEVELS:
+            share_levels(self.process)
         give_to_first_node(self.process, Given(arguments_of(request), parameters))
         current().launch(self.process, pass_on_output())
         self.full_name = self._wait_for_node(graph)

@@ -1,5 +1,6 @@
 """The smallest publisher and subscriber; the C++ examples greet with a comma and other quotes."""
 
+from rclpy.duration import Duration
 from rclpy.node import Node
 from std_msgs.msg import String
 
@@ -9,8 +10,8 @@ from coursekit.nodes.running import run
 class MinimalPublisher(Node):
     """Publishes a counted greeting on /topic twice a second."""
 
-    def __init__(self, greeting: str = "Hello World: ", quote: str = '"') -> None:
-        super().__init__("minimal_publisher")
+    def __init__(self, greeting: str = "Hello World: ", quote: str = '"', name: str = "minimal_publisher") -> None:
+        super().__init__(name)
         self._greeting = greeting
         self._quote = quote
         self._count = 0
@@ -22,6 +23,21 @@ class MinimalPublisher(Node):
         self._count += 1
         self._publisher.publish(msg)
         self.get_logger().info(f"Publishing: {self._quote}{msg.data}{self._quote}")
+
+
+class AcknowledgedPublisher(MinimalPublisher):
+    """Tells before it ends whether all subscribers have what it published."""
+
+    def __init__(self) -> None:
+        super().__init__("Hello, world! ", "'", "minimal_publisher_with_wait_for_all_acked")
+        self.context.on_shutdown(self._tell)
+
+    def _tell(self) -> None:
+        patience = Duration(nanoseconds=300_000_000)
+        if self._publisher.wait_for_all_acked(patience):
+            self.get_logger().info("All subscribers acknowledge messages")
+        else:
+            self.get_logger().info(f"Not all subscribers acknowledge messages during {patience.nanoseconds // 10**6} ms")
 
 
 class MinimalSubscriber(Node):
@@ -44,6 +60,11 @@ def publisher(args: list[str] | None = None) -> int:
 def publisher_cpp(args: list[str] | None = None) -> int:
     """Publish as the C++ examples do."""
     return run(lambda: MinimalPublisher("Hello, world! ", "'"), args)
+
+
+def publisher_acknowledged_cpp(args: list[str] | None = None) -> int:
+    """Publish until Ctrl-C, and wait for what was published to arrive."""
+    return run(AcknowledgedPublisher, args)
 
 
 def subscriber(args: list[str] | None = None) -> int:

@@ -4,14 +4,25 @@ from __future__ import annotations
 
 import math
 import sys
+from typing import Any
 
+import numpy as np
+import tf_transformations
 from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
-from tf_transformations import quaternion_from_euler
 from turtlesim.msg import Pose
 
 from coursekit.nodes.running import run
+
+
+def quaternion_from_euler(ai: float, aj: float, ak: float) -> Any:
+    """A turn by roll, pitch and yaw as an array of x, y, z and w.
+
+    >>> quaternion_from_euler(0, 0, math.pi).round(3)
+    array([0., 0., 1., 0.])
+    """
+    return np.array(tf_transformations.quaternion_from_euler(ai, aj, ak))
 
 
 def transform(node: Node, parent: str, child: str, x: float, y: float, z: float = 0.0) -> TransformStamped:
@@ -27,7 +38,7 @@ def transform(node: Node, parent: str, child: str, x: float, y: float, z: float 
 def turn(msg: TransformStamped, roll: float, pitch: float, yaw: float) -> TransformStamped:
     """The same transform with a turn."""
     q = msg.transform.rotation
-    q.x, q.y, q.z, q.w = quaternion_from_euler(roll, pitch, yaw)
+    q.x, q.y, q.z, q.w = map(float, quaternion_from_euler(roll, pitch, yaw))
     return msg
 
 

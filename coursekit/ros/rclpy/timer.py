@@ -11,7 +11,7 @@ from coursekit.processes.session import current
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._rclpy_pybind11 import Timer as _Handle
 from rclpy.exceptions import ROSInterruptException
-from rclpy.impl.rcl_log import timer_made
+from rclpy.impl.rcl_log import timer_called, timer_made
 from rclpy.utilities import get_default_context
 
 
@@ -119,6 +119,7 @@ class Timer:
         if not timer.has_work():
             return None
         expected = timer.next
+        timer_called()
         timer.call()
         if not self._wants_info or self.callback is None:
             return self.callback or _nothing

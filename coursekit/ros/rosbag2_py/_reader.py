@@ -29,6 +29,7 @@ class SequentialReader:
     """Reads a bag's messages, oldest first; compressed ones too. RuntimeError when it cannot be read."""
 
     def __init__(self) -> None:
+        self._say_opened = say_opened
         self._bag: BagReader | None = None
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
@@ -37,7 +38,7 @@ class SequentialReader:
         if wanted not in ("", "cdr"):
             raise RuntimeError(f"Could not find converter for format {wanted}: there is only 'cdr'")
         self.close()
-        bag = BagReader(storage_options.uri, storage_options.storage_id, say_opened)
+        bag = BagReader(storage_options.uri, storage_options.storage_id, self._say_opened)
         try:
             bag.check_files()
             if not bag.topics():

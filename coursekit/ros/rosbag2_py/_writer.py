@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import weakref
+from dataclasses import replace
 from typing import Any
 
 from rclpy.logging import get_logger
@@ -61,6 +62,7 @@ class SequentialWriter:
     _compression: CompressionOptions | None = None
 
     def __init__(self) -> None:
+        self._say_opened = say_opened
         self._bag: BagWriter | None = None
         self._end: Any = None
 
@@ -70,7 +72,8 @@ class SequentialWriter:
         if wanted not in ("", "cdr"):
             raise RuntimeError(f"Could not find converter for format {wanted}: there is only 'cdr'")
         self.close()
-        self._bag = BagWriter(settings_of(storage_options, self._compression))
+        settings = replace(settings_of(storage_options, self._compression), on_open=self._say_opened)
+        self._bag = BagWriter(settings)
         self._end = weakref.finalize(self, self._bag.close)
         process = current_process()
         if process is not None:

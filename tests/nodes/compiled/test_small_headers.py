@@ -14,6 +14,7 @@ PROGRAM = """
 #include "rcutils/cmdline_parser.h"
 #include "sensor_msgs/image_encodings.hpp"
 #include "sensor_msgs/point_cloud2_iterator.hpp"
+#include "tf2/LinearMath/Quaternion.h"
 int main(int argc, char ** argv)
 {
   std::cout << ament_index_cpp::get_package_share_directory("std_msgs") << std::endl;
@@ -43,6 +44,11 @@ int main(int argc, char ** argv)
   namespace enc = sensor_msgs::image_encodings;
   std::cout << enc::numChannels(enc::BGR8) << enc::bitDepth(enc::MONO16) << enc::numChannels("32FC2");
   std::cout << enc::isBayer("mono8") << std::endl;
+
+  tf2::Quaternion q(1, 2, 3, 4);
+  q[3] = -q[3];  // the way to invert it on the page about quaternions
+  const tf2::Quaternion & same = q;
+  std::cout << same[0] << same[1] << same[2] << same[3] << q.w() << std::endl;
 }
 """
 
@@ -51,4 +57,4 @@ def test_they_do_as_humbles(build):
     env = {**os.environ, "AMENT_PREFIX_PATH": str(UNDERLAY)}
     command = [build("small", PROGRAM), "-n", "five", "-z"]
     done = subprocess.run(command, env=env, capture_output=True, encoding="utf-8", check=True)
-    assert done.stdout == f"{UNDERLAY}/share/std_msgs\nnowhere 0\n0five1\n32 3 4.5 20\n31620\n"
+    assert done.stdout == f"{UNDERLAY}/share/std_msgs\nnowhere 0\n0five1\n32 3 4.5 20\n31620\n123-4-4\n"

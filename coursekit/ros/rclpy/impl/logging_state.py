@@ -10,7 +10,7 @@ from datetime import datetime
 from enum import IntEnum
 from typing import Any, TextIO
 
-from coursekit.processes.process import current_process
+from coursekit.processes.process import Process, current_process
 from coursekit.processes.session import locals_here
 from rclpy.impl.log_file import LogFile
 
@@ -81,6 +81,10 @@ class LoggingState:
             self._effective[name] = self._levels[known]
             return self._effective[name]
 
+    def levels_of(self, other: LoggingState) -> None:
+        """Have the same levels as another from now on, whoever sets them."""
+        self._levels, self._effective = other._levels, other._effective
+
     def forget_levels(self) -> None:
         """Go back to INFO for every logger."""
         self._levels = {"": LoggingSeverity.INFO.value}
@@ -135,3 +139,9 @@ def logging_state() -> LoggingState:
         own = (process.name, process.pid) if process is not None else ()
         state = kept[_KEY] = LoggingState(os.environ, *own)
     return state
+
+
+def share_levels(part: Process) -> None:
+    """Let a program that is a part of the running one have its loggers' levels, as nodes of one process have."""
+    state = part.locals[_KEY] = LoggingState(os.environ, part.name, part.pid)
+    state.levels_of(logging_state())

@@ -32,3 +32,9 @@ def timer_made(period_ns: int) -> None:
     """Say that a timer was made."""
     if _wanted():
         _LOGGER.debug(f"Initializing timer with period: {period_ns}ns")
+
+
+def timer_called() -> None:
+    """Say that an executor calls a timer."""
+    if _wanted():
+        _LOGGER.debug("Calling timer")

@@ -22,6 +22,8 @@ public:
   tf2Scalar getY() const {return y_;}
   tf2Scalar getZ() const {return z_;}
   tf2Scalar getW() const {return w_;}
+  tf2Scalar & operator[](int i) {return i == 0 ? x_ : i == 1 ? y_ : i == 2 ? z_ : w_;}
+  const tf2Scalar & operator[](int i) const {return i == 0 ? x_ : i == 1 ? y_ : i == 2 ? z_ : w_;}
   void setX(tf2Scalar value) {x_ = value;}
   void setY(tf2Scalar value) {y_ = value;}
   void setZ(tf2Scalar value) {z_ = value;}

@@ -1,0 +1,103 @@
+"""`ament_copyright`, `ament_flake8` and `ament_pep257` in a terminal: what they tell, and their exit codes."""
+
+import importlib.metadata
+import importlib.util
+
+import pytest
+
+from coursekit.cli.linter_commands import copyright_notices, flake8, pep257
+
+SAID = """node.py:1:4: E225 missing whitespace around operator
+x =1
+   ^
+node.py:2:4: E225 missing whitespace around operator
+y =2
+   ^
+node.py:3:1: F401 'os' imported but unused
+import os
+^
+"""
+REPORT = """
+node.py:1:4: E225 missing whitespace around operator
+x =1
+   ^
+
+node.py:2:4: E225 missing whitespace around operator
+y =2
+   ^
+
+node.py:3:1: F401 'os' imported but unused
+import os
+^
+
+2     E225 missing whitespace around operator
+1     F401 'os' imported but unused
+
+1 files checked
+3 errors
+
+'E'-type errors: 2
+'F'-type errors: 1
+
+Checked files:
+
+* node.py
+"""
+
+
+@pytest.fixture
+def linter(tmp_path, monkeypatch):
+    """A folder with a node, and what the installed linter of a name says of it; it notes its arguments."""
+    (tmp_path / "node.py").write_text("x =1\ny =2\nimport os\n")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(str(tmp_path / "site"))
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path / "site"))
+
+    def install(name, said, code):
+        package = tmp_path / "site" / name
+        package.mkdir(parents=True)
+        (package / "__init__.py").touch()
+        notes = f"open({str(tmp_path / 'told')!r}, 'w').write(' '.join(sys.argv[1:]))"
+        (package / "__main__.py").write_text(f"import sys\n{notes}\nprint({said!r}, end='')\nsys.exit({code})\n")
+        return tmp_path / "told"
+
+    return install
+
+
+def test_flake8_s_findings_are_told_counted_and_sorted(linter, capsys):
+    linter("flake8", SAID, 1)
+    assert flake8(["node.py"]) == 1
+    assert capsys.readouterr().out == REPORT
+
+
+def test_clean_files_have_no_problems(linter, capsys):
+    told = linter("flake8", "", 0)
+    assert flake8(["--linelength", "79", "--exclude", "old.py", "--", "node.py"]) == 0
+    assert capsys.readouterr().out == "\n1 files checked\nNo problems found\n\n\nChecked files:\n\n* node.py\n"
+    assert told.read_text().endswith("--show-source --max-line-length=79 --extend-exclude=old.py node.py")
+
+
+def test_pep257_counts_its_errors(linter, capsys):
+    linter("pydocstyle", "node.py:1 at module level:\n        D400: First line should end with a period\n", 1)
+    assert pep257([]) == 1
+    assert capsys.readouterr().out.endswith("a period\n1 errors\n")
+
+
+@pytest.mark.parametrize(("run", "name"), [(flake8, "flake8"), (pep257, "pydocstyle")])
+def test_a_linter_that_is_missing_is_told(run, name, monkeypatch, capsys):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
+    assert run([]) == 1
+    assert capsys.readouterr().err == f"{name} is not installed: `pip install {name}` brings it\n"
+
+
+def test_files_without_a_notice_are_named(tmp_path, monkeypatch, capsys):
+    (tmp_path / "node.py").write_text("x = 1\n")
+    monkeypatch.chdir(tmp_path)
+    assert copyright_notices([]) == 1
+    assert capsys.readouterr().err == "node.py: could not find copyright notice\n"
+
+
+def test_they_are_commands():
+    commands = {one.name: one.value for one in importlib.metadata.entry_points(group="console_scripts")}
+    for name, function in (("copyright", "copyright_notices"), ("flake8", "flake8"), ("pep257", "pep257")):
+        assert commands[f"ament_{name}"] == f"coursekit.cli.linter_commands:{function}"

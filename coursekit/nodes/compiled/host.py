@@ -29,6 +29,7 @@ from coursekit.nodes.compiled import (
     graph,
     lifecycle,
     parameters,
+    plugins,
     program,
     topics,
     transforms,
@@ -60,7 +61,10 @@ _ERRORS = {
 }
 OPERATIONS = {
     name[3:]: function
-    for room in (program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision)
+    for room in (
+        *(program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision),
+        plugins,
+    )
     for name, function in vars(room).items()
     if name.startswith("do_")
 }

@@ -30,6 +30,12 @@ int main(int argc, char ** argv)
   std::cout << results[0].successful << results[1].successful << std::endl;
   std::cout << client.get_parameter<double>("speed") << " " << client.get_parameter<int>("missing", 7) << " "
             << client.has_parameter("label") << client.has_parameter("colour") << std::endl;
+  auto tell = [](const char * who) {
+      return [who](rcl_interfaces::msg::ParameterEvent::UniquePtr event) {std::cout << who << event->node << std::endl;};
+    };
+  auto of_sync = client.on_parameter_event(tell("sync "));
+  auto of_node = rclcpp::SyncParametersClient::on_parameter_event(node, tell("node "));
+  auto of_async = rclcpp::AsyncParametersClient(node).on_parameter_event(tell("async "), rclcpp::QoS(5));
   node->set_parameter(rclcpp::Parameter("own", 2));
   rclcpp::AsyncParametersClient later(node, "/pump");
   auto listed = later.list_parameters({}, 10);

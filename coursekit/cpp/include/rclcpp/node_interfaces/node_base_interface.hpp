@@ -27,7 +27,7 @@ public:
   CallbackGroup::SharedPtr group;
   Clock::SharedPtr clock;
   Context::SharedPtr context = contexts::get_global_default_context();
-  bool in_executor = false, topic_statistics = false;
+  bool in_executor = false, topic_statistics = false, intra_process = false;
 };
 using NodeClockInterface = NodeBaseInterface;
 using NodeGraphInterface = NodeBaseInterface;

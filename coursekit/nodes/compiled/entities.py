@@ -171,20 +171,51 @@ def do_send_response(host: Host, _channel: Channel, frame: Unpacker) -> None:
         service.send_response(frame.message(service.srv_type.Response), header)
 
 
+def do_take_request(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The next request that waits, without the callback: 0 where there is none. It is answered by `send_response`."""
+    service = host.things[frame.integer()][2]
+    taken = service.handle.core.take()
+    if taken is None:
+        return packed(0)
+    request, header = taken
+    number = next(_requests)
+    service.unanswered[number] = header
+    return packed(1, number) + serialize(request)
+
+
 def do_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a client."""
     node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     client = node.create_client(kind, name, qos_profile=qos.profile(frame), callback_group=group)
     client.handler = handler
+    client.numbers = {}
     return packed(host.keep((node, "destroy_client", client)), client.service_name)
 
 
 def do_send_request(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Send a request; its answer goes to the client's handler."""
     client, number = host.things[frame.integer()][2], frame.integer()
+    own = client.handle.core.peek_number()
+    client.numbers[own] = number
     future = client.call_async(deserialize(frame.rest(), client.srv_type.Request))
-    future.add_done_callback(lambda done: host.call(client.handler, packed(number) + serialize(done.result())) and None)
+
+    def answered(done: Any) -> None:
+        client.numbers.pop(own, None)
+        host.call(client.handler, packed(number) + serialize(done.result()))
+
+    future.add_done_callback(answered)
+
+
+def do_take_response(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The next response that waits, without the request's callback: 0 where there is none."""
+    client = host.things[frame.integer()][2]
+    taken = client.handle.core.take()
+    if taken is None:
+        return packed(0)
+    number, response = taken
+    client._pending_requests.pop(number, None)
+    return packed(1, client.numbers.pop(number, 0)) + serialize(response)
 
 
 def do_service_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -128,6 +128,7 @@ int main(int argc, char ** argv)
   check("a node with a filter of tf2", std::make_shared<Drawer>()->heard == 0);
 
   // helpers
+  check("fields name their types", std::is_same_v<UInt32::_data_type, uint32_t>);
   check("version", RCLCPP_VERSION_GTE(16, 0, 0) && !RCLCPP_VERSION_GTE(17, 0, 0) && RCLCPP_VERSION_MAJOR == 16);
   equal("join", rcpputils::join(std::vector<std::string>{"a", "b"}, ", "), "a, b");
   equal("split", rcpputils::split("a:b::c", ':', true).size(), 3u);

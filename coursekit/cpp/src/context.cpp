@@ -236,6 +236,32 @@ bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
   return context->sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
 }
 
+JumpHandler::SharedPtr Clock::create_jump_callback(
+  JumpHandler::pre_callback_t pre, JumpHandler::post_callback_t post, const rcl_jump_threshold_t & threshold)
+{
+  auto made = std::make_shared<JumpHandler>(std::move(pre), std::move(post), threshold);
+  if (type_ != RCL_ROS_TIME || !node_) {
+    return made;
+  }
+  std::weak_ptr<JumpHandler> weak = made;
+  int64_t before = made->handle([weak](Unpacker &, Packer &) {
+        auto me = weak.lock();
+        if (me && me->pre_callback) {
+          me->pre_callback();
+        }
+      });
+  int64_t after = made->handle([weak](Unpacker & from, Packer &) {
+        auto change = static_cast<rcl_clock_change_t>(from.i());
+        auto me = weak.lock();
+        if (me && me->post_callback) {
+          me->post_callback({change, {from.i()}});
+        }
+      });
+  Packer with = Packer{}.i(node_).i(threshold.on_clock_change).i(threshold.min_forward.nanoseconds);
+  made->id = ask("jump_callback", with.i(threshold.min_backward.nanoseconds).i(before).i(after)).i();
+  return made;
+}
+
 // -- loggers
 
 void Logger::set_level(Level level)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import Parameter as ParameterMessage
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.clock import Clock, ClockType
+from rclpy.clock import Clock, ClockType, JumpHandle, JumpThreshold, TimeJump
+from rclpy.duration import Duration
 from rclpy.parameter import Parameter
 from tf2_ros import TransformListener
 
@@ -41,6 +42,8 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
             statistics.destroy()
     elif isinstance(thing, (ActionClient, ActionServer)):
         thing.destroy()
+    elif isinstance(thing, JumpHandle):
+        thing.unregister()
     elif isinstance(thing, TransformListener):
         thing.executor.shutdown(0)
 
@@ -86,6 +89,28 @@ def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_ros_time_active(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Whether a node follows /clock."""
     return packed(int(host.things[frame.integer()].get_clock().ros_time_is_active))
+
+
+def do_jump_callback(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Call the program before and after jumps of a node's clock."""
+    clock, on_change, forward, backward, before, after = host.things[frame.integer()].get_clock(), *_integers(frame, 5)
+    threshold = JumpThreshold(
+        min_forward=Duration(nanoseconds=forward) if forward else None,
+        min_backward=Duration(nanoseconds=backward) if backward else None,
+        on_clock_change=bool(on_change),
+    )
+
+    def warn() -> None:
+        host.call(before)
+
+    def tell(jump: TimeJump) -> None:
+        host.call(after, packed(int(jump.clock_change), jump.delta.nanoseconds))
+
+    return packed(host.keep(clock.create_jump_callback(threshold, pre_callback=warn, post_callback=tell)))
+
+
+def _integers(frame: Unpacker, count: int) -> list[int]:
+    return [frame.integer() for _ in range(count)]
 
 
 # -- timers

@@ -42,6 +42,7 @@ namespace
 std::atomic<bool> g_handles_signals{false};
 std::atomic<int64_t> g_contexts{0};
 }  // namespace
+static void forget_log_levels();
 
 Unpacker ask(const char * what, const Packer & with)
 {
@@ -66,6 +67,7 @@ void Context::init(int argc, char const * const * argv, const InitOptions & opti
     with.s(argv[i]);
   }
   ask("init", with);
+  forget_log_levels();
   options_ = options;
   valid_ = true;
 }
@@ -264,13 +266,48 @@ JumpHandler::SharedPtr Clock::create_jump_callback(
 
 // -- loggers
 
+namespace
+{
+/// The levels that let lines through, as the session told them. Only this program changes them.
+struct Levels
+{
+  std::mutex lock;
+  std::map<std::string, int> by_name;
+};
+Levels & levels()
+{
+  static Levels * known = new Levels;  // never destroyed: global nodes may still log
+  return *known;
+}
+}  // namespace
+
+static void forget_log_levels()
+{
+  std::lock_guard<std::mutex> hold(levels().lock);
+  levels().by_name.clear();
+}
+bool log_enabled(const Logger & logger, int level)
+{
+  {
+    std::lock_guard<std::mutex> hold(levels().lock);
+    auto found = levels().by_name.find(logger.get_name());
+    if (found != levels().by_name.end()) {
+      return level >= found->second;
+    }
+  }
+  int least = static_cast<int>(logger.get_effective_level());
+  std::lock_guard<std::mutex> hold(levels().lock);
+  levels().by_name[logger.get_name()] = least;
+  return level >= least;
+}
 void Logger::set_level(Level level)
 {
-  coursekit::note("log_level", Packer{}.s(name_).i(static_cast<int64_t>(level)));
+  ask("log_level", Packer{}.s(*name_).i(static_cast<int64_t>(level)));
+  forget_log_levels();
 }
 Logger::Level Logger::get_effective_level() const
 {
-  return static_cast<Level>(ask("effective_level", Packer{}.s(name_)).i());
+  return static_cast<Level>(ask("effective_level", Packer{}.s(*name_)).i());
 }
 void log(const Logger & logger, int level, const char * file, const char * function, int line, const char * format, ...)
 {

@@ -31,7 +31,7 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
   base_->name = answer.s();
   base_->space = answer.s();
   base_->full_name = answer.s();
-  base_->logger = answer.s();
+  base_->logger = Logger(answer.s());
   base_->group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
   base_->clock = std::make_shared<Clock>(RCL_ROS_TIME, base_->id);
   base_->topic_statistics = options.enable_topic_statistics();

@@ -70,6 +70,14 @@ OPERATIONS = {
 }
 
 
+class _Wish:
+    """A callback waits for a thread of the program to run in."""
+
+    def __init__(self, came: Any) -> None:
+        self.came = came
+        self.channel: Channel | None = None
+
+
 class Host:
     """One compiled program: its child, its channels, and what it has made in the session."""
 
@@ -106,7 +114,8 @@ class Host:
         self._idle: list[Channel] = []
         self._workers: list[Channel] = []
         self._control: socket.socket | None = None
-        self._worker_came = self.clock.new_event()
+        self._wishes: list[_Wish] = []
+        """Who waits on the wall clock for a thread of the program that is on its way."""
 
     # -- the child
 
@@ -160,10 +169,14 @@ class Host:
         ended.set()
 
     def _forget(self) -> None:
+        with self._lock:
+            wishes, self._wishes, control, self._control = self._wishes, [], self._control, None
+        for wish in wishes:
+            wish.came.set()  # in vain
         for channel in self._workers:
             channel.close()
-        if self._control is not None:
-            self._control.close()
+        if control is not None:
+            control.close()
 
     def accept(self) -> tuple[bytes, Channel]:
         """The next connection: its purpose and its channel."""
@@ -182,9 +195,8 @@ class Host:
                 return
             if purpose == b"W":
                 self._workers.append(channel)
-                self._idle.append(channel)
                 channel.begin_worker()
-                self._worker_came.set()
+                self._give(channel)
             else:
                 self._channels.append(channel)
                 self.session.spawn(channel.serve)
@@ -263,18 +275,31 @@ class Host:
                 return self._idle.pop()
             if self._control is None:
                 raise Gone
-            self._control.sendall(b"W")
+            try:
+                self._control.sendall(b"W")
+            except OSError:
+                raise Gone from None
             if self.clock.virtual:
                 channel = self.accept()[1]
                 self._workers.append(channel)
                 channel.begin_worker()
                 return channel
-        while True:
-            self._worker_came.wait()
-            with self._lock:
-                if self._idle:
-                    return self._idle.pop()
-                self._worker_came.clear()
+            wish = _Wish(self.clock.new_event())
+            self._wishes.append(wish)
+        wish.came.wait()
+        if wish.channel is None:
+            raise Gone
+        return wish.channel
+
+    def _give(self, channel: Channel) -> None:
+        """Give a thread of the program that has come to who has waited longest for one."""
+        with self._lock:
+            if not self._wishes:
+                self._idle.append(channel)
+                return
+            wish = self._wishes.pop(0)
+            wish.channel = channel
+        wish.came.set()
 
 
 def main(argv: list[str]) -> int:

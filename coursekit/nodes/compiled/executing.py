@@ -70,12 +70,13 @@ def do_spin(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_spin_once(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Wait for one callback and run it, at most so long; negative: without end."""
+    """Wait for one callback and run it, at most so long (negative: without end), or until the executor is cancelled."""
     executor, nanoseconds = host.things[frame.integer()], frame.integer()
     try:
-        executor.spin_once(None if nanoseconds < 0 else nanoseconds / 1e9)
+        executor._spin_once(None if nanoseconds < 0 else nanoseconds / 1e9, executor.is_cancelled)
     except (ShutdownException, ExternalShutdownException):
         pass
+    executor.cancelled = False
 
 
 def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,11 +21,31 @@ bool linked()
   static const bool is = getenv("COURSEKIT_LINK") != nullptr;
   return is;
 }
-/// As read(2) of a terminal: a line, or what single keys are asked for; EINTR after Ctrl-C.
+/// The terminal's settings as the program left them: whole lines at first.
+termios & terminal()
+{
+  static termios * settings = [] {
+      auto * made = new termios{};
+      made->c_iflag = ICRNL | IXON;
+      made->c_oflag = OPOST | ONLCR;
+      made->c_cflag = CS8 | CREAD;
+      made->c_lflag = ICANON | ECHO | ISIG | IEXTEN;
+      made->c_cc[VMIN] = 1;
+      return made;
+    }();
+  return *settings;
+}
+constexpr int64_t TENTH_NS = 100000000;
+/// As read(2) of a terminal: a line, or what single keys are asked for; EINTR after Ctrl-C, but where no key need come.
 ssize_t read_input(void * to, size_t size)
 {
-  Unpacker answer = request("read", Packer{}.i(static_cast<int64_t>(size)));
+  bool by_keys = !(terminal().c_lflag & ICANON), may_be_none = by_keys && terminal().c_cc[VMIN] == 0;
+  int64_t patience = may_be_none ? terminal().c_cc[VTIME] * TENTH_NS : -1;
+  Unpacker answer = request("read", Packer{}.i(static_cast<int64_t>(size)).i(by_keys).i(patience));
   if (!answer.i()) {
+    if (may_be_none) {
+      return 0;
+    }
     errno = EINTR;
     return -1;
   }
@@ -86,4 +107,26 @@ extern "C" ssize_t read(int fd, void * to, size_t size)
     return coursekit::read_input(to, size);
   }
   return coursekit::real<decltype(&read)>(known, "read")(fd, to, size);
+}
+
+extern "C" int tcgetattr(int fd, termios * settings)
+{
+  static std::atomic<void *> known{nullptr};
+  if (fd == STDIN_FILENO && coursekit::linked()) {
+    *settings = coursekit::terminal();
+    return 0;
+  }
+  return coursekit::real<decltype(&tcgetattr)>(known, "tcgetattr")(fd, settings);
+}
+extern "C" int tcsetattr(int fd, int when, const termios * settings)
+{
+  static std::atomic<void *> known{nullptr};
+  if (fd == STDIN_FILENO && coursekit::linked()) {
+    coursekit::terminal() = *settings;
+    if (!(settings->c_lflag & ICANON)) {
+      coursekit::note("want_keys", coursekit::Packer{}.i(!(settings->c_lflag & ISIG)));
+    }
+    return 0;
+  }
+  return coursekit::real<decltype(&tcsetattr)>(known, "tcsetattr")(fd, when, settings);
 }

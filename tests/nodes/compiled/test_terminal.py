@@ -1,0 +1,63 @@
+"""Compiled programs that set their terminal so that each key comes at once."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
+
+PROGRAM = """
+#include <signal.h>
+#include <termios.h>
+#include <unistd.h>
+#include "rclcpp/rclcpp.hpp"
+static bool g_running = true;
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("keyed");
+  signal(SIGINT, [](int) {g_running = false;});
+  termios before, raw;
+  std::cout << tcgetattr(0, &before) << bool(before.c_lflag & ICANON) << std::endl;
+  raw = before;
+  raw.c_lflag &= ~(ICANON | ECHO);
+  raw.c_cc[VMIN] = 0;
+  raw.c_cc[VTIME] = 1;
+  std::cout << tcsetattr(0, TCSANOW, &raw) << tcgetattr(0, &raw) << bool(raw.c_lflag & ICANON) << std::endl;
+  rclcpp::Clock steady(RCL_STEADY_TIME);
+  auto start = steady.now();
+  char c = 0;
+  int none = 0;
+  while (g_running) {
+    ssize_t got = read(0, &c, 1);
+    if (got < 0) {
+      return 7;
+    }
+    if (got == 1) {
+      std::cout << "key " << int(c) << " " << (none > 0) << std::endl;
+    }
+    none += got == 0;
+  }
+  std::cout << (none > 3) << ((steady.now() - start).seconds() > 0.3) << tcsetattr(0, TCSANOW, &before) << std::endl;
+}
+"""
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_each_key_comes_at_once_and_a_read_need_not_wait(build, virtual):
+    with (session := Session(virtual=virtual)).use():
+        wanted = []
+        process = make_process(session, build("keyed", PROGRAM), name="keyed")
+        process.on_wants_keys = lambda: wanted.append(True)
+        session.launch(process)
+        while "001" not in process.output and "000" not in process.output:
+            session.clock.sleep(0.1)
+        session.clock.sleep(0.5)
+        process.write_stdin("\x1b[A")
+        session.clock.sleep(0.3)
+        process.interrupt()
+        assert process.wait(10.0) == 0, process.output
+    lines = [line for line in process.output.splitlines() if "signal_handler" not in line]
+    assert lines == ["01", "000", "key 27 1", "key 91 1", "key 65 1", "110"]
+    assert wanted == [True]

@@ -22,7 +22,8 @@ ROOM = Path(__file__).parent
 PACKAGES = (
     "OpenCV", "message_filters", "laser_geometry", "cv_bridge", "image_transport",
     "rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle",
-    "rcutils", "rcl", "rcpputils", "class_loader", "pluginlib", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
+    "rcutils", "rcl", "rcpputils", "class_loader", "pluginlib", "rmw",
+    "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
     "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_ros_core", "ament_cmake_core", "ament_cmake_python",
     "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",

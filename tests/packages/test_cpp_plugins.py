@@ -117,8 +117,10 @@ find_package(pluginlib REQUIRED)
 find_package(rclcpp REQUIRED)
 find_package(rclcpp_components REQUIRED)
 pluginlib_export_plugin_description_file(k_tool plugins.xml)
+pluginlib_export_plugin_description_file(k_tool more/lost.xml)
 add_library(k_tools src/tools.cpp)
-target_include_directories(k_tools PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+target_include_directories(k_tools PUBLIC
+  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 ament_target_dependencies(k_tools k_tool pluginlib)
 target_compile_definitions(k_tools PRIVATE "K_TOOLS_BUILDING_LIBRARY")
 add_library(lathe SHARED src/lathe.cpp)
@@ -197,7 +199,7 @@ FILES = {
     "k_tool/include/k_tool/tool.hpp": BASE,
     "k_tool/src/user.cpp": USER,
     "k_tool/src/loader.cpp": LOADER,
-    "k_tools/CMakeLists.txt": TOOLS_CMAKE.replace("plugins.xml)", "plugins.xml)\npluginlib_export_plugin_description_file(k_tool more/lost.xml)"),
+    "k_tools/CMakeLists.txt": TOOLS_CMAKE,
     "k_tools/plugins.xml": PLUGINS,
     "k_tools/more/lost.xml": LOST,
     "k_tools/src/tools.cpp": TOOLS,

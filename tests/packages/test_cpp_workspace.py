@@ -227,7 +227,8 @@ def test_a_mistake_in_a_package_that_coursekit_has_programs_for_is_its_author_s(
     package = tmp_path / "src" / "demo_nodes_cpp"
     package.mkdir(parents=True)
     (package / "package.xml").write_text(
-        '<?xml version="1.0"?>\n<package format="3"><name>demo_nodes_cpp</name><version>1.0.0</version><description>d</description>'
+        '<?xml version="1.0"?>\n<package format="3"><name>demo_nodes_cpp</name><version>1.0.0</version>'
+        "<description>d</description>"
         '<maintainer email="a@b.org">a</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>'
         "<depend>rclcpp</depend><export><build_type>ament_cmake</build_type></export></package>\n",
         encoding="utf-8",
@@ -240,4 +241,5 @@ def test_a_mistake_in_a_package_that_coursekit_has_programs_for_is_its_author_s(
     )
     (package / "talker.cpp").write_text("int main() {return 0}\n", encoding="utf-8")
     built = colcon(tmp_path, "build")
-    assert built.returncode == 1 and "talker.cpp:1:" in built.stderr and "expected" in built.stderr, built.stdout + built.stderr
+    assert built.returncode == 1, built.stdout
+    assert "talker.cpp:1:" in built.stderr and "expected" in built.stderr

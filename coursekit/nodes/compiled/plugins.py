@@ -57,7 +57,8 @@ def _read(owner: str, prefix: Path, line: str, base: str) -> Iterator[Plugin]:
     try:
         root = fromstring(read_text(path))
     except (OSError, ParseError, ValueError) as error:
-        raise InvalidManifest(f"XML Document {path} has no Root Element. This likely means the XML is malformed: {error}") from None
+        text = f"XML Document {path} has no Root Element. This likely means the XML is malformed: {error}"
+        raise InvalidManifest(text) from None
     for library in [root] if root.tag == "library" else root.iter("library"):
         for one in library.iter("class"):
             if one.get("base_class_type") == base:

@@ -77,7 +77,7 @@ def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> 
 
 
 def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait for standard input, at most so long (negative: without end): 1 and the bytes, none at its end; 0 when Ctrl-C came."""
+    """Wait for standard input, at most so long (negative: without end); 0 when Ctrl-C came, else 1 and the bytes."""
     size, by_keys, patience = frame.integer(), frame.integer(), frame.integer()
     keys = host.process.stdin
     while not host.typed and not host.over:

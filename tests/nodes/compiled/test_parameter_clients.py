@@ -62,4 +62,7 @@ def test_parameters_of_another_node_are_read_set_and_watched(build):
         process = session.launch(make_process(session, program, name="manager"))
         assert process.wait(20.0) == 0, process.output
         served.interrupt()
-    assert process.output == ("1\nspeed double 1.500000\nlabel string north\nheard 2.5\n10\n2.5 7 10\nown 2\nsync /manager\nnode /manager\nasync /manager\n1\n")
+    assert process.output == (
+        "1\nspeed double 1.500000\nlabel string north\nheard 2.5\n10\n2.5 7 10\nown 2\n"
+        "sync /manager\nnode /manager\nasync /manager\n1\n"
+    )

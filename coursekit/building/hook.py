@@ -31,3 +31,6 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
             notebook = released(json.loads(source.read_text(encoding="utf-8")))
             made.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
             build_data["force_include"][str(made)] = f"coursekit/notebooks/{source.name}"
+        for catalogue in sorted((Path(self.root) / "notebooks").glob("*/*.po")):
+            where = catalogue.relative_to(self.root).as_posix()
+            build_data["force_include"][str(catalogue)] = f"coursekit/{where}"

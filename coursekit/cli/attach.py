@@ -55,7 +55,7 @@ def connect_or_start() -> socket.socket:
         time.sleep(0.02)
     raise endpoint.NoSession(
         f"No session answers for ROS_DOMAIN_ID={domain}, and none could be started. "
-        "Try `coursekit doctor`; it says what is wrong."
+        "Try `coursekit doctor`; it shows what is wrong."
     )
 
 

@@ -83,7 +83,7 @@ def socket_folder() -> Check:
     try:
         folder, faults = choose()
     except OSError as error:
-        return Check("terminals", "unsafe", str(error), "Do what the line above says, then start again.")
+        return Check("terminals", "unsafe", str(error), "Follow the line above, then start again.")
     found = f"sessions are found in {folder}"
     if not faults:
         return Check("terminals", found)

@@ -177,7 +177,7 @@ def run_doctor(args: argparse.Namespace) -> int:
         if check.fault:
             print(f"  → {check.cure}")
             faults += not check.only_warning
-    cure = "do what stands after the arrows, then run this again."
+    cure = "follow the lines with arrows, then run this again."
     print(f"{counted(faults, 'fault')}: {cure}" if faults else "All is well.")
     return 1 if faults else 0
 

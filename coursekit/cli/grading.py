@@ -48,13 +48,13 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     add("--chapters", nargs="+", metavar="CHAPTER", help="which are marked, such as 02 (default: what most handed in)")
     add("--roster", type=Path, metavar="FILE", help=ROSTER)
     add("--variants", type=Path, metavar="NAMES", help="the roster that copies with numbers of their own were made for")
-    add("--again", nargs="*", metavar="STUDENT", help="mark again, kept result or not: these, or everybody")
+    add("--again", nargs="*", metavar="STUDENT", help="mark these again, or all, even where a result is kept")
     add("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
     add("--count", choices=("newest", "in-time"), help="which version counts: the newest, or the last before the deadline")
     add("--policy", type=Path, metavar="FILE", help="grace, percent per day and extensions (docs/teachers.md)")
     add("--for", dest="platform", choices=("moodle", "canvas", "blackboard"), help="write that platform's own columns, too")
     add("--review", action="store_true", help="then mark by hand and write comments, in the browser")
-    add("--anonymous", action="store_true", help="codes in the place of names; who is who lies in a file of its own")
+    add("--anonymous", action="store_true", help="codes in place of names; the key is in a file of its own")
     grade.set_defaults(main=run_grade)
 
 
@@ -168,7 +168,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
         where = group.out.with_name("questions.csv")
         asked = counted(len(outcome.collection.unanswered), "question is", "questions are")
         print(f"{asked} open: fill in the column 'answer' of {where}, and run this again.")
-        print("Who is asked about has no mark until then.")
+        print("A student with an open question has no mark until then.")
     tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
     print(f"{outcome.line()}; {average(outcome.records)}; run in the sandbox {tiers}: {args.out}")
     if args.platform:
@@ -177,7 +177,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
         if said := unlike_the_platform_s(outcome.records, group.roster):
             print(f"! {said}")
     if group.anonymity is not None:
-        print(f"Who is who: {group.anonymity.names}")
+        print(f"The key to the names: {group.anonymity.names}")
     print(f"Open {group.kept / 'class.html'}; beside it are the pages, gradebook.csv, statistics and similar.csv.")
     print(MORE)
     if outcome.interrupted:

@@ -48,14 +48,14 @@ def run_release(args: argparse.Namespace) -> int:
     if moodle:
         _expect_numbers(variants)
     personal, wheel = args.variants is not None, args.wheel or WHEEL
-    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle):
+    for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle, language=args.language):
         print((args.out / written.relative_to(out)).as_posix())
     if args.wheel is None:
         print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")
     if variants is not None and names is not None:
         print(variants.roster.told())
-        print(f"Keep {secret_file(names).name}, beside the names, and show it to nobody: grading needs it.")
-        print("How each student gets their zip: docs/teachers.md, 'A zip for each student'; copies.csv says whose is which.")
+        print(f"Keep {secret_file(names).name}, next to the names, and keep it secret: grading needs it.")
+        print("How each student gets their zip: docs/teachers.md, 'A zip for each student'; copies.csv lists the owners.")
     print(MORE)
     return 0
 

@@ -72,7 +72,7 @@ class Archive:
         """Its files, in the order of the zip; folders and links are left out. BadArchive: one has no name."""
         for info in self._opened.infolist():
             if not info.filename:
-                raise BadArchive("a file in it has no name: zip it anew")
+                raise BadArchive("a file in it has no name: zip it again")
             kind = stat.S_IFMT(info.external_attr >> 16)
             if not info.is_dir() and kind in (0, stat.S_IFREG):
                 yield Member(parts_of(info.filename), _when(info), info.file_size, info)
@@ -88,7 +88,7 @@ class Archive:
         if info.flag_bits & 1:
             raise BadArchive("it is encrypted: zip it without a password")
         if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-            raise BadArchive("it is compressed in another way than zips usually are: zip it anew")
+            raise BadArchive("it uses an unusual compression: zip it again")
         if info.file_size > most:
             raise BadArchive(f"it is larger than {most >> 20} MB")
         if self._read + info.file_size > self._bounds.total:
@@ -99,9 +99,9 @@ class Archive:
             while piece := data.read(PIECE):
                 made += piece
                 if len(made) > info.file_size:
-                    raise BadArchive("a file in it is larger than it says")
+                    raise BadArchive("a file in it is larger than the zip states")
         if len(made) != info.file_size:
-            raise BadArchive("a file in it is smaller than it says")
+            raise BadArchive("a file in it is smaller than the zip states")
         return bytes(made)
 
     def close(self) -> None:
@@ -124,9 +124,9 @@ def _said() -> Iterator[None]:
     except BadArchive:
         raise
     except UnicodeDecodeError:
-        raise BadArchive("a name in it is no UTF-8: zip it anew") from None
+        raise BadArchive("a file name in it is not UTF-8: zip it again") from None
     except Exception:  # zipfile, zlib and struct have a dozen kinds
-        raise BadArchive("it is broken, or only a part of a zip: upload it anew") from None
+        raise BadArchive("it is broken, or only a part of a zip: upload it again") from None
 
 
 def parts_of(name: str) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from typing import Any
 
 from . import sandbox
 from .anonymity import Anonymity
+from .bundle import note_copies
 from .collector import Collection, Collector
 from .exercise import Exercise, exercises_in
 from .gradebook import write_gradebook
@@ -22,7 +23,6 @@ from .mark import Marked, mark
 from .marks_table import MarksTable
 from .outcome import Outcome
 from .overview import write_overview
-from .parcel import note_copies
 from .questions import NAME as QUESTIONS
 from .questions import read_answers, write_questions
 from .record import Record, lateness_of
@@ -184,7 +184,7 @@ class Class:
     def write(self, outcome: Outcome) -> None:
         """Everything that is made of the marks."""
         records = outcome.records
-        note_copies({one.label: (one.handed.concerns, one.handed.parcels()) for one in records})
+        note_copies({one.label: (one.handed.concerns, one.handed.bundles()) for one in records})
         for one in records:
             for chapter, late in one.late.items():
                 self.results.note(one.key, chapter, {"percent_off": late.percent_off})
@@ -239,7 +239,7 @@ def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
         fitting = [r.key for r in records if name in (r.key, r.label, r.handed.person.id, r.handed.person.email)]
         if not fitting:
             known = ", ".join(one.label for one in records[:10])
-            raise ValueError(f"--again: nobody is called '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
+            raise ValueError(f"--again: no student '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
         found += fitting
     return found
 

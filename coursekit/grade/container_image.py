@@ -62,7 +62,7 @@ class Image:
             recipe = str(Path(context, "Containerfile"))
             code = subprocess.call([program, "build", "--tag", self.tag, "--file", recipe, context])
         if code:
-            raise SystemExit("The image could not be made: what stands above says why. It needs the network this once.")
+            raise SystemExit("The image could not be made; the lines above show why. It needs the network this once.")
 
     def _write(self, folder: Path) -> None:
         constraints = "-c /course/requirements.lock " if self.lock else ""
@@ -76,7 +76,7 @@ def _built(checkout: Path) -> tuple[str, bytes]:
     with tempfile.TemporaryDirectory() as out:
         command = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--wheel-dir", out, str(checkout)]
         if subprocess.call(command):
-            raise SystemExit("The course could not be packed for the container: what stands above says why.")
+            raise SystemExit("The course could not be packed for the container; the lines above show why.")
         [wheel] = Path(out).glob("*.whl")
         return wheel.name, wheel.read_bytes()
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from coursekit.files import write_whole
 
-from .editions import ENGLISH, chapters
+from .editions import ENGLISH, chapters, read
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
 HANDED_OUT = "handed_out"
@@ -108,7 +108,7 @@ class Course:
         given = self._read_manifest()
         said = []
         for source in chapters(notebooks, language):
-            text = json.dumps(student_notebook(json.loads(source.read_text(encoding="utf-8"))), indent=1) + "\n"
+            text = json.dumps(student_notebook(read(source, language)), indent=1) + "\n"
             sentence = self._bring(source.name, text, given)
             if sentence:
                 said.append(sentence)

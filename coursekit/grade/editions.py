@@ -1,11 +1,16 @@
 """The course's notebooks, in English and in the languages that somebody has translated them into.
 
-A translated chapter has the name of the English one and lies in a folder with the language's code: `es/02_topics.ipynb`.
+A language has a folder with its code. In it lies for each translated chapter a catalogue, `es/02_topics.po`, or a notebook of
+its own with the English one's name.
 """
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from typing import Any
+
+from .catalogue import catalogue_of, translated
 
 ENGLISH = "en"
 
@@ -21,7 +26,11 @@ def notebooks_folder() -> Path:
 
 def languages(notebooks: Path) -> list[str]:
     """The languages that there is at least one chapter in."""
-    return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if _is_language(path) and any(path.glob("*.ipynb")))]
+    return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if _is_language(path) and any(_chapters_in(path)))]
+
+
+def _chapters_in(folder: Path) -> list[Path]:
+    return [*folder.glob("*.ipynb"), *folder.glob("*.po")]
 
 
 def _is_language(folder: Path) -> bool:
@@ -30,7 +39,7 @@ def _is_language(folder: Path) -> bool:
 
 
 def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
-    """The file of every chapter: in that language where it is translated, else in English.
+    """The file of every chapter: a notebook of that language where there is one, else the English one (see `read`).
 
     Raises:
         ValueError: when there is no chapter in that language; it names those that there are.
@@ -42,3 +51,10 @@ def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
     if language == ENGLISH:
         return found
     return [other if (other := notebooks / language / one.name).exists() else one for one in found]
+
+
+def read(chapter: Path, language: str = ENGLISH) -> dict[str, Any]:
+    """A chapter's notebook, in a language where it has a catalogue. Raises ValueError for broken files."""
+    notebook: dict[str, Any] = json.loads(chapter.read_text(encoding="utf-8"))
+    catalogue = catalogue_of(chapter, language)
+    return translated(notebook, catalogue) if catalogue.exists() else notebook

@@ -102,7 +102,7 @@ def _written(mesh: MeshFacts, file: Path) -> str:
 
     faces, corners = np.array(mesh.faces, int).reshape(-1, 3), np.array(mesh.corners, float).reshape(-1, 3)
     if len(corners) + len(faces) > CORNERS or not np.isfinite(corners).all():
-        raise ValueError("a mesh that is none")
+        raise ValueError("a file that is not a mesh")
     if len(faces) and (faces.min() < 0 or faces.max() >= len(corners)):
         raise ValueError("a mesh whose triangles have no corners")
     trimesh.Trimesh(corners, faces, process=False).export(str(file))

@@ -38,9 +38,9 @@ class Handed:
         found = [piece for entry in self.entries for piece in entry.pieces]
         return sorted(found, key=lambda one: (one.when, one.inner, one.where))
 
-    def parcels(self) -> list[Path]:
+    def bundles(self) -> list[Path]:
         """Everything of theirs that `hand_in()` made."""
-        return [file for entry in self.entries for file in entry.parcels]
+        return [file for entry in self.entries for file in entry.bundles]
 
     def attempts(self) -> list[str]:
         """Every notebook that they handed in, and when."""
@@ -50,8 +50,8 @@ class Handed:
         """What is marked for a chapter."""
         piece = self.chosen[chapter]
         assert piece.file is not None
-        parcels = [piece.parcel] if piece.parcel else []
-        return Submission(self.label, piece.file, {chapter: piece.file}, parcels)
+        bundles = [piece.bundle] if piece.bundle else []
+        return Submission(self.label, piece.file, {chapter: piece.file}, bundles)
 
 
 def wanted_chapters(handed: Sequence[Handed]) -> tuple[list[str], dict[str, list[str]]]:

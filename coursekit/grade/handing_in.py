@@ -17,22 +17,22 @@ from typing import Any
 from coursekit.files import write_whole
 
 from . import events
-from .editions import notebooks_folder
-from .exercise import exercises_in
-from .harmless import shown
-from .identifying import named_in
-from .mark import Marked, mark
-from .parcel import (
+from .bundle import (
     EVENTS,
+    bundle_faults,
     cell_digests,
     digest_of,
     note_copies,
     other_hands,
     other_results,
-    pack_parcel,
-    parcel_faults,
-    read_parcel,
+    pack_bundle,
+    read_bundle,
 )
+from .editions import notebooks_folder
+from .exercise import exercises_in
+from .harmless import shown
+from .identifying import named_in
+from .mark import Marked, mark
 from .recognising import Recogniser, parse_notebook
 from .roster import student_word
 from .sandbox import Limits
@@ -58,10 +58,10 @@ def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked
         return mark(Submission("me", place), {notebook.name: dict(source or found)}, exercises, Limits())
 
 
-def make_parcel(
+def make_bundle(
     notebook: Path, course: Path, student: str, out: Path, notebooks: Path | None = None
 ) -> tuple[Path, Marked]:
-    """Run the notebook afresh and write the parcel; where it is, and the mark, with notes on what is missing.
+    """Run the notebook afresh and write the bundle; where it is, and the mark, with notes on what is missing.
 
     Raises:
         ValueError: when nothing in the notebook could be marked.
@@ -74,7 +74,7 @@ def make_parcel(
         raise ValueError(f"{notebook.name} {what}. Hand in one of: {names}")
     marked = clean_run(notebook)
     file = out / f"{student_word(student)}_{notebook.stem}.zip"
-    write_whole(file, parcel_of(notebook, course, student, marked))
+    write_whole(file, bundle_of(notebook, course, student, marked))
     if not any(EVIDENCE.fullmatch(one.name) for one in (course / "evidence").glob("*")):
         how = 'evidence("s2_1", graph()), then hand_in() again'
         notes.append(f"There is no evidence in it. If the assignment asks for some: {how}.")
@@ -98,8 +98,8 @@ def _chapters(notebooks: Path | None) -> dict[str, Any]:
     return {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks.glob("*.ipynb"))}
 
 
-def parcel_of(notebook: Path, course: Path, student: str, marked: Marked) -> bytes:
-    """The parcel with a notebook, the course's pictures and log, and the mark of a clean run."""
+def bundle_of(notebook: Path, course: Path, student: str, marked: Marked) -> bytes:
+    """The bundle with a notebook, the course's pictures and log, and the mark of a clean run."""
     files = {notebook.name: notebook.read_bytes()}
     for picture in sorted((course / "evidence").glob("*")):
         if EVIDENCE.fullmatch(picture.name):
@@ -118,21 +118,21 @@ def parcel_of(notebook: Path, course: Path, student: str, marked: Marked) -> byt
         "of": sum(one.of for one in marked.verdicts),
         "tier": marked.tier,
     }
-    return pack_parcel(files, facts)
+    return pack_bundle(files, facts)
 
 
 def verify(
     file: Path, notebooks: Path | None = None, *, run: bool = True, variants: Variants | None = None
 ) -> tuple[list[str], Marked | None]:
-    """What is wrong with a parcel, and the mark that it really earns (None when it was not run).
+    """What is wrong with a bundle, and the mark that it really earns (None when it was not run).
 
     What is run is the course's own notebook with the student's answers in it; a name that is none of its names is refused.
     """
     data = file.read_bytes()
-    found = parcel_faults(data)
+    found = bundle_faults(data)
     try:
         found += other_hands(data, file.stem)
-        manifest, files = read_parcel(data)
+        manifest, files = read_bundle(data)
         name = PurePosixPath(str(manifest["notebook"])).name
         content = files[name]
         handed_in = parse_notebook(content, name)
@@ -151,7 +151,7 @@ def verify(
     if variants is not None:
         student = named_in(file.stem, variants.roster) or named_in(str(manifest.get("student")), variants.roster)
         if not student:
-            return [*found, "it is nobody's in the list of names: without a name its numbers are not known"], None
+            return [*found, "its name is not in the list: without a name its numbers are not known"], None
         own = variants.copies(student, {name: own})[name]
     with tempfile.TemporaryDirectory() as scratch:
         place = Path(scratch) / name
@@ -165,10 +165,10 @@ def _no_chapter(name: str, chapter: str, known: Recogniser) -> str:
     return f"'{shown(name, 60)}' is no chapter of the course.{like} There are: {', '.join(known.chapters)}."
 
 
-def same_in(parcels: Mapping[str, Path]) -> list[str]:
-    """What several parcels have in common that no two students have alike."""
-    concerns: dict[str, list[str]] = {name: [] for name in parcels}
-    note_copies({name: (concerns[name], [file]) for name, file in parcels.items()})
+def same_in(bundles: Mapping[str, Path]) -> list[str]:
+    """What several bundles have in common that no two students have alike."""
+    concerns: dict[str, list[str]] = {name: [] for name in bundles}
+    note_copies({name: (concerns[name], [file]) for name, file in bundles.items()})
     return [f"{name}: {said}" for name, listed in concerns.items() for said in listed]
 
 

@@ -71,7 +71,7 @@ class Identifier:
         if len(named.people) > 1 and owner in named.people:
             return Identified((owner,), "the mark of the copy")
         others = self._sorted({owner, *named.people})
-        return Identified(others, f"the copy was made for {self.roster.label(owner)}, the name is somebody else's")
+        return Identified(others, f"the copy was made for {self.roster.label(owner)}, the name is another student's")
 
     def by_name(self, name: str) -> Identified:
         """Whose it is by its name alone."""
@@ -85,12 +85,12 @@ class Identifier:
             if found:
                 return Identified(self._sorted(found), how if len(found) == 1 else "several have that name")
         if given is not None and given.platform in ("moodle", "canvas", "blackboard"):
-            return Identified((), "nobody in the list has that name")
+            return Identified((), "no student in the list has that name")
         found = self._inside(given.name if given else stem)
         if len(found) == 1 and found == self._plain.get(plain(stem.partition("_")[0])):
             return Identified(tuple(found), "the name that hand_in gives its files")
         return Identified(self._sorted(found), ("a name in the name" if len(found) == 1 else "several names fit") if found
-                          else "nobody in the list has that name")  # fmt: skip
+                          else "no student in the list has that name")  # fmt: skip
 
     def _exactly(self, texts: Sequence[str], *, name_only: bool) -> set[Person]:
         if name_only:

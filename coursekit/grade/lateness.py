@@ -116,7 +116,7 @@ def _extended(policy: Policy, said: Mapping[str, Any], roster: Roster | None, fi
     for name, value in said.items():
         person = roster.of(name) if roster else Person(name, id=identity_of(name))
         if person is None:
-            raise ValueError(f"{file}: '{name}' is nobody in the list, or more than one. Give the id.")
+            raise ValueError(f"{file}: '{name}' is no student in the list, or more than one. Give the id.")
         if isinstance(value, (int, float)) or str(value).replace(".", "", 1).isdigit():
             days[person.identity] = float(value)
         else:

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from . import folders, sandbox
+from .bundle import bundle_faults, other_hands, other_results, read_bundle, recorded, traces
 from .examiner import Examined, Task, examine, unjudged
 from .exercise import Exercise
 from .own_checks import own_files
-from .parcel import other_hands, other_results, parcel_faults, read_parcel, recorded, traces
 from .submissions import Submission
 from .variants import Values, values_of
 from .verdict import Verdict
@@ -66,12 +66,12 @@ def mark(
     """
     limits = replace(limits, tier=sandbox.tier())  # the one that the result names, in other processes too
     made = Marked(submission.student, submission.digest(), tier=limits.tier, variants=values_of(sources.values()))
-    parcels: list[bytes] = []
+    bundles: list[bytes] = []
     scratch = Path(tempfile.mkdtemp(prefix="grade-"))
     try:
-        parcels = submission.parcels()
-        for parcel in parcels:
-            made.concerns += _faults(parcel, submission.student)
+        bundles = submission.bundles()
+        for bundle in bundles:
+            made.concerns += _faults(bundle, submission.student)
         files = submission.notebooks(scratch / "unpacked")
         own = sorted({str(one.parent) for one in own_files(exercises.values())})
         for name, file in _chosen(files, sources, made.notes).items():
@@ -87,8 +87,8 @@ def mark(
     judged = {verdict.name for verdict in made.verdicts}
     made.verdicts += [unjudged(one, "nothing was handed in") for name, one in exercises.items() if name not in judged]
     made.verdicts.sort(key=lambda verdict: verdict.name)
-    for parcel in parcels:
-        _compare(parcel, made)
+    for bundle in bundles:
+        _compare(bundle, made)
     if not judged and made.status == "graded":
         made.status = "empty"
     return made
@@ -104,22 +104,22 @@ def _add(made: Marked, name: str, examined: Examined) -> None:
         made.notes.append(f"{name}: {examined.failed}")
 
 
-def _faults(parcel: bytes, name: str) -> list[str]:
+def _faults(bundle: bytes, name: str) -> list[str]:
     """Signs that a file made by `hand_in()` was changed, or is somebody else's."""
-    found = parcel_faults(parcel)
+    found = bundle_faults(bundle)
     with contextlib.suppress(ValueError):
-        found += other_hands(parcel, name)
+        found += other_hands(bundle, name)
     return found
 
 
-def _compare(parcel: bytes, made: Marked) -> None:
-    """Say where the marks that are recorded in a parcel are not those of this run, and keep what tells copies."""
+def _compare(bundle: bytes, made: Marked) -> None:
+    """Say where the marks that are recorded in a bundle are not those of this run, and keep what tells copies."""
     with contextlib.suppress(ValueError):
-        manifest, _ = read_parcel(parcel)
+        manifest, _ = read_bundle(bundle)
         said = recorded(manifest)
         earned = {one.name: one.points for one in made.verdicts if one.name in said}
         made.concerns += other_results(manifest, earned)
-        made.traces |= traces(parcel)
+        made.traces |= traces(bundle)
 
 
 def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:

@@ -91,7 +91,7 @@ class MarksTable:
             elif "." in column:
                 self._note_points(key, who, column, text, was, column)
             elif text.strip("' ") != was.strip("' "):
-                self.by_hand.told.append(f"{who}: '{column}' is written anew at each run: the change is not kept")
+                self.by_hand.told.append(f"{who}: '{column}' is written again at each run: the change is not kept")
 
     def _note_extra(self, key: str, column: str, text: str) -> None:
         kept = self.by_hand.extra.setdefault(key, {})
@@ -107,7 +107,7 @@ class MarksTable:
             return
         points = _points(text)
         if points is None:
-            self.by_hand.told.append(f"{who}: {column} '{shown(text, 40)}' is no number: not taken")
+            self.by_hand.told.append(f"{who}: {column} '{shown(text, 40)}' is not a number: ignored")
         elif points != _points(was):
             kept[name] = points
             self.by_hand.told.append(f"{who}: {column} is {number(points)} by hand (was {was or 'empty'})")

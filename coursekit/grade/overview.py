@@ -31,7 +31,7 @@ th{{color:var(--soft);position:sticky;top:0;background:var(--paper)}} td:first-c
 .words{{font-size:.88rem}} td:first-child{{white-space:nowrap}} .wrap td:first-child{{white-space:normal}}</style>
 </head><body><h1>The class: {chapters}</h1>
 <p>{counts}; {average}; run in the sandbox <code>{tier}</code></p>
-{look}{hardest}<h2>Everybody</h2><p><img class="drawn" src="histogram.png" alt="How many students have how many points"></p>
+{look}{hardest}<h2>All students</h2><p><img class="drawn" src="histogram.png" alt="Number of students by points"></p>
 <table id="everybody">
 <tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
 {rows}</table>{alike}</body></html>
@@ -73,7 +73,7 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
     for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
     heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"
-    return f"<h2>Who needs a look</h2><table>{heading}{''.join(rows)}</table>" if rows else ""
+    return f"<h2>Needs a look</h2><table>{heading}{''.join(rows)}</table>" if rows else ""
 
 
 def _hardest(records: Sequence[Record]) -> str:

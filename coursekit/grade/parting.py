@@ -9,7 +9,7 @@ from .harmless import shown, unique
 from .identifying import Identified, Identifier
 from .pieces import Entry, Piece
 
-_BY_PARCEL = "the name in the file that hand_in made"
+_BY_BUNDLE = "the name in the file that hand_in made"
 _INSIDE = "the name of what lies in it"
 
 
@@ -50,7 +50,7 @@ def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) ->
         found = known[0]
     if not found.people and entry.students:
         said = [person for one in unique(entry.students) for person in identifier.by_name(one).people]
-        found = Identified(tuple(dict.fromkeys(said)), _BY_PARCEL) if said else found
+        found = Identified(tuple(dict.fromkeys(said)), _BY_BUNDLE) if said else found
     return Part(entry, found, shown(entry.name), (entry.name,))
 
 
@@ -61,7 +61,7 @@ def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identifie
         return Identified((owner,), "the mark of the copy")
     if len(named.people) == 1:
         return None
-    told = [(_BY_PARCEL, piece.student)] if piece.student else [(_INSIDE, one) for one in piece.where.split("/")]
+    told = [(_BY_BUNDLE, piece.student)] if piece.student else [(_INSIDE, one) for one in piece.where.split("/")]
     for how, name in told:
         found = identifier.by_name(name).people
         if len(found) == 1 and (not named.people or found[0] in named.people):
@@ -76,7 +76,7 @@ def _settled(entry: Entry, pieces: Iterable[Piece], found: Identified, identifie
 
 
 def _part(entry: Entry, pieces: Sequence[Piece], found: Identified) -> Part:
-    parcels = [file for file in entry.parcels if any(piece.parcel == file for piece in pieces)]
+    bundles = [file for file in entry.bundles if any(piece.bundle == file for piece in pieces)]
     names = [piece.where for piece in pieces]
     where = shown(f"{entry.name}: {', '.join(names[:3])}{', ...' if len(names) > 3 else ''}", 300)
-    return Part(Entry(entry.name, list(pieces), parcels=parcels), found, where, (entry.name, *sorted(names)))
+    return Part(Entry(entry.name, list(pieces), bundles=bundles), found, where, (entry.name, *sorted(names)))

@@ -7,20 +7,20 @@ import html
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath
 
+from .bundle import read_bundle
 from .harmless import shown
-from .parcel import read_parcel
 
 LARGEST, MOST = 2 << 20, 12
 """Bytes of a picture, and pictures of a person, that are shown."""
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def pictures_in(parcels: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
+def pictures_in(bundles: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
     """(name, bytes) of the PNG pictures in these files of `hand_in()`; those that are none, or too large, are left out."""
     found = {}
-    for file in parcels:
+    for file in bundles:
         try:
-            _, files = read_parcel(file.read_bytes())
+            _, files = read_bundle(file.read_bytes())
         except (OSError, ValueError):
             continue
         for name, data in files.items():
@@ -29,10 +29,10 @@ def pictures_in(parcels: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
     yield from sorted(found.items())[:MOST]
 
 
-def as_html(parcels: Sequence[Path]) -> str:
+def as_html(bundles: Sequence[Path]) -> str:
     """The pictures as part of a page, which needs no other file."""
     shapes = []
-    for name, data in pictures_in(parcels):
+    for name, data in pictures_in(bundles):
         source, label = base64.b64encode(data).decode(), html.escape(shown(name, 80), quote=True)
         image = f"<img alt='{label}' src='data:image/png;base64,{source}'>"
         shapes.append(f"<figure>{image}<figcaption>{label}</figcaption></figure>")

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from .archives import Archive, Member
+from .bundle import LARGEST as LARGEST_BUNDLE
+from .bundle import MANIFEST
 from .harmless import shown
-from .parcel import LARGEST as LARGEST_PARCEL
-from .parcel import MANIFEST
 from .platform_names import platform_name
 from .recognising import LARGEST, Known, Recogniser, parse_notebook
 
@@ -60,7 +60,7 @@ class Piece:
     """When the file itself was changed: the order within one hand-in."""
     entry: str = ""
     """The folder or file of the class in which it lay."""
-    parcel: Path | None = None
+    bundle: Path | None = None
     """A plain copy of the file that `hand_in()` made, if it lay in one."""
     student: str = ""
     """Whom that file names."""
@@ -82,7 +82,7 @@ class Entry:
     """Files that are no notebooks."""
     students: list[str] = field(default_factory=list)
     """Whom files made by `hand_in()` name."""
-    parcels: list[Path] = field(default_factory=list)
+    bundles: list[Path] = field(default_factory=list)
     """Plain copies of all of these."""
     concerns: list[str] = field(default_factory=list)
 
@@ -114,25 +114,25 @@ class Gatherer:
             made.pieces = [_of_platform(one, told.when, told.late) for one in made.pieces]
         return made
 
-    def _file(self, made: Entry, raw: Raw, where: str, nested: int, parcel: _Parcel | None = None) -> None:
+    def _file(self, made: Entry, raw: Raw, where: str, nested: int, bundle: _Bundle | None = None) -> None:
         name = raw.parts[-1].casefold()
         if name.endswith(".zip"):
             self._zip(made, raw, where, nested)
         elif name.endswith(".ipynb") or ".ipynb." in name:
-            piece = self._notebook(raw, where, made.name, parcel)
+            piece = self._notebook(raw, where, made.name, bundle)
             if name.endswith(".ipynb") or piece.chapter:
                 made.pieces.append(piece)
-        elif parcel is None:
+        elif bundle is None:
             made.others.append(where)
 
-    def _notebook(self, raw: Raw, where: str, entry: str, parcel: _Parcel | None) -> Piece:
+    def _notebook(self, raw: Raw, where: str, entry: str, bundle: _Bundle | None) -> Piece:
         chapter = self._recogniser.by_name(raw.parts[-1])
         kept = Piece(where, chapter, when=raw.when, when_from=raw.when_from, inner=raw.when, entry=entry,
                      checkpoint=".ipynb_checkpoints" in raw.parts)  # fmt: skip
-        if parcel is not None:
-            kept = replace(kept, parcel=parcel.file, student=parcel.student)
-            if parcel.when:
-                kept = replace(kept, when=parcel.when, when_from=SEALED)
+        if bundle is not None:
+            kept = replace(kept, bundle=bundle.file, student=bundle.student)
+            if bundle.when:
+                kept = replace(kept, when=bundle.when, when_from=SEALED)
         try:
             data = _read(raw, LARGEST)
             kept = replace(kept, file=self._keep(data, ".ipynb"), digest=hashlib.sha256(data).hexdigest())
@@ -145,24 +145,24 @@ class Gatherer:
         if nested > 1:
             made.faults.append(f"{where}: a zip in a zip in a zip is not opened")
             return
-        if raw.size > LARGEST_PARCEL or raw.open is None:
-            made.faults.append(f"{where} is larger than {LARGEST_PARCEL >> 20} MB")
+        if raw.size > LARGEST_BUNDLE or raw.open is None:
+            made.faults.append(f"{where} is larger than {LARGEST_BUNDLE >> 20} MB")
             return
         with Archive(raw.open()) as opened:
             members = list(opened.members())
             manifest = next((one for one in members if one.parts == (MANIFEST,)), None)
-            parcel = self._parcel(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
+            bundle = self._bundle(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
             for member in members:
                 inner = _of_member(opened, member, raw)
                 if any(one in SYSTEM for one in member.parts) or member.parts[-1].startswith("._"):
                     continue
                 inside = shown(f"{where}/{'/'.join(member.parts)}", 300)
                 try:
-                    self._file(made, inner, inside, nested + 1, parcel)
+                    self._file(made, inner, inside, nested + 1, bundle)
                 except (OSError, ValueError, MemoryError) as error:
                     made.faults.append(f"{inside}: {shown(str(error)) or 'cannot be read'}")
 
-    def _parcel(self, made: Entry, raw: Raw, manifest: bytes) -> _Parcel | None:
+    def _bundle(self, made: Entry, raw: Raw, manifest: bytes) -> _Bundle | None:
         """A file made by `hand_in()`: it says who made it and when."""
         try:
             said = json.loads(manifest)
@@ -170,11 +170,11 @@ class Gatherer:
             said = None
         if not isinstance(said, dict) or not {"files", "student"} & set(said):
             return None
-        kept = self._keep(_read(raw, LARGEST_PARCEL), ".zip")
-        made.parcels.append(kept)
+        kept = self._keep(_read(raw, LARGEST_BUNDLE), ".zip")
+        made.bundles.append(kept)
         student = shown(said["student"], 80) if isinstance(said.get("student"), str) else ""
         made.students += [student] if student else []
-        return _Parcel(kept, sealed_time(said), student)
+        return _Bundle(kept, sealed_time(said), student)
 
     def _keep(self, data: bytes, ending: str) -> Path:
         file = self._scratch / f"{next(self._number)}{ending}"
@@ -183,7 +183,7 @@ class Gatherer:
 
 
 @dataclass(frozen=True)
-class _Parcel:
+class _Bundle:
     file: Path
     when: float
     student: str

@@ -13,6 +13,7 @@ from coursekit.files import write_whole
 from coursekit.systems.words import join_words
 
 from .copy import HANDED_OUT, edition_of, student_notebook
+from .editions import ENGLISH, read
 from .exercise import exercises_in
 from .handing_out import write_for_moodle, write_list
 from .harmless import name_of_files
@@ -64,14 +65,15 @@ def release(
     personal: bool = True,
     wheel: str = WHEEL,
     moodle: bool = False,
+    language: str = ENGLISH,
 ) -> list[Path]:
     """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written.
 
     With `variants` each student of the class has a folder and a zip of their own, whose notebooks carry a mark that says
     whose they are; with `personal` they ask for numbers of their own, too; with `moodle` all zips are in one that Moodle
-    deals out. The page tells students to install `wheel`.
+    deals out. The page tells students to install `wheel`. Chapters with a catalogue are in that `language`.
     """
-    sources = {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks)}
+    sources = {file.name: read(file, language) for file in sorted(notebooks)}
     written = []
     if variants:
         archives = {one: _copy_of(one, variants, sources, out, personal) for one in variants.roster.people}

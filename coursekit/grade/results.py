@@ -70,7 +70,7 @@ class Results:
             self._key = own_key()
         except OSError as error:
             self._key = secrets.token_bytes(32)
-            self.told.append(f"No secret can be kept in {config_folder()} ({error}): the next run marks all anew.")
+            self.told.append(f"No secret can be kept in {config_folder()} ({error}): the next run marks everything again.")
 
     def dice(self) -> bytes:
         """What the judges' chance is made of where a class has no secret of its own."""

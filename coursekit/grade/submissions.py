@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from .archives import Archive, BadArchive
-from .parcel import LARGEST as LARGEST_PARCEL
-from .parcel import MANIFEST
+from .bundle import LARGEST as LARGEST_BUNDLE
+from .bundle import MANIFEST
 from .recognising import LARGEST, parse_notebook
 from .walking import Walked, open_plain, walk
 
@@ -22,7 +22,7 @@ class Submission:
     place: Path
     chosen: dict[str, Path] = field(default_factory=dict)
     """The file that counts, by the file name of the chapter: a plain copy, of a bounded size."""
-    parcel_files: list[Path] = field(default_factory=list)
+    bundle_files: list[Path] = field(default_factory=list)
     """Plain copies of the files made by `hand_in()` that these lay in."""
     notes: list[str] = field(default_factory=list)
     concerns: list[str] = field(default_factory=list)
@@ -33,7 +33,7 @@ class Submission:
             "student": self.student,
             "place": str(self.place),
             "chosen": {name: str(file) for name, file in self.chosen.items()},
-            "parcel_files": [str(file) for file in self.parcel_files],
+            "bundle_files": [str(file) for file in self.bundle_files],
             "notes": self.notes,
             "concerns": self.concerns,
         }
@@ -42,8 +42,8 @@ class Submission:
     def of_json(cls, said: dict[str, Any]) -> Submission:
         """What `as_json` gave."""
         chosen = {str(name): Path(file) for name, file in said["chosen"].items()}
-        parcels = [Path(file) for file in said["parcel_files"]]
-        return cls(said["student"], Path(said["place"]), chosen, parcels, list(said["notes"]), list(said["concerns"]))
+        bundles = [Path(file) for file in said["bundle_files"]]
+        return cls(said["student"], Path(said["place"]), chosen, bundles, list(said["notes"]), list(said["concerns"]))
 
     def digest(self) -> str:
         """Changes when anything that was handed in changes."""
@@ -51,8 +51,8 @@ class Submission:
         if self.chosen:
             for name, file in sorted(self.chosen.items()):
                 found.update(f"{name}\0".encode() + _bytes(file, LARGEST))
-            for file in self.parcel_files:
-                found.update(b"\0parcel\0" + _bytes(file, LARGEST_PARCEL))
+            for file in self.bundle_files:
+                found.update(b"\0bundle\0" + _bytes(file, LARGEST_BUNDLE))
             return found.hexdigest()
         for one in walk(self.place):
             found.update("/".join(one.parts).encode("utf-8", "surrogateescape") + b"\0")
@@ -62,14 +62,14 @@ class Submission:
                         found.update(piece)
         return found.hexdigest()
 
-    def parcels(self) -> list[bytes]:
+    def bundles(self) -> list[bytes]:
         """The zips that `hand_in()` made, or that say so."""
-        if self.chosen or self.parcel_files:
-            return [_bytes(file, LARGEST_PARCEL) for file in self.parcel_files]
+        if self.chosen or self.bundle_files:
+            return [_bytes(file, LARGEST_BUNDLE) for file in self.bundle_files]
         found = []
         for one in walk(self.place):
             data = _zip(one)
-            if data is not None and _says_parcel(one):
+            if data is not None and _says_bundle(one):
                 found.append(data)
         return found
 
@@ -112,10 +112,10 @@ def _zip(one: Walked) -> bytes | None:
     if one.open is None or not one.parts[-1].endswith(".zip"):
         return None
     with one.open() as data:
-        return _whole(data.read(LARGEST_PARCEL + 1), one.parts[-1], LARGEST_PARCEL)
+        return _whole(data.read(LARGEST_BUNDLE + 1), one.parts[-1], LARGEST_BUNDLE)
 
 
-def _says_parcel(one: Walked) -> bool:
+def _says_bundle(one: Walked) -> bool:
     """Whether a zip has a manifest where `hand_in()` puts it."""
     assert one.open is not None
     try:

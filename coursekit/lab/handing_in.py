@@ -11,9 +11,9 @@ from typing import Any
 
 from coursekit.files import write_whole
 from coursekit.grade import events
-from coursekit.grade.handing_in import make_parcel, who_and_where
+from coursekit.grade.bundle import EVENTS, digest_of
+from coursekit.grade.handing_in import make_bundle, who_and_where
 from coursekit.grade.mark import Marked
-from coursekit.grade.parcel import EVENTS, digest_of
 from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 from coursekit.processes.session import current
@@ -41,7 +41,7 @@ def student(name: str = "") -> str:
         return str(json.loads(file.read_text(encoding="utf-8")))
     found = name or (me if isinstance(me, str) else "")
     if len(found.split()) < 2:
-        raise BadArgument('Whose is it? Say it once, in the brackets: by="Firstname Lastname"')
+        raise BadArgument('Whose is it? Write the name once, in the brackets: by="Firstname Lastname"')
     file.parent.mkdir(parents=True, exist_ok=True)
     write_whole(file, json.dumps(found))
     return found
@@ -112,7 +112,7 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
     who, file = student(by), _notebook(notebook)
     _expect_saved(file)
     try:
-        made, marked = make_parcel(file, course_folder(), who, course_folder())
+        made, marked = make_bundle(file, course_folder(), who, course_folder())
     except ValueError as error:
         raise BadArgument(str(error)) from None
     return HandedIn(made, marked)

@@ -84,7 +84,7 @@ class ImageView(Picture):
 
     def __repr__(self) -> str:
         if self.message is None:
-            return f"[image {self.topic}: nothing has come yet; `ros2 topic info {self.topic}` says who publishes]"
+            return f"[image {self.topic}: no image yet; `ros2 topic info {self.topic}` shows its publishers]"
         return f"[image {self.topic}: {self.note()}]"
 
 

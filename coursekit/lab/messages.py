@@ -21,7 +21,7 @@ def known_type(graph: Any, topic: str) -> str:
     if not types:
         names = [name for name, _ in graph.topics()]
         hint = did_you_mean(topic, names, f"Topics are: {', '.join(names) or 'none'}.")
-        raise NotThere(f"There is no topic {topic} in the graph: no node publishes or hears it. {hint}")
+        raise NotThere(f"There is no topic {topic} in the graph: no node publishes or subscribes to it. {hint}")
     if len(types) > 1:
         raise NotThere(f"Topic {topic} is used with several types ({', '.join(types)}); let all nodes use one.")
     return types[0]
@@ -68,7 +68,7 @@ def echo(topic: str, n: int = 1, timeout_sec: float = 10.0) -> None:
     if len(heard) < n:
         raise TimeoutError(
             f"{len(heard)} of {n} messages came on {topic} within {timeout_sec:g} s. "
-            f"`graph()` shows who publishes it, `%ros2 topic info -v {topic}` with which quality of service."
+            f"`graph()` shows its publishers, `%ros2 topic info -v {topic}` their quality of service."
         )
 
 

@@ -58,7 +58,7 @@ class ServiceCaller(Panel):
         if name not in served:
             names = self._names()
             hint = did_you_mean(name, names, f"Served are: {', '.join(names) or 'none'}.")
-            raise NotThere(f"Nobody serves {name or 'a service without a name'}. {hint}")
+            raise NotThere(f"No node serves {name or 'a service without a name'}. {hint}")
         return get_service(served[name][0].type_name)
 
     def _names(self) -> list[str]:

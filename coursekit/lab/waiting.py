@@ -28,8 +28,8 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
             session.clock.sleep(seconds)
         elif not _wait_for(session, full_name(until), seconds, timeout_sec):
             raise TimeoutError(
-                f"No message came on {until} within {timeout_sec:g} s. `graph()` shows who publishes it; "
-                "the terminals of what was started say how it is."
+                f"No message came on {until} within {timeout_sec:g} s. `graph()` shows its publishers; "
+                "the terminals show what the programs printed."
             )
 
 

@@ -88,7 +88,7 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
      "write `using namespace std::chrono_literals;` at the top, for times such as 500ms."),
     (rf"shared_ptr<.*has no member named {_Q}(?P<name>\w+){_Q}|no member named '(?P<other>\w+)' in 'std::shared_ptr"
      rf"|request for member {_Q}(?P<member>\w+){_Q} in .* which is of pointer type",
-     lambda found: f"what stands before it is a pointer: write ->{_name(found)} in place of .{_name(found)}"),
+     lambda found: f"the object before it is a pointer: write ->{_name(found)} in place of .{_name(found)}"),
     (rf"{_Q}(class|struct) \S+{_Q} has no member named {_Q}(?P<name>\w+){_Q}|no member named '(?P<other>\w+)' in ",
      lambda found: f"there is no {_name(found)} in it: `ros2 interface show TYPE` lists a message's fields."),
     (r"no matching function for call to .{0,3}(\w+::)*create_subscription|static assertion failed.{0,80}[Cc]allback",

@@ -61,7 +61,7 @@ def why_missing(package: str, executable: str) -> str:
 def why_skipped(package: str, executable: str) -> str:
     """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
     if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
-        return f"'{executable}' is written in C++, which the last build of '{package}' skipped: `colcon build` says why"
+        return f"'{executable}' is written in C++, which the last build of '{package}' skipped: `colcon build` shows why"
     return ""
 
 

@@ -10,6 +10,8 @@ import numpy as np
 import pymunk
 from pymunk.autogeometry import convex_decomposition
 
+from coursekit.geometry.plane import wrap
+
 from .outlines import hull, signed_area
 from .parts import Ball, Disc, Part, Skin
 from .world import Thing
@@ -118,4 +120,11 @@ def put(body: pymunk.Body, place: tuple[float, float, float]) -> None:
     body.position, body.angle = (place[0], place[1]), place[2]
 
 
-__all__ = ["FIXED", "LOOSE", "ROBOT", "body_of", "convex", "is_floor", "moment", "put", "shapes_of"]
+def follow(body: pymunk.Body, place: tuple[float, float, float], seconds: float) -> None:
+    """Give a kinematic body the velocity with which it gets somewhere in the next step of the physics."""
+    x, y = body.position
+    body.velocity = (place[0] - x) / seconds, (place[1] - y) / seconds
+    body.angular_velocity = wrap(place[2] - body.angle) / seconds
+
+
+__all__ = ["FIXED", "LOOSE", "ROBOT", "body_of", "convex", "follow", "is_floor", "moment", "put", "shapes_of"]

@@ -13,7 +13,7 @@ import pymunk
 from coursekit.geometry.plane import Array, Pose2D
 
 from .alone import alone
-from .bodies import FIXED, LOOSE, ROBOT, body_of, moment, put, shapes_of
+from .bodies import FIXED, LOOSE, ROBOT, body_of, follow, moment, put, shapes_of
 from .contacts import drag, hits, overlap, part, pass_by, touch
 from .errors import WorldError, known
 from .lidar import Lidar
@@ -73,7 +73,10 @@ class Simulation:
         self._free(thing.name)
         if thing.moves:
             body = body_of(thing)
-            self.space.add(body, *shapes_of(thing.parts, body, thing.name, LOOSE))
+            shapes = shapes_of(thing.parts, body, thing.name, LOOSE)
+            for shape in () if thing.solid else shapes:
+                shape.filter = pymunk.ShapeFilter(mask=0)
+            self.space.add(body, *shapes)
             self.things[thing.name] = (thing, body)
             if thing.hinge is not None:
                 self._hang(thing, body)
@@ -239,7 +242,9 @@ class Simulation:
         for robot in self.robots.values():
             robot.before_step(_DT, self.now_ns)
         for thing, body in self.things.values():
-            if thing.mass != math.inf and (body.velocity.length or body.angular_velocity):
+            if thing.walk is not None:
+                follow(body, thing.walk.at((self.now_ns + STEP_NS) * 1e-9), _DT)
+            elif thing.mass != math.inf and (body.velocity.length or body.angular_velocity):
                 drag(body, thing.friction if thing.hinge is None else 0.1, _DT)
         if self.pushes:
             self._push()

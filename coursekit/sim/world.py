@@ -12,6 +12,7 @@ from coursekit.geometry.plane import ORIGIN, Pose2D
 from .errors import WorldError, known
 from .globe import Globe
 from .parts import Cut, Part, join
+from .walk import Walk
 
 TEXTURES = ("plain", "brick", "concrete", "wood", "crates", "metal", "stripes", "tiles", "door", "hedge")
 """What walls can look like to a camera."""
@@ -39,6 +40,10 @@ class Thing:
     hinge: Hinge | None = None
     velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """Of things that move by themselves: m/s, m/s, rad/s in the world's frame; they have `mass` infinity."""
+    walk: Walk | None = None
+    """Where it is at which time, in place of a velocity; its `mass` is infinity, too."""
+    solid: bool = True
+    """Whether others bump into it; sensors see it all the same."""
     model: str = ""
     """The model or element of the file that it came from."""
 

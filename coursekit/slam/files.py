@@ -27,7 +27,7 @@ def read_lines(path: str | Path) -> Iterator[str]:
         try:
             yield from _lines(stream)
         except (OSError, EOFError, lzma.LZMAError) as fault:
-            raise ValueError(f"{file} is damaged or not what its name says: {fault}") from fault
+            raise ValueError(f"{file} is damaged or not what its name suggests: {fault}") from fault
 
 
 def _open(file: Path) -> IO[bytes]:

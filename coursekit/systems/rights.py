@@ -31,7 +31,7 @@ def fault(path: Path) -> str:
         return f"'{path}' can be opened by others: {', '.join(others)}" if others else ""
     status = path.lstat()
     if path.is_symlink() or status.st_uid != os.getuid():
-        return f"'{path}' is a link or belongs to somebody else"
+        return f"'{path}' is a link or belongs to another user"
     if stat.S_IMODE(status.st_mode) & 0o077:
         return f"'{path}' can be opened by others (mend that with: chmod 700 '{path}')"
     return ""

@@ -72,7 +72,7 @@ def _faults(facts: FrameFacts):  # type: ignore[no-untyped-def]
         yield f"a loop: {', '.join(sorted(loop))}. Each frame may have one parent, and no frame is its own ancestor."
     for frame in facts.frames.values():
         if frame.late:
-            yield f"{frame.name}: nobody has told its pose in {frame.parent} for {frame.late:.1f} s"
+            yield f"{frame.name}: no node has published its pose in {frame.parent} for {frame.late:.1f} s"
 
 
 def reachable(facts: FrameFacts) -> set[str]:

@@ -10,7 +10,7 @@ from .frame_facts import FrameFacts, note
 def described(facts: FrameFacts) -> str:
     """A heading, a line for each frame, and a line for each fault."""
     if not facts.frames:
-        return "frames: none. Nobody has published a transform on /tf or /tf_static."
+        return "frames: none. No node has published a transform on /tf or /tf_static."
     trees = len(facts.roots)
     lines = [f"frames: {_count(len(facts.frames), 'frame')}, {_count(trees, 'tree')}"]
     for root in facts.roots:

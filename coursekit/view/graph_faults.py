@@ -145,7 +145,7 @@ def _gone(name: str, publisher: str, facts: Facts) -> Fault:
     nodes = nodes_at(name, facts.subscriptions)
     waits = "waits" if len(nodes) == 1 else "wait"
     return Fault(
-        f"{publisher} is gone: nobody publishes {name} any more",
+        f"{publisher} is gone: no node publishes {name} any more",
         f"Start {publisher} again, and read the last lines of its terminal; {_listed(nodes)} {waits} for it.",
         (name,),
         ends=tuple((node, name) for node in nodes),
@@ -157,7 +157,7 @@ def _lonely(name: str, nodes: list[str], missing: str, present: str, others: Seq
     if missing != "publishes":
         mine, theirs = theirs, mine
     other = _alike(name, mine, theirs)
-    said = f"nobody {missing} {name}"
+    said = f"no node {missing} {name}"
     if other is None or other not in others:
         return Fault(said, f"{_listed(nodes)} {present} it.", (name,), serious=False)
     there = _listed(nodes_at(other, theirs))
@@ -189,7 +189,7 @@ def _calls(kind: str, servers: Sequence[End], clients: Sequence[End]) -> Iterato
         if name not in served:
             there = ", ".join(served) or f"no {kind}"
             cure = f"Start the node that serves it; {_listed(nodes)} waits. Served: {there}."
-            yield Fault(f"nobody serves the {kind} {name}{hint(name, served, cutoff=ALIKE)}", cure, (name,), ends=ends)
+            yield Fault(f"no node serves the {kind} {name}{hint(name, served, cutoff=ALIKE)}", cure, (name,), ends=ends)
         elif offered != wanted:
             cure = f"Use one type: served is {', '.join(offered)}, called {', '.join(wanted)}."
             yield Fault(f"{kind} {name} is used with two types", cure, (name,), ends=ends)

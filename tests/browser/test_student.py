@@ -4,7 +4,7 @@ import zipfile
 
 import pytest
 
-from coursekit.grade.parcel import parcel_faults, read_parcel
+from coursekit.grade.bundle import bundle_faults, read_bundle
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(420)]
 PATIENCE_MS = 120_000
@@ -63,8 +63,8 @@ def test_a_student_solves_one_fails_one_and_hands_in(chapter, picture):
         raise AssertionError(opened.text()[-1500:]) from None
     picture(page, "student-hands-in")
     file = next(opened.lab.folder.rglob("VeraCourse_00_start_here.zip"))
-    assert parcel_faults(file.read_bytes()) == [] and zipfile.is_zipfile(file)
-    manifest, _ = read_parcel(file.read_bytes())
+    assert bundle_faults(file.read_bytes()) == [] and zipfile.is_zipfile(file)
+    manifest, _ = read_bundle(file.read_bytes())
     points = {one["name"]: one["points"] for one in manifest["verdicts"]}
     assert (points["ch00.q1"], points["ch00.q3"]) == (1, 0)
     assert f"({sum(points.values()):g} of 4 points in a clean run)" in done.inner_text()

@@ -54,10 +54,10 @@ def _archive(path: Path) -> Any:
         return [opened.read(one) for one in opened.members()]
 
 
-def _parcel(path: Path) -> Any:
-    from coursekit.grade.parcel import parcel_faults
+def _bundle(path: Path) -> Any:
+    from coursekit.grade.bundle import bundle_faults
 
-    return parcel_faults(path.read_bytes())
+    return bundle_faults(path.read_bytes())
 
 
 @cache
@@ -71,9 +71,9 @@ def _zip() -> bytes:
 
 @cache
 def _sealed() -> bytes:
-    from coursekit.grade.parcel import pack_parcel
+    from coursekit.grade.bundle import pack_bundle
 
-    return pack_parcel({"02_topics.ipynb": b"{}"}, {"student": "Ann", "notebook": "02_topics.ipynb", "time": "2026-11-23"})
+    return pack_bundle({"02_topics.ipynb": b"{}"}, {"student": "Ann", "notebook": "02_topics.ipynb", "time": "2026-11-23"})
 
 
 def _archive_faults() -> Faults:
@@ -88,5 +88,5 @@ FORMATS = (
     Format("late policy", ".toml", lambda: POLICY, _policy, values_only, TEXT),
     Format("notebook", ".ipynb", (ROOT / "notebooks" / "00_start_here.ipynb").read_bytes, _notebook, values_only, TEXT),
     Format("zip", ".zip", _zip, _archive, _archive_faults),
-    Format("parcel", ".zip", _sealed, _parcel, _archive_faults),
+    Format("bundle", ".zip", _sealed, _bundle, _archive_faults),
 )  # fmt: skip

@@ -11,7 +11,7 @@ from pathlib import Path
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.harmless import cell, shown
 
-from .forged_parcels import (
+from .forged_bundles import (
     all_resealed,
     borrowed,
     honest,
@@ -26,7 +26,7 @@ from .kinds import TOPICS, Kind, Notebook, Packed, Placed, answers, solution_cel
 from .test_attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
 
 
-def parcel(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Packed]:
+def bundle(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Packed]:
     """What `make(student, half, right)` makes of a notebook with half of the answers, and of the right one."""
 
     def of(notebook: Notebook) -> Packed:
@@ -126,14 +126,14 @@ KINDS = (
     Kind("forged-answers", 3, (0, 6), answers(q1=PIPES)),
     Kind("forged-trial", 3, (5,), answers(q3=FORGED_NODE), told="ended the trial|answered for it|interfered"),
     Kind("patched-trial", 2, (5,), answers(q3=PATCHED_NODE), told="interfered|a node named"),
-    Kind("parcel", 3, (3,), parcel(honest), told="^ "),
-    Kind("notebook-exchanged", 2, (7,), parcel(notebook_exchanged), told=CHANGED),
-    Kind("picture-exchanged", 2, (3,), parcel(picture_exchanged), told="_evidence_s2.png: was changed"),
-    Kind("picture-resealed", 2, (3,), parcel(picture_resealed), told="_evidence_s2.png: it was changed since"),
-    Kind("marks-raised", 2, (3,), parcel(marks_raised), told=f"manifest.json: was changed.*{RECORDED}"),
-    Kind("all-resealed", 2, (3,), parcel(all_resealed), told=RECORDED),
-    Kind("borrowed-parcel", 2, (3,), parcel(borrowed), told="made by 'Vera Course'"),
-    Kind("sealed-as-own", 2, (3,), parcel(sealed_as_own), told="the same as in"),
+    Kind("bundle", 3, (3,), bundle(honest), told="^ "),
+    Kind("notebook-exchanged", 2, (7,), bundle(notebook_exchanged), told=CHANGED),
+    Kind("picture-exchanged", 2, (3,), bundle(picture_exchanged), told="_evidence_s2.png: was changed"),
+    Kind("picture-resealed", 2, (3,), bundle(picture_resealed), told="_evidence_s2.png: it was changed after"),
+    Kind("marks-raised", 2, (3,), bundle(marks_raised), told=f"manifest.json: was changed.*{RECORDED}"),
+    Kind("all-resealed", 2, (3,), bundle(all_resealed), told=RECORDED),
+    Kind("borrowed-bundle", 2, (3,), bundle(borrowed), told="made by 'Vera Course'"),
+    Kind("sealed-as-own", 2, (3,), bundle(sealed_as_own), told="the same as in"),
     *HOSTILE,
 )  # fmt: skip
 

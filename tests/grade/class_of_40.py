@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from coursekit.grade.parcel import pack_parcel
+from coursekit.grade.bundle import pack_bundle
 from coursekit.grade.variants import Variants
 
 from .handed import NOON, SERVICES, SOURCES, TOPICS, notebook, text, write, zipped
@@ -27,7 +27,7 @@ def roster() -> str:
 def sealed(name: str, *done: str, chapter: str = TOPICS) -> bytes:
     """What `hand_in()` made an hour before noon; without a log."""
     facts = {"student": name, "notebook": chapter, "time": "2026-11-23 08:00:00 +0000"}
-    return pack_parcel({chapter: text(*done, chapter=chapter).encode()}, facts)
+    return pack_bundle({chapter: text(*done, chapter=chapter).encode()}, facts)
 
 
 def marked(mark: str, *done: str) -> str:

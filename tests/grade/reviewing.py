@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from coursekit.grade.parcel import pack_parcel
+from coursekit.grade.bundle import pack_bundle
 
 from .handed import TOPICS, text, write
 
@@ -30,7 +30,7 @@ def make_class(folder: Path) -> None:
     write(folder.parent / "roster.txt", "Ann Lee\nBen Ito\nBo Ahn\nCem <b>Kaya\n")
     facts = {"student": "Ann Lee", "notebook": TOPICS, "time": "2026-11-23 08:00:00 +0000"}
     files = {TOPICS: text("q1", "q2").encode(), "evidence/AnnLee_evidence_s2.png": PICTURE, "evidence/x.png": b"<svg>"}
-    write(folder / "Ann Lee" / "AnnLee_02_topics.zip", pack_parcel(files, facts))
+    write(folder / "Ann Lee" / "AnnLee_02_topics.zip", pack_bundle(files, facts))
     for name in ("Ben Ito", "Cem <b>Kaya"):
         write(folder / name / TOPICS, text("q1", own="<script>document.title = 'mine'</script>"))
 

@@ -18,7 +18,7 @@ from .hostile_kinds import HOST, HOSTILE
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 SAMPLE = ("right", "half", "zipped", "renamed", "nothing", "no-notebook", "broken-node", "wrong-kernel", "missing",
           "early-exit", "only-answers", "forged-trial", "patched-trial",
-          "parcel", "marks-raised", "borrowed-parcel", "xacro-escape", "forged-values", "link-to-the-host", "deep-folders",
+          "bundle", "marks-raised", "borrowed-bundle", "xacro-escape", "forged-values", "link-to-the-host", "deep-folders",
           "bad-name", "long-name", "class", "formula", "no-utf-8")  # fmt: skip
 """Kinds that are quick and that other tests have not; `make class` grades them all, 200 together."""
 

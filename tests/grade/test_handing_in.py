@@ -9,14 +9,14 @@ import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade import events, report
+from coursekit.grade.bundle import bundle_faults, digest_of, note_copies, other_hands, pack_bundle, read_bundle
 from coursekit.grade.exercise import find
-from coursekit.grade.handing_in import make_parcel, verify
+from coursekit.grade.handing_in import make_bundle, verify
 from coursekit.grade.mark import mark
-from coursekit.grade.parcel import digest_of, note_copies, other_hands, pack_parcel, parcel_faults, read_parcel
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 
-from .forged_parcels import resealed
+from .forged_bundles import resealed
 from .test_attacks import RIGHT, cells
 
 
@@ -34,8 +34,8 @@ def verified(file, course, *words):
 
 
 @pytest.fixture(scope="module")
-def parcel(course, tmp_path_factory):
-    """A parcel with a notebook, a picture and a log."""
+def bundle(course, tmp_path_factory):
+    """A bundle with a notebook, a picture and a log."""
     notebooks, course = course, tmp_path_factory.mktemp("course")
     (course / "evidence").mkdir()
     picture = course / "evidence" / "VeraCourse_evidence_s2.png"
@@ -46,29 +46,29 @@ def parcel(course, tmp_path_factory):
     for points in (0, 1):
         events.note(course / ".coursekit" / "events.jsonl", "check", name="ch02.q1", points=points)
     (course / "names.ipynb").write_text(json.dumps(cells(RIGHT)))
-    file, marked = make_parcel(course / "names.ipynb", course, "Vera Course", course, notebooks)
+    file, marked = make_bundle(course / "names.ipynb", course, "Vera Course", course, notebooks)
     assert not marked.notes
     assert (file.name, marked.total()) == ("VeraCourse_names.zip", 1)
     return file
 
 
-def test_a_parcel_as_it_was_made_has_no_faults(parcel, course, capsys):
-    manifest, files = read_parcel(parcel.read_bytes())
+def test_a_bundle_as_it_was_made_has_no_faults(bundle, course, capsys):
+    manifest, files = read_bundle(bundle.read_bytes())
     assert set(files) == {"names.ipynb", "events.jsonl", "evidence/VeraCourse_evidence_s2.png"}
     assert (manifest["points"], manifest["of"], manifest["student"]) == (1, 1, "Vera Course")
-    assert verify(parcel, course)[0] == []
-    assert verified(parcel, course, "--no-run") == 0
+    assert verify(bundle, course)[0] == []
+    assert verified(bundle, course, "--no-run") == 0
     said = capsys.readouterr().out
     assert "Nothing was changed" in said and "It does not prove who made it, or when." in said
 
 
-def test_every_flipped_byte_is_found(parcel):
-    data = parcel.read_bytes()
+def test_every_flipped_byte_is_found(bundle):
+    data = bundle.read_bytes()
     places = {*range(60), *range(len(data) - 60, len(data)), *random.Random(1).sample(range(len(data)), 400)}
     for place in places:
         changed = bytearray(data)
         changed[place] ^= 1 << (place % 8)
-        assert parcel_faults(bytes(changed)), place
+        assert bundle_faults(bytes(changed)), place
 
 
 def zipped(files):
@@ -79,19 +79,19 @@ def zipped(files):
     return made.getvalue()
 
 
-def test_files_that_are_taken_out_put_in_changed_or_moved_are_found(parcel):
-    with zipfile.ZipFile(parcel) as opened:
+def test_files_that_are_taken_out_put_in_changed_or_moved_are_found(bundle):
+    with zipfile.ZipFile(bundle) as opened:
         files = [(name, opened.read(name)) for name in opened.namelist()]
     for number in range(len(files)):
-        assert parcel_faults(zipped(files[:number] + files[number + 1 :]))
+        assert bundle_faults(zipped(files[:number] + files[number + 1 :]))
         name, content = files[number]
-        assert parcel_faults(zipped([*files[:number], (name, content + b" "), *files[number + 1 :]]))
-    assert parcel_faults(zipped([*files, ("more.txt", b"")])) == ["more.txt: was put in afterwards"]
-    assert parcel_faults(zipped(files[::-1])) == ["the zip was packed anew"]
+        assert bundle_faults(zipped([*files[:number], (name, content + b" "), *files[number + 1 :]]))
+    assert bundle_faults(zipped([*files, ("more.txt", b"")])) == ["more.txt: was put in afterwards"]
+    assert bundle_faults(zipped(files[::-1])) == ["the zip was packed again"]
 
 
-def test_events_that_are_changed_or_reordered_are_found(parcel):
-    _, files = read_parcel(parcel.read_bytes())
+def test_events_that_are_changed_or_reordered_are_found(bundle):
+    _, files = read_bundle(bundle.read_bytes())
     lines = files["events.jsonl"].decode().splitlines()
     assert events.faults(lines) == []
     assert "does not follow" in events.faults(lines[::-1])[0]
@@ -99,32 +99,32 @@ def test_events_that_are_changed_or_reordered_are_found(parcel):
     assert "was changed" in events.faults([lines[0], lines[1].replace('"points": 0', '"points": 1'), *lines[2:]])[0]
 
 
-def test_a_picture_and_a_notebook_that_the_log_does_not_tell_of_are_found(parcel):
-    manifest, files = read_parcel(parcel.read_bytes())
+def test_a_picture_and_a_notebook_that_the_log_does_not_tell_of_are_found(bundle):
+    manifest, files = read_bundle(bundle.read_bytes())
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
-    assert parcel_faults(pack_parcel(files, facts)) == []
+    assert bundle_faults(pack_bundle(files, facts)) == []
     for name in ("evidence/VeraCourse_evidence_s2.png", "names.ipynb"):
-        changed = pack_parcel({**files, name: b"another"}, facts)
-        assert parcel_faults(changed) == [f"{name}: it was changed since events.jsonl tells of it"]
-    more = pack_parcel({**files, "evidence/VeraCourse_evidence_s3.png": b"painted"}, facts)
-    assert parcel_faults(more) == ["evidence/VeraCourse_evidence_s3.png: events.jsonl does not tell of it"]
+        changed = pack_bundle({**files, name: b"another"}, facts)
+        assert bundle_faults(changed) == [f"{name}: it was changed after its entry in events.jsonl"]
+    more = pack_bundle({**files, "evidence/VeraCourse_evidence_s3.png": b"painted"}, facts)
+    assert bundle_faults(more) == ["evidence/VeraCourse_evidence_s3.png: events.jsonl does not tell of it"]
 
 
-def test_another_s_parcel_is_told(parcel, course, tmp_path, capsys):
-    data = parcel.read_bytes()
+def test_another_s_bundle_is_told(bundle, course, tmp_path, capsys):
+    data = bundle.read_bytes()
     assert other_hands(data, "course_vera_1234") == []
     assert other_hands(data, "bob") == ["it was made by 'Vera Course' and handed in as 'bob'"]
     (tmp_path / "BobBuilder_names.zip").write_bytes(data)
     assert verified(tmp_path / "BobBuilder_names.zip", course, "--no-run") == 1
     assert "made by 'Vera Course'" in capsys.readouterr().out
-    manifest, files = read_parcel(data)
+    manifest, files = read_bundle(data)
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
-    renamed = pack_parcel(files, {**facts, "student": "Bob Builder"})
+    renamed = pack_bundle(files, {**facts, "student": "Bob Builder"})
     assert other_hands(renamed, "bob") == ["evidence/VeraCourse_evidence_s2.png: the name is not that of 'Bob Builder'"]
 
 
-def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, course, tmp_path, capsys):
-    manifest, files = read_parcel(parcel.read_bytes())
+def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(bundle, course, tmp_path, capsys):
+    manifest, files = read_bundle(bundle.read_bytes())
     files["names.ipynb"] = json.dumps(cells("raise NotImplementedError()")).encode()
     lines = [json.loads(line) for line in files["events.jsonl"].decode().splitlines()]
     lines[-1]["sha256"] = digest_of(files["names.ipynb"])
@@ -132,15 +132,15 @@ def test_a_forged_mark_with_a_right_seal_is_found_by_running_it_again(parcel, co
     files["events.jsonl"] = "\n".join(json.dumps(line) for line in lines).encode()
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
     forged = tmp_path / "vera, forged.zip"
-    forged.write_bytes(pack_parcel(files, facts))
-    assert parcel_faults(forged.read_bytes()) == []
+    forged.write_bytes(pack_bundle(files, facts))
+    assert bundle_faults(forged.read_bytes()) == []
     assert verified(forged, course) == 1
     said = capsys.readouterr().out
     assert "ch02.q1: 1 points are recorded, a clean run earns 0" in said and "its cells are not those" in said
 
 
-def test_a_parcel_is_a_submission_and_its_faults_are_told_to_the_teacher(parcel, tmp_path):
-    with zipfile.ZipFile(parcel) as opened:
+def test_a_bundle_is_a_submission_and_its_faults_are_told_to_the_teacher(bundle, tmp_path):
+    with zipfile.ZipFile(bundle) as opened:
         files = [(name, opened.read(name) + b"!" * name.endswith(".png")) for name in opened.namelist()]
     changed = tmp_path / "vera.zip"
     changed.write_bytes(zipped(files))
@@ -149,27 +149,27 @@ def test_a_parcel_is_a_submission_and_its_faults_are_told_to_the_teacher(parcel,
     assert not marked.notes and "was changed" not in json.dumps(report.gradescope(marked))
 
 
-def test_a_parcel_counts_in_a_student_s_folder_too_and_its_marks_are_compared(parcel, tmp_path):
-    manifest, files = read_parcel(parcel.read_bytes())
+def test_a_bundle_counts_in_a_student_s_folder_too_and_its_marks_are_compared(bundle, tmp_path):
+    manifest, files = read_bundle(bundle.read_bytes())
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
     folder = tmp_path / "vera"
     folder.mkdir()
-    (folder / "handed in.zip").write_bytes(pack_parcel(files, {**facts, "points": 9}))
+    (folder / "handed in.zip").write_bytes(pack_bundle(files, {**facts, "points": 9}))
     marked = mark(Submission("vera", folder), {"names.ipynb": cells("")}, {"ch02.q1": find("ch02.q1")}, Limits())
     assert marked.total() == 1 and len(marked.traces) == 5
     assert marked.concerns == ["9 points are recorded in all, a clean run earns 1"]
 
 
-def test_a_log_that_two_hand_in_is_told_even_when_all_is_sealed_anew(parcel, course, tmp_path, capsys):
-    data = resealed(parcel.read_bytes(), "Bob Builder")
+def test_a_log_that_two_hand_in_is_told_even_when_all_is_sealed_anew(bundle, course, tmp_path, capsys):
+    data = resealed(bundle.read_bytes(), "Bob Builder")
     (tmp_path / "BobBuilder_names.zip").write_bytes(data)
-    assert parcel_faults(data) == [] and other_hands(data, "bob builder") == []
-    assert main(["verify", str(parcel), str(tmp_path / "BobBuilder_names.zip"), "--no-run", "--notebooks", str(course)]) == 1
+    assert bundle_faults(data) == [] and other_hands(data, "bob builder") == []
+    assert main(["verify", str(bundle), str(tmp_path / "BobBuilder_names.zip"), "--no-run", "--notebooks", str(course)]) == 1
     said = capsys.readouterr().out
     assert "BobBuilder_names.zip: the same as in VeraCourse_names.zip's: evidence/BobBuilder_evidence_s2.png, line 2" in said
     concerns = {name: [] for name in ("vera", "bob", "cem")}
     (tmp_path / "cem.zip").write_bytes(b"no zip")
-    files = {"vera": parcel, "bob": tmp_path / "BobBuilder_names.zip", "cem": tmp_path / "cem.zip"}
+    files = {"vera": bundle, "bob": tmp_path / "BobBuilder_names.zip", "cem": tmp_path / "cem.zip"}
     note_copies({name: (concerns[name], [files[name]]) for name in concerns})
     assert [len(one) for one in concerns.values()] == [1, 1, 0] and concerns["vera"][0].startswith("the same as in bob's")
 
@@ -177,7 +177,7 @@ def test_a_log_that_two_hand_in_is_told_even_when_all_is_sealed_anew(parcel, cou
 def handed_in(folder, name, notebook, notebooks, student="Vera Course"):
     folder.mkdir(exist_ok=True)
     (folder / name).write_text(json.dumps(notebook))
-    return make_parcel(folder / name, folder, student, folder, notebooks)
+    return make_bundle(folder / name, folder, student, folder, notebooks)
 
 
 def test_without_evidence_that_is_said(course, tmp_path):
@@ -213,23 +213,23 @@ def test_checks_that_were_taken_out_are_told(course, tmp_path, capsys):
 
 
 @pytest.mark.parametrize("line", ["[1]", "1", "null", "{", "[" * 3000, '{"digest": 3, "before": []}'])
-def test_a_log_that_is_none_is_a_fault(parcel, line):
-    manifest, files = read_parcel(parcel.read_bytes())
+def test_a_log_that_is_none_is_a_fault(bundle, line):
+    manifest, files = read_bundle(bundle.read_bytes())
     facts = {name: value for name, value in manifest.items() if name not in ("files", "seal")}
-    assert parcel_faults(pack_parcel({**files, "events.jsonl": line.encode()}, facts))
+    assert bundle_faults(pack_bundle({**files, "events.jsonl": line.encode()}, facts))
 
 
 @pytest.mark.parametrize("name", ["manifest.json", "events.jsonl"])
-def test_a_manifest_or_log_that_would_take_all_memory_is_not_read(parcel, name):
-    with zipfile.ZipFile(parcel) as opened:
+def test_a_manifest_or_log_that_would_take_all_memory_is_not_read(bundle, name):
+    with zipfile.ZipFile(bundle) as opened:
         files = {one: opened.read(one) for one in opened.namelist()}
     for long in (b"[" + b"[]," * 700_000 + b"1]", b'"' + b"x" * (17 << 20) + b'"'):
-        assert f"{name} is longer than hand_in() makes it" in parcel_faults(zipped({**files, name: long}.items()))[0]
+        assert f"{name} is longer than hand_in() makes it" in bundle_faults(zipped({**files, name: long}.items()))[0]
 
 
-def test_what_is_no_parcel_is_said(tmp_path):
+def test_what_is_no_bundle_is_said(tmp_path):
     (tmp_path / "x.zip").write_bytes(b"PK")
     faults, marked = verify(tmp_path / "x.zip", tmp_path)
-    assert "no parcel made by hand_in()" in faults[0] and marked is None
+    assert "not a submission bundle made by hand_in()" in faults[0] and marked is None
     with pytest.raises(SystemExit, match="There is no file"):
         main(["verify", str(tmp_path / "y.zip")])

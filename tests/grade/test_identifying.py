@@ -187,13 +187,13 @@ def test_files_that_canvas_renamed_are_each_person_s_own(tmp_path):
     assert found["Ana García López"].chosen[TOPICS].late_said
 
 
-def test_two_parcels_of_one_student_are_one_student(tmp_path):
-    from coursekit.grade.parcel import pack_parcel
+def test_two_bundles_of_one_student_are_one_student(tmp_path):
+    from coursekit.grade.bundle import pack_bundle
 
     (tmp_path / "class").mkdir()
     for at, (name, done) in enumerate(((TOPICS, "q1"), ("03_services.ipynb", "q1"))):
         facts = {"student": "Ann Lee", "notebook": name, "time": f"2026-11-2{at} 10:00:00 +0000"}
-        data = pack_parcel({name: text(done, chapter=name).encode()}, facts)
+        data = pack_bundle({name: text(done, chapter=name).encode()}, facts)
         write(tmp_path / "class" / f"AnnLee_{name[:-6]}.zip", data)
     found = collected(tmp_path / "class", tmp_path / "s")
     (one,) = found.handed
@@ -201,12 +201,12 @@ def test_two_parcels_of_one_student_are_one_student(tmp_path):
     assert {piece.when_from for piece in one.chosen.values()} == {"the time that hand_in sealed"}
 
 
-def test_a_manifest_of_the_course_s_own_folder_is_no_parcel(tmp_path):
+def test_a_manifest_of_the_course_s_own_folder_is_no_bundle(tmp_path):
     (tmp_path / "class").mkdir()
     files = {TOPICS: text("q1"), ".coursekit/manifest.json": "{}", "ros2_ws/manifest.json": "{}"}
     write(tmp_path / "class" / "Ann Lee.zip", zipped(files))
     (one,) = collected(tmp_path / "class", tmp_path / "s").handed
-    assert one.parcels() == [] and one.submission(TOPICS).parcels() == [] and not one.concerns
+    assert one.bundles() == [] and one.submission(TOPICS).bundles() == [] and not one.concerns
 
 
 def test_the_release_tells_the_points_that_the_judges_give(tmp_path):

@@ -4,8 +4,8 @@ import time
 
 import pytest
 
+from coursekit.grade.bundle import pack_bundle
 from coursekit.grade.lateness import Policy, read_policy
-from coursekit.grade.parcel import pack_parcel
 from coursekit.grade.roster import Person, Roster
 
 from .handed import NOON, TOPICS, by_name, cheap_mark, collected, grade, text, write, zipped
@@ -25,7 +25,7 @@ def folder(tmp_path, monkeypatch):
 
 def sealed(when, *done):
     said = time.strftime("%Y-%m-%d %H:%M:%S +0000", time.gmtime(when))
-    return pack_parcel({TOPICS: text(*done).encode()}, {"student": "Ann Lee", "notebook": TOPICS, "time": said})
+    return pack_bundle({TOPICS: text(*done).encode()}, {"student": "Ann Lee", "notebook": TOPICS, "time": said})
 
 
 def test_the_seal_goes_before_the_platform_and_the_platform_before_the_file(folder):
@@ -101,7 +101,7 @@ def test_grace_percent_floor_and_extensions(folder, tmp_path):
 @pytest.mark.parametrize(
     ("policy", "told"),
     [("graze = 3", "'graze' is not known. There are: due, grace_minutes"), ("percent_per_day = '10'", "has to be a number"),
-     ("[extensions]\nZoe = 3", "'Zoe' is nobody"), ("due = 'soon'", "no time. Write it as"), ("due = ", "policy.toml"),
+     ("[extensions]\nZoe = 3", "'Zoe' is no student"), ("due = 'soon'", "no time. Write it as"), ("due = ", "policy.toml"),
      ("count = 'best'", "'newest' or 'in-time'"), ("grace_minutes = -1", "0 or more")],
 )  # fmt: skip
 def test_a_policy_that_is_not_understood_is_refused(tmp_path, policy, told):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.grade.parcel import pack_parcel
+from coursekit.grade.bundle import pack_bundle
 from coursekit.grade.roster import Person, Roster
 
 from .handed import NOON, TOPICS, answer, by_name, collected, grade, text, write, zipped
@@ -88,12 +88,12 @@ def test_a_file_that_cannot_be_read_among_others_copies_is_asked_about(tmp_path)
 def test_files_of_hand_in_in_one_folder_are_each_their_author_s(tmp_path):
     for name in ("Ann Lee", "Ben Ito"):
         facts = {"student": name, "notebook": TOPICS, "time": "2026-11-23 08:00:00 +0000"}
-        data = pack_parcel({TOPICS: text("q1", own=f" by {name}").encode()}, facts)
+        data = pack_bundle({TOPICS: text("q1", own=f" by {name}").encode()}, facts)
         write(tmp_path / "class" / "all" / f"{len(name)}{name[:1]}.zip", data)
     found = collected(tmp_path / "class", tmp_path / "s", roster=Roster([Person("Ann Lee"), Person("Ben Ito")]))
     people = by_name(found)
-    assert not found.unanswered and all(len(people[name].parcels()) == 1 for name in ("Ann Lee", "Ben Ito"))
-    assert [people[name].chosen[TOPICS].parcel for name in people] == [one.parcels()[0] for one in people.values()]
+    assert not found.unanswered and all(len(people[name].bundles()) == 1 for name in ("Ann Lee", "Ben Ito"))
+    assert [people[name].chosen[TOPICS].bundle for name in people] == [one.bundles()[0] for one in people.values()]
 
 
 def test_one_person_s_folder_is_parted_by_nothing(tmp_path):

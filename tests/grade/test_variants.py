@@ -10,7 +10,7 @@ from coursekit.cli.coursekit import main
 from coursekit.grade.checking import check
 from coursekit.grade.copy import Course
 from coursekit.grade.exercise import find
-from coursekit.grade.handing_in import make_parcel
+from coursekit.grade.handing_in import make_bundle
 from coursekit.grade.mark import mark
 from coursekit.grade.roster import Roster
 from coursekit.grade.sandbox import Limits
@@ -178,7 +178,7 @@ def test_what_was_handed_in_is_run_with_the_values_of_its_copy_and_verified_with
     students, ann = handed_out / "students.txt", handed_out / "ann" / "05_part.ipynb"
     ann.parent.mkdir()
     ann.write_text(json.dumps(Variants.read(students).copies("Ann Lee", {"part": part("ch05.q2")})["part"]))
-    file, marked = make_parcel(ann, ann.parent, "Ann Lee", ann.parent, handed_out / "notebooks")
+    file, marked = make_bundle(ann, ann.parent, "Ann Lee", ann.parent, handed_out / "notebooks")
     assert marked.total() == 2
     command = ["verify", str(file), "--notebooks", str(handed_out / "notebooks")]
     assert main([*command, "--variants", str(students)]) == 0

@@ -5,7 +5,7 @@ import json
 import nbformat
 import pytest
 
-from coursekit.grade.parcel import parcel_faults, read_parcel
+from coursekit.grade.bundle import bundle_faults, read_bundle
 from coursekit.lab.handing_in import _expect_saved, _notebook, evidence
 
 from ..notebooks.running import run
@@ -44,8 +44,8 @@ def test_evidence_is_written_and_handed_in(book, tmp_path):
     text = notebook.cells[-1].outputs[0]["text"]
     assert text.startswith("Hand in: VeraDeLaCourse_mine.zip (1 of 1 points in a clean run)"), text
     data = (tmp_path / "VeraDeLaCourse_mine.zip").read_bytes()
-    manifest, files = read_parcel(data)
-    assert parcel_faults(data) == [] and manifest["student"] == "Vera de la Course"
+    manifest, files = read_bundle(data)
+    assert bundle_faults(data) == [] and manifest["student"] == "Vera de la Course"
     assert [json.loads(line)["event"] for line in files["events.jsonl"].decode().splitlines()] == [
         "evidence", "evidence", "evidence", "check", "hand_in",
     ]  # fmt: skip

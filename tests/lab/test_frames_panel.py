@@ -68,5 +68,5 @@ def test_simulated_time_is_no_fault_and_silence_is_one():
         assert panel.text().splitlines() == TREE
         simulator.interrupt()
         session.clock.sleep(5.0)
-        assert "! base: nobody has told its pose in odom for 5." in panel.text()
+        assert "! base: no node has published its pose in odom for 5." in panel.text()
         panel.close()

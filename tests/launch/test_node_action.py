@@ -146,7 +146,7 @@ def test_a_program_that_was_not_compiled_is_told_and_the_others_start(launch, wo
     (told,) = [line for line in result.lines if "fast" in line]
     assert told == (
         "[ERROR] [launch_ros.actions.node]: 'fast' is written in C++, which the last build of 'demo' skipped: "
-        "`colcon build` says why; the launch goes on without it"
+        "`colcon build` shows why; the launch goes on without it"
     )
     assert result.code == 0 and "[INFO] [show-1]: process has finished cleanly [pid 1001]" in result.lines
 

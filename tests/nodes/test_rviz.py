@@ -176,7 +176,7 @@ def test_without_a_notebook_it_tells_what_it_would_show_and_what_is_missing(tmp_
         assert process.wait(2.0) == 0
     assert "Fixed frame: odom" in process.output
     assert "LaserScan: /front [sensor_msgs/msg/LaserScan]" in process.output
-    assert "LaserScan: nobody publishes /front" in process.output
+    assert "LaserScan: no node publishes /front" in process.output
 
 
 @pytest.mark.parametrize(("words", "node"), [([], "/rviz"), (["--ros-args", "-r", "__node:=eyes"], "/eyes")])

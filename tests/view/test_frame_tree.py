@@ -59,11 +59,11 @@ def test_a_loop_is_a_fault():
 
 
 def test_what_nobody_tells_any_more_is_marked(buffer):
-    assert "! base: nobody has told its pose in odom for 3.0 s" in FrameTree(buffer, 5 * S).text()
+    assert "! base: no node has published its pose in odom for 3.0 s" in FrameTree(buffer, 5 * S).text()
     assert "!" not in FrameTree(buffer, 3 * S).text()
 
 
 def test_no_frames_are_said_to_be_none():
     tree = FrameTree(FrameBuffer())
-    assert tree.text() == "frames: none. Nobody has published a transform on /tf or /tf_static."
+    assert tree.text() == "frames: none. No node has published a transform on /tf or /tf_static."
     assert "No tf data received" in tree.svg()

@@ -46,8 +46,8 @@ def test_a_misspelt_topic_is_told_from_one_that_is_only_unused():
     node(graph, "/teleop", publishes=("/cmd_val", "/diary"))
     node(graph, "/robot", hears=("/cmd_vel",))
     (fault,) = serious(graph)
-    assert fault.text == "nobody publishes /cmd_vel; did you mean /cmd_val?"
-    assert "nobody subscribes to /diary" in [fault.text for fault in find(take(graph))]
+    assert fault.text == "no node publishes /cmd_vel; did you mean /cmd_val?"
+    assert "no node subscribes to /diary" in [fault.text for fault in find(take(graph))]
 
 
 def test_a_topic_of_the_same_last_name_in_another_namespace_is_proposed():
@@ -70,7 +70,7 @@ def test_a_publisher_that_has_died_is_missed_by_those_who_still_listen():
     listener = node(graph, "/listener", hears=("/chatter",))
     talker.close()
     (fault,) = serious(graph)
-    assert fault.text == "/talker is gone: nobody publishes /chatter any more"
+    assert fault.text == "/talker is gone: no node publishes /chatter any more"
     assert fault.cure == "Start /talker again, and read the last lines of its terminal; /listener waits for it."
     assert (fault.places, fault.ends) == (("/chatter",), (("/listener", "/chatter"),))
     node(graph, "/talker", publishes=("/chatter",))
@@ -113,7 +113,7 @@ def test_a_service_that_nobody_serves_is_told_with_its_neighbour():
     node(graph, "/server").server("/add_two_ints", ADD, Qos())
     node(graph, "/client").client("/add_two_int", ADD, Qos())
     (fault,) = serious(graph)
-    assert fault.text == "nobody serves the service /add_two_int; did you mean /add_two_ints?"
+    assert fault.text == "no node serves the service /add_two_int; did you mean /add_two_ints?"
 
 
 def test_hidden_nodes_and_debug_topics_are_left_out_unless_asked_for():

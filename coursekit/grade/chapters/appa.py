@@ -111,7 +111,7 @@ def prove(work: Work) -> None:
             raise Wrong(
                 f"other answers in a scene where {fault}",
                 "the same three as when all is well",
-                "A file says the same whether the node runs or not, and a number may stay the same by chance.",
+                "A file is the same whether the node runs or not, and a number may stay the same by chance.",
                 share=0.5,
             )
 

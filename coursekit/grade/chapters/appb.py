@@ -99,7 +99,7 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
     wanted = f"theta = {yaw:.3f} from to_flat of a pose that is {spelt}"
     theta = number(flat.theta, wanted, share=0.5)
     if not (abs(theta) < math.pi + 1e-9 and near(math.remainder(theta - yaw, math.tau), 0.0, 1e-6)):
-        cause = "The yaw says where the x axis points on the floor, between -pi and pi."
+        cause = "The yaw is the direction of the x axis on the floor, between -pi and pi."
         raise Wrong(wanted, gave=f"{theta:.3f}", cause=cause, share=0.5, hint=1)
 
 
@@ -181,7 +181,7 @@ def the_lookout(work: Work) -> None:
         raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", got)
     frames = {field(one, "header.frame_id", str, "/vera/pallet") for one in points}
     if frames != {"base_link"}:
-        raise Wrong("points in base_link", f"frame_id {shown(sorted(frames))}", "In whose axes are the numbers?")
+        raise Wrong("points in base_link", f"frame_id {shown(sorted(frames))}", "In which frame are the numbers?")
     if [field(one, "header.stamp.sec", int, "/vera/pallet") for one in points] != list(poses):
         raise Wrong("each point with the stamp of its pose", "other stamps", "When was the pallet seen there?", share=0.5)
     for message, (place, turn) in zip(points, poses.values(), strict=True):
@@ -204,7 +204,7 @@ def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quate
     flat = abs(turn[0]) + abs(turn[1]) < 1e-9
     raise Wrong(
         f"the pallet, seen from {told(place)} with the nose along {told(nose)}",
-        f"{told(point)}, and whoever goes there arrives at {told(end)}",
+        f"{told(point)}, and a robot that drives there arrives at {told(end)}",
         "Is she turned into the hall's axes, or the hall into hers?" if flat else "On a ramp roll and pitch count, too.",
         share=0.0 if flat else 0.5,
         hint=1,

@@ -26,7 +26,7 @@ URIS = (
     points=1,
     hints=(
         "Cut the text in two at the first slash after package://. Which ROS function knows the folder of the first part?",
-        "str.partition gives what stands before and after the first slash.",
+        "str.partition returns the parts before and after the first slash.",
     ),
 )
 def where(work: Work) -> None:
@@ -84,7 +84,7 @@ def large_cone(work: Work) -> None:
             raise Wrong(
                 f"share/{PACKAGE}/{file}, installed",
                 f"of the four files there are: {', '.join(there) or 'none'}",
-                "data_files puts files flat into the folder that stands before them. Was it built since?",
+                "data_files copies files flat into the folder in front of them. Did you build after the change?",
                 share=0.5 if len(there) >= 3 else 0.0,
                 hint=1 if len(there) >= 3 else 0,
             )

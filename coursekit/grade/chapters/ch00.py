@@ -19,7 +19,7 @@ CHAPTERS = range(1, 10)
 ROWS_OF_KEYS = {"asdf", "asdfg", "sdfg", "qwer", "qwert", "qwerty", "bla", "foo"}
 
 
-@exercise("ch00.q1", "Who are you?", points=1, hints=("Text stands between quotes, first name and last name with a space.",))
+@exercise("ch00.q1", "Who are you?", points=1, hints=("Write first and last name between quotes, with a space between.",))
 def who(work: Work) -> None:
     """A name of at least two words."""
     me = work.value("me", str)

@@ -186,7 +186,7 @@ def _triples(work: Work, name: str) -> list[tuple[float, ...]]:
 
 def _expect_radians(turn: float) -> None:
     if not abs(turn) <= math.tau:
-        cause = "Are these degrees? A turn is told in radians a second: 45° is 0.785."
+        cause = "Are these degrees? Turn rates are in radians a second: 45° is 0.785."
         raise Wrong("turns of no more than a whole one, 6.28 rad, in a second", gave=f"{turn:g}", cause=cause)
 
 

@@ -85,8 +85,8 @@ def _judge_client(seen: Seen, a: int, b: int, answer: int) -> None:
         wanted = f"client_exe {a} {b} asks the service for {a} and {b}"
         raise Wrong(wanted, output[-300:] or "the server was not asked", hint=1)
     if f"{a} + {b} = {answer}" not in [line.rpartition("]: ")[2].strip() for line in output.splitlines()]:
-        cause = "The check's server counts differently: what it says counts, not the sum." if f"= {a + b}" in output else ""
-        wanted = f"client_exe {a} {b} logs what the server says: {a} + {b} = {answer}"
+        cause = "The check's server counts differently: log its response, not your sum." if f"= {a + b}" in output else ""
+        wanted = f"client_exe {a} {b} logs the server's response: {a} + {b} = {answer}"
         raise Wrong(wanted, output[-300:] or "nothing", cause, share=0.5, hint=1)
     if not re.search(rf"^\[INFO\] .*\[py_client_async_node\]: {a} \+ {b} = {answer}$", output, re.M):
         raise Wrong("the line from the node's logger", output[-300:], "node.get_logger().info(...)", share=0.75)
@@ -132,7 +132,7 @@ def gate(work: Work) -> None:
         last = last_words(said(seen))
         raise Wrong(f"an answer to {questions[0]}", f"none came; the program said: {last}", cause, hint=2)
     for (a, b), response in zip(questions, seen.responses, strict=True):
-        told = f"for a={a}, b={b} what the server says ({a + b + more}; it counts differently), and {boxes} more"
+        told = f"for a={a}, b={b} the server's response ({a + b + more}; it counts differently), and {boxes} more"
         got = field(response, "sum", int, told)
         if got != a + b + more + boxes:
             cause = "That is the sum by itself. Ask the server." if got == a + b + boxes else ""

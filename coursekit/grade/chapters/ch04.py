@@ -60,7 +60,7 @@ def sphere(work: Work) -> None:
         raise Wrong("radius of the type float64", gave=str(radius.type), cause="float32 has only seven digits.")
     if not METRES.search(radius.comment):
         got = f"the comment: {radius.comment[:80]}" if radius.comment else "no comment beside or above it"
-        raise Wrong("a comment that tells the radius's unit, metres or m", gave=got, cause="It begins with #.", share=0.5)
+        raise Wrong("a comment with the radius's unit, metres or m", gave=got, cause="It begins with #.", share=0.5)
 
 
 @exercise(
@@ -159,7 +159,7 @@ def _expect_cancelled(work: Work, goal: str) -> None:
     done, brought = _numbers(output, "brought_yet:"), _numbers(output, "brought:")
     if not done or brought != done[-1:]:
         got = f"brought {brought} after the feedback {done}"
-        raise Wrong("a result that says how many boxes were brought until then", got, share=0.75, hint=1)
+        raise Wrong("a result with the number of boxes brought until then", got, share=0.75, hint=1)
 
 
 def _numbers(text: str, label: str) -> list[int]:

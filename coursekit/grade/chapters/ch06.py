@@ -31,7 +31,7 @@ POSTURES = 300
     "A cart that lifts",
     points=2,
     hints=(
-        "A cylinder stands along z. Turn the visual, by a right angle about x, and leave the joint's frame upright.",
+        "A cylinder's axis is z. Rotate the visual by a right angle about x, and leave the joint's frame upright.",
         "A prismatic joint needs an axis and a limit with four attributes: lower, upper, effort, velocity.",
     ),
 )
@@ -39,7 +39,7 @@ def cart(work: Work) -> None:
     """The links are where they should be, at rest and when the joints move."""
     robot = work.robot(f"src/{PACKAGE}/urdf/cart.urdf")
     if robot.name != "cart":
-        raise Wrong("a robot named cart", gave=shown(robot.name), cause="The name stands in <robot name=...>.")
+        raise Wrong("a robot named cart", gave=shown(robot.name), cause="The name is in <robot name=...>.")
     if robot.root != "base_footprint":
         raise Wrong("the root base_footprint", gave=robot.root, cause="Every other link is the child of some joint.")
     kinds = {"base_joint": "fixed", "left_wheel_joint": "continuous"}
@@ -220,7 +220,7 @@ def _moved(frame: Any) -> tuple[float, float, float]:
     points=3,
     hints=(
         "Begin with a heavy, wide base and a light top. A box of size z on the floor has its middle at z/2.",
-        "coursekit.urdf.inertia.check(load(file)) says what is wrong with masses; the viewer shows where things are.",
+        "coursekit.urdf.inertia.check(load(file)) reports wrong masses; the viewer shows where things are.",
     ),
 )
 def own(work: Work) -> None:
@@ -264,7 +264,7 @@ def _judge_standing(robot: Robot, chance: Random) -> None:
             where = ", ".join(f"{name} = {value:.2f}" for name, value in positions.items() if value) or "all joints at 0"
             raise Wrong(
                 "a robot that does not fall over",
-                f"with {where} its centre of mass is {past * 100:.1f} cm outside of what it stands on",
+                f"with {where} its centre of mass is {past * 100:.1f} cm outside the area of its contacts with the floor",
                 "A heavier or wider base, or a lighter top.",
                 share=0.75,
                 hint=0,

@@ -88,7 +88,7 @@ def _slip(got: tuple[float, float], me: Sequence[float], other: Sequence[float])
     points=3,
     hints=(
         "Stages 0 to 2 and 3 to 5 are the same three, with another pose. Which one is it?",
-        "The angle that is left, brought between -pi and pi, tells which way round is shorter: math.remainder does that.",
+        "The sign of the remaining angle, brought between -pi and pi, is the shorter direction: math.remainder does that.",
         "Is what is left no more than one step? Then go there exactly, and return the next stage.",
     ),
 )
@@ -204,13 +204,13 @@ def silent(work: Work) -> None:
 def _judge_silence(shown: dict[int, list[int]], back: int) -> None:
     found = {robot: [stage for stage, _ in itertools.groupby(stages)] for robot, stages in shown.items()}
     cases = (
-        (2, [8], "a robot that was never heard", "Nobody misses it yet: that is no fault.", 0.5),
+        (2, [8], "a robot that was never heard", "Not silent for long enough: that is not a fault yet.", 0.5),
         (1, [8, 4, 7], "a robot that reports stage 4, then falls silent", "", 0.0),
         (
             3,
             [8, 0],
             "a robot that reports stage 0 each 0.9 s",
-            "Each status starts the count anew. Is 0 taken for nothing?",
+            "Each status restarts the count. Do you treat stage 0 as no status?",
             0.5,
         ),
         (4, [8, back, 7, back, 7], "a robot that falls silent, comes back, and falls silent again", "", 0.5),
@@ -235,7 +235,7 @@ def _row(stages: Sequence[int]) -> str:
     hints=(
         "Draw two poses, and look whether the way over them keeps clear of all the other ways. If it does not, draw again.",
         "How far are two ways from each other? Take points each few centimetres on both, and the nearest pair of them.",
-        "What if no draw fits? There is one place that is certainly free: where the robot stands.",
+        "What if no draw fits? One position is certainly free: the robot's own.",
     ),
 )
 def no_collisions(work: Work) -> None:
@@ -268,7 +268,7 @@ def _judge_crew(seen: Seen) -> None:
             gap = math.dist(a[:2], b[:2])
             if not gap >= APART:
                 where = f"after {cycle / 30:.0f} s robot{one} and robot{two} are {gap:.2f} m apart"
-                cause = "Whole ways count: from where it stands, over the pickup, to the delivery."
+                cause = "Whole routes count: from the robot's position, over the pickup, to the delivery."
                 raise Wrong(f"always {APART} m between two robots", where, cause, share=0.2, hint=1)
     _judge_deliveries(told)
 

@@ -152,7 +152,7 @@ def _least(costs: np.ndarray, start: Cell, goal: Cell) -> float:
     points=3,
     hints=(
         "Three things before the first goal: the pose for amcl, waiting for navigation, and rclpy.init() before all.",
-        "goToPose returns at once. Loop until isTaskComplete() says so, before the next goal is given.",
+        "goToPose returns at once. Loop until isTaskComplete() is true before you send the next goal.",
     ),
 )
 def patrol(work: Work) -> None:
@@ -204,7 +204,7 @@ def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
     points=3,
     hints=(
         "Plan one robot's trip after the other: with `leg` to the load, with `leg` home, then `reserve`.",
-        "Who gets the next load? Whoever is at home first. And which one: far ones early, or near ones early?",
+        "Which robot gets the next load? The one that is home first. And which load: far ones early, or near ones early?",
     ),
 )
 def task_manager(work: Work) -> None:

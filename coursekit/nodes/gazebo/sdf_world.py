@@ -18,6 +18,7 @@ from coursekit.sim.world import Thing, World
 from coursekit.urdf import parse
 from coursekit.urdf.xml_tree import Element, read
 
+from .actors import actor
 from .assembly import Assembly, assemble
 from .blueprint import Blueprint
 from .model_paths import MissingModel, is_scenery
@@ -34,7 +35,7 @@ from .world_plugins import StatePlugin, state_plugin
 VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")
 QUIET = {
     "model", "include", "state", "light", "scene", "gui", "physics", "gravity", "magnetic_field", "atmosphere", "audio",
-    "wind", "spherical_coordinates", "frame",
+    "wind", "spherical_coordinates", "frame", "actor",
 }  # fmt: skip
 
 
@@ -98,11 +99,12 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
         notes += done.notes
         things += done.things
         models.append(done)
-    places = {one.name: one.place for one in map(_placed, blueprints)}
+    actors = [actor(one) for one in element.all("actor")]
+    places = {one.name: one.place for one in (*map(_placed, blueprints), *actors)}
     field = element.first("magnetic_field")
     x, y, z = numbers(field, 3) if field is not None else World("").magnetism
     world = World(
-        name, tuple(settled(things)), file=str(file), notes=tuple(notes), models=places, globe=_globe(element, newer),
+        name, (*settled(things), *actors), file=str(file), notes=tuple(notes), models=places, globe=_globe(element, newer),
         magnetism=(x, y, z),
     )  # fmt: skip
     systems = frozenset(system_of(one) for one in element.all("plugin"))

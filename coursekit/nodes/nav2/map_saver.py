@@ -78,7 +78,7 @@ class MapSaver(LifecycleNode):
             log.error("Failed to spin map subscription")
             log.error(
                 f"No map came on '{topic}' in {self._timeout:g} s: is it published, reliable and transient_local? "
-                f"`ros2 topic info -v {topic}` tells"
+                f"`ros2 topic info -v {topic}` shows it"
             )
             return False
         return self._write(msg, url, mode, image_format, free or self._free, occupied or self._occupied)

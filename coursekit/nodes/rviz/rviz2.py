@@ -80,7 +80,7 @@ class Rviz(Node):
         self._look.cancel()
         for one in self.config.displays:
             if one.enabled and KINDS[one.kind].type and not self.count_publishers(one.topic):
-                LOG.warning(f"{one.name}: nobody publishes {one.topic}")
+                LOG.warning(f"{one.name}: no node publishes {one.topic}")
 
     def destroy_node(self) -> None:
         """Close the window."""

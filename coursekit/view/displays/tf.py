@@ -79,7 +79,7 @@ class TF(Display):
     def _tell(self, stage: Stage, poses: dict[str, Pose], lost: list[str], old: list[str]) -> None:
         self.statuses.clear()
         if not poses and not lost and not old:
-            self.say("Frames", "Warn", "No tf data received. Does anybody publish /tf or /tf_static?")
+            self.say("Frames", "Warn", "No tf data received. Does any node publish /tf or /tf_static?")
             return
         self.say("Frames", "Ok", f"{len(poses)} frames")
         if lost:

@@ -232,9 +232,9 @@ def test_other_versions_and_other_files_are_refused(world, tmp_path):
 
 
 def test_what_is_not_understood_is_listed(world):
-    body = model("m", "<collision name='c'><geometry><heightmap/></geometry></collision>") + "<actor name='walker'/>"
+    body = model("m", "<collision name='c'><geometry><heightmap/></geometry></collision>") + "<population name='crowd'/>"
     notes = " ".join(world(body).notes)
-    assert "heightmap" in notes and "walker" in notes
+    assert "heightmap" in notes and "crowd" in notes
 
 
 @settings(max_examples=80, deadline=None, derandomize=True)

@@ -1,9 +1,9 @@
-"""The one file that a student hands in: the notebook, pictures, what happened, and a manifest with the mark of a clean run.
+"""The submission bundle, one file: the notebook, pictures, the log, and a manifest with the mark of a clean run.
 
-What its seal proves: that it is as somebody's `hand_in()` wrote it, if nobody made the seal anew. What it does not prove:
-who that was, when (the clock is the student's), and that nobody made another seal; all that is needed for one is on the
-student's computer. So the mark that counts comes from running the notebook again, and the parcels of a class are compared:
-a log or a picture that two people hand in is told, sealed anew or not.
+What its seal proves: the bundle is as the student's `hand_in()` wrote it, unless someone made the seal again. What it does
+not prove: who that was, and when (the clock is the student's). Everything needed for a seal is on the student's computer. So
+the mark that counts comes from running the notebook again, and the bundles of a class are compared: a log or a picture that
+two people hand in is reported, whatever its seal.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from .roster import plain, student_word
 
 MANIFEST, EVENTS = "manifest.json", "events.jsonl"
 LARGEST = 100 << 20
-"""Bytes of a parcel."""
+"""Bytes of a bundle."""
 _MOST_PARTS = 600_000
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
-def pack_parcel(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
-    """A parcel with these files; the same contents give the same bytes."""
+def pack_bundle(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
+    """A bundle with these files; the same contents give the same bytes."""
     listed = {name: digest_of(data) for name, data in sorted(files.items())}
     manifest: dict[str, Any] = {**facts, "files": listed}
     manifest["seal"] = events.digest(manifest)
@@ -43,8 +43,8 @@ def cell_digests(notebook: Mapping[str, Any]) -> list[str]:
     return [hashlib.sha256(text_of(cell).encode("utf-8", "replace")).hexdigest() for cell in notebook.get("cells", [])]
 
 
-def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """The manifest and the files; ValueError when it is no parcel."""
+def read_bundle(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
+    """The manifest and the files; ValueError when it is not a bundle."""
     if len(data) > LARGEST:
         raise ValueError(f"it is larger than {LARGEST >> 20} MB")
     try:
@@ -54,9 +54,9 @@ def read_parcel(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
             _expect_plain(name, files.get(name, b""), most)
         manifest = json.loads(files.pop(MANIFEST))
     except (KeyError, ValueError, RecursionError) as error:
-        raise ValueError(f"it is no parcel made by hand_in(): {shown(str(error))}") from None
+        raise ValueError(f"it is not a submission bundle made by hand_in(): {shown(str(error))}") from None
     if not isinstance(manifest, dict) or not isinstance(manifest.get("files"), dict):
-        raise ValueError("its manifest is none")
+        raise ValueError("its manifest is not an object with a list of files")
     return manifest, files
 
 
@@ -66,7 +66,7 @@ def _expect_plain(name: str, text: bytes, most: int) -> None:
         raise ValueError(f"{name} is longer than hand_in() makes it")
 
 
-def parcel_faults(data: bytes) -> list[str]:
+def bundle_faults(data: bytes) -> list[str]:
     """Every sign that it was changed after it was made."""
     try:
         return [shown(one) for one in _faults(data)]
@@ -77,7 +77,7 @@ def parcel_faults(data: bytes) -> list[str]:
 
 
 def _faults(data: bytes) -> list[str]:
-    manifest, files = read_parcel(data)
+    manifest, files = read_bundle(data)
     found = [f"{name}: is missing" for name in manifest["files"] if name not in files]
     for name, content in files.items():
         if name not in manifest["files"]:
@@ -89,7 +89,7 @@ def _faults(data: bytes) -> list[str]:
     found += events.faults(_lines(files))
     found += [] if found else _untold(files)
     if not found and _zipped({MANIFEST: _text(manifest), **{name: files[name] for name in manifest["files"]}}) != data:
-        found.append("the zip was packed anew")
+        found.append("the zip was packed again")
     return found
 
 
@@ -103,15 +103,15 @@ def _untold(files: Mapping[str, bytes]) -> list[str]:
     made = {str(one.get("picture") or one.get("notebook")): one["sha256"] for one in lines if "sha256" in one}
     found = {name: (digest_of(data), made.get(PurePosixPath(name).name)) for name, data in files.items() if name != EVENTS}
     return [
-        f"{name}: it was changed since {EVENTS} tells of it" if told else f"{name}: {EVENTS} does not tell of it"
+        f"{name}: it was changed after its entry in {EVENTS}" if told else f"{name}: {EVENTS} does not tell of it"
         for name, (is_now, told) in found.items()
         if told != is_now
     ]
 
 
 def other_hands(data: bytes, name: str) -> list[str]:
-    """Signs that it is somebody else's, when it was handed in as `name`; ValueError when it is no parcel."""
-    manifest, files = read_parcel(data)
+    """Signs that it is somebody else's, when it was handed in as `name`; ValueError when it is not a bundle."""
+    manifest, files = read_bundle(data)
     student = str(manifest.get("student"))
     found = []
     if not any(plain(word) in plain(name) for word in student.split()):
@@ -149,7 +149,7 @@ def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:
 
 def traces(data: bytes) -> dict[str, str]:
     """What no two students have alike: digests of pictures and of the lines of the log, and what each is called."""
-    _, files = read_parcel(data)
+    _, files = read_bundle(data)
     found = {digest_of(content): name for name, content in files.items() if name.startswith("evidence/")}
     for number, line in enumerate(_lines(files), 1):
         found[digest_of(_happened(line))] = f"line {number} of {EVENTS}"
@@ -166,7 +166,7 @@ def _happened(line: str) -> bytes:
 
 
 def note_copies(owners: Mapping[str, tuple[list[str], Sequence[Path]]]) -> None:
-    """Tell each person's concerns who else handed in the same pictures or log, in parcels sealed by whomever."""
+    """Tell each person's concerns who else handed in the same pictures or log, in bundles sealed by whomever."""
     found: dict[str, dict[str, str]] = {}
     for who, (_, files) in owners.items():
         for file in files:

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.grade import events
-from coursekit.grade.handing_in import clean_run, parcel_of
+from coursekit.grade.bundle import EVENTS, MANIFEST, _text, _zipped, digest_of, pack_bundle, read_bundle
+from coursekit.grade.handing_in import bundle_of, clean_run
 from coursekit.grade.mark import Marked
-from coursekit.grade.parcel import EVENTS, MANIFEST, _text, _zipped, digest_of, pack_parcel, read_parcel
 from coursekit.grade.roster import student_word
 
 Parts = tuple[dict[str, Any], dict[str, bytes]]
@@ -30,7 +30,7 @@ def _run(text: str) -> Marked:
 
 
 def honest(student: str, half: str, _right: str) -> bytes:
-    """The parcel of somebody who solved half."""
+    """The bundle of somebody who solved half."""
     with tempfile.TemporaryDirectory() as folder:
         file, log = Path(folder, NAME), Path(folder, ".coursekit", EVENTS)
         file.write_text(half, encoding="utf-8")
@@ -39,11 +39,11 @@ def honest(student: str, half: str, _right: str) -> bytes:
         picture.write_bytes(b"\x89PNG " + student.encode())
         events.note(log, "evidence", picture=picture.name, sha256=digest_of(picture.read_bytes()))
         events.note(log, "check", name="ch02.q3", points=0)
-        return parcel_of(file, Path(folder), student, _run(half))
+        return bundle_of(file, Path(folder), student, _run(half))
 
 
 def _parts(student: str, half: str) -> Parts:
-    return read_parcel(honest(student, half, ""))
+    return read_bundle(honest(student, half, ""))
 
 
 def _packed(manifest: dict[str, Any], files: dict[str, bytes]) -> bytes:
@@ -53,7 +53,7 @@ def _packed(manifest: dict[str, Any], files: dict[str, bytes]) -> bytes:
 
 def _sealed(manifest: dict[str, Any], files: dict[str, bytes]) -> bytes:
     """Zipped again, all digests of the manifest made anew."""
-    return pack_parcel(files, {name: value for name, value in manifest.items() if name not in ("files", "seal")})
+    return pack_bundle(files, {name: value for name, value in manifest.items() if name not in ("files", "seal")})
 
 
 def _picture(files: dict[str, bytes]) -> str:
@@ -112,9 +112,9 @@ def borrowed(_student: str, half: str, _right: str) -> bytes:
     return _of_vera(half)
 
 
-def resealed(parcel: bytes, student: str) -> bytes:
+def resealed(bundle: bytes, student: str) -> bytes:
     """Vera's under another name, everything sealed anew: names, log and manifest."""
-    manifest, files = read_parcel(parcel)
+    manifest, files = read_bundle(bundle)
     word = "".join(student.split())
     files = {name.replace("VeraCourse", word): data for name, data in files.items()}
     before, made = events.BEGINNING, []

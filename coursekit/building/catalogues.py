@@ -1,0 +1,38 @@
+"""Bring the catalogues of a language up to date with the English chapters: `python -m coursekit.building.catalogues es`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from coursekit.grade.catalogue import brought_up_to_date, catalogue_of
+from coursekit.grade.editions import chapters, notebooks_folder, read
+
+
+def update(notebooks: Path, language: str) -> list[str]:
+    """Write the catalogue of every chapter; a line for each with what is left to translate."""
+    said = []
+    for chapter in chapters(notebooks):
+        file = catalogue_of(chapter, language)
+        made = brought_up_to_date(read(chapter), file)
+        file.parent.mkdir(exist_ok=True)
+        made.save(str(file))
+        left = len(made) - len(made.translated_entries())
+        said.append(f"{file.name}: {left} of {len(made)} cells to translate")
+    return said
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Update the languages named; 2 where none is."""
+    languages = list(sys.argv[1:] if words is None else words)
+    if not languages:
+        print("Name a language by its code: python -m coursekit.building.catalogues es", file=sys.stderr)
+        return 2
+    for language in languages:
+        print(*update(notebooks_folder(), language), sep="\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

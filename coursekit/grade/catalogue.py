@@ -1,0 +1,88 @@
+"""Catalogues of translations: for each chapter a gettext file with its text cells, `notebooks/es/02_topics.po`.
+
+A cell is known by its whole English text. So a cell that changes in English is untranslated until somebody looks at it, and
+students read it in English, with a line that says so.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import polib
+
+UNTRANSLATED = "X-Untranslated"
+"""The header of a catalogue that holds the line above a cell that is not translated, in its language."""
+
+
+def catalogue_of(chapter: Path, language: str) -> Path:
+    """Where the catalogue of an English chapter is, or would be.
+
+    >>> catalogue_of(Path("notebooks/02_topics.ipynb"), "es").as_posix()
+    'notebooks/es/02_topics.po'
+    """
+    return chapter.parent / language / f"{chapter.stem}.po"
+
+
+def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
+    """The notebook with its text cells in the catalogue's language. Raises ValueError when that is no catalogue."""
+    read = _read(catalogue)
+    words = {one.msgid: one.msgstr for one in read.translated_entries()}
+    warning = read.metadata.get(UNTRANSLATED, "")
+    made: dict[str, Any] = json.loads(json.dumps(notebook))
+    for cell in text_cells(made):
+        text = "".join(cell["source"])
+        other = words.get(text) or (f"*{warning}*\n\n{text}" if warning else text)
+        cell["source"] = other.splitlines(keepends=True)
+    return made
+
+
+def text_cells(notebook: dict[str, Any]) -> list[dict[str, Any]]:
+    """The cells that are translated: texts that are not empty."""
+    return [one for one in notebook["cells"] if one["cell_type"] == "markdown" and "".join(one["source"]).strip()]
+
+
+def brought_up_to_date(notebook: dict[str, Any], catalogue: Path) -> polib.POFile:
+    """The catalogue with the notebook's cells in their order: new ones without a translation, changed ones marked fuzzy.
+
+    A changed cell is found by its cell's name. What no cell has any more is dropped.
+    """
+    import polib  # not above: chapters are also read where wheels are built, with the standard library alone
+
+    old = _read(catalogue) if catalogue.exists() else polib.POFile(wrapwidth=0)
+    by_text, by_name = {one.msgid: one for one in old}, {one.comment: one for one in old}
+    new = polib.POFile(wrapwidth=0)
+    new.metadata = old.metadata or {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
+    seen: set[str] = set()
+    for cell in text_cells(notebook):
+        text, name = "".join(cell["source"]), f"cell {cell['id']}"
+        if text in seen:
+            continue
+        seen.add(text)
+        new.append(_entry(text, name, by_text.get(text), by_name.get(name)))
+    return new
+
+
+def _entry(text: str, name: str, same: polib.POEntry | None, before: polib.POEntry | None) -> polib.POEntry:
+    import polib
+
+    if same is not None:
+        same.comment = name
+        return same
+    if before is not None and before.msgstr:
+        return polib.POEntry(msgid=text, msgstr=before.msgstr, comment=name, flags=["fuzzy"], previous_msgid=before.msgid)
+    return polib.POEntry(msgid=text, msgstr="", comment=name)
+
+
+def _read(catalogue: Path) -> polib.POFile:
+    import polib
+
+    try:
+        return polib.pofile(str(catalogue), encoding="utf-8", wrapwidth=0)
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"{catalogue} is no catalogue: {error}") from None
+
+
+__all__ = ["brought_up_to_date", "catalogue_of", "text_cells", "translated"]

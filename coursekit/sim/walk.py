@@ -1,0 +1,62 @@
+"""Walks: poses that a thing takes one after another by itself, at given times, smoothly from one to the next."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coursekit.geometry.plane import Array, Pose2D
+
+
+@dataclass(frozen=True)
+class Walk:
+    """Poses [m, rad] at times [s] that rise from 0 on; with `loop` the walk begins again after its last pose.
+
+    Between two poses a cubic Hermite curve leads whose tangents follow the neighbours, as in Gazebo (its tension is 0: a
+    Catmull-Rom spline). `delay` [s] is waited before each round.
+
+    >>> walk = Walk((0.0, 2.0), (Pose2D(0.0, 0.0, 0.0), Pose2D(1.0, 0.0, 0.0)), loop=False)
+    >>> [round(walk.at(seconds).x, 3) for seconds in (0.0, 1.0, 2.0, 9.0)]
+    [0.0, 0.5, 1.0, 1.0]
+    """
+
+    times: tuple[float, ...]
+    poses: tuple[Pose2D, ...]
+    loop: bool = True
+    delay: float = 0.0
+
+    def at(self, seconds: float) -> Pose2D:
+        """The pose so long after the beginning of the world."""
+        end = self.times[-1]
+        passed = max(0.0, seconds - self.delay)
+        if self.loop and end > 0.0:
+            passed = max(0.0, math.fmod(max(seconds, 0.0), self.delay + end) - self.delay)
+        if len(self.poses) == 1 or passed >= end:
+            return self.poses[-1]
+        after = int(np.searchsorted(self.times, passed, side="right"))
+        if after == 0:
+            return self.poses[0]
+        begin, finish = self.times[after - 1], self.times[after]
+        x, y, theta = _between(self._rows(), after, (passed - begin) / (finish - begin))
+        return Pose2D(float(x), float(y), float(theta))
+
+    def _rows(self) -> Array:
+        """The poses as rows, their headings without jumps."""
+        rows = np.array([tuple(pose) for pose in self.poses])
+        rows[:, 2] = np.unwrap(rows[:, 2])
+        return rows
+
+
+def _between(rows: Array, after: int, part: float) -> Array:
+    """The curve from row `after - 1` to row `after`, at a part of its time from 0 to 1."""
+    start, end = rows[after - 1], rows[after]
+    leave = (end - rows[max(after - 2, 0)]) / 2
+    arrive = (rows[min(after + 1, len(rows) - 1)] - start) / 2
+    square, cube = part**2, part**3
+    weights = 2 * cube - 3 * square + 1, cube - 2 * square + part, 3 * square - 2 * cube, cube - square
+    return np.asarray(weights[0] * start + weights[1] * leave + weights[2] * end + weights[3] * arrive)
+
+
+__all__ = ["Walk"]

@@ -202,10 +202,10 @@ class Host:
                 self.session.spawn(channel.serve)
 
     def _on_signal(self, signum: int, _frame: Any) -> None:
+        if signum in self.caught:
+            self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
         self.flags |= STOPPING
         self._wake()
-        if signum in self.caught:
-            self.context.copy().run(program.tell_signal, self, signum)
         if self._child.poll() is None:
             children.send_signal(self._child, signum)
         self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process

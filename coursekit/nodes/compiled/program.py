@@ -93,6 +93,16 @@ def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(1, data)
 
 
+def do_has_input(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether something can be read from standard input within the time (negative: whenever it comes)."""
+    patience = frame.integer()
+    if patience == 0:
+        host.clock.poll(_IDLE_WEIGHT)
+        return packed(int(bool(host.typed) or host.process.stdin.has_keys()))
+    ready = bool(host.typed) or host.process.stdin.wait_for_keys(None if patience < 0 else patience * 1e-9)
+    return packed(int(ready))
+
+
 def do_want_keys(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """The program has set its terminal so that each key comes at once; with 1 Ctrl-C is one of them."""
     keys = host.process.stdin

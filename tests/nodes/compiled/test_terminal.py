@@ -43,6 +43,48 @@ int main(int argc, char ** argv)
 }
 """
 
+LOOKING = """
+#include <poll.h>
+#include <sys/select.h>
+#include <unistd.h>
+#include "rclcpp/rclcpp.hpp"
+static bool is_typed(long microseconds)
+{
+  fd_set reads;
+  FD_ZERO(&reads);
+  FD_SET(fileno(stdin), &reads);
+  timeval patience{0, microseconds};
+  return select(fileno(stdin) + 1, &reads, nullptr, nullptr, &patience) == 1 && FD_ISSET(0, &reads);
+}
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("looking");
+  std::cout << is_typed(0) << std::endl;
+  int looks = 0;
+  while (!is_typed(50000)) {
+    ++looks;
+  }
+  pollfd input{0, POLLIN, 0};
+  std::cout << (looks > 2) << poll(&input, 1, -1) << bool(input.revents & POLLIN) << char(getchar()) << std::endl;
+  while (getchar() != '\\n') {
+  }
+  std::cout << is_typed(0) << poll(&input, 1, 20) << input.revents << std::endl;
+}
+"""
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_it_may_look_for_keys_before_it_reads_them(build, virtual):
+    with (session := Session(virtual=virtual)).use():
+        process = session.launch(make_process(session, build("looking", LOOKING), name="looking"))
+        while not process.output:
+            session.clock.sleep(0.1)
+        session.clock.sleep(0.5)
+        process.write_stdin("xyz\n")
+        assert process.wait(10.0) == 0, process.output
+    assert process.output.splitlines() == ["0", "111x", "000"]
+
 
 @pytest.mark.parametrize("virtual", [True, False])
 def test_each_key_comes_at_once_and_a_read_need_not_wait(build, virtual):

@@ -1,7 +1,7 @@
 """The course's notebooks, in English and in the languages that somebody has translated them into.
 
-A language has a folder with its code. In it lies for each translated chapter a catalogue, `es/02_topics.po`, or a notebook of
-its own with the English one's name.
+A language has a folder with its code. For each translated chapter it holds a catalogue, `es/02_topics.po`, or a notebook
+with the English name.
 """
 
 from __future__ import annotations

@@ -57,10 +57,20 @@ _QUOTING = '''class Quoting(str):
         start = use + os.pathsep if value.startswith(use + os.pathsep) else ''
         end = os.pathsep + use if value.endswith(os.pathsep + use) else ''
         inner = value[len(start):len(value) - len(end)]
-        return start + inner.translate({ord(sign): 'ESCAPE' + sign for sign in 'SIGNS'}) + end
+        quoted = inner.translate({ord(sign): 'ESCAPE' + sign for sign in 'SIGNS'})
+        return start + self.spelt(quoted) + end
+
+    def spelt(self, text):
+        return text
 
 
 '''
+_LETTERS_OF_POWERSHELL = '''
+        units = text.encode('utf-16-be')
+        codes = [units[at] * 256 + units[at + 1] for at in range(0, len(units), 2)]
+        return ''.join(chr(one) if one < 128 else '$([char]0x%04X)' % one for one in codes)
+'''
+"""Letters by their numbers: PowerShell reads what Python prints in the console's code page, which may have other letters."""
 
 
 class QuotingShell(ShellExtensionPoint):  # type: ignore[misc]
@@ -118,7 +128,8 @@ def _quoted_utility(program: str, use: str = "$", escape: str = r"\\", signs: st
 
 def _quoted_utility_of_powershell(program: str) -> str:
     """Likewise: `Invoke-Expression` runs what it prints, where a backquote makes the next sign one of the text."""
-    return _quoted_utility(program, "$env:", "`", '`$"\u201c\u201d\u201e')
+    quoted = _quoted_utility(program, "$env:", "`", '`$"')
+    return quoted.replace("\n        return text\n", _LETTERS_OF_POWERSHELL, 1)
 
 
 _CHANGES: dict[str, Callable[[str], str]] = {

@@ -18,6 +18,9 @@ from coursekit.systems import typed
 from .check import Check
 from .system_checks import run_system_checks
 
+Lines = list[tuple[str, str | int]]
+"""Names and values, as a section of the report shows them."""
+
 
 def python_version() -> Check:
     """Which Python runs; an older one than 3.10, Humble's own, is refused when coursekit is installed."""
@@ -130,7 +133,7 @@ def run_all() -> list[Check]:
     return [*(check() for check in CHECKS), *run_system_checks()]
 
 
-def report() -> Iterator[tuple[str, list[tuple[str, str]]]]:
+def report() -> Iterator[tuple[str, Lines]]:
     """Sections of (name, value) lines for `ros2 doctor --report`."""
     yield "NETWORK CONFIGURATION", [("device", f"{name} (messages stay on this computer)") for _, name in if_nameindex()]
     yield (

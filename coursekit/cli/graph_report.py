@@ -7,18 +7,30 @@ from typing import Any
 
 from . import ask, checks
 
-Lines = list[tuple[str, str]]
+Lines = checks.Lines
 _EVERYWHERE = ("/parameter_events", "/rosout")
 
 
 def report() -> Iterator[tuple[str, Lines]]:
     """Sections of (name, value) lines."""
-    topics = _topics()
+    yield "QOS COMPATIBILITY LIST", pairs() or [("compatibility status", "No publisher/subscriber pairs found")]
+    yield "TOPIC LIST", counts()
+
+
+def pairs() -> Lines:
+    """Each publisher with each subscription of its topic, and whether they fit."""
     with ask.command_node() as node:
-        pairs = [line for name, types in topics for line in _pairs(node, name, types)]
-        counts = [line for name, _ in topics for line in _counts(node, name)]
-    yield "QOS COMPATIBILITY LIST", pairs or [("compatibility status", "No publisher/subscriber pairs found")]
-    yield "TOPIC LIST", counts or [("topic", "none"), ("publisher count", "0"), ("subscriber count", "0")]
+        return [line for name, types in _topics() for line in _pairs(node, name, types)]
+
+
+def counts() -> Lines:
+    """How many publish to each topic, and how many subscribe."""
+    with ask.command_node() as node:
+        return [line for name, _ in _topics() for line in _counts(node, name)] or [
+            ("topic", "none"),
+            ("publisher count", 0),
+            ("subscriber count", 0),
+        ]
 
 
 def compatibility() -> checks.Check:
@@ -54,8 +66,8 @@ def _topics() -> list[tuple[str, list[str]]]:
 def _counts(node: Any, topic: str) -> Lines:
     return [
         ("topic", topic),
-        ("publisher count", str(node.count_publishers(topic))),
-        ("subscriber count", str(node.count_subscribers(topic))),
+        ("publisher count", node.count_publishers(topic)),
+        ("subscriber count", node.count_subscribers(topic)),
     ]
 
 

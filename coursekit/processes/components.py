@@ -62,7 +62,7 @@ def find_component(package: str, plugin: str) -> Path:
     for path in [*filter(None, [listed.get(plugin)]), *_by_name(folder, plugin)]:
         if path.is_file() and path.suffix != ".so":
             return path
-    raise ComponentNotFound(f"Failed to find class with the requested plugin name: {_reason(package, plugin, listed)}")
+    raise ComponentNotFound(f"Failed to find class with the requested plugin name. {_reason(package, plugin, listed)}")
 
 
 def _by_name(folder: Path, plugin: str) -> list[Path]:
@@ -71,10 +71,10 @@ def _by_name(folder: Path, plugin: str) -> list[Path]:
 
 def _reason(package: str, plugin: str, listed: dict[str, Path]) -> str:
     if listed and plugin not in listed:
-        return f"package '{package}' has no '{plugin}'; it has: {', '.join(listed)}"
+        return f"Package '{package}' has no '{plugin}'; it has: {', '.join(listed)}"
     names = " or ".join(candidate_names(plugin))
     return (
-        f"component '{plugin}' of package '{package}' is a C++ library, which cannot be loaded here; it "
+        f"Component '{plugin}' of package '{package}' is a C++ library, which cannot be loaded here; it "
         f"would run as a Python executable called {names}, which the package does not have"
     )
 

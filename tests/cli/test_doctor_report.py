@@ -39,6 +39,12 @@ def test_topics_are_counted_and_pairs_that_match_are_ok():
     ]  # fmt: skip
 
 
+def test_each_table_is_as_wide_as_its_longest_word_asks_for():
+    text = report(("talker",), ("listener",))
+    for line in ("topic               : /chatter", "publisher count     : 1", "compatibility status    : OK"):
+        assert f"\n{line}\n" in text
+
+
 def test_a_pair_that_cannot_match_says_why():
     pairs = lines_of(report(("talker_qos",), ("listener_qos", "--reliable")), "QOS COMPATIBILITY LIST")
     status = dict(pairs)["compatibility status"]

@@ -68,7 +68,10 @@ def test_a_course_in_spanish_has_the_same_code_and_exercises(tmp_path):
 @pytest.fixture
 def notebooks(tmp_path):
     """A chapter of three text cells, of which the first is translated."""
-    cells = [{"cell_type": "markdown", "id": f"c{n}", "metadata": {}, "source": [text]} for n, text in enumerate(("One", "Two", " "))]
+    cells = [
+        {"cell_type": "markdown", "id": f"c{n}", "metadata": {}, "source": [text]}
+        for n, text in enumerate(("One", "Two", " "))
+    ]
     notebook = {"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
     (tmp_path / "01_a.ipynb").write_text(json.dumps(notebook))
     assert update(tmp_path, "es") == ["01_a.po: 2 of 2 cells to translate"]

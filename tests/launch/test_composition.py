@@ -57,7 +57,7 @@ def test_what_cannot_be_loaded_is_an_error_that_names_the_cure_and_the_launch_go
     absent = ComposableNode(package="image_proc", plugin="image_proc::RectifyNode")
     result = launch([box(camera, absent, talker_named("tom"))], interrupt_after=1.5)
     errors = [line for line in result.lines if line.startswith(FAILED)]
-    start = f"{FAILED}'cam' of type 'demo::Camera' in container '/box': Failed to find class with the requested plugin name"
+    start = f"{FAILED}'cam' of type 'demo::Camera' in container '/box': Failed to find class with the requested plugin name."
     assert errors[0].startswith(start) and "called camera or camera_node" in errors[0]
     start = f"{FAILED}'' of type 'image_proc::RectifyNode' in container '/box': Could not find requested resource in"
     assert errors[1].startswith(start)

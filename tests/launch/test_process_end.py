@@ -9,6 +9,7 @@ from launch.actions import (
     Shutdown,
     TimerAction,
 )
+from launch.events import Shutdown as ShutdownEvent
 from launch.events import matches_action
 from launch.events.process import ShutdownProcess, SignalProcess
 from launch_ros.actions import Node
@@ -72,6 +73,16 @@ def test_ctrl_c_reaches_the_processes_as_in_a_terminal(launch, talker) -> None:
         "[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)",
         "[INFO] [talker-1]: process has finished cleanly [pid 1001]",
     ]
+
+
+def test_a_launch_file_that_says_ctrl_c_was_pressed_sends_nothing(launch, talker, session) -> None:
+    pressed = EmitEvent(event=ShutdownEvent(reason="none", due_to_sigint=True))
+    result = launch([Node(package="demo", executable="talker"), TimerAction(period=1.0, actions=[pressed])])
+    assert result.code == 0
+    waited = "[ERROR] [talker-1]: process[talker-1] failed to terminate '5' seconds after receiving 'SIGINT', "
+    assert f"{waited}escalating to 'SIGTERM'" in result.lines
+    assert "[INFO] [talker-1]: sending signal 'SIGTERM' to process[talker-1]" in result.lines
+    assert session.clock.steady() == 6_000_000_000
 
 
 def test_without_a_terminal_the_launch_sends_the_signal_itself(launch, talker) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 import pytest
-from launch.actions import ExecuteProcess, LogInfo, RegisterEventHandler, TimerAction
+from launch.actions import ExecuteProcess, LogInfo, OpaqueFunction, RegisterEventHandler, TimerAction
 from launch.event_handler import EventHandler
 from launch.event_handlers import OnProcessIO
 from launch.events.process import ProcessStdout
@@ -81,7 +81,14 @@ def test_the_output_of_all_processes_can_be_shown(launch, monkeypatch: pytest.Mo
     assert "[echo-1] shown" in result.lines
 
 
-TALK = "import time\nfor number in range(6):\n    print('line', number, flush=True)\n    time.sleep(0.5)\n"
+TALK = """
+import os, sys, time
+for number in range(6):
+    while number == 3 and sys.argv[1:] and not os.path.exists(sys.argv[1]):
+        time.sleep(0.01)
+    print('line', number, flush=True)
+"""
+"""Six lines; with a path as its argument it waits in the middle until there is such a file."""
 
 
 @pytest.fixture
@@ -103,7 +110,9 @@ def test_nobody_needs_to_listen(launch, talk) -> None:
 
 
 @pytest.mark.parametrize("kind", ["of the process", "of any event"])
-def test_who_begins_to_listen_hears_the_rest_and_the_log_stays_whole(launch, talk, kind) -> None:
+def test_who_begins_to_listen_hears_the_rest_and_the_log_stays_whole(launch, talk, tmp_path, kind) -> None:
+    go = tmp_path / "go"
+    talk = ExecuteProcess(cmd=[*(word[0].text for word in talk.cmd), str(go)], output="screen", cached_output=True)
     heard: list[str] = []
 
     def hear(event, _context=None) -> None:
@@ -112,9 +121,14 @@ def test_who_begins_to_listen_hears_the_rest_and_the_log_stays_whole(launch, tal
     handler = OnProcessIO(target_action=talk, on_stdout=hear)
     if kind == "of any event":
         handler = EventHandler(matcher=lambda event: isinstance(event, ProcessStdout), entities=hear)
-    later = TimerAction(period=1.25, actions=[RegisterEventHandler(handler)])
-    assert logged(launch([talk, later])) == EVERY
-    assert 0 < len(heard) < len(EVERY) and heard == EVERY[-len(heard) :]
+
+    def listen(_context) -> list:
+        if "line 2" not in talk.get_stdout():
+            return [TimerAction(period=0.05, actions=[OpaqueFunction(function=listen)])]
+        return [RegisterEventHandler(handler), OpaqueFunction(function=lambda _context: go.touch())]
+
+    assert logged(launch([talk, TimerAction(period=0.05, actions=[OpaqueFunction(function=listen)])])) == EVERY
+    assert "\n".join(heard).splitlines() == EVERY[3:]  # a read may bring several lines
 
 
 def test_with_debug_each_event_is_told(launch, talk) -> None:

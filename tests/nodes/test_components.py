@@ -37,7 +37,7 @@ def test_what_cannot_be_loaded_or_unloaded_is_said(session, run, ros2):
     session.clock.sleep(0.2)
     assert ros2("component", "list", "/nobody") == "Unable to find container node '/nobody'\n"
     refused = ros2("component", "load", "/ComponentManager", "composition", "composition::Painter")
-    assert refused.startswith("Failed to load component: Failed to find class with the requested plugin name: ")
+    assert refused.startswith("Failed to load component: Failed to find class with the requested plugin name. ")
     assert "it has: composition::Talker, composition::Listener" in refused
     refused = ros2("component", "unload", "/ComponentManager", "7")
     assert refused.endswith("from '/ComponentManager' container node\n    No node found with unique_id: 7\n")

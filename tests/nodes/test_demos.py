@@ -12,6 +12,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import Image, JointState, LaserScan
 
 from coursekit.nodes.dummy_robot.map_server import SIDE
+from coursekit.nodes.intra_process import images
 from coursekit.nodes.intra_process.images import HEIGHT, WIDTH
 from coursekit.nodes.topic_monitor.statistics import TopicStatistics
 from tests.nodes.log import said
@@ -150,6 +151,16 @@ def test_a_number_goes_from_one_node_to_the_other_and_round(session, run):
     assert values == ["42", "42", "43", "43", "44", "44"]
 
 
+def test_within_one_process_the_message_itself_is_handed_on(session, run, ros2):
+    two, cycle = run("intra_process_demo", "two_node_pipeline"), run("intra_process_demo", "cyclic_pipeline")
+    session.clock.sleep(2.5)
+    addresses = [line.rpartition(" ")[2] for line in two.output.splitlines()]
+    assert addresses[0] == addresses[1] and addresses[2] == addresses[3]
+    assert len({line.rpartition(" ")[2] for line in cycle.output.splitlines() if "address" in line}) == 1
+    ros2("topic", "pub", "--once", "/number", "std_msgs/msg/Int32", "data: 70")
+    assert " Received message with value: 70, and address: 0x" in two.output
+
+
 @pytest.fixture
 def film(monkeypatch, tmp_path):
     """film(frames) stands for the first camera: a video of so many black frames, or, with 0, none."""
@@ -173,6 +184,17 @@ def test_each_node_of_the_image_pipeline_signs_the_image(session, run, hear, fil
     image = CvBridge().imgmsg_to_cv2(hear(Image, "watermarked_image", qos_profile_sensor_data), "bgr8")
     signed = [int((image[row - 15 : row, :, 1] > 128).sum()) for row in (20, 40, 60)]
     assert image.shape == (HEIGHT, WIDTH, 3) and signed[0] > 100 and signed[1] > 100 and signed[2] == 0
+
+
+def test_one_view_gets_the_camera_s_own_image_the_other_a_copy(session, run, film, monkeypatch):
+    signatures = []
+    monkeypatch.setattr(images, "_sign", lambda image, msg, row, more="": signatures.append((row, id(msg))))
+    film(1)
+    run("intra_process_demo", "image_pipeline_with_two_image_view")
+    session.clock.sleep(0.3)
+    assert [row for row, _ in signatures] == [20, 40, 60, 60]
+    camera, watermark, *views = (address for _, address in signatures)
+    assert camera == watermark and [view == camera for view in views] == [True, False]
 
 
 def test_a_pipeline_of_processes_watermarks_what_cam2image_sees(session, run, hear):

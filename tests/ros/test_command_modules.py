@@ -18,7 +18,8 @@ from ros2cli.node.strategy import NodeStrategy
 from coursekit.processes.session import Session
 
 MODULES = """ros2action.api ros2bag.api ros2cli.cli ros2cli.command ros2cli.daemon ros2cli.helpers ros2cli.node ros2cli.verb
-ros2component.api ros2doctor.api ros2interface.api ros2lifecycle.api ros2multicast.api ros2node.api ros2param.api ros2pkg.api
+ros2component.api ros2doctor.api ros2doctor.api.topic ros2interface.api
+ros2lifecycle.api ros2multicast.api ros2node.api ros2param.api ros2pkg.api
 ros2run.api ros2service.api ros2topic.api"""
 
 
@@ -88,6 +89,20 @@ def test_the_daemon_answers_in_lists(node):
         assert daemon.count_publishers("/test/topic") == daemon.count_subscribers("/test/topic") == 1
         with pytest.raises(AttributeError, match="it has .*get_name"):
             daemon.get_nothing()
+
+
+def test_topics_with_one_end_only_are_warned_of(session):
+    from ros2doctor.api.topic import TopicCheck, TopicReport
+
+    assert TopicReport().report().items == [("topic", "none"), ("publisher count", 0), ("subscriber count", 0)]
+    context = rclpy.context.Context()
+    rclpy.init(context=context)
+    made = rclpy.create_node("one_sided", context=context)
+    made.create_publisher(test_msgs.msg.Empty, "/alone", 1)
+    assert TopicReport().report().items == [("topic", "/alone"), ("publisher count", 1), ("subscriber count", 0)]
+    found = TopicCheck().check()
+    assert (found.error, found.warning) == (0, 1)
+    rclpy.shutdown(context=context)
 
 
 def test_nodes_and_what_they_do(node):

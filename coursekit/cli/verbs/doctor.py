@@ -49,5 +49,12 @@ def print_report() -> None:
     """Print what there is to know about the set-up and the graph."""
     for title, lines in (*checks.report(), *graph_report.report()):
         print(f"\n   {title}")
+        width = _width([key for key, _ in lines])
         for key, value in lines:
-            print(f"{key:<24}: {value}")
+            print(f"{key:<{width}}: {value}")
+
+
+def _width(keys: list[str]) -> int:
+    """How wide the first column of a table is, as in ROS: four more than its longest word."""
+    longest = max(map(len, keys), default=0)
+    return longest + 4 if longest >= 8 else 8

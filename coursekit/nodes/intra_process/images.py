@@ -11,6 +11,7 @@ from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
 
+from coursekit.nodes.intra_process.handover import Handover
 from coursekit.nodes.running import run, spin_to_the_end, terminate
 from coursekit.processes.process import current_process
 
@@ -26,11 +27,23 @@ def _sign(image: Any, msg: Image, row: int, more: str = "") -> None:
     cv2.putText(image, text, (10, row), cv2.FONT_HERSHEY_SIMPLEX, 0.5, _GREEN)
 
 
+def _fill(msg: Image, image: Any) -> None:
+    """Put an image into a message, which keeps its place in memory and its header."""
+    whole = _bridge.cv2_to_imgmsg(image, "bgr8")
+    for field in ("height", "width", "encoding", "is_bigendian", "step", "data"):
+        setattr(msg, field, getattr(whole, field))
+
+
+def _stamp(msg: Image) -> tuple[int, int]:
+    return msg.header.stamp.sec, msg.header.stamp.nanosec
+
+
 class CameraNode(Node):
     """Publishes what the first camera sees. RuntimeError without one."""
 
-    def __init__(self) -> None:
+    def __init__(self, handover: Handover | None = None) -> None:
         super().__init__("camera_node")
+        self._handover = handover or Handover(_stamp)
         self._camera = cv2.VideoCapture(0)
         self._camera.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
         self._camera.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
@@ -47,35 +60,38 @@ class CameraNode(Node):
             return
         msg = Image()
         _sign(image, msg, 20)
-        whole = _bridge.cv2_to_imgmsg(image, "bgr8")
-        for field in ("height", "width", "encoding", "is_bigendian", "step", "data"):
-            setattr(msg, field, getattr(whole, field))
+        _fill(msg, image)
         msg.header.stamp, msg.header.frame_id = self.get_clock().now().to_msg(), "camera_frame"
-        self._publisher.publish(msg)
+        self._handover.publish(self._publisher, msg)
 
 
 class WatermarkNode(Node):
     """Hands images on from `image` to `watermarked_image`, with a greeting."""
 
-    def __init__(self) -> None:
+    def __init__(self, handover: Handover | None = None) -> None:
         super().__init__("watermark_node")
+        self._handover = handover or Handover(_stamp)
         self._publisher = self.create_publisher(Image, "watermarked_image", qos_profile_sensor_data)
-        self.create_subscription(Image, "image", self._pass_on, qos_profile_sensor_data)
+        self._subscription = self.create_subscription(Image, "image", self._pass_on, qos_profile_sensor_data)
 
-    def _pass_on(self, msg: Image) -> None:
+    def _pass_on(self, copy: Image) -> None:
+        msg = self._handover.take(self._subscription.topic_name, copy)
         image = _bridge.imgmsg_to_cv2(msg, "bgr8").copy()
         _sign(image, msg, 40, " Hello world!")
-        self._publisher.publish(_bridge.cv2_to_imgmsg(image, "bgr8", header=msg.header))
+        _fill(msg, image)
+        self._handover.publish(self._publisher, msg)
 
 
 class ImageViewNode(Node):
     """Shows `watermarked_image` in a window of the node's name."""
 
-    def __init__(self, name: str = "image_view_node") -> None:
+    def __init__(self, name: str = "image_view_node", handover: Handover | None = None) -> None:
         super().__init__(name)
-        self.create_subscription(Image, "watermarked_image", self._show, qos_profile_sensor_data)
+        self._handover = handover or Handover(_stamp)
+        self._subscription = self.create_subscription(Image, "watermarked_image", self._show, qos_profile_sensor_data)
 
-    def _show(self, msg: Image) -> None:
+    def _show(self, copy: Image) -> None:
+        msg = self._handover.take(self._subscription.topic_name, copy)
         image = _bridge.imgmsg_to_cv2(msg, "bgr8").copy()
         _sign(image, msg, 60)
         cv2.imshow(self.get_name(), image)
@@ -104,11 +120,12 @@ def view(args: list[str] | None = None) -> int:
 
 def _together(views: list[str], args: list[str] | None) -> int:
     rclpy.init(args=args)
+    handover = Handover(_stamp)
     try:
-        source = CameraNode()
+        source = CameraNode(handover)
     except RuntimeError as fault:
         return terminate(str(fault))
-    return spin_to_the_end(source, WatermarkNode(), *(ImageViewNode(name) for name in views))
+    return spin_to_the_end(source, WatermarkNode(handover), *(ImageViewNode(name, handover) for name in views))
 
 
 def all_in_one(args: list[str] | None = None) -> int:

@@ -1,4 +1,4 @@
-"""Two nodes of one process that hand numbers on. In C++ the address stays the same; rclpy copies every message."""
+"""Two nodes of one process that hand numbers on: the message itself, as its address shows."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import rclpy
 from rclpy.node import Node
 from std_msgs.msg import Int32
 
+from coursekit.nodes.intra_process.handover import Handover
 from coursekit.nodes.running import spin_to_the_end
 
 FIRST = 42
@@ -18,12 +19,17 @@ def told(text: str, msg: Int32) -> str:
     return f"{text} {msg.data}, and address: 0x{id(msg):X}"
 
 
+def _value(msg: Int32) -> int:
+    return msg.data  # type: ignore[no-any-return]
+
+
 class Producer(Node):
     """Publishes a count each second."""
 
-    def __init__(self, name: str, output: str) -> None:
+    def __init__(self, name: str, output: str, handover: Handover) -> None:
         super().__init__(name)
         self._count = 0
+        self._handover = handover
         self._publisher = self.create_publisher(Int32, output, 10)
         self.create_timer(1.0, self._produce)
 
@@ -31,46 +37,58 @@ class Producer(Node):
         msg = Int32(data=self._count)
         self._count += 1
         print(told("Published message with value:", msg))
-        self._publisher.publish(msg)
+        self._handover.publish(self._publisher, msg)
 
 
 class Consumer(Node):
     """Tells of what it gets."""
 
-    def __init__(self, name: str, source: str) -> None:
+    def __init__(self, name: str, source: str, handover: Handover) -> None:
         super().__init__(name)
-        self.create_subscription(Int32, source, lambda msg: print(told(" Received message with value:", msg)), 10)
+        self._handover = handover
+        self._subscription = self.create_subscription(Int32, source, self._consume, 10)
+
+    def _consume(self, copy: Int32) -> None:
+        print(told(" Received message with value:", self._handover.take(self._subscription.topic_name, copy)))
 
 
 class IncrementerPipe(Node):
     """Takes a number, waits a second, and sends the next one on."""
 
-    def __init__(self, name: str, source: str, output: str) -> None:
+    def __init__(self, name: str, source: str, output: str, handover: Handover) -> None:
         super().__init__(name)
-        self.publisher = self.create_publisher(Int32, output, 10)
-        self.create_subscription(Int32, source, self._pass_on, 10)
+        self._handover = handover
+        self._publisher = self.create_publisher(Int32, output, 10)
+        self._subscription = self.create_subscription(Int32, source, self._pass_on, 10)
 
-    def _pass_on(self, msg: Int32) -> None:
+    def publish(self, msg: Int32) -> None:
+        """Give a number to the next."""
+        self._handover.publish(self._publisher, msg)
+
+    def _pass_on(self, copy: Int32) -> None:
+        msg = self._handover.take(self._subscription.topic_name, copy)
         print(told("Received message with value:        ", msg))
         print("  sleeping for 1 second...")
         time.sleep(1.0)
         print("  done.")
         msg.data += 1
         print(told("Incrementing and sending with value:", msg))
-        self.publisher.publish(msg)
+        self.publish(msg)
 
 
 def two_nodes(args: list[str] | None = None) -> int:
     """One counts, one listens, until Ctrl-C."""
     rclpy.init(args=args)
-    return spin_to_the_end(Producer("producer", "number"), Consumer("consumer", "number"))
+    handover = Handover(_value)
+    return spin_to_the_end(Producer("producer", "number", handover), Consumer("consumer", "number", handover))
 
 
 def cyclic(args: list[str] | None = None) -> int:
     """A number goes round between two nodes until Ctrl-C."""
     rclpy.init(args=args)
-    pipes = [IncrementerPipe("pipe1", "topic1", "topic2"), IncrementerPipe("pipe2", "topic2", "topic1")]
+    handover = Handover(_value)
+    pipes = [IncrementerPipe("pipe1", "topic1", "topic2", handover), IncrementerPipe("pipe2", "topic2", "topic1", handover)]
     msg = Int32(data=FIRST)
     print(told("Published first message with value: ", msg))
-    pipes[0].publisher.publish(msg)
+    pipes[0].publish(msg)
     return spin_to_the_end(*pipes)

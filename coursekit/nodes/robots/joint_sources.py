@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
 
 from coursekit.urdf import Joint, parse
+from coursekit.urdf.joints import read_joint
 from coursekit.urdf.model import Limit
 from coursekit.urdf.xml_tree import Element, read
 
-_STILL = ("fixed", "ball", "floating", "planar", "universal")
+_ENDED = ("revolute", "prismatic")
+"""Types of URDF joints that need limits."""
+_SKIPPED = ("gearbox", "revolute2", "ball", "screw", "universal", "fixed")
 """Types of SDF joints that no single number describes."""
 _CURE = "Give both limits as numbers."
+_OLDEST_COLLADA = [1, 5, 0]
+
+_Text = Callable[[str], str | None]
+"""What a description says for 'lower' or 'upper'; None where it says nothing."""
 
 
 def joints_of(description: str) -> list[Joint]:
@@ -25,34 +33,59 @@ def joints_of(description: str) -> list[Joint]:
         return list(_of_sdf(root))
     if root.tag == "COLLADA":
         return list(_of_collada(root))
+    return _of_urdf(root, description)
+
+
+def _of_urdf(root: Element, description: str) -> list[Joint]:
+    robot = _needed(root, "robot", "URDF")
+    for element in robot.all("joint"):
+        if element.get("type") in _ENDED:
+            limit = element.first("limit")
+            _limit(element, str(element.get("type")), ("lower", "upper"), None if limit is None else limit.get)
+    if robot is not root:  # joint_state_publisher looks for the element; urdfdom would refuse
+        return [read_joint(element) for element in robot.all("joint")]
     return list(parse(description, "robot_description").joints.values())
 
 
 def _of_sdf(root: Element) -> Iterator[Joint]:
-    for element in _below(root, "joint"):
+    for element in _needed(root, "model", "SDF").all("joint"):
         kind, name = element.get("type") or "", element.get("name") or ""
-        if kind in _STILL:
+        if kind in _SKIPPED:
             continue
-        axis = element.first("axis")
-        limit = None if axis is None else axis.first("limit")
-        unlimited = kind == "continuous" or (kind == "revolute" and limit is None)
-        reach = None if unlimited else _limit(limit or element, "lower", "upper", name)
-        yield Joint(name, "continuous" if unlimited else kind, "", "", limit=reach)
+        reach = None if kind == "continuous" else _limit(element, kind, ("lower", "upper"), _below(element, "limit"))
+        yield Joint(name, kind, "", "", limit=reach and _ended(reach))
 
 
 def _of_collada(root: Element) -> Iterator[Joint]:
-    for model in list(_below(root, "kinematics_model"))[:1]:
-        common = model.first("technique_common")
-        for element in common.all("joint") if common is not None else ():
-            revolute, name = element.first("revolute"), element.get("name") or ""
-            if revolute is None:
-                continue
-            limit = _limit(revolute.first("limits") or revolute, "min", "max", name)
-            if limit.lower != limit.upper:  # else it is fixed
-                yield Joint(name, "revolute", "", "", limit=Limit(math.radians(limit.lower), math.radians(limit.upper)))
+    _check_version(root)
+    model = _needed(root, "kinematics_model", "COLLADA")
+    for element in _needed(model, "technique_common", "COLLADA").all("joint"):
+        revolute = element.first("revolute")
+        if revolute is None:
+            continue
+        limit = _limit(element, "revolute", ("min", "max"), _below(revolute, "limits"))
+        if limit.lower != limit.upper:  # else it is fixed
+            reach = Limit(math.radians(limit.lower), math.radians(limit.upper))
+            yield Joint(element.get("name") or "", "revolute", "", "", limit=reach)
 
 
-def _below(element: Element, tag: str) -> Iterator[Element]:
+def _check_version(root: Element) -> None:
+    version = root.get("version")
+    if version is None:
+        raise root.error("COLLADA must have a version tag", 'Write <COLLADA version="1.5.0">.')
+    if [int(number) for number in re.findall(r"\d{1,9}", version)] < _OLDEST_COLLADA:
+        raise root.error("COLLADA must be at least version 1.5.0", f"This file says {version!r}, which has no joints.")
+
+
+def _needed(element: Element, tag: str, form: str) -> Element:
+    """The element, or the first below it, of that name."""
+    found = next(_all_below(element, tag), None)
+    if found is None:
+        raise element.error(f'{form} must have a "{tag}" tag', f"There is no <{tag}> in it.")
+    return found
+
+
+def _all_below(element: Element, tag: str) -> Iterator[Element]:
     waiting = [element]
     while waiting:
         one = waiting.pop(0)
@@ -61,18 +94,33 @@ def _below(element: Element, tag: str) -> Iterator[Element]:
         waiting = [*one.children, *waiting]
 
 
-def _limit(element: Element, least: str, greatest: str, joint: str) -> Limit:
-    return Limit(*(_number(element, tag, joint) for tag in (least, greatest)))
+def _below(element: Element, tag: str) -> _Text | None:
+    """What the elements below the first one of that name say; None when there is none."""
+    limits = next(_all_below(element, tag), None)
+    if limits is None:
+        return None
+    return lambda name: None if (found := limits.first(name)) is None else found.text
 
 
-def _number(element: Element, tag: str, joint: str) -> float:
-    found = element.first(tag)
-    if found is None:
-        raise element.error(f'"{tag}" limit must be specified for joint "{joint}"', _CURE)
+def _limit(joint: Element, kind: str, tags: tuple[str, str], said: _Text | None) -> Limit:
+    if said is None:
+        raise joint.error(f'Limits must be specified for joint "{joint.get("name")}" of type "{kind}"', _CURE)
+    return Limit(*(_number(joint, kind, tag, said(tag)) for tag in tags))
+
+
+def _number(joint: Element, kind: str, tag: str, text: str | None) -> float:
+    which = f'for joint "{joint.get("name")}" of type "{kind}"'
+    if text is None:
+        raise joint.error(f'"{tag}" limit must be specified {which}', _CURE)
     try:
-        value = float(found.text)
+        value = float(text)
     except ValueError:
         value = math.nan
     if math.isnan(value):
-        raise found.error(f'"{tag}" limit must be a float for joint "{joint}"', _CURE)
+        raise joint.error(f'"{tag}" limit must be a float {which}', _CURE)
     return value
+
+
+def _ended(limit: Limit) -> Limit:
+    """SDF writes infinity for a joint that turns without an end; half a turn either way is shown then."""
+    return Limit(max(limit.lower, -math.pi), min(limit.upper, math.pi)) if math.inf in (-limit.lower, limit.upper) else limit

@@ -11,6 +11,7 @@ __all__ = [
     "normalize_angle",
     "normalize_angle_positive",
     "shortest_angular_distance",
+    "shortest_angular_distance_with_large_limits",
     "shortest_angular_distance_with_limits",
     "two_pi_complement",
 ]
@@ -23,7 +24,7 @@ def normalize_angle_positive(angle: float) -> float:
     >>> round(normalize_angle_positive(-1.0), 3)
     5.283
     """
-    return fmod(fmod(angle, _TURN) + _TURN, _TURN)
+    return angle % _TURN
 
 
 def normalize_angle(angle: float) -> float:
@@ -63,28 +64,52 @@ def two_pi_complement(angle: float) -> float:
 def shortest_angular_distance_with_limits(
     from_angle: float, to_angle: float, left_limit: float, right_limit: float
 ) -> tuple[bool, float]:
-    """The turn that stays between two limits within -π … π, and whether there is one.
+    """Whether a turn stays between two limits within -π … π, and that turn; else the one that goes less beyond them.
 
     >>> shortest_angular_distance_with_limits(-2.5, 2.5, -3.0, 3.0)
     (True, 5.0)
     """
-    start = normalize_angle(from_angle)
-    end = normalize_angle(to_angle)
-    turn = shortest_angular_distance(start, end)
-    if not (_inside(start, left_limit, right_limit) and _inside(end, left_limit, right_limit)):
-        return False, turn
-    for way in (turn, two_pi_complement(turn)):
-        if _stays(start, way, left_limit, right_limit):
+    turn = shortest_angular_distance(from_angle, to_angle)
+    ways = (turn, two_pi_complement(turn))
+    inside, least, greatest = _find_min_max_delta(from_angle, left_limit, right_limit)
+    for way in ways if inside else ():
+        if least <= way <= greatest:
             return True, way
-    return False, turn
+    back, forth = min(ways), max(ways)
+    if inside:  # the end lies beyond a limit: which one is nearer to it?
+        _, least, greatest = _find_min_max_delta(to_angle, left_limit, right_limit)
+        back, forth = forth, back
+    if abs(least) == abs(greatest):
+        return False, min(ways[::-1], key=abs)
+    return False, back if abs(least) < abs(greatest) else forth
 
 
-def _inside(angle: float, left: float, right: float) -> bool:
-    """Whether an angle lies on the way from the left limit up to the right one."""
-    return normalize_angle_positive(angle - left) <= normalize_angle_positive(right - left) + 1e-12
+def _find_min_max_delta(from_angle: float, left_limit: float, right_limit: float) -> tuple[bool, float, float]:
+    """Whether an angle lies between the limits, and how far it may turn back and forth until it meets one."""
+    to_left = shortest_angular_distance(from_angle, left_limit)
+    to_right = shortest_angular_distance(from_angle, right_limit)
+    back, forth_to_left = sorted((to_left, two_pi_complement(to_left)))
+    back_to_right, forth = sorted((to_right, two_pi_complement(to_right)))
+    if to_left == 0:
+        return True, 0.0, forth
+    if to_right == 0:
+        return True, back, 0.0
+    if back <= back_to_right or forth >= forth_to_left:  # the other limit is met first
+        return (left_limit, right_limit) == (-pi, pi), back_to_right, forth_to_left
+    return True, back, forth
 
 
-def _stays(start: float, way: float, left: float, right: float) -> bool:
-    """Whether a turn passes neither limit."""
-    before = normalize_angle_positive(start - left)
-    return -1e-9 <= before + way <= normalize_angle_positive(right - left) + 1e-9
+def shortest_angular_distance_with_large_limits(
+    from_angle: float, to_angle: float, left_limit: float, right_limit: float
+) -> tuple[bool, float]:
+    """The same for limits that may lie beyond ±π, of a joint that turns more than once; the left is the lower one.
+
+    >>> shortest_angular_distance_with_large_limits(0.0, 3.0, -2 * pi, 1.0)
+    (True, -3.2831853071795862)
+    """
+    turn = shortest_angular_distance(from_angle, to_angle)
+    ways = sorted((turn, two_pi_complement(turn)), key=abs)
+    for way in ways if left_limit <= right_limit else ():
+        if left_limit <= from_angle + way <= right_limit:
+            return left_limit <= from_angle <= right_limit, way
+    return False, ways[0]

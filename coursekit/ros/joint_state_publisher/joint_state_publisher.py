@@ -7,6 +7,7 @@ from typing import Any
 
 from coursekit.nodes.robots import joint_state_publisher as node
 from coursekit.nodes.robots.joint_model import FreeJoint
+from coursekit.urdf import UrdfError
 
 __all__ = ["JointStatePublisher", "main"]
 
@@ -43,10 +44,17 @@ class _AsDictionary(MutableMapping[str, Any]):
 
 
 class JointStatePublisher(node.JointStatePublisher):
-    """Publishes joint states; `urdf_file` is a description, or None for the topic robot_description."""
+    """Publishes joint states; `urdf_file` is a description, or None for the topic robot_description.
+
+    Raises:
+        ValueError: when the description cannot be used, in the words that this node has on a robot.
+    """
 
     def __init__(self, urdf_file: Any = None) -> None:
-        super().__init__(None if urdf_file is None else str(urdf_file))
+        try:
+            super().__init__(None if urdf_file is None else str(urdf_file))
+        except UrdfError as error:
+            raise ValueError(error.what) from error
 
     @property
     def joint_list(self) -> list[str]:

@@ -137,6 +137,14 @@ class LaunchService:
         self.__interrupted = True
         self.__logger.warning(INTERRUPTED)
         self._shutdown("ctrl-c (SIGINT)", True)
+        if not self.__context.noninteractive:
+            self.__pass_on_ctrl_c()
+
+    def __pass_on_ctrl_c(self) -> None:
+        """Do what a terminal does, whose Ctrl-C reaches everything that was started in it."""
+        for process in list(self.__context._launched_processes):
+            if process.exit_code is None:
+                process.interrupt()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Launch on the loop that runs this coroutine; see `run`."""

@@ -183,7 +183,7 @@ def test_joints_that_depend_on_each_other_end_it(start):
 SDF = """<sdf version="1.8"><model name="arm">
 <joint name="j1" type="revolute"><axis><limit><lower>{least}</lower><upper>1</upper></limit></axis></joint>
 <joint name="j2" type="fixed"/><joint name="j3" type="continuous"/></model></sdf>"""
-COLLADA = """<COLLADA><library_kinematics_models><kinematics_model><technique_common>
+COLLADA = """<COLLADA version="1.5.0"><library_kinematics_models><kinematics_model><technique_common>
 <joint name="j1"><revolute><limits><min>{least}</min><max>180</max></limits></revolute></joint>
 <joint name="j2"><revolute><limits><min>9</min><max>9</max></limits></revolute></joint>
 </technique_common></kinematics_model></library_kinematics_models></COLLADA>"""

@@ -265,9 +265,7 @@ class ExecuteLocal(Action):
         return self._shutdown_process(context, send_sigint=True)
 
     def __on_shutdown(self, event: Event, context: LaunchContext) -> list[Action] | None:
-        ctrl_c = cast(Shutdown, event).due_to_sigint and not context.noninteractive
-        if ctrl_c and self.__is_running():
-            self.__process.interrupt()  # as a terminal's Ctrl-C, which reaches everything it started
+        ctrl_c = cast(Shutdown, event).due_to_sigint and not context.noninteractive  # which reached the process too
         return self._shutdown_process(context, send_sigint=not ctrl_c)
 
     def __is_running(self) -> bool:

@@ -1,0 +1,36 @@
+"""The topics of the graph: how many are at each end of them."""
+
+from __future__ import annotations
+
+from coursekit.cli import graph_report
+from ros2doctor.api import DoctorCheck, DoctorReport, Report, Result
+
+
+class TopicCheck(DoctorCheck):
+    """Warns of topics with more publishers than subscriptions, or fewer."""
+
+    def category(self) -> str:
+        """What it looks at."""
+        return "topic"
+
+    def check(self) -> Result:
+        """Count a warning for every such topic."""
+        result = Result()
+        for _ in graph_report.both_ends().fault.splitlines():
+            result.add_warning()
+        return result
+
+
+class TopicReport(DoctorReport):
+    """The topics, with the number of their publishers and subscriptions."""
+
+    def category(self) -> str:
+        """What it reports of."""
+        return "topic"
+
+    def report(self) -> Report:
+        """Make the table."""
+        report = Report("TOPIC LIST")
+        for key, value in graph_report.counts():
+            report.add_to_report(key, value)
+        return report

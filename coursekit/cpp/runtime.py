@@ -22,9 +22,9 @@ ROOM = Path(__file__).parent
 PACKAGES = (
     "OpenCV", "message_filters", "laser_geometry", "cv_bridge", "image_transport",
     "rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle",
-    "rcutils", "rcl", "rcpputils", "class_loader", "rmw", "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp",
-    "rosbag2_cpp", "rosbag2_storage",
-    "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_core", "ament_cmake_python",
+    "rcutils", "rcl", "rcpputils", "class_loader", "pluginlib", "rmw",
+    "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp", "rosbag2_cpp", "rosbag2_storage",
+    "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_ros_core", "ament_cmake_core", "ament_cmake_python",
     "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
     "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake", "ament_cmake_pep257",
@@ -35,7 +35,7 @@ PACKAGES = (
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
     "angles", "controller_interface", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
-    "hardware_interface", "image_geometry", "nav2_util", "pluginlib",
+    "hardware_interface", "image_geometry", "nav2_util",
     "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""

@@ -128,6 +128,7 @@ def _constant(constant: Constant) -> str:
 def _field(field: Field, owner: str) -> Iterable[str]:
     kind = cpp_type(field.type)
     return (
+        f"  using _{field.name}_type = {kind};",
         f"  {kind} {field.name}{_initial(field)};",
         f"  {owner} & set__{field.name}(const {kind} & value) {{this->{field.name} = value; return *this;}}",
     )

@@ -22,6 +22,9 @@ class CppNode(Node):
             self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
         self.create_subscription(ParameterEvent, "/parameter_events", lambda _event: None, qos_profile_parameter_events)
 
+    def _listed_names(self) -> list[str]:
+        return sorted(super()._listed_names())  # rclcpp keeps them in a std::map
+
     def _check(
         self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
     ) -> SetParametersResult:

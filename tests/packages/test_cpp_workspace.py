@@ -291,3 +291,25 @@ def test_a_package_whose_name_is_misspelled_is_told(workspace, tmp_path):
     assert built.returncode == 1
     assert 'By not providing "Findgeometry_mgs.cmake"' in built.stderr
     assert "hint: CMakeLists.txt:5: there is no package geometry_mgs" in built.stderr
+
+
+def test_a_mistake_in_a_package_that_coursekit_has_programs_for_is_its_author_s(tmp_path, workspace):
+    package = tmp_path / "src" / "demo_nodes_cpp"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text(
+        '<?xml version="1.0"?>\n<package format="3"><name>demo_nodes_cpp</name><version>1.0.0</version>'
+        "<description>d</description>"
+        '<maintainer email="a@b.org">a</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>'
+        "<depend>rclcpp</depend><export><build_type>ament_cmake</build_type></export></package>\n",
+        encoding="utf-8",
+    )
+    (package / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.8)\nproject(demo_nodes_cpp)\nfind_package(ament_cmake REQUIRED)\n"
+        "find_package(rclcpp REQUIRED)\nadd_executable(talker talker.cpp)\nament_target_dependencies(talker rclcpp)\n"
+        "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\nament_package()\n",
+        encoding="utf-8",
+    )
+    (package / "talker.cpp").write_text("int main() {return 0}\n", encoding="utf-8")
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 1, built.stdout
+    assert "talker.cpp:1:" in built.stderr and "expected" in built.stderr

@@ -9,6 +9,11 @@ foreach(_coursekit_suffix component component_manager)
   endif()
 endforeach()
 
+# Its factories are made by class_loader, as in Humble: who links it may load libraries.
+foreach(_coursekit_suffix rclcpp_components component component_manager)
+  target_link_libraries(rclcpp_components::${_coursekit_suffix} INTERFACE class_loader::class_loader)
+endforeach()
+
 macro(rclcpp_components_register_node target)
   cmake_parse_arguments(_coursekit_arg "" "PLUGIN;EXECUTABLE;EXECUTOR;RESOURCE_INDEX" "" ${ARGN})
   if(NOT _coursekit_arg_PLUGIN OR NOT _coursekit_arg_EXECUTABLE)

@@ -1,13 +1,5 @@
 # `--symlink-install`: what install(FILES), (PROGRAMS) and (DIRECTORY) would copy is linked to its source instead.
 
-macro(install)
-  if("${ARGV0}" MATCHES "^(FILES|PROGRAMS|DIRECTORY)$")
-    _coursekit_link_install(${ARGV})
-  else()
-    _install(${ARGV})
-  endif()
-endmacro()
-
 function(_coursekit_link_install kind)
   cmake_parse_arguments(arg "OPTIONAL;USE_SOURCE_PERMISSIONS;MESSAGE_NEVER;FILES_MATCHING;EXCLUDE_FROM_ALL" "DESTINATION;RENAME;COMPONENT;TYPE"
     "PERMISSIONS;FILE_PERMISSIONS;DIRECTORY_PERMISSIONS;CONFIGURATIONS;PATTERN;REGEX" ${ARGN})

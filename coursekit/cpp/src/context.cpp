@@ -42,6 +42,7 @@ namespace
 std::atomic<bool> g_handles_signals{false};
 std::atomic<int64_t> g_contexts{0};
 }  // namespace
+static void forget_log_levels();
 
 Unpacker ask(const char * what, const Packer & with)
 {
@@ -66,6 +67,7 @@ void Context::init(int argc, char const * const * argv, const InitOptions & opti
     with.s(argv[i]);
   }
   ask("init", with);
+  forget_log_levels();
   options_ = options;
   valid_ = true;
 }
@@ -236,15 +238,76 @@ bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
   return context->sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
 }
 
+JumpHandler::SharedPtr Clock::create_jump_callback(
+  JumpHandler::pre_callback_t pre, JumpHandler::post_callback_t post, const rcl_jump_threshold_t & threshold)
+{
+  auto made = std::make_shared<JumpHandler>(std::move(pre), std::move(post), threshold);
+  if (type_ != RCL_ROS_TIME || !node_) {
+    return made;
+  }
+  std::weak_ptr<JumpHandler> weak = made;
+  int64_t before = made->handle([weak](Unpacker &, Packer &) {
+        auto me = weak.lock();
+        if (me && me->pre_callback) {
+          me->pre_callback();
+        }
+      });
+  int64_t after = made->handle([weak](Unpacker & from, Packer &) {
+        auto change = static_cast<rcl_clock_change_t>(from.i());
+        auto me = weak.lock();
+        if (me && me->post_callback) {
+          me->post_callback({change, {from.i()}});
+        }
+      });
+  Packer with = Packer{}.i(node_).i(threshold.on_clock_change).i(threshold.min_forward.nanoseconds);
+  made->id = ask("jump_callback", with.i(threshold.min_backward.nanoseconds).i(before).i(after)).i();
+  return made;
+}
+
 // -- loggers
 
+namespace
+{
+/// The levels that let lines through, as the session told them. Only this program changes them.
+struct Levels
+{
+  std::mutex lock;
+  std::map<std::string, int> by_name;
+};
+Levels & levels()
+{
+  static Levels * known = new Levels;  // never destroyed: global nodes may still log
+  return *known;
+}
+}  // namespace
+
+static void forget_log_levels()
+{
+  std::lock_guard<std::mutex> hold(levels().lock);
+  levels().by_name.clear();
+}
+bool log_enabled(const Logger & logger, int level)
+{
+  {
+    std::lock_guard<std::mutex> hold(levels().lock);
+    auto found = levels().by_name.find(logger.get_name());
+    if (found != levels().by_name.end()) {
+      return level >= found->second;
+    }
+  }
+  int least = static_cast<int>(logger.get_effective_level());
+  std::lock_guard<std::mutex> hold(levels().lock);
+  levels().by_name[logger.get_name()] = least;
+  return level >= least;
+}
 void Logger::set_level(Level level)
 {
-  coursekit::note("log_level", Packer{}.s(name_).i(static_cast<int64_t>(level)));
+  ask("log_level", Packer{}.s(*name_).i(static_cast<int64_t>(level)));
+  forget_log_levels();
 }
 Logger::Level Logger::get_effective_level() const
 {
-  return static_cast<Level>(ask("effective_level", Packer{}.s(name_)).i());
+  return static_cast<Level>(ask("effective_level", Packer{}.s(*name_)).i());
 }
 void log(const Logger & logger, int level, const char * file, const char * function, int line, const char * format, ...)
 {

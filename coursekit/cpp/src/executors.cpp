@@ -76,7 +76,11 @@ void Executor::spin_all(std::chrono::nanoseconds max_duration)
   Turn turn(*this);
   ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(1));
 }
-void Executor::cancel() {coursekit::note("cancel", Packer{}.i(id));}
+void Executor::cancel()
+{
+  cancelled_ = true;
+  coursekit::note("cancel", Packer{}.i(id));
+}
 
 void spin(Executor::NodeBase node)
 {

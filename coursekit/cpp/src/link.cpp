@@ -152,12 +152,27 @@ private:
 };
 
 thread_local int t_fd = -1;
-thread_local std::unique_ptr<Link> t_link;
+thread_local bool t_is_main = false;
+thread_local Link * t_link = nullptr;
+/// Closes a thread's connection when it ends. The main thread's stays: global nodes are destroyed after what is thread_local.
+struct AtThreadEnd
+{
+  ~AtThreadEnd()
+  {
+    if (!t_is_main) {
+      delete t_link;
+      t_link = nullptr;
+    }
+  }
+  bool is_used = false;
+};
+thread_local AtThreadEnd t_end;
 Link & link()
 {
   if (!t_link) {
+    t_end.is_used = true;
     bool given = t_fd >= 0;
-    t_link = std::make_unique<Link>(given ? t_fd : connect_to_session(THREAD));
+    t_link = new Link(given ? t_fd : connect_to_session(THREAD));
     t_link->wait();  // the session says when this thread may begin
   }
   return *t_link;
@@ -202,6 +217,7 @@ struct AtStart
     }
     int control = connect_to_session(CONTROL);
     use_connection(connect_to_session(MAIN));
+    t_is_main = true;
     begin_thread();
     start_real_thread(obey, reinterpret_cast<void *>(static_cast<intptr_t>(control)));
   }

@@ -31,10 +31,11 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
   base_->name = answer.s();
   base_->space = answer.s();
   base_->full_name = answer.s();
-  base_->logger = answer.s();
+  base_->logger = Logger(answer.s());
   base_->group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
   base_->clock = std::make_shared<Clock>(RCL_ROS_TIME, base_->id);
   base_->topic_statistics = options.enable_topic_statistics();
+  base_->intra_process = options.use_intra_process_comms();
 }
 CallbackGroup::SharedPtr NodeFace::create_callback_group(CallbackGroupType type, bool automatic)
 {
@@ -112,6 +113,24 @@ void pack_overriding(const QosOverridingOptions & options, coursekit::Entity & o
 }
 }  // namespace
 
+/// Whether messages may stay in the program; throws std::invalid_argument for a QoS that does not allow it.
+static bool stays_in_program(IntraProcessSetting setting, const detail::NodeBase & node, const QoS & qos)
+{
+  if (setting == IntraProcessSetting::Disable || (setting == IntraProcessSetting::NodeDefault && !node.intra_process)) {
+    return false;
+  }
+  if (qos.history() == HistoryPolicy::KeepAll) {
+    throw std::invalid_argument("intraprocess communication is not allowed with keep all history qos policy");
+  }
+  if (qos.depth() == 0) {
+    throw std::invalid_argument("intraprocess communication is not allowed with a zero qos history depth value");
+  }
+  if (qos.durability() != DurabilityPolicy::Volatile) {
+    throw std::invalid_argument("intraprocess communication allowed only with volatile durability");
+  }
+  return true;
+}
+
 void detail::make_publisher(
   NodeBase & node, PublisherBase & made, const std::string & type, const std::string & topic, const QoS & qos,
   const PublisherOptionsBase & options)
@@ -128,6 +147,7 @@ void detail::make_publisher(
   made.name = answer.s();
   made.qos = QoS::unpack(answer);
   made.context = node.context;
+  made.intra_process = stays_in_program(options.use_intra_process_comm, node, made.qos);
   std::string gid = answer.s();
   std::copy_n(gid.begin(), std::min(gid.size(), sizeof(made.gid.data)), made.gid.data);
   made.gid.implementation_identifier = "coursekit";
@@ -161,6 +181,11 @@ void detail::make_subscription(
   made->id = answer.i();
   made->name = answer.s();
   made->qos = QoS::unpack(answer);
+  bool stays = stays_in_program(options.use_intra_process_comm, node, made->qos);
+  if (stays && made->taken_type && !options.ignore_local_publications) {
+    made->inbox = std::make_shared<intra_process::Inbox>(made->name, *made->taken_type, made->owns, made->qos.depth());
+    intra_process::enter(made->inbox);
+  }
   auto & filter = options.content_filter_options;
   if (!filter.filter_expression.empty()) {
     made->set_content_filter(filter.filter_expression, filter.expression_parameters);

@@ -5,20 +5,21 @@ namespace rclcpp
 {
 WaitResultKind WaitSet::wait_ns(int64_t nanoseconds)
 {
-  size_t count = subscriptions_.size() + guards_.size() + timers_.size();
+  size_t count = subscriptions_.size() + guards_.size() + timers_.size() + clients_.size() + services_.size();
   if (!count) {
     return WaitResultKind::Empty;
   }
   Packer with = Packer{}.i(nanoseconds).i(static_cast<int64_t>(count));
-  for (auto & one : subscriptions_) {
-    with.i(one->id);
-  }
-  for (auto & one : guards_) {
-    with.i(one->id);
-  }
-  for (auto & one : timers_) {
-    with.i(one->id);
-  }
+  auto tell = [&](auto & all) {
+      for (auto & one : all) {
+        with.i(one->id);
+      }
+    };
+  tell(subscriptions_);
+  tell(guards_);
+  tell(timers_);
+  tell(clients_);
+  tell(services_);
   Unpacker answer = ask("wait", with);
   std::vector<bool> ready(count);
   for (size_t i = 0; i < count; ++i) {
@@ -41,5 +42,7 @@ void WaitSet::look(const std::vector<bool> & ready)
   mark(subscriptions_, state_.subscriptions, state_.size_of_subscriptions);
   mark(guards_, state_.guard_conditions, state_.size_of_guard_conditions);
   mark(timers_, state_.timers, state_.size_of_timers);
+  mark(clients_, state_.clients, state_.size_of_clients);
+  mark(services_, state_.services, state_.size_of_services);
 }
 }  // namespace rclcpp

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import Parameter as ParameterMessage
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.clock import Clock, ClockType
+from rclpy.clock import Clock, ClockType, JumpHandle, JumpThreshold, TimeJump
+from rclpy.duration import Duration
 from rclpy.parameter import Parameter
 from tf2_ros import TransformListener
 
@@ -41,6 +42,8 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
             statistics.destroy()
     elif isinstance(thing, (ActionClient, ActionServer)):
         thing.destroy()
+    elif isinstance(thing, JumpHandle):
+        thing.unregister()
     elif isinstance(thing, TransformListener):
         thing.executor.shutdown(0)
 
@@ -86,6 +89,28 @@ def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_ros_time_active(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Whether a node follows /clock."""
     return packed(int(host.things[frame.integer()].get_clock().ros_time_is_active))
+
+
+def do_jump_callback(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Call the program before and after jumps of a node's clock."""
+    clock, on_change, forward, backward, before, after = host.things[frame.integer()].get_clock(), *_integers(frame, 5)
+    threshold = JumpThreshold(
+        min_forward=Duration(nanoseconds=forward) if forward else None,
+        min_backward=Duration(nanoseconds=backward) if backward else None,
+        on_clock_change=bool(on_change),
+    )
+
+    def warn() -> None:
+        host.call(before)
+
+    def tell(jump: TimeJump) -> None:
+        host.call(after, packed(int(jump.clock_change), jump.delta.nanoseconds))
+
+    return packed(host.keep(clock.create_jump_callback(threshold, pre_callback=warn, post_callback=tell)))
+
+
+def _integers(frame: Unpacker, count: int) -> list[int]:
+    return [frame.integer() for _ in range(count)]
 
 
 # -- timers
@@ -171,20 +196,51 @@ def do_send_response(host: Host, _channel: Channel, frame: Unpacker) -> None:
         service.send_response(frame.message(service.srv_type.Response), header)
 
 
+def do_take_request(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The next request that waits, without the callback: 0 where there is none. It is answered by `send_response`."""
+    service = host.things[frame.integer()][2]
+    taken = service.handle.core.take()
+    if taken is None:
+        return packed(0)
+    request, header = taken
+    number = next(_requests)
+    service.unanswered[number] = header
+    return packed(1, number) + serialize(request)
+
+
 def do_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a client."""
     node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     client = node.create_client(kind, name, qos_profile=qos.profile(frame), callback_group=group)
     client.handler = handler
+    client.numbers = {}
     return packed(host.keep((node, "destroy_client", client)), client.service_name)
 
 
 def do_send_request(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Send a request; its answer goes to the client's handler."""
     client, number = host.things[frame.integer()][2], frame.integer()
+    own = client.handle.core.peek_number()
+    client.numbers[own] = number
     future = client.call_async(deserialize(frame.rest(), client.srv_type.Request))
-    future.add_done_callback(lambda done: host.call(client.handler, packed(number) + serialize(done.result())) and None)
+
+    def answered(done: Any) -> None:
+        client.numbers.pop(own, None)
+        host.call(client.handler, packed(number) + serialize(done.result()))
+
+    future.add_done_callback(answered)
+
+
+def do_take_response(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The next response that waits, without the request's callback: 0 where there is none."""
+    client = host.things[frame.integer()][2]
+    taken = client.handle.core.take()
+    if taken is None:
+        return packed(0)
+    number, response = taken
+    client._pending_requests.pop(number, None)
+    return packed(1, client.numbers.pop(number, 0)) + serialize(response)
 
 
 def do_service_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

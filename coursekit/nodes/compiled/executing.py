@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
+_IDLE_WEIGHT = 250
+"""Questions that a spin which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
+
 
 def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make an executor with so many threads."""
@@ -67,12 +70,13 @@ def do_spin(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_spin_once(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Wait for one callback and run it, at most so long; negative: without end."""
+    """Wait for one callback and run it, at most so long (negative: without end), or until the executor is cancelled."""
     executor, nanoseconds = host.things[frame.integer()], frame.integer()
     try:
-        executor.spin_once(None if nanoseconds < 0 else nanoseconds / 1e9)
+        executor._spin_once(None if nanoseconds < 0 else nanoseconds / 1e9, executor.is_cancelled)
     except (ShutdownException, ExternalShutdownException):
         pass
+    executor.cancelled = False
 
 
 def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -80,6 +84,8 @@ def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
     executor, limit, everything = host.things[frame.integer()], frame.integer(), frame.integer()
     end = host.clock.steady() + limit
     left = executor._queue.count_ready()
+    if not left:
+        host.clock.poll(_IDLE_WEIGHT)
     while (everything or left > 0) and _run_one(executor) and (not limit or host.clock.steady() < end):
         left -= 1
 

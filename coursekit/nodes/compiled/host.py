@@ -30,6 +30,7 @@ from coursekit.nodes.compiled import (
     graph,
     lifecycle,
     parameters,
+    plugins,
     program,
     topics,
     transforms,
@@ -60,9 +61,17 @@ _ERRORS = {
     "UnknownROSArgsError": "RCLInvalidROSArgsError",
 }
 _ROOMS = (
-    program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags,
+    program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags, plugins,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
+
+
+class _Wish:
+    """A callback waits for a thread of the program to run in."""
+
+    def __init__(self, came: Any) -> None:
+        self.came = came
+        self.channel: Channel | None = None
 
 
 class Host:
@@ -101,7 +110,8 @@ class Host:
         self._idle: list[Channel] = []
         self._workers: list[Channel] = []
         self._control: socket.socket | None = None
-        self._worker_came = self.clock.new_event()
+        self._wishes: list[_Wish] = []
+        """Who waits on the wall clock for a thread of the program that is on its way."""
 
     # -- the child
 
@@ -155,10 +165,14 @@ class Host:
         ended.set()
 
     def _forget(self) -> None:
+        with self._lock:
+            wishes, self._wishes, control, self._control = self._wishes, [], self._control, None
+        for wish in wishes:
+            wish.came.set()  # in vain
         for channel in self._workers:
             channel.close()
-        if self._control is not None:
-            self._control.close()
+        if control is not None:
+            control.close()
 
     def accept(self) -> tuple[bytes, Channel]:
         """The next connection: its purpose and its channel."""
@@ -177,18 +191,17 @@ class Host:
                 return
             if purpose == b"W":
                 self._workers.append(channel)
-                self._idle.append(channel)
                 channel.begin_worker()
-                self._worker_came.set()
+                self._give(channel)
             else:
                 self._channels.append(channel)
                 self.session.spawn(channel.serve)
 
     def _on_signal(self, signum: int, _frame: Any) -> None:
+        if signum in self.caught:
+            self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
         self.flags |= STOPPING
         self._wake()
-        if signum in self.caught:
-            self.context.copy().run(program.tell_signal, self, signum)
         if self._child.poll() is None:
             children.send_signal(self._child, signum)
         self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
@@ -258,18 +271,31 @@ class Host:
                 return self._idle.pop()
             if self._control is None:
                 raise Gone
-            self._control.sendall(b"W")
+            try:
+                self._control.sendall(b"W")
+            except OSError:
+                raise Gone from None
             if self.clock.virtual:
                 channel = self.accept()[1]
                 self._workers.append(channel)
                 channel.begin_worker()
                 return channel
-        while True:
-            self._worker_came.wait()
-            with self._lock:
-                if self._idle:
-                    return self._idle.pop()
-                self._worker_came.clear()
+            wish = _Wish(self.clock.new_event())
+            self._wishes.append(wish)
+        wish.came.wait()
+        if wish.channel is None:
+            raise Gone
+        return wish.channel
+
+    def _give(self, channel: Channel) -> None:
+        """Give a thread of the program that has come to who has waited longest for one."""
+        with self._lock:
+            if not self._wishes:
+                self._idle.append(channel)
+                return
+            wish = self._wishes.pop(0)
+            wish.channel = channel
+        wish.came.set()
 
 
 def main(argv: list[str]) -> int:

@@ -87,7 +87,7 @@ def do_list_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The names of parameters below some prefixes."""
     node, depth = host.things[frame.integer()], frame.integer()
     prefixes = [frame.text() for _ in range(frame.integer())]
-    names = [name for name in node._parameters if is_listed(name, prefixes, depth)]
+    names = [name for name in node._listed_names() if is_listed(name, prefixes, depth)]
     above = [name.rpartition(PARAMETER_SEPARATOR_STRING)[0] for name in names]
     return packed(ListParametersResult(names=names, prefixes=list(dict.fromkeys(filter(None, above)))))
 

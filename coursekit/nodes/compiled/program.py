@@ -20,6 +20,8 @@ STOPPING = 2
 _INFO = 20
 _LINE = 256
 """Whoever asks for fewer bytes wants single keys."""
+_IDLE_WEIGHT = 250
+"""Questions that a look for keys which finds none counts as."""
 
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -75,16 +77,39 @@ def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> 
 
 
 def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait for standard input: 1 and at most so many bytes, none at its end; 0 when Ctrl-C came."""
-    size, keys = frame.integer(), host.process.stdin
+    """Wait for standard input, at most so long (negative: without end); 0 when Ctrl-C came, else 1 and the bytes."""
+    size, by_keys, patience = frame.integer(), frame.integer(), frame.integer()
+    keys = host.process.stdin
     while not host.typed and not host.over:
         if host.flags & STOPPING:
             return packed(0)
-        if keys.wait_for_keys(None):
-            host.typed = keys.read(1).encode() if size < _LINE else keys.readline().encode()
+        if keys.wait_for_keys(None if patience < 0 else patience * 1e-9):
+            host.typed = keys.read(1).encode() if by_keys or size < _LINE else keys.readline().encode()
+            break
+        if patience >= 0:
+            host.clock.poll(_IDLE_WEIGHT)
             break
     data, host.typed = host.typed[:size], host.typed[size:]
     return packed(1, data)
+
+
+def do_has_input(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether something can be read from standard input within the time (negative: whenever it comes)."""
+    patience = frame.integer()
+    if patience == 0:
+        host.clock.poll(_IDLE_WEIGHT)
+        return packed(int(bool(host.typed) or host.process.stdin.has_keys()))
+    ready = bool(host.typed) or host.process.stdin.wait_for_keys(None if patience < 0 else patience * 1e-9)
+    return packed(int(ready))
+
+
+def do_want_keys(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """The program has set its terminal so that each key comes at once; with 1 Ctrl-C is one of them."""
+    keys = host.process.stdin
+    keys.ctrl_c_is_a_key = bool(frame.integer())
+    if not keys.by_keys:
+        keys.by_keys = True
+        host.process.want_keys()
 
 
 def do_thread(host: Host, _channel: Channel, frame: Unpacker) -> None:

@@ -99,6 +99,10 @@ class NodeParameters(ParameterSetting):
         """Whether it was declared."""
         return name in self._parameters
 
+    def _listed_names(self) -> list[str]:
+        """The names of all parameters in the order in which they are listed."""
+        return list(self._parameters)
+
     # -- reading
 
     def get_parameter_types(self, names: list[str]) -> list[int]:

@@ -30,6 +30,12 @@ int main(int argc, char ** argv)
   std::cout << results[0].successful << results[1].successful << std::endl;
   std::cout << client.get_parameter<double>("speed") << " " << client.get_parameter<int>("missing", 7) << " "
             << client.has_parameter("label") << client.has_parameter("colour") << std::endl;
+  auto tell = [](const char * who) {
+      return [who](rcl_interfaces::msg::ParameterEvent::UniquePtr event) {std::cout << who << event->node << std::endl;};
+    };
+  auto of_sync = client.on_parameter_event(tell("sync "));
+  auto of_node = rclcpp::SyncParametersClient::on_parameter_event(node, tell("node "));
+  auto of_async = rclcpp::AsyncParametersClient(node).on_parameter_event(tell("async "), rclcpp::QoS(5));
   node->set_parameter(rclcpp::Parameter("own", 2));
   rclcpp::AsyncParametersClient later(node, "/pump");
   auto listed = later.list_parameters({}, 10);
@@ -56,4 +62,7 @@ def test_parameters_of_another_node_are_read_set_and_watched(build):
         process = session.launch(make_process(session, program, name="manager"))
         assert process.wait(20.0) == 0, process.output
         served.interrupt()
-    assert process.output == ("1\nspeed double 1.500000\nlabel string north\nheard 2.5\n10\n2.5 7 10\nown 2\n1\n")
+    assert process.output == (
+        "1\nspeed double 1.500000\nlabel string north\nheard 2.5\n10\n2.5 7 10\nown 2\n"
+        "sync /manager\nnode /manager\nasync /manager\n1\n"
+    )

@@ -43,7 +43,7 @@ def drawn():
 def test_mat_is_memory_and_functions_do_what_cv2_does(said, tmp_path):
     lines = said("pictures")
     assert lines[:7] == [
-        "177011 [3 x 2]5[  7,   1,   1,   1,   7]",
+        "177011 [3 x 2]5[  7,   1,   1,   1,   7] 1120",
         "[2.5, 4.5, 400.5]162114 3346",
         "[1, 2, 3;",
         " 4, 5, 6]6[1, 0;",

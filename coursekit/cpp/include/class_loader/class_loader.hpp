@@ -1,55 +1,84 @@
-// Classes by their names: those of the libraries that a program is linked with. Libraries are static here.
+// Classes by their names: of a library that is loaded while the program runs, or of what the program is linked with.
 #pragma once
+#include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "rclcpp_components/node_factory.hpp"
+#include "class_loader/exceptions.hpp"
+#include "class_loader/register_macro.hpp"
+#include "class_loader/registry.hpp"
 
 namespace class_loader
 {
-class ClassLoaderException : public std::runtime_error {using std::runtime_error::runtime_error;};
-class LibraryLoadException : public ClassLoaderException {using ClassLoaderException::ClassLoaderException;};
-class CreateClassException : public ClassLoaderException {using ClassLoaderException::ClassLoaderException;};
-
 class ClassLoader : public std::enable_shared_from_this<ClassLoader>
 {
 public:
-  /// All that is linked in is under the path "", as upstream; no other library can be loaded while a program runs.
-  explicit ClassLoader(const std::string & library_path, bool = false)
-  : path_(library_path)
+  template<class Base>
+  using DeleterType = std::function<void (Base *)>;
+  template<class Base>
+  using UniquePtr = std::unique_ptr<Base, DeleterType<Base>>;
+
+  /// All that is linked in is under the path "". With `on_demand` a library is loaded when one of its classes is made.
+  explicit ClassLoader(const std::string & library_path, bool on_demand = false)
+  : path_(library_path), on_demand_(on_demand)
   {
-    if (!path_.empty()) {
-      throw LibraryLoadException(
-              "Could not load library " + path_ + ": coursekit's libraries are static and each component is a program. "
-              "Start it with `ros2 run`, or in a component container");
+    if (!on_demand) {
+      loadLibrary();
     }
   }
+  virtual ~ClassLoader() = default;
   static std::shared_ptr<ClassLoader> Make(const std::string & library_path, bool on_demand = false)
   {
     return std::make_shared<ClassLoader>(library_path, on_demand);
   }
   const std::string & getLibraryPath() const {return path_;}
-  bool isLibraryLoaded() const {return true;}
-  void loadLibrary() {}
-  int unloadLibrary() {return 0;}
-  template<class Base>
-  std::vector<std::string> getAvailableClasses() const {return rclcpp_components::factory_names();}
-  template<class Base>
-  bool isClassAvailable(const std::string & name) const {return rclcpp_components::factory_called(name) != nullptr;}
-  template<class Base>
-  std::shared_ptr<Base> createInstance(const std::string & name)
+  bool isOnDemandLoadUnloadEnabled() const {return on_demand_;}
+  bool isLibraryLoaded() const {return loads_ > 0;}
+  bool isLibraryLoadedByAnyClassloader() const {return isLibraryLoaded();}
+  void loadLibrary()
   {
-    static_assert(std::is_same_v<Base, rclcpp_components::NodeFactory>, "only components can be made by their names here");
-    auto found = rclcpp_components::factory_called(name);
-    if (!found) {
+    registry::load(path_);
+    ++loads_;
+  }
+  /// How many loads are left. The code stays in memory, so that objects that were made outlive this.
+  int unloadLibrary() {return loads_ > 0 ? --loads_ : 0;}
+
+  template<class Base>
+  std::vector<std::string> getAvailableClasses() const {return registry::names(registry::key<Base>(), path_);}
+  template<class Base>
+  bool isClassAvailable(const std::string & name) const
+  {
+    return static_cast<bool>(registry::maker(registry::key<Base>(), name, path_));
+  }
+  template<class Base>
+  Base * createUnmanagedInstance(const std::string & name)
+  {
+    if (!isLibraryLoaded()) {
+      loadLibrary();
+    }
+    registry::Maker make = registry::maker(registry::key<Base>(), name, path_);
+    if (!make) {
       throw CreateClassException("Could not create instance of type " + name);
     }
-    return found;
+    return static_cast<Base *>(make());
+  }
+  template<class Base>
+  std::shared_ptr<Base> createSharedInstance(const std::string & name)
+  {
+    return std::shared_ptr<Base>(createUnmanagedInstance<Base>(name));
+  }
+  template<class Base>
+  std::shared_ptr<Base> createInstance(const std::string & name) {return createSharedInstance<Base>(name);}
+  template<class Base>
+  UniquePtr<Base> createUniqueInstance(const std::string & name)
+  {
+    return UniquePtr<Base>(createUnmanagedInstance<Base>(name), std::default_delete<Base>());
   }
 
 private:
   std::string path_;
+  bool on_demand_;
+  int loads_ = 0;
 };
 }  // namespace class_loader

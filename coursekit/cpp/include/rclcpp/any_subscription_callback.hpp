@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "rclcpp/intra_process.hpp"
 #include "rclcpp/serialized_message.hpp"
 #include "rclcpp/type_adapter.hpp"
 
@@ -38,6 +39,45 @@ constexpr bool takes =
   std::is_invocable_v<F &, std::unique_ptr<M>> || std::is_invocable_v<F &, const M &, const MessageInfo &> ||
   std::is_invocable_v<F &, std::shared_ptr<M>, const MessageInfo &> ||
   std::is_invocable_v<F &, std::unique_ptr<M>, const MessageInfo &>;
+
+/// Whether a callback only looks at the message, so that others may look at the same object.
+template<class F, class M>
+constexpr bool shares =
+  std::is_invocable_v<F &, const M &> || std::is_invocable_v<F &, std::shared_ptr<const M>> ||
+  std::is_invocable_v<F &, const M &, const MessageInfo &> ||
+  std::is_invocable_v<F &, std::shared_ptr<const M>, const MessageInfo &>;
+
+/// Call one that only looks.
+template<class F, class M>
+void call_with_shared(F & callback, const std::shared_ptr<const M> & message, const MessageInfo & info)
+{
+  if constexpr (std::is_invocable_v<F &, const M &>) {
+    callback(*message);
+  } else if constexpr (std::is_invocable_v<F &, std::shared_ptr<const M>>) {
+    callback(message);
+  } else if constexpr (std::is_invocable_v<F &, const M &, const MessageInfo &>) {
+    callback(*message, info);
+  } else {
+    callback(message, info);
+  }
+}
+
+/// Call `callback` with an object that stayed in the program; false where there is none for these bytes.
+template<class M, class F>
+bool call_with_kept(F & callback, intra_process::Inbox & inbox, const std::string & cdr, MessageInfo info)
+{
+  std::shared_ptr<void> box = inbox.take(cdr);
+  if (!box) {
+    return false;
+  }
+  info.get_rmw_message_info().from_intra_process = true;
+  if constexpr (shares<F, M>) {
+    call_with_shared<F, M>(callback, *std::static_pointer_cast<std::shared_ptr<const M>>(box), info);
+  } else {
+    call_with(callback, std::move(*std::static_pointer_cast<std::unique_ptr<M>>(box)), info);
+  }
+  return true;
+}
 
 /// Call `callback` with the bytes that came: as they are, as a message of T, or as the custom object it stands for.
 template<class T, class F>

@@ -11,6 +11,7 @@
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/future_return_code.hpp"
 #include "rclcpp/macros.hpp"
+#include "rmw/types.h"
 
 namespace rclcpp
 {
@@ -41,6 +42,11 @@ class ClientBase : public coursekit::Entity, public std::enable_shared_from_this
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ClientBase)
   const char * get_service_name() const {return name.c_str();}
+  std::shared_ptr<rmw_request_id_t> create_request_header() {return std::make_shared<rmw_request_id_t>();}
+  virtual std::shared_ptr<void> create_response() = 0;
+  virtual bool take_type_erased_response(void * response, rmw_request_id_t & header) = 0;
+  /// Fulfil the request that a response which was taken belongs to.
+  virtual void handle_response(std::shared_ptr<rmw_request_id_t> header, std::shared_ptr<void> response) = 0;
   bool service_is_ready() const {return ask("service_ready", Packer{}.i(id)).i();}
   template<class Rep = int64_t, class Period = std::milli>
   bool wait_for_service(std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
@@ -146,8 +152,43 @@ public:
     }
     return before - pending_.size();
   }
-  /// The session has the response to a request; one that was given up is dropped.
-  void take_response(int64_t number, const std::string & cdr)
+  /// Take the next response without waiting and without its callback; false where there is none.
+  bool take_response(Response & response, rmw_request_id_t & header)
+  {
+    Unpacker answer = ask("take_response", Packer{}.i(id));
+    if (!answer.i()) {
+      return false;
+    }
+    header.sequence_number = answer.i();
+    coursekit::from_cdr(answer.rest(), response);
+    return true;
+  }
+  std::shared_ptr<void> create_response() override {return std::make_shared<Response>();}
+  bool take_type_erased_response(void * response, rmw_request_id_t & header) override
+  {
+    return take_response(*static_cast<Response *>(response), header);
+  }
+  void handle_response(std::shared_ptr<rmw_request_id_t> header, std::shared_ptr<void> response) override
+  {
+    fulfil(header->sequence_number, std::static_pointer_cast<Response>(response));
+  }
+  /// The session has the response to a request.
+  void receive(int64_t number, const std::string & cdr)
+  {
+    auto response = std::make_shared<Response>();
+    coursekit::from_cdr(cdr, *response);
+    fulfil(number, response);
+  }
+
+private:
+  using Then = std::function<void (SharedResponse)>;
+  struct Pending
+  {
+    std::chrono::system_clock::time_point sent;
+    Then then;
+  };
+  /// A response to a request that was given up is dropped.
+  void fulfil(int64_t number, SharedResponse response)
   {
     Then then;
     {
@@ -159,18 +200,8 @@ public:
       then = std::move(found->second.then);
       pending_.erase(found);
     }
-    auto response = std::make_shared<Response>();
-    coursekit::from_cdr(cdr, *response);
     then(response);
   }
-
-private:
-  using Then = std::function<void (SharedResponse)>;
-  struct Pending
-  {
-    std::chrono::system_clock::time_point sent;
-    Then then;
-  };
   int64_t send(const SharedRequest & request, Then then)
   {
     int64_t number = next_++;

@@ -1,10 +1,25 @@
 // Clocks: the system's, a steady one, and ROS time, which follows /clock where a node does.
 #pragma once
+#include "coursekit/entity.hpp"
 #include "rclcpp/context.hpp"
 #include "rclcpp/time.hpp"
 
 namespace rclcpp
 {
+/// What is called around jumps of a clock, for as long as somebody holds it.
+class JumpHandler : public coursekit::Entity
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(JumpHandler)
+  using pre_callback_t = std::function<void ()>;
+  using post_callback_t = std::function<void (const rcl_time_jump_t &)>;
+  JumpHandler(pre_callback_t pre, post_callback_t post, const rcl_jump_threshold_t & threshold)
+  : pre_callback(std::move(pre)), post_callback(std::move(post)), notice_threshold(threshold) {}
+  pre_callback_t pre_callback;
+  post_callback_t post_callback;
+  rcl_jump_threshold_t notice_threshold;
+};
+
 class Clock
 {
 public:
@@ -15,6 +30,10 @@ public:
   bool sleep_until(Time until, Context::SharedPtr context = contexts::get_global_default_context());
   bool sleep_for(Duration duration, Context::SharedPtr context = contexts::get_global_default_context());
   bool ros_time_is_active() const;
+  /// Have functions called before and after jumps that reach a threshold: of a node's clock, since no other jumps.
+  JumpHandler::SharedPtr create_jump_callback(
+    JumpHandler::pre_callback_t pre_callback, JumpHandler::post_callback_t post_callback,
+    const rcl_jump_threshold_t & threshold);
   rcl_clock_type_t get_clock_type() const noexcept {return type_;}
   /// The node whose time this is, by its number at the session; 0 for none.
   int64_t node() const {return node_;}

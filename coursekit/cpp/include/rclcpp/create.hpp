@@ -17,10 +17,7 @@ typename Subscription<T>::SharedPtr create_subscription(
   N && node, const std::string & topic, const QoS & qos, F && callback, const SubscriptionOptions & options = {})
 {
   auto made = std::make_shared<Subscription<T>>();
-  made->dispatch =
-    [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
-      call_with_bytes<T>(callback, cdr, info);
-    };
+  made->call_back(std::forward<F>(callback));
   detail::make_subscription(*base_of(node), made, MessageOf<T>::coursekit_type, topic, qos, options);
   return made;
 }

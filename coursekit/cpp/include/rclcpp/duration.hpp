@@ -5,10 +5,8 @@
 #include <stdexcept>
 
 #include "builtin_interfaces/msg/duration.hpp"
+#include "rcl/time.h"
 #include "rmw/types.h"
-
-typedef int64_t rcl_duration_value_t;
-struct rcl_duration_t {rcl_duration_value_t nanoseconds;};
 
 namespace rclcpp
 {

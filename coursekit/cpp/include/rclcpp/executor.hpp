@@ -45,6 +45,7 @@ public:
   }
   template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
   void spin_node_some(std::shared_ptr<N> node) {spin_node_some(node->get_node_base_interface());}
+  /// Have the spin that goes on return.
   virtual void cancel();
   bool is_spinning() {return spinning_;}
 
@@ -56,11 +57,12 @@ public:
     int64_t span = std::chrono::duration_cast<std::chrono::nanoseconds>(timeout).count();
     int64_t end = span < 0 ? -1 : coursekit::steady_now() + span;
     Turn turn(*this);
+    cancelled_ = false;
     for (;;) {
       if (future.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         return FutureReturnCode::SUCCESS;
       }
-      if (!ok(context_)) {
+      if (cancelled_ || !ok(context_)) {
         return FutureReturnCode::INTERRUPTED;
       }
       int64_t left = end < 0 ? -1 : end - coursekit::steady_now();
@@ -83,6 +85,6 @@ protected:
 private:
   Context::SharedPtr context_;
   std::vector<NodeBase> nodes_;
-  std::atomic<bool> spinning_{false};
+  std::atomic<bool> spinning_{false}, cancelled_{false};
 };
 }  // namespace rclcpp

@@ -19,7 +19,7 @@
 
 namespace rclcpp
 {
-/// Whether a line of this level would be shown; the session knows the levels.
+/// Whether a line of this level is shown: only then are a macro's condition and arguments evaluated.
 bool log_enabled(const Logger & logger, int level);
 void log(const Logger & logger, int level, const char * file, const char * function, int line, const char * format, ...)
 #ifdef __GNUC__
@@ -33,7 +33,7 @@ __attribute__((format(printf, 6, 7)))
     static_assert( \
       std::is_same_v<std::remove_cv_t<std::remove_reference_t<decltype(logger)>>, rclcpp::Logger>, \
       "First argument to logging macros must be an rclcpp::Logger"); \
-    if (condition) { \
+    if (rclcpp::log_enabled(logger, level) && (condition)) { \
       rclcpp::log(logger, level, __FILE__, __func__, __LINE__, __VA_ARGS__); \
     } \
   } while (0)
@@ -42,7 +42,7 @@ __attribute__((format(printf, 6, 7)))
     static_assert( \
       std::is_same_v<std::remove_cv_t<std::remove_reference_t<decltype(logger)>>, rclcpp::Logger>, \
       "First argument to logging macros must be an rclcpp::Logger"); \
-    if (condition) { \
+    if (rclcpp::log_enabled(logger, level) && (condition)) { \
       std::stringstream coursekit_stream; \
       coursekit_stream << stream_arg; \
       rclcpp::log(logger, level, __FILE__, __func__, __LINE__, "%s", coursekit_stream.str().c_str()); \

@@ -75,10 +75,7 @@ public:
     const Strategy & ...)
   {
     auto made = std::make_shared<Subscription<T>>();
-    made->dispatch =
-      [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
-        call_with_bytes<T>(callback, cdr, info);
-      };
+    made->call_back(std::forward<F>(callback));
     detail::make_subscription(*base_, made, MessageOf<T>::coursekit_type, extended(topic), qos, options);
     return made;
   }

@@ -115,12 +115,19 @@ public:
     return set_parameters(parameters_from_map(detail::parameter_file(yaml_filename, remote_)));
   }
 
-  template<class F, class N>
+  /// Hear of changes of all nodes' parameters; the node is that of this client, or the one that is given.
+  template<class F>
+  Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
+    F && callback, const QoS & qos = ParameterEventsQoS(), const SubscriptionOptions & options = {})
+  {
+    return on_parameter_event(base_, std::forward<F>(callback), qos, options);
+  }
+  template<class F, class N, class = std::enable_if_t<!std::is_convertible_v<F, QoS>>>
   static Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
     N && node, F && callback, const QoS & qos = ParameterEventsQoS(), const SubscriptionOptions & options = {})
   {
-    return node_of(node).template create_subscription<rcl_interfaces::msg::ParameterEvent>(
-      "/parameter_events", qos, std::forward<F>(callback), options);
+    return create_subscription<rcl_interfaces::msg::ParameterEvent>(
+      node, "/parameter_events", qos, std::forward<F>(callback), options);
   }
   bool service_is_ready() const
   {
@@ -234,6 +241,11 @@ public:
   AsyncParametersClient::Descriptors describe_parameters(const std::vector<std::string> & names)
   {
     return wait(client_.describe_parameters(names));
+  }
+  template<class F>
+  auto on_parameter_event(F && callback)
+  {
+    return client_.on_parameter_event(std::forward<F>(callback));
   }
   template<class F, class N>
   static auto on_parameter_event(N && node, F && callback)

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 
+#include "rclcpp/intra_process.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/serialized_message.hpp"
@@ -17,7 +18,7 @@ public:
   const char * get_topic_name() const {return name.c_str();}
   size_t get_queue_size() const {return qos.depth();}
   size_t get_subscription_count() const {return static_cast<size_t>(ask("subscription_count", Packer{}.i(id)).i());}
-  size_t get_intra_process_subscription_count() const {return 0;}
+  virtual size_t get_intra_process_subscription_count() const {return 0;}
   bool assert_liveliness() const
   {
     ask("assert_liveliness", Packer{}.i(id));
@@ -35,6 +36,8 @@ public:
   QoS qos{10};
   rmw_gid_t gid{};
   Context::SharedPtr context;
+  /// Whether what is published may stay in the program.
+  bool intra_process = false;
 
 protected:
   void send(const std::string & cdr) const
@@ -76,7 +79,17 @@ public:
 
   virtual void publish(const PublishedType & message) {send(custom_to_cdr<T>(message));}
   template<class Deleter>
-  void publish(std::unique_ptr<PublishedType, Deleter> message) {publish(*message);}
+  void publish(std::unique_ptr<PublishedType, Deleter> message)
+  {
+    if constexpr (std::is_same_v<Deleter, std::default_delete<PublishedType>>) {
+      if (intra_process) {
+        std::string bytes = custom_to_cdr<T>(*message);
+        rclcpp::intra_process::give(name, std::move(message), bytes);  // first: a subscription may hear the bytes at once
+        return send(bytes);
+      }
+    }
+    publish(*message);
+  }
   template<class M, class Deleter, class = std::enable_if_t<is_adapted<T> && std::is_same_v<M, ROSMessageType>>>
   void publish(std::unique_ptr<M, Deleter> message) {publish(*message);}
   template<class M, class = std::enable_if_t<is_adapted<T> && std::is_same_v<M, ROSMessageType>>>
@@ -88,6 +101,10 @@ public:
   }
   void publish(LoanedMessage<PublishedType> && message) {publish(message.release());}
   LoanedMessage<PublishedType> borrow_loaned_message() {return {};}
+  size_t get_intra_process_subscription_count() const override
+  {
+    return intra_process ? rclcpp::intra_process::inboxes(name, typeid(PublishedType)).size() : 0;
+  }
 };
 
 /// Publishes bytes of a type that only its name tells.

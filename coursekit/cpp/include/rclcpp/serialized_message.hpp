@@ -2,11 +2,8 @@
 #pragma once
 #include "coursekit/cdr.hpp"
 #include "rclcpp/macros.hpp"
+#include "rmw/serialized_message.h"
 #include "rmw/types.h"
-
-typedef struct {uint8_t * buffer; size_t buffer_length; size_t buffer_capacity;} rcutils_uint8_array_t;
-typedef rcutils_uint8_array_t rcl_serialized_message_t;
-typedef rcutils_uint8_array_t rmw_serialized_message_t;
 
 namespace rclcpp
 {

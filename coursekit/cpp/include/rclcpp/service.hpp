@@ -14,6 +14,11 @@ class ServiceBase : public coursekit::Entity, public std::enable_shared_from_thi
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ServiceBase)
   const char * get_service_name() const {return name.c_str();}
+  std::shared_ptr<rmw_request_id_t> create_request_header() {return std::make_shared<rmw_request_id_t>();}
+  virtual std::shared_ptr<void> create_request() = 0;
+  virtual bool take_type_erased_request(void * request, rmw_request_id_t & header) = 0;
+  /// Run the callback with a request that was taken, and answer it.
+  virtual void handle_request(std::shared_ptr<rmw_request_id_t> header, std::shared_ptr<void> request) = 0;
 };
 
 template<class S>
@@ -32,6 +37,31 @@ public:
   {
     ask("send_response", Packer{}.i(id).i(header.sequence_number).m(response));
   }
+
+  /// Take the next request without waiting and without the callback; false where there is none.
+  bool take_request(Request & request, rmw_request_id_t & header)
+  {
+    Unpacker answer = ask("take_request", Packer{}.i(id));
+    if (!answer.i()) {
+      return false;
+    }
+    header.sequence_number = answer.i();
+    coursekit::from_cdr(answer.rest(), request);
+    return true;
+  }
+  std::shared_ptr<void> create_request() override {return std::make_shared<Request>();}
+  bool take_type_erased_request(void * request, rmw_request_id_t & header) override
+  {
+    return take_request(*static_cast<Request *>(request), header);
+  }
+  void handle_request(Header header, std::shared_ptr<void> request) override
+  {
+    auto response = std::make_shared<Response>();
+    if (answering(header->sequence_number, std::static_pointer_cast<Request>(request), response)) {
+      send_response(*header, *response);
+    }
+  }
+  std::function<bool (int64_t, SharedRequest, SharedResponse)> answering;
 
   /// Call the program's callback in the form that it takes; whether it has answered.
   template<class F>

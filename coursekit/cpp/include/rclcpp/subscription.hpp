@@ -65,6 +65,11 @@ public:
   }
   Dispatch dispatch;
   QoS qos{10};
+  /// What stays in the program for it; null where all that it hears goes through the session.
+  std::shared_ptr<intra_process::Inbox> inbox;
+  /// The C++ type of what it takes, and whether it takes it as its own; null where it takes bytes.
+  const std::type_info * taken_type = nullptr;
+  bool owns = false;
 
 protected:
   ContentFilterOptions filter_;
@@ -95,6 +100,26 @@ public:
   void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
   {
     dispatch(coursekit::to_cdr(*std::static_pointer_cast<ROSMessageType>(message)), info);
+  }
+  /// Have what comes call a function of the program.
+  template<class F>
+  void call_back(F && given)
+  {
+    using Callback = std::decay_t<F>;
+    using Taken = std::conditional_t<takes<Callback, SubscribedType>, SubscribedType, ROSMessageType>;
+    constexpr bool takes_objects = takes<Callback, Taken>;
+    if constexpr (takes_objects) {
+      taken_type = &typeid(Taken);
+      owns = !shares<Callback, Taken>;
+    }
+    dispatch = [this, callback = Callback(std::forward<F>(given))](const std::string & cdr, const MessageInfo & info) mutable {
+        if constexpr (takes_objects) {
+          if (inbox && call_with_kept<Taken>(callback, *inbox, cdr, info)) {
+            return;
+          }
+        }
+        call_with_bytes<T>(callback, cdr, info);
+      };
   }
 };
 

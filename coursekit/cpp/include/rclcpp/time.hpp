@@ -1,10 +1,9 @@
 // Points in time, in nanoseconds, of one of three kinds of clock.
 #pragma once
 #include "builtin_interfaces/msg/time.hpp"
+#include "rcl/time.h"
 #include "rclcpp/duration.hpp"
 
-enum rcl_clock_type_t {RCL_CLOCK_UNINITIALIZED, RCL_ROS_TIME, RCL_SYSTEM_TIME, RCL_STEADY_TIME};
-typedef int64_t rcl_time_point_value_t;
 #define RCL_S_TO_NS(seconds) ((seconds) * 1000000000LL)
 #define RCL_MS_TO_NS(milliseconds) ((milliseconds) * 1000000LL)
 #define RCL_NS_TO_S(nanoseconds) ((nanoseconds) / 1000000000LL)

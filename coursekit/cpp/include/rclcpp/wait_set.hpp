@@ -1,4 +1,4 @@
-// Wait sets: a program waits for subscriptions, timers and guard conditions itself, and takes what is there.
+// Wait sets: a program waits for subscriptions, timers, guard conditions, clients and services itself, and takes what is there.
 #pragma once
 #include <array>
 #include <chrono>
@@ -14,8 +14,8 @@
 /// What was ready when a wait ended: a pointer for each entity, null for those that were not.
 struct rcl_wait_set_t
 {
-  std::vector<const void *> subscriptions, guard_conditions, timers;
-  size_t size_of_subscriptions = 0, size_of_guard_conditions = 0, size_of_timers = 0;
+  std::vector<const void *> subscriptions, guard_conditions, timers, clients, services;
+  size_t size_of_subscriptions = 0, size_of_guard_conditions = 0, size_of_timers = 0, size_of_clients = 0, size_of_services = 0;
 };
 
 namespace rclcpp
@@ -75,8 +75,18 @@ public:
   using Subscriptions = std::vector<SubscriptionEntry>;
   using Guards = std::vector<GuardCondition::SharedPtr>;
   using Timers = std::vector<TimerBase::SharedPtr>;
-  explicit WaitSet(const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {})
+  using Clients = std::vector<ClientBase::SharedPtr>;
+  using Services = std::vector<ServiceBase::SharedPtr>;
+  explicit WaitSet(
+    const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {},
+    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & = {})
   {
+    for (auto & client : clients) {
+      add_client(client);
+    }
+    for (auto & service : services) {
+      add_service(service);
+    }
     for (auto & entry : subscriptions) {
       add_subscription(entry.subscription, entry.mask);
     }
@@ -105,6 +115,10 @@ public:
   }
   void add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
   void remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
+  void add_client(ClientBase::SharedPtr client) {add(clients_, client, "client");}
+  void remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
+  void add_service(ServiceBase::SharedPtr service) {add(services_, service, "service");}
+  void remove_service(ServiceBase::SharedPtr service) {remove(services_, service, "service");}
   void add_guard_condition(GuardCondition::SharedPtr guard)
   {
     if (guard && guard->exchange_in_use_by_wait_set_state(true)) {
@@ -157,6 +171,8 @@ private:
   std::vector<SubscriptionBase::SharedPtr> subscriptions_;
   Guards guards_;
   Timers timers_;
+  Clients clients_;
+  Services services_;
   rcl_wait_set_t state_;
 };
 using ThreadSafeWaitSet = WaitSet;
@@ -171,13 +187,13 @@ public:
     const std::array<SubscriptionEntry, NSubscriptions> & subscriptions = {},
     const std::array<GuardCondition::SharedPtr, NGuards> & guards = {},
     const std::array<TimerBase::SharedPtr, NTimers> & timers = {},
-    const std::array<ClientBase::SharedPtr, NClients> & = {}, const std::array<ServiceBase::SharedPtr, NServices> & = {},
-    const std::array<WaitableEntry, NWaitables> & = {})
-  : WaitSet({subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()})
+    const std::array<ClientBase::SharedPtr, NClients> & clients = {},
+    const std::array<ServiceBase::SharedPtr, NServices> & services = {}, const std::array<WaitableEntry, NWaitables> & = {})
+  : WaitSet(
+      {subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()},
+      {clients.begin(), clients.end()}, {services.begin(), services.end()})
   {
-    static_assert(
-      NClients + NServices + NWaitables == 0,
-      "wait sets of coursekit wait for subscriptions, guard conditions and timers, not for clients and services");
+    static_assert(NWaitables == 0, "coursekit has no waitables of its own to wait for");
   }
 };
 }  // namespace rclcpp

@@ -1,5 +1,6 @@
 // Components: classes of nodes that a program can make by their names.
 #pragma once
+#include "class_loader/class_loader.hpp"
 #include "rclcpp/rclcpp.hpp"
 
 namespace rclcpp_components
@@ -37,15 +38,10 @@ public:
   }
 };
 
-/// Enter a class under its name; where a program has several, each can be made.
-bool enter(const std::string & plugin, std::shared_ptr<NodeFactory> factory);
 /// main() of a program that has one component and spins it in the executor E.
 template<class E>
 int run(const std::string & plugin, int argc, char ** argv);
 NodeInstanceWrapper make(const std::string & plugin, const rclcpp::NodeOptions & options);
-/// The names of the classes that a program has, and what makes one; null where there is none of that name.
-std::vector<std::string> factory_names();
-std::shared_ptr<NodeFactory> factory_called(const std::string & plugin);
 
 template<class E>
 int run(const std::string & plugin, int argc, char ** argv)

@@ -12,7 +12,7 @@ public:
   using SharedPtr = std::shared_ptr<StaticTransformBroadcaster>;
   template<class N>
   explicit StaticTransformBroadcaster(N && node, const rclcpp::QoS & qos = StaticBroadcasterQoS())
-  : publisher_(rclcpp::node_of(node).template create_publisher<tf2_msgs::msg::TFMessage>("/tf_static", qos)) {}
+  : publisher_(rclcpp::node_of(node).template create_publisher<tf2_msgs::msg::TFMessage>("/tf_static", qos, to_all())) {}
   void sendTransform(const geometry_msgs::msg::TransformStamped & transform) {sendTransform(std::vector{transform});}
   void sendTransform(const std::vector<geometry_msgs::msg::TransformStamped> & transforms)
   {
@@ -30,6 +30,12 @@ public:
   }
 
 private:
+  static rclcpp::PublisherOptions to_all()
+  {
+    rclcpp::PublisherOptions options;
+    options.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;  // what is latched cannot stay in the program
+    return options;
+  }
   rclcpp::Publisher<tf2_msgs::msg::TFMessage>::SharedPtr publisher_;
   tf2_msgs::msg::TFMessage said_;
 };

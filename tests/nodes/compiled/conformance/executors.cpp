@@ -39,6 +39,24 @@ int main(int argc, char ** argv)
   auto endless = never.get_future();
   check("a timeout", single.spin_until_future_complete(endless, 30ms) == rclcpp::FutureReturnCode::TIMEOUT);
   fulfil->cancel();
+  auto watch = rclcpp::Node::make_shared("watch");  // it has nothing to do: only the cancel ends the wait
+  rclcpp::executors::SingleThreadedExecutor idle;
+  idle.add_node(watch);
+  std::promise<void> other;
+  auto kept = other.get_future().share();
+  std::thread fulfilled([&] {
+      rclcpp::sleep_for(30ms);
+      other.set_value();
+      idle.cancel();
+    });
+  check("cancel has a future looked at", idle.spin_until_future_complete(kept) == rclcpp::FutureReturnCode::SUCCESS);
+  fulfilled.join();
+  std::thread cancels([&] {
+      rclcpp::sleep_for(30ms);
+      idle.cancel();
+    });
+  check("or ends the wait", idle.spin_until_future_complete(endless) == rclcpp::FutureReturnCode::INTERRUPTED);
+  cancels.join();
   check("not spinning", !single.is_spinning());
   auto stop = node->create_wall_timer(40ms, [&] {single.cancel();});
   single.spin();

@@ -34,6 +34,19 @@ int main(int argc, char ** argv)
   }
   std::function<bool ()> yes = [] {return true;};
   RCLCPP_INFO_FUNCTION(logger, &yes, "LINE function");
+  int evaluated = 0;
+  std::function<bool ()> counting = [&] {return ++evaluated;};
+  RCLCPP_DEBUG_FUNCTION(logger, &counting, "LINE of a function");
+  RCLCPP_DEBUG(logger, "LINE %d", ++evaluated);
+  RCLCPP_DEBUG_STREAM(logger, "LINE " << ++evaluated);
+  RCLCPP_DEBUG_EXPRESSION(logger, ++evaluated, "LINE of an expression");
+  equal("what is not shown is not evaluated", evaluated, 0);
+  logger.set_level(rclcpp::Logger::Level::Debug);
+  RCLCPP_DEBUG_FUNCTION(logger, &counting, "debugged");
+  equal("what is shown is", evaluated, 1);
+  const char * name = node->get_logger().get_name();
+  std::string other = node->get_logger().get_child("a_name_of_another_logger").get_name();
+  equal("a logger's name outlives its copies", std::string(name), std::string("logging"));
   RCUTILS_LOG_WARN_NAMED("named", "LINE by name");
   rclcpp::shutdown();
 }

@@ -81,6 +81,8 @@ int main(int argc, char ** argv)
   std::map<std::string, int> wheels;
   check("by prefix", node->get_parameters("wheel", wheels) && wheels["right"] == 2);
   equal("listed below a prefix", node->list_parameters({"wheel"}, 10).names.size(), 2u);
+  node->declare_parameter("wheel.aft", 3);
+  equal("listed by their names", node->list_parameters({"wheel"}, 10).names.front(), "wheel.aft");
   equal("prefixes", node->list_parameters({"wheel"}, 10).prefixes.at(0), "wheel");
   equal("types", static_cast<int>(node->get_parameter_types({"name"}).at(0)), static_cast<int>(rclcpp::PARAMETER_STRING));
 
@@ -96,7 +98,7 @@ int main(int argc, char ** argv)
   check("remote has", client->has_parameter("wheel.left"));
   check("remote set", client->set_parameters({rclcpp::Parameter("count", 1)})[0].successful);
   equal("remote types", static_cast<int>(client->get_parameter_types({"speed"})[0]), static_cast<int>(rclcpp::PARAMETER_DOUBLE));
-  equal("remote list", client->list_parameters({"wheel"}, 10).names.size(), 2u);
+  equal("remote list", client->list_parameters({"wheel"}, 10).names.front(), "wheel.aft");
   check("remote atomically", client->set_parameters_atomically({{"count", 2}, {"speed", 2.0}}).successful);
   std::ofstream("given.yaml") << "/**:\n  ros__parameters:\n    count: 44\nparameters:\n  ros__parameters:\n    wheel: {left: 7}\n";
   equal("a file is loaded", client->load_parameters("given.yaml").size(), 2u);

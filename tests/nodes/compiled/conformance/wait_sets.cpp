@@ -1,6 +1,8 @@
 #include "check.hpp"
+#include "example_interfaces/srv/add_two_ints.hpp"
 #include "std_msgs/msg/int32.hpp"
 
+using example_interfaces::srv::AddTwoInts;
 using std_msgs::msg::Int32;
 using Kind = rclcpp::WaitResultKind;
 
@@ -65,5 +67,51 @@ int main(int argc, char ** argv)
   rclcpp::ThreadSafeWaitSet safe;
   safe.add_timer(timer);
   check("one for several threads", safe.wait(1s).kind() == Kind::Ready);
+
+  // clients and services
+  auto server = node->create_service<AddTwoInts>(
+    "add", [](AddTwoInts::Request::SharedPtr request, AddTwoInts::Response::SharedPtr response) {
+      response->sum = request->a + request->b;
+    });
+  auto client = node->create_client<AddTwoInts>("add");
+  rclcpp::WaitSet calls({}, {}, {}, {client}, {server});
+  check("nobody has asked", calls.wait(50ms).kind() == Kind::Timeout);
+  auto ask = [&](int64_t a, int64_t b) {
+      auto request = std::make_shared<AddTwoInts::Request>();
+      request->a = a;
+      request->b = b;
+      return client->async_send_request(request);
+    };
+  auto first_sum = ask(3, 4);
+  check("a request ends it", calls.wait(1s).kind() == Kind::Ready);
+  check("of the service", calls.get_rcl_wait_set().services[0] && !calls.get_rcl_wait_set().clients[0]);
+  AddTwoInts::Request request;
+  AddTwoInts::Response response;
+  auto header = server->create_request_header();
+  check("the request is taken", server->take_request(request, *header) && request.a == 3);
+  check("and no other", !server->take_request(request, *header));
+  response.sum = 70;
+  server->send_response(*header, response);
+  check("a response ends it", calls.wait(1s).kind() == Kind::Ready && calls.get_rcl_wait_set().clients[0]);
+  auto back = client->create_request_header();
+  check("the response is taken", client->take_response(response, *back) && response.sum == 70);
+  equal("it is that of the request", back->sequence_number, first_sum.request_id);
+  check("and no other", !client->take_response(response, *back));
+  client->handle_response(back, std::make_shared<AddTwoInts::Response>(response));
+  equal("its future is fulfilled", first_sum.get()->sum, 70);
+  auto second_sum = ask(5, 6);
+  calls.remove_client(client);
+  check("another request", calls.wait(1s).kind() == Kind::Ready && calls.get_rcl_wait_set().size_of_clients == 0);
+  std::shared_ptr<void> taken = server->create_request();
+  check("taken without its type", server->take_type_erased_request(taken.get(), *header));
+  server->handle_request(header, taken);
+  calls.remove_service(server);
+  calls.add_client(client);
+  check("the callback's response", calls.wait(1s).kind() == Kind::Ready && client->take_response(response, *back));
+  equal("is its sum", response.sum, 11);
+  using Both = rclcpp::StaticWaitSet<0, 0, 0, 1, 1, 0>;
+  Both both({}, {}, {}, {{client}}, {{server}});
+  ask(1, 1);
+  check("a fixed one waits for services too", both.wait(1s).kind() == Kind::Ready);
   rclcpp::shutdown();
 }

@@ -10,7 +10,9 @@ static void memory()
   cv::Mat part = a(cv::Rect(1, 1, 3, 2));
   part.setTo(cv::Scalar(1));
   std::cout << int(shared.at<uchar>(1, 2)) << int(copy.at<uchar>(1, 2)) << int(a.at<uchar>(3, 0)) << part.isContinuous()
-            << part.isSubmatrix() << a.isContinuous() << " " << part.size() << part.step << a.row(1) << std::endl;
+            << part.isSubmatrix() << a.isContinuous() << " " << part.size() << part.step << a.row(1) << " "
+            << (part.datastart == a.data) << (part.dataend - copy.datastart == a.dataend - copy.datastart)
+            << a.dataend - a.datastart << std::endl;
   cv::Mat colour(2, 2, CV_8UC3, cv::Scalar(1, 2, 3)), real;
   colour.at<cv::Vec3b>(1, 0)[2] = 200;
   colour.convertTo(real, CV_32F, 2.0, 0.5);

@@ -53,14 +53,18 @@ typename Service<S>::SharedPtr service(
 {
   auto made = std::make_shared<Service<S>>();
   std::weak_ptr<Service<S>> weak = made;
+  made->answering =
+    [service = made.get(), callback = std::decay_t<F>(std::forward<F>(callback))](int64_t number, auto request, auto response) mutable {
+      return service->answer(callback, number, request, response);
+    };
   int64_t handler = made->handle(
-    [weak, callback = std::decay_t<F>(std::forward<F>(callback))](Unpacker & from, Packer & to) mutable {
+    [weak](Unpacker & from, Packer & to) {
       int64_t number = from.i();
       auto request = std::make_shared<typename S::Request>();
       auto response = std::make_shared<typename S::Response>();
       coursekit::from_cdr(from.rest(), *request);
       auto me = weak.lock();
-      bool answered = me && me->answer(callback, number, request, response);
+      bool answered = me && me->answering(number, request, response);
       to.i(answered).m(*response);
     });
   Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));
@@ -79,7 +83,7 @@ typename Client<S>::SharedPtr client(
     [weak](Unpacker & from, Packer &) {
       int64_t number = from.i();
       if (auto me = weak.lock()) {
-        me->take_response(number, from.rest());
+        me->receive(number, from.rest());
       }
     });
   Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));

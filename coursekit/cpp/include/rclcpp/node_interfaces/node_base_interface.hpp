@@ -16,18 +16,19 @@ public:
   const char * get_fully_qualified_name() const {return full_name.c_str();}
   Context::SharedPtr get_context() {return context;}
   CallbackGroup::SharedPtr get_default_callback_group() {return group;}
-  Logger get_logger() const {return Logger(logger);}
-  const char * get_logger_name() const {return logger.c_str();}
+  Logger get_logger() const {return logger;}
+  const char * get_logger_name() const {return logger.get_name();}
   Clock::SharedPtr get_clock() {return clock;}
   Clock::ConstSharedPtr get_clock() const {return clock;}
   NodeBaseInterface * operator->() {return this;}
 
   int64_t id = 0;
-  std::string name, space, full_name, logger;
+  std::string name, space, full_name;
+  Logger logger{""};
   CallbackGroup::SharedPtr group;
   Clock::SharedPtr clock;
   Context::SharedPtr context = contexts::get_global_default_context();
-  bool in_executor = false, topic_statistics = false;
+  bool in_executor = false, topic_statistics = false, intra_process = false;
 };
 using NodeClockInterface = NodeBaseInterface;
 using NodeGraphInterface = NodeBaseInterface;

@@ -148,6 +148,8 @@ private:
     cols = size.p[1] = cols_;
     step.p[0] = step_;
     step.p[1] = elemSize();
+    datastart = data;
+    dataend = rows && cols ? data + static_cast<size_t>(rows - 1) * step.p[0] + static_cast<size_t>(cols) * elemSize() : data;
   }
   int type_ = 0;
   std::shared_ptr<std::vector<uchar>> memory_;
@@ -155,6 +157,8 @@ private:
 public:
   int dims = 2, rows = 0, cols = 0;
   uchar * data = nullptr;
+  /// Where the pixels of the whole matrix begin and end, also where this is a part of it.
+  const uchar * datastart = nullptr, * dataend = nullptr;
   MatStep step;
   MatSize size;
 };

@@ -31,6 +31,8 @@ inline Mat::Mat(const Mat & whole, const Range & of_rows, const Range & of_cols)
   CV_Assert(0 <= xs.start && xs.start <= xs.end && xs.end <= whole.cols);
   data = whole.data + ys.start * whole.step.p[0] + xs.start * whole.elemSize();
   shape(ys.size(), xs.size(), whole.step.p[0]);
+  datastart = whole.datastart;
+  dataend = whole.dataend;
 }
 inline Mat::Mat(const Mat & whole, const Rect & roi)
 : type_(whole.type_), memory_(whole.memory_)
@@ -39,6 +41,8 @@ inline Mat::Mat(const Mat & whole, const Rect & roi)
     roi.y + roi.height <= whole.rows);
   data = whole.data + roi.y * whole.step.p[0] + roi.x * whole.elemSize();
   shape(roi.height, roi.width, whole.step.p[0]);
+  datastart = whole.datastart;
+  dataend = whole.dataend;
 }
 inline void Mat::create(int rows_, int cols_, int wanted)
 {

@@ -1,0 +1,2 @@
+#pragma once
+#include "class_loader/class_loader.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "pluginlib/class_loader.hpp"

@@ -1,0 +1,82 @@
+"""What a compiled program asks of plugins: those that the sourced workspaces declare in XML, as pluginlib reads them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+from xml.etree.ElementTree import Element, ParseError, fromstring
+
+from ament_index_python import get_package_prefix, get_resource, get_resources
+
+from coursekit.files import read_text
+from coursekit.nodes.compiled.frames import Unpacker, packed
+
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.channel import Channel
+    from coursekit.nodes.compiled.host import Host
+
+
+class InvalidManifest(Exception):
+    """A description of plugins is no such XML."""
+
+
+class Plugin(NamedTuple):
+    """A class that a library offers."""
+
+    name: str
+    type: str
+    library: str
+    """The path of its library; what the description calls it, where there is no such file."""
+    description: str
+    package: str
+    manifest: str
+
+
+def do_plugins(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The plugins declared under a package's name for a base class."""
+    package, base = frame.text(), frame.text()
+    get_package_prefix(package)  # PackageNotFoundError where there is none
+    found = list(declared(package, base))
+    words = [word for one in found for word in (*one, int(os.path.isabs(one.library)))]
+    return packed(len(found), *words)
+
+
+def declared(package: str, base: str) -> Iterator[Plugin]:
+    """The plugins of all packages for a base class that `package` defines."""
+    kind = f"{package}__pluginlib__plugin"
+    for owner in sorted(get_resources(kind)):
+        content, prefix = get_resource(kind, owner)
+        for line in content.split():
+            yield from _read(owner, Path(prefix), line, base)
+
+
+def _read(owner: str, prefix: Path, line: str, base: str) -> Iterator[Plugin]:
+    path = prefix / line
+    try:
+        root = fromstring(read_text(path))
+    except (OSError, ParseError, ValueError) as error:
+        text = f"XML Document {path} has no Root Element. This likely means the XML is malformed: {error}"
+        raise InvalidManifest(text) from None
+    for library in [root] if root.tag == "library" else root.iter("library"):
+        for one in library.iter("class"):
+            if one.get("base_class_type") == base:
+                yield _plugin(owner, prefix, path, library, one)
+
+
+def _plugin(owner: str, prefix: Path, path: Path, library: Element, one: Element) -> Plugin:
+    kind = one.get("type", "")
+    text = (one.findtext("description") or "No 'description' tag for this plugin in plugin description file.").strip()
+    where = _library(prefix, library.get("path", ""))
+    return Plugin(one.get("name") or kind, kind, where, text, owner, str(path))
+
+
+def _library(prefix: Path, name: str) -> str:
+    folder, _, stem = name.rpartition("/")
+    for file in (f"lib{stem}.so", f"{stem}.so", f"lib{stem}.dylib"):
+        if (path := prefix / (folder or "lib") / file).is_file():
+            return str(path)
+        if (path := prefix / "lib" / file).is_file():
+            return str(path)
+    return name

@@ -1,0 +1,92 @@
+"""Compiled programs whose objects outlive main(), and those that only ask: they end as on a robot, and time goes on."""
+
+from __future__ import annotations
+
+import pytest
+
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
+
+GLOBAL = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+rclcpp::Node::SharedPtr g_node;
+rclcpp::TimerBase::SharedPtr g_timer;
+rclcpp::Subscription<std_msgs::msg::String>::SharedPtr g_subscription;
+struct Last
+{
+  ~Last() {std::cout << "last " << g_node->get_name() << std::endl;}
+} g_last;
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  g_node = rclcpp::Node::make_shared("kept");
+  g_subscription = g_node->create_subscription<std_msgs::msg::String>("words", 10, [](std_msgs::msg::String::UniquePtr) {});
+  g_timer = g_node->create_wall_timer(std::chrono::milliseconds(20), [] {rclcpp::shutdown();});
+  rclcpp::spin(g_node);
+  return 3;
+}
+"""
+ASKING = """
+#include "rclcpp/rclcpp.hpp"
+using namespace std::chrono_literals;
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("impatient");
+  bool done = false;
+  int spins = 0;
+  auto timer = node->create_wall_timer(2s, [&] {done = true;});
+  while (!done) {
+    rclcpp::spin_some(node);
+    ++spins;
+  }
+  RCLCPP_INFO(node->get_logger(), "done: %d", spins < 100000);
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  timer->reset();
+  for (done = false; !done; ) {
+    executor.spin_once(0s);
+  }
+  RCLCPP_INFO(node->get_logger(), "done again");
+}
+"""
+CPU_CLOCK = """
+#include <pthread.h>
+#include <time.h>
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  clockid_t id;
+  pthread_getcpuclockid(pthread_self(), &id);
+  timespec before, after;
+  clock_gettime(id, &before);
+  rclcpp::sleep_for(std::chrono::seconds(20));
+  clock_gettime(id, &after);
+  std::cout << (after.tv_sec - before.tv_sec < 10) << std::endl;
+}
+"""
+
+
+def run(build, name, text, virtual=True):
+    with (session := Session(virtual=virtual)).use():
+        process = session.launch(make_process(session, build(name, text), name=name))
+        return process.wait(30.0), process.output.splitlines()
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_a_node_may_be_global(build, virtual):
+    assert run(build, "kept", GLOBAL, virtual) == (3, ["last kept"])
+
+
+def test_a_loop_that_only_spins_some_lets_time_pass(build):
+    code, lines = run(build, "impatient", ASKING)
+    assert code == 0
+    first, second = lines
+    assert first.endswith("[impatient]: done: 1") and "[17000000020" in first.replace(".", "")
+    assert second.endswith("[impatient]: done again") and "[17000000040" in second.replace(".", "")
+
+
+def test_the_cpu_s_clock_of_a_thread_is_no_virtual_one(build):
+    assert run(build, "burner", CPU_CLOCK) == (0, ["1"])

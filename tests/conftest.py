@@ -49,4 +49,7 @@ def make_cpp_runtime():
         return
     if not folder.is_dir():
         env = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
-        subprocess.run([sys.executable, "-m", "coursekit.cpp.runtime", str(folder)], env=env, stderr=subprocess.DEVNULL)
+        command = [sys.executable, "-m", "coursekit.cpp.runtime", str(folder)]
+        done = subprocess.run(command, env=env, capture_output=True, encoding="utf-8")
+        if done.returncode:
+            print(done.stdout[-3000:], done.stderr[-3000:], sep="\n", file=sys.stderr)

@@ -26,22 +26,14 @@ std::string plugin_of(const std::string & factory)
 
 NodeInstanceWrapper make(const std::string & plugin, const rclcpp::NodeOptions & options)
 {
-<<<<<<< HEAD
   class_loader::ClassLoader own("");
   for (auto & name : own.getAvailableClasses<NodeFactory>()) {
     if (plugin_of(name) == plain(plugin)) {
       return own.createInstance<NodeFactory>(name)->create_node_instance(options);
     }
-=======
-  auto found = factories().find(without_spaces(plugin));
-  if (found == factories().end()) {
-    throw std::runtime_error(
-            "Failed to find class with the requested plugin name. It is " + plugin + ": is RCLCPP_COMPONENTS_REGISTER_NODE(" + plugin +
-            ") in a source of its library?");
->>>>>>> main
   }
   throw std::runtime_error(
-          "Failed to find class with the requested plugin name: " + plugin + ". Is RCLCPP_COMPONENTS_REGISTER_NODE(" + plugin +
+          "Failed to find class with the requested plugin name. It is " + plugin + ": is RCLCPP_COMPONENTS_REGISTER_NODE(" + plugin +
           ") in a source of its library?");
 }
 }  // namespace rclcpp_components

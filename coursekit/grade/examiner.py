@@ -179,12 +179,20 @@ def _run_and_judge(
         work.finish(limits.build)
         for name in later:
             work.judge_from_here(name)
-            verdicts.append(_judged(exercises[name], work))
+            verdicts.append(_built_or_late(_judged(exercises[name], work), work))
     except Gone as gone:
         judged = {verdict.name for verdict in verdicts}
         left = [unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
         verdicts += [replace(one, timed_out=gone.timed_out) for one in left]
     return verdicts
+
+
+def _built_or_late(verdict: Verdict, work: RemoteWork) -> Verdict:
+    """What was judged after a build that was not done tells nothing of the student: a busy computer does that, too."""
+    if verdict.passed or not work.build_timed_out:
+        return verdict
+    why = "The build took longer than it may. Does a setup.py never end? If the computer was busy, mark this student again."
+    return replace(verdict, timed_out=True, cause=why)
 
 
 def _explained(verdict: Verdict, stopped: str, over: bool) -> Verdict:

@@ -30,22 +30,27 @@ class TookTooLong(KeyboardInterrupt):
     """Ends a cell that goes on for ever."""
 
 
-def _ring(_signum: int, _frame: Any) -> None:
-    raise TookTooLong("the cell took too long")
-
-
 @contextlib.contextmanager
-def _alarm(seconds: float) -> Iterator[None]:
-    """End what computes for longer, or waits for much longer: a busy machine is nobody's fault."""
+def _alarm(seconds: float) -> Iterator[list[TookTooLong]]:
+    """End what computes for longer, or waits for much longer: a busy machine is nobody's fault.
+
+    Gives a list that holds the end, if it came: what it ended may have taken it for the user's Ctrl-C.
+    """
+    rung: list[TookTooLong] = []
+
+    def ring(_signum: int, _frame: Any) -> None:
+        rung.append(TookTooLong("the cell took too long"))
+        raise rung[-1]
+
     if not hasattr(signal, "setitimer"):
-        yield
+        yield rung
         return
     timers = ((signal.ITIMER_PROF, signal.SIGPROF, seconds), (signal.ITIMER_REAL, signal.SIGALRM, SLOWNESS * seconds))
     for timer, number, limit in timers:
-        signal.signal(number, _ring)
+        signal.signal(number, ring)
         signal.setitimer(timer, limit)
     try:
-        yield
+        yield rung
     finally:
         for timer, _, _ in timers:
             signal.setitimer(timer, 0)
@@ -146,10 +151,10 @@ class Runner:
         return {"error": ""} if not everything and not chosen & there else self.run_build(select, seconds)
 
     def run_build(self, select: str, seconds: float) -> dict[str, Any]:
-        """Build now."""
-        with _alarm(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(TookTooLong):
+        """Build now; the judge is told when that took too long."""
+        with contextlib.suppress(TookTooLong), _alarm(seconds) as rung, contextlib.redirect_stdout(io.StringIO()):
             self.shell.run_line_magic("colcon", f"build{select}")
-        return {"error": ""}
+        return _told(rung[-1]) if rung else {"error": ""}
 
 
 def _told(error: BaseException) -> dict[str, Any]:

@@ -106,6 +106,8 @@ class RemoteWork(Work):
         self._reader: Line | None = None
         self.cell_timed_out = False
         """Whether the cell that ran last took longer than it may."""
+        self.build_timed_out = False
+        """Whether the build was ended before it was done."""
         self.complete = False
         """Whether all cells have run, the packages are built, and the notebook has ended."""
 
@@ -118,7 +120,8 @@ class RemoteWork(Work):
 
     def finish(self, seconds: float) -> None:
         """Build what the notebook builds, and end the notebook; then files and programs can be judged."""
-        self._line.ask({"ask": "build", "seconds": seconds}, SLOWNESS * seconds + 10)
+        answer = self._line.ask({"ask": "build", "seconds": seconds}, SLOWNESS * seconds + 10)
+        self.build_timed_out = answer.get("timed_out") is True
         self._running.end()
         folders.remove_pipes(self.workspace.parent)
         self.complete = True

@@ -6,7 +6,7 @@ import pytest
 
 from coursekit.grade import sandbox
 from coursekit.grade.checking import judge_work
-from coursekit.grade.examiner import environment
+from coursekit.grade.examiner import _built_or_late, environment
 from coursekit.grade.exercise import Exercise
 from coursekit.grade.interruptions import Gone, NeedsWorkspace
 from coursekit.grade.plain import called
@@ -181,3 +181,28 @@ def test_the_line_that_is_told_is_the_student_s_own_not_a_library_s(work):
     verdict = judge_work(exercise(lambda work: work.function("f")()), work)
     assert verdict.got.startswith("JSONDecodeError: Expecting value") and '(line 3: return json.loads("x"))' in verdict.got
     assert "(line 355" not in verdict.got
+
+
+PACKAGE = """
+from pathlib import Path
+from coursekit.lab import workspace
+%cd -q {workspace()}
+folder = Path("src/slow")
+folder.mkdir(parents=True)
+(folder / "package.xml").write_text('''<package format="3">
+<name>slow</name><version>0.0.0</version><description>d</description>
+<maintainer email="a@example.com">a</maintainer><license>x</license>
+<export><build_type>ament_python</build_type></export></package>''')
+(folder / "setup.py").write_text("while True: pass")
+%colcon build --packages-select slow
+"""
+
+
+def test_a_build_that_is_not_done_in_time_is_no_zero_that_looks_earned(work):
+    assert work.run(PACKAGE, 20) == ""
+    work.finish(1.0)
+    assert work.build_timed_out
+    verdict = judge_work(exercise(lambda work: work.built("slow")), work)
+    late = _built_or_late(verdict, work)
+    assert (late.passed, late.timed_out) == (False, True) and "mark this student again" in late.cause
+    assert _built_or_late(judge_work(exercise(lambda work: None), work), work).timed_out is False

@@ -32,29 +32,29 @@ def methods(kind):
 
 
 def test_work():
-    assert set(re.findall(r"work\.(\w+)\(", section("Work: what the function gets"))) == methods(Work)
+    assert set(re.findall(r"work\.(\w+)\(", section("Work: the function's argument"))) == methods(Work)
 
 
 def test_the_words_of_try_out():
     named = {one for one in inspect.signature(Work.try_out).parameters if one not in ("self", "commands", "plan")}
     fields = {one.name for one in dataclasses.fields(Plan)} - {"run"}
-    assert set(re.findall(r"`(\w+)`", section("`try_out`: what happens"))) == fields | named
+    assert set(re.findall(r"`(\w+)`", section("`try_out`: its arguments"))) == fields | named
 
 
 def test_seen():
     fields = {one.name for one in dataclasses.fields(Seen)}
-    assert set(re.findall(r"seen\.(\w+)", section("Seen: what `try_out` gives"))) == fields | methods(Seen)
+    assert set(re.findall(r"seen\.(\w+)", section("Seen: the result of `try_out`"))) == fields | methods(Seen)
 
 
 def test_wrong():
     words = set(inspect.signature(Wrong).parameters) - {"timed_out"}
-    assert set(re.findall(r"`(\w+)`", section("Wrong: what is told"))) == words
+    assert set(re.findall(r"`(\w+)`", section("Wrong: what the student sees"))) == words
 
 
 def test_plain_values():
     there = {name for name, one in vars(plain).items() if inspect.isfunction(one) and one.__module__ == plain.__name__}
     public = {name for name in there if not name.startswith("_")} - FOR_JUDGES_OF_OURS
-    assert set(re.findall(r"`(\w+)\(", section("Values that nobody can fake"))) == public
+    assert set(re.findall(r"`(\w+)\(", section("Values that cannot be faked"))) == public
 
 
 def test_what_the_reference_calls_takes_what_it_shows():

@@ -72,7 +72,7 @@ def test_again_marks_those_who_are_named_or_everybody(folder):
     again(folder)
     assert again(folder, "--again", "Ben") == ["Ben"]
     assert again(folder, "--again") == ["Ann", "Ben"]
-    with pytest.raises(SystemExit, match=r"nobody is called 'Zoe'. There are: Ann, Ben"):
+    with pytest.raises(SystemExit, match=r"no student 'Zoe'. There are: Ann, Ben"):
         again(folder, "--again", "Zoe")
 
 

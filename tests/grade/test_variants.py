@@ -169,7 +169,7 @@ def test_grading_draws_the_values_again_and_believes_no_copy(handed_out, capsys)
     assert main([*command, *out, "--variants", str(students)]) == 1, "whose `nobody` is was asked"
     totals = {name: row["total"] for name, row in rows(handed_out / "grades.csv").items()}
     assert totals == {"Ann Lee": "2", "Ben Ito": "0"}
-    assert "nobody in the list" in (handed_out / "questions.csv").read_text(encoding="utf-8-sig")
+    assert "no student in the list" in (handed_out / "questions.csv").read_text(encoding="utf-8-sig")
     assert main([*command, *out]) == 0
     assert rows(handed_out / "grades.csv")["AnnLee_05"]["total"] == "0"
 

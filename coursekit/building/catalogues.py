@@ -6,8 +6,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from coursekit.grade.catalogue import brought_up_to_date, catalogue_of
-from coursekit.grade.editions import chapters, notebooks_folder, read
+from coursekit.grade.catalogue import brought_up_to_date
+from coursekit.grade.editions import catalogue_of, chapters, notebooks_folder, read
 
 
 def update(notebooks: Path, language: str) -> list[str]:

@@ -8,22 +8,12 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    import polib
+import polib
 
 UNTRANSLATED = "X-Untranslated"
 """The header of a catalogue that holds the line above a cell that is not translated, in its language."""
-
-
-def catalogue_of(chapter: Path, language: str) -> Path:
-    """Where the catalogue of an English chapter is, or would be.
-
-    >>> catalogue_of(Path("notebooks/02_topics.ipynb"), "es").as_posix()
-    'notebooks/es/02_topics.po'
-    """
-    return chapter.parent / language / f"{chapter.stem}.po"
 
 
 def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
@@ -49,8 +39,6 @@ def brought_up_to_date(notebook: dict[str, Any], catalogue: Path) -> polib.POFil
 
     A changed cell is found by its cell's name. What no cell has any more is dropped.
     """
-    import polib  # not above: chapters are also read where wheels are built, with the standard library alone
-
     old = _read(catalogue) if catalogue.exists() else polib.POFile(wrapwidth=0)
     by_text, by_name = {one.msgid: one for one in old}, {one.comment: one for one in old}
     new = polib.POFile(wrapwidth=0)
@@ -66,8 +54,6 @@ def brought_up_to_date(notebook: dict[str, Any], catalogue: Path) -> polib.POFil
 
 
 def _entry(text: str, name: str, same: polib.POEntry | None, before: polib.POEntry | None) -> polib.POEntry:
-    import polib
-
     if same is not None:
         same.comment = name
         return same
@@ -77,12 +63,10 @@ def _entry(text: str, name: str, same: polib.POEntry | None, before: polib.POEnt
 
 
 def _read(catalogue: Path) -> polib.POFile:
-    import polib
-
     try:
         return polib.pofile(str(catalogue), encoding="utf-8", wrapwidth=0)
     except (OSError, UnicodeDecodeError) as error:
         raise ValueError(f"{catalogue} is no catalogue: {error}") from None
 
 
-__all__ = ["brought_up_to_date", "catalogue_of", "text_cells", "translated"]
+__all__ = ["brought_up_to_date", "text_cells", "translated"]

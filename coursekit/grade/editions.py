@@ -10,8 +10,6 @@ import json
 from pathlib import Path
 from typing import Any
 
-from .catalogue import catalogue_of, translated
-
 ENGLISH = "en"
 
 
@@ -57,4 +55,17 @@ def read(chapter: Path, language: str = ENGLISH) -> dict[str, Any]:
     """A chapter's notebook, in a language where it has a catalogue. Raises ValueError for broken files."""
     notebook: dict[str, Any] = json.loads(chapter.read_text(encoding="utf-8"))
     catalogue = catalogue_of(chapter, language)
-    return translated(notebook, catalogue) if catalogue.exists() else notebook
+    if not catalogue.exists():
+        return notebook
+    from .catalogue import translated  # not above: where wheels are built there is the standard library alone
+
+    return translated(notebook, catalogue)
+
+
+def catalogue_of(chapter: Path, language: str) -> Path:
+    """Where the catalogue of an English chapter is, or would be.
+
+    >>> catalogue_of(Path("notebooks/02_topics.ipynb"), "es").as_posix()
+    'notebooks/es/02_topics.po'
+    """
+    return chapter.parent / language / f"{chapter.stem}.po"

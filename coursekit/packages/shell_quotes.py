@@ -58,18 +58,13 @@ _QUOTING = '''class Quoting(str):
         end = os.pathsep + use if value.endswith(os.pathsep + use) else ''
         inner = value[len(start):len(value) - len(end)]
         quoted = inner.translate({ord(sign): 'ESCAPE' + sign for sign in 'SIGNS'})
-        return start + self.spelt(quoted) + end
-
-    def spelt(self, text):
-        return text
+        return start + SPELT + end
 
 
 '''
-_LETTERS_OF_POWERSHELL = '''
-        units = text.encode('utf-16-be')
-        codes = [units[at] * 256 + units[at + 1] for at in range(0, len(units), 2)]
-        return ''.join(chr(one) if one < 128 else '$([char]0x%04X)' % one for one in codes)
-'''
+_LETTERS_OF_POWERSHELL = """''.join(
+            chr(one) if one < 128 else '$([char]0x%04X)' % one for one in memoryview(quoted.encode('utf-16-le')).cast('H')
+        )"""
 """Letters by their numbers: PowerShell reads what Python prints in the console's code page, which may have other letters."""
 
 
@@ -119,17 +114,16 @@ def quoted(script: str) -> str:
     return _COMMAND.sub(r'\1"\2" ', script).replace(_EXPORT, _SAFE_EXPORT)
 
 
-def _quoted_utility(program: str, use: str = "$", escape: str = r"\\", signs: str = r'\\"$`') -> str:
+def _quoted_utility(program: str, use: str = "$", escape: str = r"\\", signs: str = r'\\"$`', spelt: str = "quoted") -> str:
     """The program whose output setup scripts run by `eval`: what it prints of paths is quoted."""
-    quoting = _QUOTING.replace("USE", use).replace("ESCAPE", escape).replace("SIGNS", signs)
+    quoting = _QUOTING.replace("USE", use).replace("ESCAPE", escape).replace("SIGNS", signs).replace("SPELT", spelt)
     program = program.replace(_FIRST_FORMAT, quoting + _FIRST_FORMAT, 1)
     return _PRINTED.sub(r"\1Quoting(\2)", program)
 
 
 def _quoted_utility_of_powershell(program: str) -> str:
     """Likewise: `Invoke-Expression` runs what it prints, where a backquote makes the next sign one of the text."""
-    quoted = _quoted_utility(program, "$env:", "`", '`$"')
-    return quoted.replace("\n        return text\n", _LETTERS_OF_POWERSHELL, 1)
+    return _quoted_utility(program, "$env:", "`", '`$"', _LETTERS_OF_POWERSHELL)
 
 
 _CHANGES: dict[str, Callable[[str], str]] = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -39,9 +40,10 @@ class Walk:
         if after == 0:
             return self.poses[0]
         begin, finish = self.times[after - 1], self.times[after]
-        x, y, theta = _between(self._rows(), after, (passed - begin) / (finish - begin))
+        x, y, theta = _between(self._rows, after, (passed - begin) / (finish - begin))
         return Pose2D(float(x), float(y), float(theta))
 
+    @cached_property
     def _rows(self) -> Array:
         """The poses as rows, their headings without jumps."""
         rows = np.array([tuple(pose) for pose in self.poses])

@@ -7,9 +7,9 @@ import polib
 import pytest
 
 from coursekit.building.catalogues import main, update
-from coursekit.grade.catalogue import UNTRANSLATED, brought_up_to_date, catalogue_of, text_cells
+from coursekit.grade.catalogue import UNTRANSLATED, brought_up_to_date, text_cells
 from coursekit.grade.copy import Course
-from coursekit.grade.editions import chapters, languages, notebooks_folder, read
+from coursekit.grade.editions import catalogue_of, chapters, languages, notebooks_folder, read
 
 NOTEBOOKS = notebooks_folder()
 TRANSLATED = [(chapter, language) for language in languages(NOTEBOOKS)[1:] for chapter in chapters(NOTEBOOKS)]

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
-_IDLE_WEIGHT = 250
-"""Questions that a spin which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
 
 
 def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
@@ -85,7 +83,7 @@ def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
     end = host.clock.steady() + limit
     left = executor._queue.count_ready()
     if not left:
-        host.clock.poll(_IDLE_WEIGHT)
+        host.look_in_vain()
     while (everything or left > 0) and _run_one(executor) and (not limit or host.clock.steady() < end):
         left -= 1
 

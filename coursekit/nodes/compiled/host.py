@@ -40,6 +40,7 @@ from coursekit.nodes.compiled import (
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
+from coursekit.nodes.compiled.workers import Workers
 from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
 from coursekit.systems import children
@@ -48,6 +49,8 @@ from coursekit.systems.signal_names import signal_called
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
 _COMPUTE_LIMIT_S = 60.0
+_IDLE_WEIGHT = 250
+"""Questions that one which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
 _TOO_LONG = (
     "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
     "stands still meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
@@ -64,14 +67,6 @@ _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags, plugins,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
-
-
-class _Wish:
-    """A callback waits for a thread of the program to run in."""
-
-    def __init__(self, came: Any) -> None:
-        self.came = came
-        self.channel: Channel | None = None
 
 
 class Host:
@@ -107,11 +102,7 @@ class Host:
         """The signals that end what the program waits for, and not the program."""
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
-        self._idle: list[Channel] = []
-        self._workers: list[Channel] = []
-        self._control: socket.socket | None = None
-        self._wishes: list[_Wish] = []
-        """Who waits on the wall clock for a thread of the program that is on its way."""
+        self._workers = Workers(self.clock, lambda: self.accept()[1])
 
     # -- the child
 
@@ -143,7 +134,7 @@ class Host:
         self.over = True
         code = self._child.wait()
         self.output.drain()
-        self._forget()
+        self._workers.end()
         return code
 
     def _stand_by(self) -> int:
@@ -156,7 +147,7 @@ class Host:
         for channel in list(self._channels):  # what it said last is still to be carried out
             channel.ended.wait(_LAST_WORDS_S)
         self._server.shutdown(socket.SHUT_RDWR)
-        self._forget()
+        self._workers.end()
         return self._child.returncode
 
     def _watch(self, ended: Any) -> None:
@@ -164,22 +155,12 @@ class Host:
         self._child.wait()
         ended.set()
 
-    def _forget(self) -> None:
-        with self._lock:
-            wishes, self._wishes, control, self._control = self._wishes, [], self._control, None
-        for wish in wishes:
-            wish.came.set()  # in vain
-        for channel in self._workers:
-            channel.close()
-        if control is not None:
-            control.close()
-
     def accept(self) -> tuple[bytes, Channel]:
         """The next connection: its purpose and its channel."""
         connection, _ = self._server.accept()
         purpose = connection.recv(1)
         if purpose == b"C":
-            self._control = connection
+            self._workers.ask_by(connection)
             return self.accept()
         return purpose, Channel(self, connection)
 
@@ -190,9 +171,7 @@ class Host:
             except OSError:
                 return
             if purpose == b"W":
-                self._workers.append(channel)
-                channel.begin_worker()
-                self._give(channel)
+                self._workers.welcome(channel)
             else:
                 self._channels.append(channel)
                 self.session.spawn(channel.serve)
@@ -242,6 +221,10 @@ class Host:
         """The program's context of that number; 0 is the default one."""
         return self.contexts.setdefault(number, Context()) if number else get_default_context()
 
+    def look_in_vain(self) -> None:
+        """The program has asked for what is not there: on the virtual clock a loop of such questions lets time pass."""
+        self.clock.poll(_IDLE_WEIGHT)
+
     def keep(self, thing: Any) -> int:
         """Remember what the program has made; its number."""
         with self._lock:
@@ -256,46 +239,13 @@ class Host:
         channel = self.of_context.get(self.session.execution_context())
         if channel is not None:
             return channel.call(handler, data)
-        channel = self._worker()
+        channel = self._workers.take()
         self.of_context[self.session.execution_context()] = channel
         try:
             return channel.call(handler, data)
         finally:
             self.of_context.pop(self.session.execution_context(), None)
-            self._idle.append(channel)
-
-    def _worker(self) -> Channel:
-        """A thread of the program that waits for calls; a new one where all are busy."""
-        with self._lock:
-            if self._idle:
-                return self._idle.pop()
-            if self._control is None:
-                raise Gone
-            try:
-                self._control.sendall(b"W")
-            except OSError:
-                raise Gone from None
-            if self.clock.virtual:
-                channel = self.accept()[1]
-                self._workers.append(channel)
-                channel.begin_worker()
-                return channel
-            wish = _Wish(self.clock.new_event())
-            self._wishes.append(wish)
-        wish.came.wait()
-        if wish.channel is None:
-            raise Gone
-        return wish.channel
-
-    def _give(self, channel: Channel) -> None:
-        """Give a thread of the program that has come to who has waited longest for one."""
-        with self._lock:
-            if not self._wishes:
-                self._idle.append(channel)
-                return
-            wish = self._wishes.pop(0)
-            wish.channel = channel
-        wish.came.set()
+            self._workers.put_back(channel)
 
 
 def main(argv: list[str]) -> int:

@@ -20,8 +20,6 @@ STOPPING = 2
 _INFO = 20
 _LINE = 256
 """Whoever asks for fewer bytes wants single keys."""
-_IDLE_WEIGHT = 250
-"""Questions that a look for keys which finds none counts as."""
 
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
@@ -87,7 +85,7 @@ def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
             host.typed = keys.read(1).encode() if by_keys or size < _LINE else keys.readline().encode()
             break
         if patience >= 0:
-            host.clock.poll(_IDLE_WEIGHT)
+            host.look_in_vain()
             break
     data, host.typed = host.typed[:size], host.typed[size:]
     return packed(1, data)
@@ -97,7 +95,7 @@ def do_has_input(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Whether something can be read from standard input within the time (negative: whenever it comes)."""
     patience = frame.integer()
     if patience == 0:
-        host.clock.poll(_IDLE_WEIGHT)
+        host.look_in_vain()
         return packed(int(bool(host.typed) or host.process.stdin.has_keys()))
     ready = bool(host.typed) or host.process.stdin.wait_for_keys(None if patience < 0 else patience * 1e-9)
     return packed(int(ready))

@@ -20,6 +20,7 @@ from coursekit.interfaces.cdr import serialize
 from coursekit.nodes.compiled.channel import Channel
 from coursekit.nodes.compiled.frames import packed
 from coursekit.nodes.compiled.host import OPERATIONS, Host
+from coursekit.nodes.compiled.workers import Workers
 from coursekit.processes.session import Session
 from tests.nodes.compiled.conftest import program
 
@@ -46,8 +47,8 @@ def stand_in(session: Session) -> Any:
     made.process = SimpleNamespace(on_signal=[], handlers={}, env={})
     made.own_gids = set()
     made.output = SimpleNamespace(drain=lambda: None)  # type: ignore[assignment]
-    made.blocked, made.threads, made.caught, made._control = {}, {}, set(), None
-    made._lock, made._idle = Lock(), []
+    made.blocked, made.threads, made.caught = {}, {}, set()
+    made._lock, made._workers = Lock(), Workers(session.clock, lambda: pytest.fail("there is no child"))
     return made
 
 

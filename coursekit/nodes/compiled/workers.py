@@ -1,0 +1,86 @@
+"""The threads of a compiled program in which the session's callbacks run: each does one after another."""
+
+from __future__ import annotations
+
+import socket
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.nodes.compiled.channel import Channel, Gone
+
+
+class _Wish:
+    """A callback waits for a thread of the program to run in."""
+
+    def __init__(self, came: Any) -> None:
+        self.came = came
+        self.channel: Channel | None = None
+
+
+class Workers:
+    """Idle threads, and those that are on their way; `accept` waits on the virtual clock for the next one."""
+
+    def __init__(self, clock: Any, accept: Callable[[], Channel]) -> None:
+        self._clock, self._accept = clock, accept
+        self._lock = threading.Lock()
+        self._control: socket.socket | None = None
+        self._all: list[Channel] = []
+        self._idle: list[Channel] = []
+        self._wishes: list[_Wish] = []
+        """Who waits on the wall clock for a thread that is on its way."""
+
+    def ask_by(self, control: socket.socket) -> None:
+        """The program makes a thread for each W that this connection brings."""
+        self._control = control
+
+    def take(self) -> Channel:
+        """A thread that waits for calls; a new one where all are busy. Raises Gone when the program has ended."""
+        with self._lock:
+            if self._idle:
+                return self._idle.pop()
+            if self._control is None:
+                raise Gone
+            try:
+                self._control.sendall(b"W")
+            except OSError:
+                raise Gone from None
+            if self._clock.virtual:
+                return self._begin(self._accept())
+            wish = _Wish(self._clock.new_event())
+            self._wishes.append(wish)
+        wish.came.wait()
+        if wish.channel is None:
+            raise Gone
+        return wish.channel
+
+    def put_back(self, channel: Channel) -> None:
+        """The thread has done what it was taken for."""
+        self._idle.append(channel)
+
+    def welcome(self, channel: Channel) -> None:
+        """A thread has come: it goes to who has waited longest for one."""
+        self._begin(channel)
+        with self._lock:
+            if not self._wishes:
+                self._idle.append(channel)
+                return
+            wish = self._wishes.pop(0)
+            wish.channel = channel
+        wish.came.set()
+
+    def end(self) -> None:
+        """The program has ended: nobody waits any more."""
+        with self._lock:
+            wishes, self._wishes, control, self._control = self._wishes, [], self._control, None
+        for wish in wishes:
+            wish.came.set()  # in vain
+        for channel in self._all:
+            channel.close()
+        if control is not None:
+            control.close()
+
+    def _begin(self, channel: Channel) -> Channel:
+        self._all.append(channel)
+        channel.begin_worker()
+        return channel

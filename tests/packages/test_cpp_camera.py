@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import shutil
-import sys
 from pathlib import Path
 
 import pytest
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.needs import ON_WINDOWS
-from tests.packages.test_cpp_workspace import colcon, sourced
+from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 SOURCES = Path(__file__).parent.parent / "fixtures" / "cpp_camera_ws" / "src"
@@ -69,7 +68,7 @@ with (session := Session(virtual=True)).use():
 
 
 def test_the_user_shows_what_the_camera_sees(workspace):
-    said = sourced(workspace, f"'{sys.executable}' - <<'END'\n{SEEN}END")
+    said = scripted(workspace, SEEN)
     assert said.stdout.splitlines() == [
         "320 240 bgr8 960 camera",
         "33",

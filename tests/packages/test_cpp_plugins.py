@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-
 import pytest
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.needs import ON_WINDOWS
-from tests.packages.test_cpp_workspace import colcon, sourced
+from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 MANIFEST = """<?xml version="1.0"?>
@@ -261,7 +259,7 @@ with (session := Session(virtual=True)).use():
 @pytest.mark.parametrize("by_name", [True, False])
 def test_a_component_is_loaded_from_its_library(workspace, by_name):
     path = "liblathe.so" if by_name else str(workspace / "install/k_tools/lib/liblathe.so")
-    said = sourced(workspace, f"'{sys.executable}' - <<'END'\n{RUN.format(words=[path])}END")
+    said = scripted(workspace, RUN.format(words=[path]))
     assert said.stdout.splitlines() == [
         "0 makes rclcpp_components::NodeFactoryTemplate<shop::Lathe>",
         "[INFO] [1700000000.000000000] [lathe]: twice",

@@ -34,7 +34,7 @@ class RemotePublisher(Publisher):
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
         self.traffic = Traffic()
         self._tell = tell
-        self._numbers: deque[int] = deque(maxlen=REMEMBERED)
+        self._numbers: deque[tuple[bytes, int]] = deque(maxlen=REMEMBERED)
         self._punctual = Punctual()
         self._moving = False
         self._unreadable = False
@@ -45,9 +45,10 @@ class RemotePublisher(Publisher):
         now = self.graph.clock.now()
         with self._lock:
             if came_with is not None:
-                if came_with.number in self._numbers:
+                number = came_with.gid, came_with.number
+                if number in self._numbers:
                     return
-                self._numbers.append(came_with.number)
+                self._numbers.append(number)
                 if self.type_name in MOVING and self._punctual.is_late(came_with.stamp, now):
                     return
             self.traffic.count(now, now - came_with.stamp if came_with else 0)

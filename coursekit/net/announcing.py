@@ -83,13 +83,14 @@ class Announcer:
     def _announce(self, one: Any) -> Announced:
         token = self._token(one)
         text = token.text()
-        declared = self._place.session.liveliness().declare_token(text)
+        sender = answers = None
         if token.kind == PUBLISHER:
-            return Announced(declared, sender=Sender(self._place.session, one, gid_of(text), self._keys_of(one)))
+            sender = Sender(self._place.session, one, gid_of(text), self._keys_of(one))
         if token.kind == SERVER:
             key = self._place.key(one.name, one.type_name)
-            return Announced(declared, answers=Answers(self._place.session, one, key, self._place.tell))
-        return Announced(declared)
+            answers = Answers(self._place.session, one, key, self._place.tell)
+        # The token comes last: who sees it can ask at once.
+        return Announced(self._place.session.liveliness().declare_token(text), sender, answers)
 
     def _keys_of(self, one: Endpoint) -> Any:
         return lambda type_hash: self._place.key(one.name, one.type_name, type_hash)

@@ -39,28 +39,35 @@ class Link:
         self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
         self._planned = threading.Event()
         self._worker = threading.Thread(target=self._work, name="coursekit-network", daemon=True)
-        key = f"{ADMIN}/{place.domain_id}/**"
-        self._tokens = place.session.liveliness().declare_subscriber(key, self._hear_token, history=True)
-        self._transports = place.session.info.declare_transport_events_listener(self._hear_transport)
+        self._listeners: list[Any] = []
         _close_before_python_ends(self)
 
     def tokens(self) -> list[Token]:
         """What others have announced up to now."""
         found = []
-        key = f"{ADMIN}/{self.place.domain_id}/**"
-        for reply in self.place.session.liveliness().get(key, timeout=SETTLE_SECONDS):
+        for reply in self.place.session.liveliness().get(self._key, timeout=SETTLE_SECONDS):
             if reply.ok is not None:
-                text = str(reply.ok.key_expr)
-                self._do(self.visitors.came, text)
                 with contextlib.suppress(ValueError):
-                    found.append(read_token(text))
+                    found.append(read_token(str(reply.ok.key_expr)))
         return found
+
+    @property
+    def _key(self) -> str:
+        """All tokens of the domain."""
+        return f"{ADMIN}/{self.place.domain_id}/**"
 
     def begin(self) -> None:
         """Be part of the network, and wait until both sides' present announcements are known."""
+        there = {token.text() for token in self.tokens() if self.visitors.wants(token)}
+        session = self.place.session  # the question above comes first: Zenoh answers none whose answer is subscribed to
+        self._listeners = [
+            session.info.declare_transport_events_listener(self._hear_transport),
+            session.liveliness().declare_subscriber(self._key, self._hear_token, history=True),
+        ]
         self.place.graph.watch(self._plan)
         self._worker.start()
         self._plan()
+        self.visitors.wait_for(there, SETTLE_SECONDS)
         self.settle()
 
     def settle(self, seconds: float = SETTLE_SECONDS) -> bool:
@@ -112,6 +119,7 @@ class Link:
 
     def _compare(self) -> None:
         self._planned.clear()
+        self.visitors.listen()
         self.announcer.compare()
         self.visitors.compare()
 

@@ -13,7 +13,7 @@ from typing import Any
 from coursekit.core.graph import Graph, GraphNode
 from coursekit.core.qos import TRANSIENT_LOCAL
 from coursekit.core.service import Client, RequestId, Server
-from coursekit.core.topic import Publisher, Subscription
+from coursekit.core.topic import Endpoint, Publisher, Subscription
 from coursekit.interfaces import cdr
 from coursekit.joined.ghosts import Named
 
@@ -135,6 +135,6 @@ class RemoteClient(Client):
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
 
 
-def is_latched(publisher: Publisher) -> bool:
-    """Whether it keeps messages for late joiners."""
-    return publisher.qos.durability == TRANSIENT_LOCAL
+def is_latched(end: Endpoint) -> bool:
+    """Whether a publisher keeps messages for late joiners, or a subscription asks for them."""
+    return end.qos.durability == TRANSIENT_LOCAL

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
+import threading
+from collections.abc import Iterator
 from typing import Any
 
 from coursekit.core.graph import GraphNode
+from coursekit.core.topic import Subscription
 
 from .announcing import INSIDE, local_nodes
 from .calls import Questions
@@ -30,6 +33,7 @@ class Visitors:
         self._receivers: dict[tuple[str, str], Receiver] = {}
         self._questions: dict[str, Questions] = {}
         self._same_names: set[str] = set()
+        self._arrival = threading.Condition()
         self.sessions: dict[str, list[Token]] = {}
         """What each of the others has announced."""
 
@@ -50,12 +54,23 @@ class Visitors:
             token = read_token(text)
         except ValueError:
             return
-        mine = token.session == self._place.id or token.domain_id != self._place.domain_id
-        if mine or text in self._things or len(self._things) >= MOST or token.name in INSIDE:
+        if not self.wants(token) or text in self._things or len(self._things) >= MOST:
             return
         node = self._node_of(token)
         self._things[text] = node if token.kind == NODE else self._enter(text, token, node)
         self.sessions.setdefault(token.session, []).append(token)
+        with self._arrival:
+            self._arrival.notify_all()
+
+    def wants(self, token: Token) -> bool:
+        """Whether it belongs into this graph: it is somebody else's, of the same domain."""
+        theirs = token.session != self._place.id and token.domain_id == self._place.domain_id
+        return theirs and token.name not in INSIDE
+
+    def wait_for(self, texts: set[str], seconds: float) -> None:
+        """Wait until these have come; one that left in this moment is waited for in vain, for so many seconds."""
+        with self._arrival:
+            self._arrival.wait_for(lambda: texts <= self._things.keys(), seconds)
 
     def left(self, text: str) -> None:
         """Somebody took this back, or is gone."""
@@ -72,26 +87,33 @@ class Visitors:
             del self._ends_of_node[key]
             self._nodes.pop(key).close()
 
-    def compare(self) -> None:
-        """Fetch where somebody here listens to somebody there, and nothing else."""
-        wanted: dict[tuple[str, str], list[RemotePublisher]] = {}
-        for publisher in self.publishers:
-            if publisher.targets:
-                wanted.setdefault((publisher.name, publisher.type_name), []).append(publisher)
+    def listen(self) -> None:
+        """Fetch what subscriptions here ask for; before they are announced, so that who sees them can send at once."""
+        wanted: dict[tuple[str, str], bool] = {}
+        for one in self._subscriptions():
+            key = (one.name, one.type_name)
+            wanted[key] = wanted.get(key, False) or is_latched(one)
+        for key, latched in wanted.items():
+            known = self._receivers.get(key)
+            if known is None or (latched and not known.latched):
+                self._receivers[key] = Receiver(self._place.session, self._place.key(*key), latched=latched)
+                if known is not None:
+                    known.close()
         for key in [key for key in self._receivers if key not in wanted]:
             self._receivers.pop(key).close()
-        for key, publishers in wanted.items():
-            latched = any(is_latched(one) and any(map(_wants_history, one.targets)) for one in publishers)
-            receiver = self._receivers.get(key)
-            if receiver is not None and latched and not receiver.latched:
-                receiver.close()
-                receiver = None
-            by_gid = {one.gid[:16]: one for one in publishers}
-            if receiver is None:
-                receiver = self._receivers[key] = Receiver(by_gid, latched=latched)
-                receiver.begin(self._place.session, self._place.key(*key))
-            receiver.publishers = by_gid
+
+    def compare(self) -> None:
+        """Tell receivers who publishes, and the user whose nodes have the same names."""
+        publishers: dict[tuple[str, str], list[RemotePublisher]] = {}
+        for one in self.publishers:
+            publishers.setdefault((one.name, one.type_name), []).append(one)
+        for key, receiver in self._receivers.items():
+            receiver.set_publishers(publishers.get(key, []))
         self._tell_same_names()
+
+    def _subscriptions(self) -> Iterator[Subscription]:
+        for node in local_nodes(self._place.graph):
+            yield from (one for one in list(node.subscriptions) if one.name not in INSIDE)
 
     def close(self) -> None:
         """Take all of them out of the graph."""
@@ -151,10 +173,6 @@ class Visitors:
                     f"Two nodes are called {name}: one here, one in another session. Commands reach either of them. "
                     f"Rename yours: --ros-args -r __node:={name.rpartition('/')[2]}_2, or take a ROS_DOMAIN_ID of your own."
                 )
-
-
-def _wants_history(target: Any) -> bool:
-    return bool(is_latched(target))
 
 
 __all__ = ["Visitors"]

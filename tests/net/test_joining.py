@@ -27,6 +27,12 @@ from .sides import LIMIT, Inbox, free_port
 UNKNOWN = "@ros2_lv/0/ffee/1/2/MP/%/%/robot/%thing/my_msgs::msg::dds_::Thing_/RIHS01_ab/::,10:,:,:,,"
 
 
+def seen_by(side, holds):
+    """Wait until somebody else sees it."""
+    watch = side()
+    watch.until(lambda: holds(watch.graph))
+
+
 @pytest.fixture
 def session():
     session = Session()
@@ -94,7 +100,8 @@ def test_a_client_opens_no_port_and_the_router_only_its_own(side):
                 words = line.split()
                 if words[3] == ("0A" if kind.startswith("tcp") else "07"):
                     listening.add((kind, int(words[1].rpartition(":")[2], 16), words[9]))
-    mine = {os.readlink(f"/proc/self/fd/{fd}") for fd in os.listdir("/proc/self/fd") if os.path.islink(f"/proc/self/fd/{fd}")}
+    links = [f"/proc/self/fd/{fd}" for fd in os.listdir("/proc/self/fd")]
+    mine = {os.readlink(link) for link in links if os.path.islink(link)}
     ours = [(kind, number) for kind, number, inode in listening if f"socket:[{inode}]" in mine]
     assert ours == [("tcp", port)]
 
@@ -110,8 +117,7 @@ def test_what_would_move_a_robot_is_told_before_anybody_knows_of_this_side(side,
     graph = session.graph(0)
     graph.add_node("teleop", "/").publisher("/cmd_vel", Twist, Qos())
     asked = []
-    robot.until(lambda: robot.link.announcer.known)
-    robot.link.settle()
+    seen_by(side, lambda graph: "/cmd_vel" in graph.subscriptions)
     with pytest.raises(NoNetwork, match="/teleop publishes /cmd_vel, /r1/base listens"):
         join(session, 0, side.address, confirm=lambda moves: asked.extend(moves) or False)
     assert asked == ["/teleop publishes /cmd_vel, /r1/base listens"]
@@ -126,8 +132,7 @@ def test_goals_of_actions_are_among_what_moves(side, session):
     kind = Named("nav2_msgs/action/NavigateToPose_SendGoal")
     robot = side()
     robot.graph.add_node("bt_navigator", "/").server(action, kind, Qos())
-    robot.until(lambda: robot.link.announcer.known)
-    robot.link.settle()
+    seen_by(side, lambda graph: action in graph.servers)
     session.graph(0).add_node("commander", "/").client(action, kind, Qos())
     with pytest.raises(NoNetwork, match="/commander sends goals to /navigate_to_pose, /bt_navigator carries them out"):
         join(session, 0, side.address)
@@ -137,7 +142,7 @@ def test_goals_of_actions_are_among_what_moves(side, session):
 def test_leaving_takes_the_others_out_and_joining_again_works(side, session):
     other = side()
     other.graph.add_node("robot", "/")
-    other.link.settle()
+    seen_by(side, lambda graph: graph.nodes)
     for _ in range(2):
         join(session, 0, side.address)
         assert [node.full_name for node in session.graph(0).nodes] == ["/robot"]

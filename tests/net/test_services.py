@@ -106,7 +106,7 @@ def test_an_answer_for_a_client_that_is_gone_does_no_harm(side):
     there, asked = Inbox(server(one)), client(two)
     two.until(asked.server_is_ready)
     asked.send(AddTwoInts.Request())
-    request, request_id = there.take()
+    _, request_id = there.take()
     assert isinstance(request_id, RequestId)
     two.link.close()
     one.until(lambda: one.names() == ["/server"])

@@ -55,8 +55,10 @@ def test_a_duration_that_is_written_out_though_it_has_no_end_is_read_as_such():
 
 
 def test_keys_of_messages_are_those_of_the_design_document():
-    assert data_key(2, "/chatter", "std_msgs/msg/String", STRING_HASH) == f"2/chatter/std_msgs::msg::dds_::String_/{STRING_HASH}"
-    assert data_key(0, "/r1/a/_action/feedback", "p/action/A_FeedbackMessage") == "0/r1/a/_action/feedback/p::action::dds_::A_FeedbackMessage_/*"
+    key = data_key(2, "/chatter", "std_msgs/msg/String", STRING_HASH)
+    assert key == f"2/chatter/std_msgs::msg::dds_::String_/{STRING_HASH}"
+    key = data_key(0, "/r1/a/_action/feedback", "p/action/A_FeedbackMessage")
+    assert key == "0/r1/a/_action/feedback/p::action::dds_::A_FeedbackMessage_/*"
 
 
 def test_a_gid_is_the_xxh3_of_the_token_low_half_first():

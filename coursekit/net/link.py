@@ -95,6 +95,8 @@ class Link:
     def _leave(self) -> None:
         if self._worker.ident is not None:
             self._worker.join(CLOSE_SECONDS)
+        for listener in self._listeners:
+            listener.undeclare()
         with contextlib.suppress(Exception):
             self.announcer.close()
         self.visitors.close()

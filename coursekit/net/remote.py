@@ -56,22 +56,28 @@ class RemotePublisher(Publisher):
 
     def replay(self, target: Subscription) -> None:
         """Give a late joiner what came before."""
+        if isinstance(target.msg_type, Named):
+            return
         for data, stamp in self.kept():
             self._hand_over(target, data, stamp)
 
     def close(self) -> None:
         """Leave; a robot here that its last velocity still drives is stopped."""
         if self._moving:
-            for target in self.targets:
+            for target in self._listeners():
                 self._hand_over(target, cdr.serialize(target.msg_type()), self.graph.clock.now())
         super().close()
 
     def _deliver(self, data: bytes, now: int) -> None:
         if self._history is not None:
             self._history.append((data, now))
-        for target in self.targets:
+        for target in self._listeners():
             self._hand_over(target, data, now)
-        self._moving = self.type_name in VELOCITIES and any(data[4:]) and bool(self.targets)
+        self._moving = self.type_name in VELOCITIES and any(data[4:])
+
+    def _listeners(self) -> list[Subscription]:
+        """Those on this side: others hear it by themselves."""
+        return [one for one in self.targets if not isinstance(one.msg_type, Named)]
 
     def _hand_over(self, target: Subscription, data: bytes, stamp: int) -> None:
         try:

@@ -22,7 +22,7 @@ from coursekit.net.wire.attachment import Attachment
 from coursekit.net.wire.token import read_token
 from coursekit.processes.session import Session
 
-from .sides import LIMIT, Inbox, free_port
+from .sides import LIMIT, Inbox, free_port, network
 
 UNKNOWN = "@ros2_lv/0/ffee/1/2/MP/%/%/robot/%thing/my_msgs::msg::dds_::Thing_/RIHS01_ab/::,10:,:,:,,"
 
@@ -90,25 +90,25 @@ def test_a_port_that_is_no_routers_is_given_up(session):
             open_client(address, seconds=1.0)
 
 
-def test_a_client_opens_no_port_and_the_router_only_its_own(side):
-    side()
-    port = int(side.address.rpartition(":")[2])
-    listening = set()
-    for kind in ("tcp", "tcp6", "udp", "udp6"):
-        with open(f"/proc/net/{kind}", encoding="ascii") as table:
-            for line in list(table)[1:]:
-                words = line.split()
-                if words[3] == ("0A" if kind.startswith("tcp") else "07"):
-                    listening.add((kind, int(words[1].rpartition(":")[2], 16), words[9]))
+@pytest.mark.skipif(not os.path.exists("/proc/net/tcp"), reason="sockets are looked up where Linux tells them")
+def test_a_client_opens_no_port_and_the_router_only_its_own():
+    before = listening()
+    with network() as side:
+        side()
+        assert listening() - before == {("tcp", int(side.address.rpartition(":")[2]))}
+
+
+def listening():
+    """The kinds and ports of this interpreter's sockets at which others can call, or send to."""
     links = [f"/proc/self/fd/{fd}" for fd in os.listdir("/proc/self/fd")]
     mine = {os.readlink(link) for link in links if os.path.islink(link)}
-    ours = [(kind, number) for kind, number, inode in listening if f"socket:[{inode}]" in mine]
-    assert ours == [("tcp", port)]
-
-
-test_a_client_opens_no_port_and_the_router_only_its_own = pytest.mark.skipif(
-    not os.path.exists("/proc/net/tcp"), reason="sockets are looked up where Linux tells them"
-)(test_a_client_opens_no_port_and_the_router_only_its_own)
+    found = set()
+    for kind in ("tcp", "tcp6", "udp", "udp6"):
+        with open(f"/proc/net/{kind}", encoding="ascii") as table:
+            rows = [line.split() for line in list(table)[1:]]
+        states = ("0A",) if kind.startswith("tcp") else ("07",)
+        found |= {(kind, int(row[1].rpartition(":")[2], 16)) for row in rows if row[3] in states and f"socket:[{row[9]}]" in mine}
+    return found
 
 
 def test_what_would_move_a_robot_is_told_before_anybody_knows_of_this_side(side, session):

@@ -55,6 +55,7 @@ def test_a_message_is_heard_once_by_each_of_three(side):
     for inbox in inboxes:
         assert [inbox.take()[0].data for _ in range(20)] == [str(number) for number in range(20)]
         assert inbox.source.take() is None
+    assert [one.said for one in sides] == [[], [], []]
 
 
 def test_nothing_is_serialized_or_sent_where_nobody_listens(side, monkeypatch):

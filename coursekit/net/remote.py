@@ -17,10 +17,10 @@ from coursekit.core.topic import Endpoint, Publisher, Subscription
 from coursekit.interfaces import cdr
 from coursekit.joined.ghosts import Named
 
-from .motion import MOVING, VELOCITIES, Punctual
 from .quality import core_qos
 from .traffic import Traffic
 from .wire.attachment import Attachment
+from .wire.moving import MOVING, VELOCITIES, Punctual
 from .wire.token import Token
 
 REMEMBERED = 256

@@ -14,11 +14,11 @@ from coursekit.joined.ghosts import Named
 from coursekit.net import joining, opening
 from coursekit.net.errors import NoNetwork
 from coursekit.net.joining import join, leave, link_of
-from coursekit.net.motion import Punctual
 from coursekit.net.opening import Credentials, open_client, open_router
 from coursekit.net.remote import RemotePublisher
 from coursekit.net.report import report
 from coursekit.net.wire.attachment import Attachment
+from coursekit.net.wire.moving import Punctual
 from coursekit.net.wire.token import read_token
 from coursekit.processes.session import Session
 
@@ -107,7 +107,8 @@ def listening():
         with open(f"/proc/net/{kind}", encoding="ascii") as table:
             rows = [line.split() for line in list(table)[1:]]
         states = ("0A",) if kind.startswith("tcp") else ("07",)
-        found |= {(kind, int(row[1].rpartition(":")[2], 16)) for row in rows if row[3] in states and f"socket:[{row[9]}]" in mine}
+        ours = [row for row in rows if row[3] in states and f"socket:[{row[9]}]" in mine]
+        found |= {(kind, int(row[1].rpartition(":")[2], 16)) for row in ours}
     return found
 
 

@@ -87,7 +87,7 @@ def _things(facts: Facts, view: str, services: bool, actions: bool) -> Iterator[
         return f"/{first}" if first in groups and name.count("/") > 1 else ""
 
     for name in facts.nodes:
-        yield Thing("node", name, group=group(name))
+        yield Thing("node", name, "network" if name in facts.remote else "", group(name), name in facts.remote)
     for kind, names, sources, targets in _kinds(facts, services, actions):
         for name in names:
             left, right = nodes_at(name, sources), nodes_at(name, targets)

@@ -13,8 +13,11 @@ from zenoh import CongestionControl, Locality, ext
 from ..wire.attachment import Attachment, read_attachment
 from ..wire.moving import MOVING, VELOCITIES, Punctual
 from ..wire.names import ANY_HASH
+from ..wire.quality import Quality
 from .echo import Echo
 from .types import is_latched, kept, profile_of, quality_of
+
+LEAST_DEPTH = 10
 
 
 class Speaker:
@@ -58,7 +61,7 @@ class Topic:
         self._gateway, self._name, self._type_name, self._kind = gateway, name, type_name, kind
         self._echo = Echo()
         self._speakers: dict[bytes, Speaker] = {}
-        self._listeners: dict[str, str] = {}
+        self._listeners: dict[str, tuple[str, Quality]] = {}
         self._ear: Any = None
         self._ear_profile: Any = None
         self._hearing: Any = None
@@ -85,9 +88,9 @@ class Topic:
             self._ear[0].undeclare()
             self._ear = None
 
-    def add_listener(self, token: str, type_hash: str) -> None:
+    def add_listener(self, token: str, type_hash: str, quality: Quality) -> None:
         """A subscription there."""
-        self._listeners[token] = type_hash
+        self._listeners[token] = type_hash, quality
 
     def remove_listener(self, token: str) -> None:
         """It is gone."""
@@ -99,7 +102,7 @@ class Topic:
         if wanted != self._ear_profile:
             self._stop_hearing()
             self._ear_profile = wanted
-        hashes = set(self._listeners.values()) if wanted is not None else set()
+        hashes = {type_hash for type_hash, _ in self._listeners.values()} if wanted is not None else set()
         for gone in self._outlets.keys() - hashes:
             self._outlets.pop(gone).undeclare()
         if wanted is not None:
@@ -117,13 +120,16 @@ class Topic:
         self.compare([])
 
     def _wanted(self, offered: list[Any]) -> Any:
-        """The most that all publishers offer, as `ros2 topic echo` asks."""
-        qualities = [quality_of(one) for one in offered]
-        return qualities[0]._replace(
+        """The most that all publishers offer, as `ros2 topic echo` asks; kept as long as the most patient listener wants.
+
+        How much a publisher keeps is not asked: DDS does not tell.
+        """
+        qualities, asked = [quality_of(one) for one in offered], [quality for _, quality in self._listeners.values()]
+        return Quality(
             reliability=max(one.reliability for one in qualities),
             durability=max(one.durability for one in qualities),
-            depth=max(10, *(one.depth for one in qualities)),
-            deadline=quality_of(profile_of(qualities[0]._replace(deadline=0))).deadline,
+            history=max(one.history for one in asked),
+            depth=max(LEAST_DEPTH, *(one.depth for one in asked)),
         )
 
     def _outlet(self, type_hash: str, profile: Any) -> Any:

@@ -110,7 +110,7 @@ class Visitors:
     def _subscription(self, node: Any, token: Token, text: str, kind: Any, profile: Any) -> Callable[[], None]:
         shown = node.create_subscription(kind, token.name, lambda _data: None, profile, raw=True)
         topic = self._topic(token, kind)
-        topic.add_listener(text, token.type_hash)
+        topic.add_listener(text, token.type_hash, token.quality)
 
         def undo() -> None:
             topic.remove_listener(text)

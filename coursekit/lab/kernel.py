@@ -15,7 +15,7 @@ from coursekit.cli.attach import domain_id
 from coursekit.cli.session_server import serve
 from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
-from coursekit.processes.session import Session, current
+from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 
 from . import shell_lines
 from .cells import Cells
@@ -59,7 +59,8 @@ def start() -> Session:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
         _serve_terminals(session)
-    session.meet(domain_id())  # the network that COURSEKIT_NETWORK names
+    if os.environ.get(NETWORK_VARIABLE):
+        session.meet(domain_id())
     atexit.register(_stop)
     return session
 

@@ -183,9 +183,12 @@ class Session:
     # -- shared things
 
     def meet(self, domain_id: int) -> None:
-        """Have the interpreter's own nodes and those of other programs in the domain see each other."""
-        if os.environ.get(NETWORK_VARIABLE):
-            load(NETWORK)(self, domain_id)
+        """Have the interpreter's own nodes and those of other programs in the domain see each other.
+
+        Where COURSEKIT_NETWORK names a network, there; both ways at once, they would hear everything twice.
+        """
+        if os.environ.get(NETWORK_VARIABLE) and load(NETWORK)(self, domain_id):
+            return
         if self.meets and not self.embedded and current_process() is None:
             load(MEET)(self.graph(domain_id), domain_id)
 

@@ -335,6 +335,41 @@ def test_programs_join_by_the_environment_and_one_that_is_killed_is_gone_at_once
             child.communicate()
 
 
+COUNTING = """
+import sys, rclpy
+from std_msgs.msg import Int32
+rclpy.init()
+node = rclpy.create_node(sys.argv[1])
+if sys.argv[1] == "counter":
+    numbers, publisher = iter(range(10**9)), node.create_publisher(Int32, "count", 100)
+    timer = node.create_timer(0.01, lambda: publisher.publish(Int32(data=next(numbers))))
+else:
+    subscription = node.create_subscription(Int32, "count", lambda message: print(message.data, flush=True), 100)
+rclpy.spin(node)
+"""
+
+
+def test_programs_of_one_computer_that_both_join_hear_nothing_twice(side, tmp_path):
+    env = dict(os.environ, COURSEKIT_NETWORK=side.address, COURSEKIT_RUNTIME_DIR=str(tmp_path))
+    children = [
+        subprocess.Popen([sys.executable, "-c", COUNTING, name], env=env, stdout=subprocess.PIPE, text=True)
+        for name in ("counter", "listener")
+    ]
+    try:
+        heard = [int(children[1].stdout.readline()) for _ in range(50)]
+        assert heard == list(range(heard[0], heard[0] + 50))
+    finally:
+        for child in children:
+            child.kill()
+            child.communicate()
+
+
+def test_tests_join_nothing_by_the_environment(side, session, monkeypatch):
+    monkeypatch.setenv("COURSEKIT_NETWORK", side.address)
+    session.meet(0)
+    assert link_of(session, 0) is None
+
+
 def test_a_program_ends_by_itself_though_messages_come_in(side):
     loud = program(side.address, "loud")
     try:

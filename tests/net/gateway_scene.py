@@ -30,8 +30,8 @@ from coursekit.processes.session import current
 HERE = Path(__file__).parent
 LIMIT = 30.0
 ADDRESS = "tcp/127.0.0.1:17447"
-DOMAIN = int(os.environ["ROS_DOMAIN_ID"])
-REAL = sys.argv[1]
+DOMAIN = int(os.environ.get("ROS_DOMAIN_ID") or 0)
+REAL = sys.argv[-1]
 OF_THE_ROBOT = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | {
     "FASTDDS_DEFAULT_PROFILES_FILE": str(HERE / "fast_loopback.xml"),
     "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",

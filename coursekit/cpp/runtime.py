@@ -23,7 +23,7 @@ PACKAGES = (
     "OpenCV", "message_filters", "laser_geometry", "cv_bridge", "image_transport",
     "rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle",
     "rcutils", "rcl", "rcpputils", "class_loader", "pluginlib", "rmw",
-    "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp", "rosbag2_cpp", "rosbag2_storage",
+    "tf2", "tf2_geometry_msgs", "tf2_ros", "tf2_eigen", "rosidl_runtime_cpp", "rosbag2_cpp", "rosbag2_storage",
     "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_ros_core", "ament_cmake_core", "ament_cmake_python",
     "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
@@ -34,9 +34,8 @@ PACKAGES = (
 )  # fmt: skip
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
-    "angles", "controller_interface", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
-    "hardware_interface", "image_geometry", "nav2_util",
-    "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
+    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "image_geometry", "nav2_util", "tf2_kdl",
+    "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 FORWARDED = {

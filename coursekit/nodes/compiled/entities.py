@@ -67,6 +67,7 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         allow_undeclared_parameters=allow,
         automatically_declare_parameters_from_overrides=automatic,
     )
+    host.node_clocks.append(node.get_clock())
     full_name = node.get_fully_qualified_name()
     group = host.keep(node.default_callback_group)
     return packed(host.keep(node), node.get_name(), node.get_namespace(), full_name, node.get_logger().name, group)

@@ -79,7 +79,10 @@ class Host:
         process = current_process()
         assert process is not None, "a compiled program runs in a process of the session"
         self.process = process
-        self.flags = VIRTUAL if self.clock.virtual else 0
+        self.node_clocks: list[Any] = []
+        """The clocks of the program's nodes, of which some may follow /clock."""
+        self.stopping = False
+        """Whether Ctrl-C or `kill` came."""
         self.things: dict[int, Any] = {}
         """What the program has made, by number."""
         self.of_context: dict[Any, Channel] = {}
@@ -103,6 +106,12 @@ class Host:
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
         self._workers = Workers(self.clock, lambda: self.accept()[1])
+
+    @property
+    def flags(self) -> int:
+        """What every frame to the program tells it."""
+        simulated = any(clock.ros_time_is_active for clock in self.node_clocks)
+        return VIRTUAL * self.clock.virtual | STOPPING * self.stopping | SIMULATED * simulated
 
     # -- the child
 
@@ -179,7 +188,7 @@ class Host:
     def _on_signal(self, signum: int, _frame: Any) -> None:
         if signum in self.caught:
             self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
-        self.flags |= STOPPING
+        self.stopping = True
         self._wake()
         if self._child.poll() is None:
             children.send_signal(self._child, signum)

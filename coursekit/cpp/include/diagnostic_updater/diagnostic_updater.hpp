@@ -208,7 +208,6 @@ private:
       warned_ = true;
     }
   }
-  void publish(diagnostic_msgs::msg::DiagnosticStatus & status) {publish({status});}
   /// Their names begin with the node's.
   void publish(std::vector<diagnostic_msgs::msg::DiagnosticStatus> told)
   {
@@ -225,7 +224,7 @@ private:
     DiagnosticStatusWrapper status;
     status.name = task.getName();
     status.summary(DiagnosticStatusWrapper::OK, "Node starting up");
-    publish({status});
+    publish(std::vector<diagnostic_msgs::msg::DiagnosticStatus>{status});
   }
 
   rclcpp::node_interfaces::NodeBaseInterface::SharedPtr base_;

@@ -13,6 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from coursekit.cpp.age import runtime_key
 from coursekit.cpp.headers import write_headers
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
 from coursekit.files import read_bytes
@@ -104,7 +105,8 @@ def _write_forwarded(folder: Path) -> None:
 
 
 def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
-    defines = {**tools.defines(), "INTERFACES": str(folder / "include"), "CMAKE_INSTALL_PREFIX": str(folder)}
+    told = {"INTERFACES": str(folder / "include"), "KEY": runtime_key(), "CMAKE_INSTALL_PREFIX": str(folder)}
+    defines = {**tools.defines(), **told}
     words = [f"-D{name}={value}" for name, value in defines.items()]
     _run(tools.cmake, "-G", tools.generator, "-S", str(ROOM), "-B", str(build), *words)
     _run(tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1))

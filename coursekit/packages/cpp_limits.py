@@ -27,6 +27,8 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     'tf2_kdl/tf2_kdl.hpp is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
+    >>> reason('By not providing "FindEigen3.cmake" in CMAKE_MODULE_PATH', ["eigen"], False) == NO_EIGEN
+    True
     """
     for name in _PACKAGE.findall(text):
         if name == "Eigen3":

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+from pathlib import Path
 from typing import Any
 
 from rclpy.context import Context
@@ -22,6 +23,7 @@ from rclpy.signals import shutdown_all
 from rclpy.utilities import get_default_context
 
 from coursekit.core.ready_queue import ReadyQueue
+from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled import (
     actions,
     bags,
@@ -41,6 +43,7 @@ from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
 from coursekit.nodes.compiled.workers import Workers
+from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
 from coursekit.systems import children
@@ -54,6 +57,10 @@ _IDLE_WEIGHT = 250
 _TOO_LONG = (
     "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
     "stands still meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
+)
+_ANOTHER_AGE = (
+    "[coursekit] {name} was built by another version of coursekit than this one, and cannot talk with it. Build its "
+    "workspace again: `colcon build`."
 )
 _ERRORS = {
     "InvalidNodeNameException": "InvalidNodeNameError",
@@ -259,6 +266,10 @@ class Host:
 
 def main(argv: list[str]) -> int:
     """Run a compiled program in a process of the session; its exit code."""
+    for word in argv:
+        if os.path.isfile(word) and is_compiled_here(Path(word)) and is_of_another_age(Path(word)):
+            print(_ANOTHER_AGE.format(name=os.path.basename(word)), file=sys.stderr)
+            return 1
     code = Host(argv[0], argv[1:]).run()
     if code < 0:
         raise ProcessKilled(-code)

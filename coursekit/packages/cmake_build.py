@@ -116,7 +116,8 @@ def bracketed(value: str) -> str:
 
 def _complete(env: dict[str, str], runtime: Path) -> None:
     """Where find_package() looks: sourced workspaces, what the package depends on, what comes with coursekit."""
-    known = os.pathsep.join([env.get("AMENT_PREFIX_PATH", ""), env.get("CMAKE_PREFIX_PATH", ""), str(runtime), *_of_wheels()])
+    sourced = [env.get("AMENT_PREFIX_PATH", ""), env.get("CMAKE_PREFIX_PATH", "")]
+    known = os.pathsep.join([*sourced, str(runtime), *_of_wheels()])
     env["CMAKE_PREFIX_PATH"] = os.pathsep.join(dict.fromkeys(filter(None, known.split(os.pathsep))))
 
 

@@ -87,6 +87,12 @@ def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(host.things[frame.integer()].get_clock().now().nanoseconds)
 
 
+def do_ros_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Sleep by the time of a node that follows /clock; 0 when its context ended, or it ceased to follow."""
+    node, span = host.things[frame.integer()], Duration(nanoseconds=frame.integer())
+    return packed(int(node.get_clock().sleep_for(span, context=node.context)))
+
+
 def do_ros_time_active(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Whether a node follows /clock."""
     return packed(int(host.things[frame.integer()].get_clock().ros_time_is_active))

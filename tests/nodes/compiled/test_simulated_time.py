@@ -65,3 +65,42 @@ def test_a_node_may_be_told_later(session, build):
 
     said = seconds_of(session, build, [], tell)
     assert said[0] == "10" and "asked 105" in said
+
+
+SLEEPER = """
+#include "rclcpp/rclcpp.hpp"
+using namespace std::chrono_literals;
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("diver");
+  auto clock = node->get_clock();
+  auto said = [&](const char * what, bool well) {
+      std::cout << what << " " << well << " " << clock->now().seconds() << std::endl;
+    };
+  std::thread sleeper([&] {
+      said("started", clock->wait_until_started());
+      said("slept", clock->sleep_for(12s));
+      said("until", clock->sleep_until(rclcpp::Time(124, 0, RCL_ROS_TIME)));
+      said("in vain", clock->sleep_for(60s));
+    });
+  rclcpp::spin(node);
+  sleeper.join();
+}
+"""
+
+
+def test_a_clock_sleeps_by_the_time_of_clock(session, build):
+    process = session.launch(
+        make_process(session, build("sleeper", SLEEPER), ["--ros-args", "-p", "use_sim_time:=true"], name="sleeper")
+    )
+    session.clock.sleep(0.1)
+    rclpy.init()
+    publisher = rclpy.create_node("world").create_publisher(Clock, "/clock", 10)
+    for second in range(100, 131):
+        publisher.publish(Clock(clock=Time(sec=second)))
+        session.clock.sleep(0.1)
+    process.interrupt()
+    assert process.wait(5.0) == 0, process.output
+    said = [line for line in process.output.splitlines() if "signal" not in line]
+    assert said == ["started 1 100", "slept 1 112", "until 1 124", "in vain 0 130"]

@@ -23,7 +23,8 @@ int main()
   geometry_msgs::msg::Polygon square;
   square.points.resize(1);
   std::cout << geometry_msgs::msg::to_yaml(square) << geometry_msgs::msg::to_yaml(square, true) << std::endl;
-  std::cout << std_msgs::msg::to_yaml(std_msgs::msg::Empty()) << std_msgs::msg::to_yaml(std_msgs::msg::Empty(), true) << std::endl;
+  std_msgs::msg::Empty nothing;
+  std::cout << std_msgs::msg::to_yaml(nothing) << std_msgs::msg::to_yaml(nothing, true) << std::endl;
   example_interfaces::srv::AddTwoInts::Request request;
   request.a = -7;
   example_interfaces::srv::to_flow_style_yaml(request, std::cout);

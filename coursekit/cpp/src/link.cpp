@@ -207,6 +207,9 @@ void * obey(void * fd)
   return nullptr;
 }
 
+/// Programs are looked at for this before they are started: one of an older runtime is to be built again.
+__attribute__((used)) const volatile char g_age[] = "coursekit-runtime:" COURSEKIT_KEY;
+
 struct AtStart
 {
   AtStart()

@@ -9,6 +9,7 @@ import ipywidgets
 
 from coursekit.processes.session import current
 
+from .bundle import forms_of
 from .errors import BadArgument
 from .kernel import notebook_name, running_variables
 from .panel import open_panels
@@ -57,12 +58,17 @@ class Desk:
         with self._sidecar:
             display(ipywidgets.VBox([self._column, floor]).add_class("ck-room"))
 
+    def _still(self) -> dict[str, str]:
+        """How it looks where no browser is: the first panel's picture that there is."""
+        forms = (forms_of(one._repr_mimebundle_()) or {} for one in self.panels)
+        return next(({"image/png": one["image/png"]} for one in forms if "image/png" in one), {})
+
     def __repr__(self) -> str:
         return "\n".join(["On the desk:", *map(repr, self.panels)]) if self.panels else NOTHING
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if not self.panels or current().clock.virtual:
-            return {"text/plain": repr(self)}
+            return {"text/plain": repr(self), **self._still()}
         if "__vsc_ipynb_file__" in running_variables():  # VS Code has no place beside a notebook: the cell shows it
             return self._column._repr_mimebundle_(**options)
         self._dock()

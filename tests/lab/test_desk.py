@@ -24,7 +24,8 @@ def test_it_says_what_stands_on_it():
     view, drive = viewer(), pad()
     assert repr(desk(view, drive)).splitlines()[:2] == ["On the desk:", "viewer: fixed frame map"]
     assert desk(drive).panels == [drive], "what is put there next takes the place of the rest"
-    assert desk(view)._repr_mimebundle_() == {"text/plain": repr(desk(view))}
+    shown = desk(drive, view)._repr_mimebundle_()
+    assert shown["text/plain"] == repr(desk(drive, view)) and shown["image/png"], "a page that is only read has a still"
 
 
 def test_a_notebook_has_one_desk():

@@ -33,7 +33,11 @@ function(coursekit_link_runtime target)
     target_link_options(${target} PRIVATE "SHELL:-Wl,--whole-archive \"${library}\" -Wl,--no-whole-archive")
   endif()
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${library}")
-  set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES Threads::Threads ${CMAKE_DL_LIBS})
+  if(WIN32)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES ws2_32)
+  else()
+    set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES Threads::Threads ${CMAKE_DL_LIBS})
+  endif()
 endfunction()
 
 # Libraries are static: a program then has one copy of the runtime, and exceptions and types cross them safely. A shared one

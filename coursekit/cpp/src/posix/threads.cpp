@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "state.hpp"
-#include "threads.hpp"
+#include "../threads.hpp"
+#include "real.hpp"
 
 namespace coursekit
 {
@@ -15,17 +15,16 @@ struct Start
 {
   void * (* function)(void *);
   void * argument;
-  int fd;
+  Connection connection;
 };
 void * begin(void * given)
 {
   Start start = *static_cast<Start *>(given);
   delete static_cast<Start *>(given);
-  use_connection(start.fd);
+  use_connection(start.connection);
   begin_thread();
   return start.function(start.argument);
 }
-int64_t address_of(const void * p) {return static_cast<int64_t>(reinterpret_cast<uintptr_t>(p));}
 int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
 {
   pthread_mutex_unlock(m);
@@ -34,20 +33,6 @@ int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
   return woken ? 0 : ETIMEDOUT;
 }
 }  // namespace
-
-bool block(const void * what, int64_t until)
-{
-  ++g_state.blocked;
-  bool woken = request("block", Packer{}.i(address_of(what)).i(until)).i();
-  --g_state.blocked;
-  return woken;
-}
-void unblock(const void * what, bool all)
-{
-  if (g_state.is_virtual && g_state.blocked) {
-    note("unblock", Packer{}.i(address_of(what)).i(all));
-  }
-}
 
 void start_real_thread(void * (*function)(void *), void * argument)
 {
@@ -65,8 +50,8 @@ int pthread_create(
   pthread_t * __restrict thread, const pthread_attr_t * __restrict how, void * (*function)(void *), void * __restrict argument)
 {
   COURSEKIT_REAL(pthread_create, thread, how, function, argument)
-  int fd = coursekit::connect_to_session(coursekit::THREAD);
-  int error = next(thread, how, coursekit::begin, new coursekit::Start{function, argument, fd});
+  coursekit::Connection own = coursekit::connect_to_session(coursekit::THREAD);
+  int error = next(thread, how, coursekit::begin, new coursekit::Start{function, argument, own});
   if (!error) {
     coursekit::request("thread", coursekit::Packer{}.i(static_cast<int64_t>(*thread)));
   }

@@ -12,7 +12,7 @@
 #include <iostream>
 #include <streambuf>
 
-#include "state.hpp"
+#include "real.hpp"
 
 namespace coursekit
 {

@@ -25,6 +25,7 @@ void * begin(void * given)
   begin_thread();
   return start.function(start.argument);
 }
+int64_t number_of(pthread_t thread) {return (int64_t)thread;}  // NOLINT: a number on Linux, on a Mac a pointer
 int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
 {
   pthread_mutex_unlock(m);
@@ -53,14 +54,14 @@ int pthread_create(
   coursekit::Connection own = coursekit::connect_to_session(coursekit::THREAD);
   int error = next(thread, how, coursekit::begin, new coursekit::Start{function, argument, own});
   if (!error) {
-    coursekit::request("thread", coursekit::Packer{}.i(static_cast<int64_t>(*thread)));
+    coursekit::request("thread", coursekit::Packer{}.i(coursekit::number_of(*thread)));
   }
   return error;
 }
 int pthread_join(pthread_t thread, void ** result)
 {
   COURSEKIT_REAL(pthread_join, thread, result)
-  coursekit::request("join", coursekit::Packer{}.i(static_cast<int64_t>(thread)));
+  coursekit::request("join", coursekit::Packer{}.i(coursekit::number_of(thread)));
   return next(thread, result);
 }
 int pthread_mutex_lock(pthread_mutex_t * m)

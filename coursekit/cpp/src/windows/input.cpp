@@ -71,9 +71,15 @@ int is_there_a_key()
 }  // namespace
 }  // namespace coursekit
 
+// Each is there by its names, and as the pointer through which a function of a library is called.
 extern "C" {
+int coursekit_getch() __asm__("_getch");
+int coursekit_kbhit() __asm__("_kbhit");
+
+int coursekit_getch() {return coursekit::key();}
+int coursekit_kbhit() {return coursekit::is_there_a_key();}
 int getch() {return coursekit::key();}
 int kbhit() {return coursekit::is_there_a_key();}
-int (__cdecl * __imp__getch)() = coursekit::key;
-int (__cdecl * __imp__kbhit)() = coursekit::is_there_a_key;
+int (__cdecl * __imp__getch)() = coursekit_getch;
+int (__cdecl * __imp__kbhit)() = coursekit_kbhit;
 }

@@ -89,8 +89,12 @@ steady_clock::time_point steady_clock::now() noexcept
 }  // namespace chrono
 _LIBCPP_END_NAMESPACE_STD
 
-// What C programs ask: through pointers that stand for Windows' libraries, which have these functions.
-static void WINAPI sleep_ms(DWORD milliseconds)
+// What C programs ask. Each is there by its name, and as the pointer through which a function of a library is called.
+extern "C" {
+void WINAPI coursekit_sleep(DWORD milliseconds) __asm__("Sleep");
+__time64_t __cdecl coursekit_time(__time64_t * to) __asm__("_time64");
+
+void WINAPI coursekit_sleep(DWORD milliseconds)
 {
   if (coursekit::g_state.is_virtual) {
     coursekit::sleep_for(milliseconds * 1000000LL);
@@ -98,7 +102,7 @@ static void WINAPI sleep_ms(DWORD milliseconds)
     SleepEx(milliseconds, FALSE);
   }
 }
-static __time64_t __cdecl seconds_now(__time64_t * to)
+__time64_t __cdecl coursekit_time(__time64_t * to)
 {
   __time64_t now = coursekit::system_now() / 1000000000;
   if (to) {
@@ -106,7 +110,6 @@ static __time64_t __cdecl seconds_now(__time64_t * to)
   }
   return now;
 }
-extern "C" {
-void (WINAPI * __imp_Sleep)(DWORD) = sleep_ms;
-__time64_t (__cdecl * __imp__time64)(__time64_t *) = seconds_now;
+void (WINAPI * __imp_Sleep)(DWORD) = coursekit_sleep;
+__time64_t (__cdecl * __imp__time64)(__time64_t *) = coursekit_time;
 }

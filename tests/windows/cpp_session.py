@@ -28,10 +28,17 @@ def _ended(*processes: object) -> list[tuple[int, str]]:
     return [(one.wait(30.0), one.output) for one in processes]  # type: ignore[attr-defined]
 
 
+def _until(session: Session, process: object, text: str, seconds: float) -> None:
+    """On the virtual clock wait so long, on the wall clock until the process has said it: a computer may be busy."""
+    session.clock.sleep(seconds)
+    while not session.clock.virtual and text not in process.output and process.exit_code is None:  # type: ignore[attr-defined]
+        session.clock.sleep(0.05)
+
+
 def _pair(session: Session) -> list[tuple[int, str]]:
     """A talker and a listener until Ctrl-C."""
     both = [_start(session, "talker"), _start(session, "listener")]
-    session.clock.sleep(1.6)
+    _until(session, both[1], "heard", 1.6)
     for one in both:
         one.interrupt()  # type: ignore[attr-defined]
     return _ended(*both)
@@ -45,7 +52,8 @@ def _threads(session: Session) -> list[tuple[int, str]]:
 def _interrupted(session: Session) -> list[tuple[int, str]]:
     """Ctrl-C for one that does not catch it, and for one that computes."""
     both = [_start(session, "plain"), _start(session, "busy")]
-    session.clock.sleep(1.0)
+    for one in both:
+        _until(session, one, "begun", 0.5)
     for one in both:
         one.interrupt()  # type: ignore[attr-defined]
     return _ended(*both)

@@ -176,7 +176,8 @@ def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratc
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])
     home = str(work) if writable else scratch
     if which.WINDOWS:
-        kept |= {name: env[name] for name in _WINDOWS if name in env} | {"USERPROFILE": home, "TEMP": scratch, "TMP": scratch}
+        kept |= {name: env[name] for name in _WINDOWS if name in env}
+        kept |= {"USERPROFILE": home, "TEMP": scratch, "TMP": scratch}
         path = os.pathsep.join([str(Path(sys.executable).parent), env.get("PATH", "")])
     quiet = {"PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "COLUMNS": "120", "NUMBA_CACHE_DIR": f"{scratch}/.numba"}
     single = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")

@@ -18,7 +18,8 @@ def test_a_child_reads_and_writes_pipes_that_it_is_given():
     there, back = os.pipe(), os.pipe()
     try:
         words = [sys.executable, "-c", CHILD, inherited.name_for_child(there[0]), inherited.name_for_child(back[1])]
-        child = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, **inherited.given((there[0], back[1])))
+        own = inherited.given((there[0], back[1]))
+        child = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, **own)
         os.write(there[1], b"\r\n\x1a word")
         assert os.read(back[0], 100) == b"\r\n\x1a WORD"
         child.communicate()

@@ -156,7 +156,7 @@ def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
 
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
-    from coursekit.grade.handing_back import hand_back, unlike_the_platform_s
+    from coursekit.grade.handing_back import hand_back, left_out, unlike_the_platform_s
     from coursekit.grade.harmless import counted, shown
     from coursekit.grade.statistics import average
 
@@ -174,7 +174,8 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     if args.platform:
         for file in hand_back(args.platform, outcome.records, group.roster, group.out):
             print(f"To hand back: {file}")
-        if said := unlike_the_platform_s(outcome.records, group.roster):
+        missing = left_out(outcome.records, group.roster) if args.platform == "moodle" else ""
+        for said in filter(None, (unlike_the_platform_s(outcome.records, group.roster), missing)):
             print(f"! {said}")
     if group.anonymity is not None:
         print(f"The key to the names: {group.anonymity.names}")

@@ -26,8 +26,8 @@ class Bar:
         left = (now - self._started) / done * (of - done)
         if sys.stderr.isatty():
             full = round(30 * done / of)
-            line = f"\r{'█' * full}{'·' * (30 - full)} {done} of {of}, about {left:.0f} s left  {student[:20]:<20}"
+            line = f"\r{'█' * full}{'·' * (30 - full)} {done} of {of} notebooks, about {left:.0f} s left  {student[:20]:<20}"
             print(line, end="\n" if done == of else "", file=sys.stderr, flush=True)
         elif done == of or self._told is None or now - self._told >= EVERY_S:
             self._told = now
-            print(f"{done} of {of} graded, about {left:.0f} s left", file=sys.stderr, flush=True)
+            print(f"{done} of {of} notebooks marked, about {left:.0f} s left", file=sys.stderr, flush=True)

@@ -103,6 +103,7 @@ class Class:
                 outcome.interrupted = True
             self.write(outcome)
             outcome.told += [*_told_faults(records), *self.results.told]
+            outcome.told += self.results.told_changes([one.key for one in records])
             yield outcome
 
     def _reference(self, chapter: str, scratch: Path) -> Reference:

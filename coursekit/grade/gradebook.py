@@ -13,7 +13,10 @@ from .tables import write_table
 
 
 def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Record], results: Results) -> None:
-    """Write it: the chapters of this run, and those of earlier ones as they are kept."""
+    """Write it: the chapters of this run, and those of earlier ones as they are kept.
+
+    Somebody without a mark in this run has no total either.
+    """
     by_name = {one.label: one for one in records}
     earlier = {one.key: _earlier(one, results) for one in records}
     columns = sorted({name for one in records for name in one.wanted} | {name for kept in earlier.values() for name in kept})
@@ -26,7 +29,7 @@ def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Recor
         rows.append([
             cell(one.label), cell(person.id) if person.row >= 0 else "", cell(person.email),
             *(number(points[name]) if name in points else "" for name in columns),
-            number(round(sum(points.values()), 2)), one.key,
+            "" if one.total() is None else number(round(sum(points.values()), 2)), one.key,
         ])  # fmt: skip
     write_table(file, ["student", "id", "email", *(PurePosixPath(name).stem for name in columns), "total", "key"], rows)
 
@@ -36,7 +39,7 @@ def _of_run(one: Record) -> dict[str, float]:
     total = one.total()
     if total is None:
         return {}
-    if "total" in one.by_hand and len(one.wanted) == 1:
+    if one.total_by_hand() and len(one.wanted) == 1:
         return dict.fromkeys(one.wanted, total)
     by_hand = {name for name, asked in one.wanted.items() if any(verdict.name in one.by_hand for verdict in asked)}
     return {name: one.chapter_total(name) for name in one.wanted if name in one.chapters() or name in by_hand}

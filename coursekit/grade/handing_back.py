@@ -25,7 +25,7 @@ def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, o
         headings, filled = _in_list(platform, records, roster, title)
     else:
         headings, filled = _of_own(platform, records, title)
-    write_table(table, headings, filled)
+    write_table(table, headings, filled, rows.separator if rows is not None else ",")
     feedback = _feedback(records, roster, out.with_name("feedback.zip")) if platform == "moodle" else []
     return [table, *feedback]
 
@@ -45,7 +45,7 @@ def _said(one: Record) -> str:
     """A sentence for the student."""
     late = one.marked().minutes_late
     words = [f"{number(v.points)} of {number(v.of)} for {v.name}" for v in one.marked().verdicts]
-    return "; ".join([*words, *([f"{late_by(late)} late"] if late else []), *one.extra.values()])
+    return "; ".join([*words, *([f"{late_by(late)} late"] if late else []), *one.comments().values()])
 
 
 def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:
@@ -106,13 +106,16 @@ def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
 
 
 def _columns(platform: str, headings: list[str], title: str) -> tuple[int, int | None]:
-    """Where the mark and the comment stand; a column for the mark is put in at the end where there is none."""
+    """Where the mark and the comment stand; a list without a column for marks gets its own at the end."""
     known = [one.casefold() for one in headings]
     comment = known.index("feedback comments") if "feedback comments" in known else None
     if platform == "moodle" and "grade" in known:
         return known.index("grade"), comment
     headings.append(title)
-    return len(headings) - 1, comment
+    if platform != "moodle":
+        return len(headings) - 1, comment
+    headings.append(f"{title} comments")
+    return len(headings) - 2, len(headings) - 1
 
 
 def _of_own(platform: str, records: Sequence[Record], title: str) -> tuple[list[str], list[list[str]]]:
@@ -139,9 +142,7 @@ def _family_first(person: Person) -> str:
 def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> list[Path]:
     """The pages of those who handed in or were told something, in folders under which Moodle knows them."""
     identifier = Identifier(roster) if roster is not None else None
-    told = [one for one in records if one.counts() or one.handed.entries or any(one.extra.values())]
-    folders = {_folder(one, identifier): one for one in told}
-    folders.pop("", None)
+    folders = {folder: one for one in _with_a_page(records) if (folder := _folder(one, identifier))}
     if not folders:
         return []
     fresh = file.with_suffix(".new")
@@ -150,6 +151,24 @@ def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> l
             packed.writestr(f"{shown(folder, 250)}/feedback.html", page(one))
     fresh.replace(file)
     return [file]
+
+
+def _with_a_page(records: Sequence[Record]) -> list[Record]:
+    """Those who handed in or were told something."""
+    return [one for one in records if one.counts() or one.handed.entries or one.comments()]
+
+
+def left_out(records: Sequence[Record], roster: Roster | None) -> str:
+    """Whose page is not in feedback.zip, and what Moodle needs for it; empty if nobody's."""
+    identifier = Identifier(roster) if roster is not None else None
+    names = [one.label for one in _with_a_page(records) if not _folder(one, identifier)]
+    if not names:
+        return ""
+    more = f" and {len(names) - 5} more" if len(names) > 5 else ""
+    return (
+        f"feedback.zip has no page for {', '.join(names[:5])}{more}: Moodle's number of them is not known. Download the "
+        "assignment's grading worksheet (it has the column Identifier), and give that as --roster."
+    )
 
 
 def _folder(record: Record, identifier: Identifier | None) -> str:

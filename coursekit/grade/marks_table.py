@@ -11,10 +11,9 @@ from typing import Any
 from coursekit.files import write_whole
 
 from .harmless import cell, number, shown
-from .record import Record
+from .record import COMMENT, Record
 from .tables import read_table, write_table
 
-COMMENT = "comment"
 _BEFORE = ("key", "student", "id", "email")
 """The key comes first: a mark of the encoding, which spreadsheets need before a table, sticks to the first heading only."""
 _AFTER = (
@@ -85,18 +84,18 @@ class MarksTable:
             if not column or text == was or column in _BEFORE:
                 continue
             if was is None or column == COMMENT:
-                self._note_extra(key, column, text)
+                self._note_extra(key, who, column, text)
             elif column == "total":
                 self._note_points(key, who, column, text, was, written.get("chapters", ""))
             elif "." in column:
                 self._note_points(key, who, column, text, was, column)
-            elif text.strip("' ") != was.strip("' "):
+            elif not _same(text, was):
                 self.by_hand.told.append(f"{who}: '{column}' is written again at each run: the change is not kept")
 
-    def _note_extra(self, key: str, column: str, text: str) -> None:
+    def _note_extra(self, key: str, who: str, column: str, text: str) -> None:
         kept = self.by_hand.extra.setdefault(key, {})
         if text and kept.get(column) != text:
-            self.by_hand.told.append(f"the {column} in {self.file.name} is kept ({key})")
+            self.by_hand.told.append(f"{who}: what you wrote under '{shown(column, 40)}' is kept")
         kept[column] = text
 
     def _note_points(self, key: str, who: str, column: str, text: str, was: str, name: str) -> None:
@@ -156,6 +155,12 @@ def _row(one: Record) -> dict[str, str]:
         "attempts": cell(" | ".join(one.handed.attempts()[-20:])),
         "notes": cell("; ".join([*asked, *by_hand, *marked.concerns, *marked.notes])),
     }
+
+
+def _same(text: str, was: str) -> bool:
+    """Whether a cell says what was written into it, however a spreadsheet saved that: `1,5` for 1.5."""
+    points = _points(text)
+    return text.strip("' ") == was.strip("' ") or (points is not None and points == _points(was))
 
 
 def _points(text: str) -> float | None:

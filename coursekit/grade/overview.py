@@ -12,6 +12,7 @@ from coursekit.files import write_whole
 
 from .collector import Collection
 from .harmless import number, shown
+from .lateness import late_by
 from .outcome import Outcome
 from .page_style import STYLE
 from .record import Record
@@ -23,17 +24,18 @@ from .verdict import Verdict
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>The class: {chapters}</title><link rel="icon" href="data:,">
 <style>{style}
-body{{font:15px/1.45 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem}}
+body{{font:15px/1.45 system-ui,sans-serif;max-width:80rem;margin:2rem auto;padding:0 1rem}}
 h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:2rem}} img{{max-width:100%}} table{{border-collapse:collapse}}
-td,th{{padding:3px 9px;text-align:right;border-bottom:1px solid var(--line);vertical-align:top;font-weight:400}}
+td,th{{padding:3px 7px;text-align:right;border-bottom:1px solid var(--line);vertical-align:top;font-weight:400}}
 th{{color:var(--soft);position:sticky;top:0;background:var(--paper)}} td:first-child,th:first-child,.words{{text-align:left}}
 .all{{background:var(--all)}} .some{{background:var(--some)}} .none,.eye{{color:var(--wrong)}}
-.words{{font-size:.88rem}} td:first-child{{white-space:nowrap}} .wrap td:first-child{{white-space:normal}}</style>
+.words{{font-size:.88rem;overflow-wrap:anywhere}} td:first-child,.late,.status{{white-space:nowrap}}
+.below td{{padding-top:0}} tr:has(+ .below) td{{border-bottom:0}} .wrap td:first-child{{white-space:normal}}</style>
 </head><body><h1>The class: {chapters}</h1>
 <p>{counts}; {average}; run in the sandbox <code>{tier}</code></p>
 {look}{hardest}<h2>All students</h2><p><img class="drawn" src="histogram.png" alt="Number of students by points"></p>
 <table id="everybody">
-<tr><th>student</th>{questions}<th>total</th><th>status</th><th>min late</th><th class="words">to look at</th></tr>
+<tr><th>student</th>{questions}<th>total</th><th>status</th><th>late by</th><th>taken off</th></tr>
 {rows}</table>{alike}</body></html>
 """
 _MOST = 200
@@ -53,7 +55,7 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
         tier=html.escape(", ".join(tiers) or "none"),
         look=_look(records, outcome),
         hardest=_hardest(records),
-        questions="".join(f"<th>{html.escape(name)}</th>" for name in questions),
+        questions="".join(f"<th>{html.escape(name).replace('.', '.<wbr>')}</th>" for name in questions),
         rows="\n".join(_row(one, questions) for one in records),
         alike=_alike(records),
     )
@@ -62,6 +64,7 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
 def _look(records: Sequence[Record], outcome: Outcome) -> str:
     """Who needs the teacher's eye, and why; the most pressing first."""
     rows = []
+    asked = "<p>Answer the questions in <code>questions.csv</code>, next to the table, and run the command again.</p>"
     for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
         concerns = one.marked().concerns
         if one.status() in LOOK or concerns:
@@ -73,7 +76,8 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
     for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
     heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"
-    return f"<h2>Needs a look</h2><table>{heading}{''.join(rows)}</table>" if rows else ""
+    how = asked if outcome.collection.unanswered else ""
+    return f"<h2>Needs a look</h2>{how}<table>{heading}{''.join(rows)}</table>" if rows else ""
 
 
 def _hardest(records: Sequence[Record]) -> str:
@@ -101,11 +105,11 @@ def _row(record: Record, questions: Sequence[str]) -> str:
     cells = "".join(_cell(verdicts.get(name) if record.marks else None) for name in questions)
     eye = [f"<span class='eye'>{_text(one)}</span>" for one in [*record.handed.open, *marked.concerns]]
     words = "<br>".join([*eye, *(_text(one) for one in marked.notes)])
-    late = number(marked.minutes_late) if marked.minutes_late else ""
+    late = late_by(marked.minutes_late) if marked.minutes_late else ""
     return (
         f"<tr><td>{_link(record)}</td>{cells}<td><b>{'?' if total is None else number(total)}</b></td>"
-        f"<td>{record.status()}</td><td>{late}</td><td class='words'>{words}</td></tr>"
-    )
+        f"<td class='status'>{record.status()}</td><td class='late'>{late}</td><td>{record.told_off()}</td></tr>"
+    ) + (f"<tr class='below'><td></td><td class='words' colspan='{len(questions) + 4}'>{words}</td></tr>" if words else "")
 
 
 def _cell(verdict: Verdict | None) -> str:

@@ -27,10 +27,11 @@ def shown(value: Any, most: int = MOST) -> str:
     """A value for a verdict: its repr, cut; also of objects whose repr fails.
 
     >>> shown([1, 2]), shown("long" * 9, 8), shown(10**9999)
-    ('[1, 2]', "'longlon", 'an int that cannot be shown')
+    ('[1, 2]', "'longlo…", 'an int that cannot be shown')
     """
     try:
-        return str.__getitem__(repr(value), slice(0, most))
+        text = str.__getitem__(repr(value), slice(0, most + 1))
+        return text if len(text) <= most else text[: most - 1] + "…"
     except Exception:
         return f"an {type(value).__name__[:40]} that cannot be shown"
 

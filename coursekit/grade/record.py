@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
+from time import time as now
 
 from .handed import Handed
 from .harmless import number, unique
-from .lateness import Policy
+from .lateness import DAY_S, Policy
 from .mark import Marked
 from .pieces import SEALED, told_time
 from .statuses import status_of
 from .verdict import Verdict
+
+COMMENT = "comment"
+"""The column in which a teacher writes what the student reads."""
+ON_EXERCISE = " comment"
+"""The end of the name of a column with a comment on one exercise: `ch02.q1 comment`."""
 
 
 @dataclass
@@ -85,13 +91,22 @@ class Record:
         points = sum(self._by_hand(one).points for one in found)
         return round(points * (1 - self.late.get(chapter, Late()).percent_off / 100), 2)
 
+    def total_by_hand(self) -> bool:
+        """Whether the teacher wrote the mark itself."""
+        return "total" in self.by_hand
+
     def total(self) -> float | None:
         """The mark; None as long as a question is open or it is not marked."""
-        if "total" in self.by_hand:
+        if self.total_by_hand():
             return self.by_hand["total"]
         if self.status() in ("question", "not marked"):
             return None
         return round(sum(self.chapter_total(one) for one in self.wanted), 2)
+
+    def comments(self) -> dict[str, str]:
+        """What the teacher wrote for the person to read, by column; columns of the teacher's own are not theirs to see."""
+        exercises = [verdict.name + ON_EXERCISE for verdicts in self.wanted.values() for verdict in verdicts]
+        return {name: self.extra[name] for name in (COMMENT, *exercises) if self.extra.get(name)}
 
     def counts(self) -> bool:
         """Whether the mark is one of the class's average: of somebody who handed in or got points by hand, and is marked."""
@@ -151,6 +166,9 @@ def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict
         if piece is None:
             continue
         minutes = policy.minutes_late(handed.person, piece.when)
+        if piece.when > now() + DAY_S:
+            said = f"{piece.when_from} is {told_time(piece.when)}, which is yet to come: was that computer's clock wrong?"
+            handed.concerns.append(f"{piece.where}: {said}")
         if piece.when_from == SEALED and not minutes and policy.minutes_late(handed.person, piece.inner) > 60:
             handed.concerns.append(f"{piece.where} was sealed in time, but the file is of {told_time(piece.inner)}")
         if piece.late_said and not minutes:

@@ -30,12 +30,15 @@ _PAGE = """<h2>{title}</h2>
 ros-env/bin/pip install {wheel}</pre>
 <p>(Windows: <code>py -3 -m venv ros-env</code>, then <code>ros-env\\Scripts\\pip install {wheel}</code>, and
 <code>ros-env\\Scripts\\coursekit</code> below.)</p>
-<p>Download <b>{archive}</b>, unpack it, and open the notebooks with
+<p>Download <b>{archive}</b> and unpack it: it holds a folder <code>{folder}</code>. (<i>Extract All</i> of Windows puts that
+into another folder: move it out.) Put <code>{folder}</code> next to <code>ros-env</code>, and open the notebooks with
 <code>ros-env/bin/coursekit lab --folder {folder}</code>. Run the cells from top to bottom; write where it says
 <code># YOUR CODE HERE</code>, and run the check below it.</p>
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
-{rows}</table>
-<p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each.</p>
+{rows}<tr><th>All</th><th>{exercises}</th><th>{points}</th></tr></table>
+<p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each: type
+that in a new cell at the end of the notebook, and run it. Its file also holds the pictures that <code>evidence()</code>
+made: where the assignment asks for evidence, hand in this file.</p>
 """
 
 
@@ -82,10 +85,13 @@ def release(
     else:
         files = _written(sources, out, out.name)
         written = [*files, _zipped(files, out)]
-    rows = "\n".join(_row(Path(name).stem, one) for name, one in sources.items())
+    asked = {name: [one.points for one in exercises_in(source).values()] for name, source in sources.items()}
+    rows = "\n".join(_row(html.escape(Path(name).stem), points) for name, points in asked.items())
     page = out / "page.html"
     archive = "the zip with your name" if variants else f"{out.name}.zip"
+    every = [points for one in asked.values() for points in one]
     facts = {"title": out.name, "folder": join_words([out.name]), "archive": archive, "wheel": wheel}
+    facts |= {"exercises": str(len(every)), "points": f"{sum(every):g}"}
     write_whole(page, _PAGE.format(rows=rows, **{name: html.escape(text) for name, text in facts.items()}))
     return [*written, page]
 
@@ -130,6 +136,5 @@ def _zipped(files: Sequence[Path], out: Path) -> Path:
     return archive
 
 
-def _row(name: str, notebook: dict[str, Any]) -> str:
-    points = [one.points for one in exercises_in(notebook).values()]
-    return f"<tr><td>{html.escape(name)}</td><td>{len(points)}</td><td>{sum(points):g}</td></tr>"
+def _row(name: str, points: Sequence[float]) -> str:
+    return f"<tr><td>{name}</td><td>{len(points)}</td><td>{sum(points):g}</td></tr>"

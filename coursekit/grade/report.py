@@ -16,11 +16,9 @@ from .lateness import late_by
 from .mark import Marked
 from .page_style import STYLE
 from .pictures import as_html
-from .record import Record
+from .record import COMMENT, ON_EXERCISE, Record
 from .verdict import Verdict
 
-ON_EXERCISE = " comment"
-"""How the column is called, after the exercise's name, in which a teacher writes what they say of it."""
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}</title>
 <style>{style}
@@ -34,7 +32,7 @@ h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
 figcaption{{color:var(--soft);font-size:.8rem}}
 pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem;
 white-space:pre-wrap;overflow-wrap:anywhere}}</style></head>
-<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{off}</p>{comments}{notes}
+<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{how}</p>{comments}{notes}
 {verdicts}{evidence}<footer>
 <span class="status">{status}</span>{late}{tier}</footer></body></html>
 """
@@ -52,17 +50,15 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
     if fields is not None:
         parts = [_beside(one, record, code, fields(one.name)) for one in marked.verdicts]
     notes = "".join(f"<li>{_text(note)}</li>" for note in [*record.handed.open, *marked.notes])
-    off = record.told_off()
-    written = [(name, text) for name, text in record.extra.items() if text and not name.endswith(ON_EXERCISE)]
-    said = "".join(f"<p class='comment'><b>{_text(name)}</b>: {_paragraphs(text)}</p>" for name, text in written)
+    whole = record.extra.get(COMMENT, "")
     return _PAGE.format(
         style=STYLE,
         student=_text(record.label),
         points="no mark yet" if total is None else number(total),
         of=number(record.of()),
         chapters=_text(record.told_chapters()),
-        off=f", after {off} taken off for being late" if off else "",
-        comments=said,
+        how=_how(record),
+        comments=f"<p class='comment'><b>{COMMENT}</b>: {_paragraphs(whole)}</p>" if whole else "",
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),
         evidence=as_html(record.handed.bundles()),
@@ -70,6 +66,14 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
         tier=f"; run in the sandbox <code>{_text(marked.tier)}</code>" if marked.tier else "",
         late=f"; {late_by(marked.minutes_late)} late by {_text(record.time_from())}" if marked.minutes_late else "",
     )
+
+
+def _how(record: Record) -> str:
+    """What became of the sum of the points."""
+    if record.total_by_hand():
+        return ", given by hand"
+    off = record.told_off()
+    return f", after {off} taken off for being late" if off else ""
 
 
 def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = "") -> str:

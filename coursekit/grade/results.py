@@ -7,20 +7,34 @@ import hashlib
 import hmac
 import json
 import secrets
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Container, Iterable, Mapping
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from coursekit.files import write_whole
 
 from .exercise import Exercise
+from .harmless import counted
 from .keys import config_folder, mac, own_key
 from .mark import Marked
 from .own_checks import digest_of_checks
 from .variants import values_of
 
 FILE = "result.json"
+CHANGES = {
+    "submission": "other work was handed in",
+    "judges": "the code that marks has changed",
+    "course": "the chapter has changed",
+    "coursekit": "coursekit has another version",
+    "tier": "the sandbox is another one",
+    "variants": "the student's own numbers have changed",
+    "points": "the points of its exercises have changed",
+    "checks": "its checks have changed",
+    "dice": "the roster's secret has changed",
+}
+"""Why a kept mark no longer holds, by what it depends on; the first that changed is told."""
 
 
 @functools.cache
@@ -66,6 +80,8 @@ class Results:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.told: list[str] = []
+        self.changes: dict[tuple[str, str], str] = {}
+        """Why a kept mark was not used, by key and chapter."""
         try:
             self._key = own_key()
         except OSError as error:
@@ -97,12 +113,25 @@ class Results:
     def read(self, key: str, chapter: str, depends: Mapping[str, Any]) -> Marked | None:
         """The kept mark for a chapter, if all that it depends on is as it was."""
         kept = self.chapters(key).get(chapter)
-        if kept is None or kept.get("depends") != depends:
+        if kept is None:
+            return None
+        before = kept.get("depends")
+        if before != depends:
+            changed = (name for name in CHANGES if not isinstance(before, dict) or before.get(name) != depends[name])
+            self.changes[key, chapter] = CHANGES[next(changed, "judges")]
             return None
         try:
             return Marked.of_json(kept["marked"])
         except (TypeError, LookupError):
             return None
+
+    def told_changes(self, keys: Container[str]) -> list[str]:
+        """How many kept marks of these people were made anew, and why."""
+        found = Counter((why, PurePosixPath(chapter).stem) for (key, chapter), why in self.changes.items() if key in keys)
+        return [
+            f"{chapter}: {counted(number, 'kept mark was', 'kept marks were')} made anew, since {why}."
+            for (why, chapter), number in found.items()
+        ]
 
     def write(self, key: str, chapter: str, depends: Mapping[str, Any], marked: Marked) -> None:
         """Keep a mark."""

@@ -6,7 +6,7 @@ import re
 import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .harmless import counted, shown
@@ -136,7 +136,8 @@ class Roster:
         if layout is None and any(one.strip().casefold() in HEADINGS for one in table.headings):
             raise ValueError(f"No column of {file} is one of names. Call it 'name', or: 'given name' and 'family name'.")
         if layout is None:  # no headings: names stand in the first column
-            layout, table = Layout("", {"name": 0}), Table([""] * len(table.headings), [table.headings, *table.rows])
+            layout = Layout("", {"name": 0})
+            table = replace(table, headings=[""] * len(table.headings), rows=[table.headings, *table.rows])
         people, notes = [], []
         for at, row in enumerate(table.rows):
             if is_nobody(row) or not any(plain(one) for one in row):

@@ -20,6 +20,7 @@ class Table:
 
     headings: list[str]
     rows: list[list[str]] = field(default_factory=list)
+    separator: str = ","
 
     def dicts(self) -> list[dict[str, str]]:
         """The rows by heading; what is missing is ''."""
@@ -83,13 +84,15 @@ def read_table(file: Path) -> Table:
         raise ValueError(f"{file} is no table: {error}.") from None
     if not rows:
         raise ValueError(f"There is nothing in {file}.")
-    return Table(rows[0], rows[1:])
+    return Table(rows[0], rows[1:], separator)
 
 
-def write_table(file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]]) -> None:
+def write_table(
+    file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]], separator: str = ","
+) -> None:
     """Write a table, whole or not at all. The caller has made its cells harmless."""
     made = io.StringIO()
-    table = csv.writer(made)
+    table = csv.writer(made, delimiter=separator)
     table.writerow(headings)
     for row in rows:
         table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)

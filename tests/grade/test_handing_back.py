@@ -256,3 +256,73 @@ def test_what_was_marked_without_names_holds_when_names_are_shown(folder):
         (row,) = [one for one in after.values() if one["key"] and one["total"] != "0"]
         assert (row["ch02.q1"], row["comment"]) == ("0.75", "Nearly.")
         assert row["student"].startswith("P-") == ("--anonymous" in words)
+
+
+def test_nobody_with_an_open_question_has_a_total_in_the_gradebook(folder):
+    for name in ("x", "y"):
+        write(folder / "Ito Ben_102_assignsubmission_file_" / name / TOPICS, text("q1" if name == "x" else "q2"))
+    assert grade(folder, "--roster", folder.parent / "moodle.csv")[0] == 1
+    found = {row[0]: row[3:5] for row in lines(folder.parent / "grades" / "gradebook.csv")[1:]}
+    assert found == {"Ana García López": ["3", "3"], "Ben Ito": ["", ""]}
+
+
+def test_whose_page_moodle_cannot_deal_out_is_told(folder, capsys):
+    write(folder / "Ben Ito.ipynb", text("q1"))
+    people = folder.parent / "participants.csv"
+    people.write_text("First name;Last name;Email address\nAna;García López;ana@uni\nBen;Ito;ben@uni\n", encoding="utf-8")
+    grade(folder, "--roster", people, "--for", "moodle")
+    said = capsys.readouterr().out
+    assert "! feedback.zip has no page for Ben Ito: Moodle's number of them is not known. Download" in said
+    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+        assert [name.split("_")[1] for name in packed.namelist()] == ["101"]
+    grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")
+    assert "no page" not in capsys.readouterr().out
+
+
+def test_a_list_of_participants_comes_back_with_its_separator_the_marks_and_the_comments(folder):
+    people = folder.parent / "participants.csv"
+    words = ("--roster", people, "--for", "moodle")
+    people.write_text("First name;Last name;ID number\nAna;García López;a01\nBen;Ito;b02\n", encoding="utf-8")
+    grade(folder, *words)
+    edited(folder.parent / "grades.csv", student="Ana García López", comment="Well done")
+    grade(folder, *words)
+    with open(folder.parent / "grades.moodle.csv", encoding="utf-8-sig", newline="") as file:
+        head, ana, _ = csv.reader(file, delimiter=";")
+    assert head == ["First name", "Last name", "ID number", "coursekit 02", "coursekit 02 comments"]
+    assert ana[:4] == ["Ana", "García López", "a01", "3"] and ana[4].endswith("Well done")
+
+
+def test_a_teacher_s_own_columns_are_not_shown_to_the_student(folder):
+    words = ("--roster", folder.parent / "plain.csv", "--for", "moodle")
+    key = grade(folder, *words)[1]["Ana García López"]["key"]
+    said = {"comment": "Well done", "ch02.q1 comment": "Shorter next time", "private": "copied?"}
+    edited(folder.parent / "grades.csv", student="Ana García López", **said)
+    row = grade(folder, *words)[1]["Ana García López"]
+    assert row["private"] == "copied?"
+    back = (folder.parent / "grades.moodle.csv").read_text(encoding="utf-8")
+    for page in ((folder.parent / "grades" / f"{key}.html").read_text(), back):
+        assert "Well done" in page and "Shorter next time" in page and "copied" not in page
+
+
+def test_a_table_saved_with_decimal_commas_is_not_changed(folder, capsys):
+    words = ("--due", "2026-11-22T10:26", "--roster", folder.parent / "moodle.csv")
+    before = grade(folder, *words)[1]["Ana García López"]
+    table = lines(folder.parent / "grades.csv")
+    with_commas = [[one.replace(".", ",") if one.replace(".", "").isdigit() else one for one in row] for row in table]
+    with_commas[1][table[0].index("minutes_late")] += ",0"
+    with open(folder.parent / "grades.csv", "w", newline="", encoding="utf-8-sig") as out:
+        csv.writer(out, delimiter=";").writerows(with_commas)
+    capsys.readouterr()
+    assert grade(folder, *words)[1]["Ana García López"] == before
+    assert "!" not in capsys.readouterr().out
+
+
+def test_a_total_by_hand_says_so_on_the_page(folder):
+    words = ("--due", "2026-11-22T10:26", "--policy", folder.parent / "policy.toml")
+    words[3].write_text("percent_per_day = 10\n", encoding="utf-8")
+    key = grade(folder, *words)[1]["García López Ana"]["key"]
+    page = folder.parent / "grades" / f"{key}.html"
+    assert "after 20 % taken off for being late" in page.read_text()
+    edited(folder.parent / "grades.csv", student="García López Ana", total="6")
+    grade(folder, *words)
+    assert "</b> of 7 points in 02_topics, given by hand" in page.read_text() and "taken off" not in page.read_text()

@@ -67,6 +67,14 @@ def test_who_was_never_in_time_is_late_with_what_there_is(folder):
     assert grade(folder, "--due", DUE, "--count", "in-time")[1]["Ann Lee"]["minutes_late"] == "60"
 
 
+def test_a_file_of_the_future_is_told(folder):
+    write(folder / "Ann Lee" / TOPICS, text("q1"), NOON + 40 * DAY)
+    write(folder / "Ben Ito" / TOPICS, text("q1"), NOON)
+    found = grade(folder, "--due", DUE)[1]
+    assert "yet to come: was that computer's clock wrong?" in found["Ann Lee"]["notes"]
+    assert "yet to come" not in found["Ben Ito"]["notes"]
+
+
 def test_canvas_says_late_and_that_is_believed(folder):
     write(folder / f"leeann_LATE_1_2_{TOPICS}", text("q1"), NOON - HOUR)
     row = grade(folder, "--due", DUE)[1]["leeann"]

@@ -1,11 +1,17 @@
 """The class on one page."""
 
+import json
+
+from coursekit.grade.collector import Collection
 from coursekit.grade.handed import Handed
 from coursekit.grade.mark import Marked
+from coursekit.grade.outcome import Outcome
 from coursekit.grade.overview import overview
 from coursekit.grade.pieces import Entry, Piece
+from coursekit.grade.questions import Question
 from coursekit.grade.record import Late, Record
 from coursekit.grade.roster import Person
+from coursekit.grade.statistics import average, write_statistics
 from coursekit.grade.verdict import Verdict
 
 CHAPTER = "02_topics.ipynb"
@@ -37,7 +43,8 @@ def test_every_student_stands_there_with_marks_concerns_and_a_link():
     page = overview(records)
     assert f"<a href='{records[0].key}.html'>ann lee</a>" in page and "&lt;ben&gt;" in page and "<ben>" not in page
     assert [kind in page for kind in ("class='all'", "class='some'", "class='none'")] == [True] * 3
-    assert "class='eye'>manifest.json: was changed" in page and "<td>5.5</td>" in page and "<td>empty</td>" in page
+    assert "class='eye'>manifest.json: was changed" in page and ">empty</td>" in page
+    assert "<td class='late'>5 min</td>" in page
     assert "<b>7</b>" not in page and "100 %" in page
     assert "alike" not in overview(records[2:])
 
@@ -57,3 +64,25 @@ def test_who_needs_a_look_says_which_exercise_took_too_long_or_has_a_faulty_chec
     look = page[page.index("Needs a look") : page.index("the hardest first")]
     assert "ch02.q1: its time was over" in look and "ch02.q1: its check has a fault" in look and "cem" not in look
     assert look.index("ben") < look.index("ann") and "not marked" in look and "timed out" in look
+
+
+def test_a_question_says_where_it_is_answered():
+    asked = Question("Q1", "Whose is it?", "x.ipynb")
+    outcome = Outcome([record("ann", verdict(1))], Collection([], [], [], whose=[("x.ipynb", asked)], unanswered=[asked]))
+    assert "Answer the questions in <code>questions.csv</code>" in overview(outcome.records, outcome)
+    assert "questions.csv" not in overview([record("ann"), record("ben")])
+
+
+def test_what_was_taken_off_stands_beside_the_total():
+    late = record("ann", verdict(2))
+    late.late[CHAPTER] = Late(1536.2, percent_off=20)
+    assert "<td class='late'>1 day 1 h</td><td>20 %</td>" in overview([late])
+
+
+def test_text_and_picture_tell_one_mean(tmp_path, monkeypatch):
+    titles = []
+    monkeypatch.setattr("matplotlib.axes.Axes.set_title", lambda axes, title, **more: titles.append(title))
+    records = [record(f"s{number}", verdict(points)) for number, points in enumerate((1.44, 1.45))]
+    write_statistics(tmp_path, records, {})
+    told = json.loads((tmp_path / "statistics.json").read_text())["mean"]
+    assert f"on average {told:.2f} of" in average(records) and f"mean {told:.2f} of" in " ".join(titles)

@@ -73,7 +73,9 @@ def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):
     assert "--wheel ADDRESS" in said[4] and "teachers.md" in said[5]
     with zipfile.ZipFile(tmp_path / "week2" / "week2.zip") as packed:
         assert packed.namelist() == ["week2/02_topics.ipynb", "week2/03_services.ipynb"]
-    assert "<td>02_topics</td><td>4</td><td>7</td>" in (tmp_path / "week2" / "page.html").read_text()
+    page = (tmp_path / "week2" / "page.html").read_text()
+    assert "<td>02_topics</td><td>4</td><td>7</td>" in page and "<th>All</th><th>8</th><th>14</th>" in page
+    assert "evidence()" in page and "in a new cell at the end of the notebook" in page
     assert "pip install ADDRESS-OF-THE-WHEEL" in (tmp_path / "week2" / "page.html").read_text()
     address = "https://uni.example/coursekit.whl?a=1&b=2"
     assert main(["release", "02", "--out", str(tmp_path / "week3"), "--wheel", address]) == 0

@@ -68,6 +68,18 @@ def test_what_a_mark_depends_on_makes_it_anew(folder, monkeypatch):
     assert again(folder, "--notebooks", notebooks) == ["Ann", "Ben"]
 
 
+def test_why_marks_are_made_anew_is_told(folder, monkeypatch, capsys):
+    place, _ = folder
+    again(folder)
+    assert "made anew" not in capsys.readouterr().out
+    monkeypatch.setattr(results, "judges_digest", lambda: "other")
+    again(folder)
+    assert "! 02_topics: 2 kept marks were made anew, since the code that marks has changed." in capsys.readouterr().out
+    write(place / "Ann" / TOPICS, text("q1", "q2"))
+    again(folder)
+    assert "02_topics: 1 kept mark was made anew, since other work was handed in." in capsys.readouterr().out
+
+
 def test_again_marks_those_who_are_named_or_everybody(folder):
     again(folder)
     assert again(folder, "--again", "Ben") == ["Ben"]

@@ -85,8 +85,8 @@ def test_marking_says_at_once_what_it_begins_with(tmp_path, monkeypatch):
         shown(done, 9, "Ann")
     assert told.getvalue().splitlines() == [
         "Marking the course's own solutions first: 02_topics.",
-        "1 of 9 graded, about 40 s left",
-        "3 of 9 graded, about 80 s left",
+        "1 of 9 notebooks marked, about 40 s left",
+        "3 of 9 notebooks marked, about 80 s left",
     ]
 
 

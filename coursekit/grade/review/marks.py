@@ -7,11 +7,10 @@ from collections.abc import Sequence
 
 from coursekit.grade.batch import Class
 from coursekit.grade.harmless import number
-from coursekit.grade.marks_table import COMMENT
 from coursekit.grade.outcome import Outcome
 from coursekit.grade.overview import overview
-from coursekit.grade.record import Record
-from coursekit.grade.report import ON_EXERCISE, said_of, write_reports
+from coursekit.grade.record import COMMENT, ON_EXERCISE, Record
+from coursekit.grade.report import said_of, write_reports
 
 LONGEST = 5000
 """Letters of a comment."""

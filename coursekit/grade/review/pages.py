@@ -8,9 +8,8 @@ from pathlib import Path
 from urllib.parse import quote
 
 from coursekit.grade.harmless import number
-from coursekit.grade.marks_table import COMMENT
-from coursekit.grade.record import Record
-from coursekit.grade.report import ON_EXERCISE, page
+from coursekit.grade.record import COMMENT, ON_EXERCISE, Record
+from coursekit.grade.report import page
 
 from .marks import Marks
 

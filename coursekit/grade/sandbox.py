@@ -254,7 +254,7 @@ def _excess(pid: int, limits: Limits) -> str:
 def _family(pid: int) -> list[tuple[int, int]]:
     """(pid, resident bytes) of a process and all that it started."""
     started: dict[int, list[tuple[int, int]]] = {}
-    if not Path("/proc/self/stat").exists():
+    if which.WINDOWS or not Path("/proc/self/stat").exists():  # Wine shows that of Linux
         return []
     page = os.sysconf("SC_PAGE_SIZE")
     for entry in os.scandir("/proc"):

@@ -5,6 +5,7 @@ from coursekit.grade.progress import progress
 from coursekit.urdf.resources import take_environment_from
 
 from .compiled import compiled
+from .desk import desk
 from .frames_panel import frames
 from .graph_panel import graph
 from .handing_in import evidence, hand_in
@@ -32,6 +33,7 @@ from .windows import show_new_windows, windows
 __all__ = [
     "check",
     "compiled",
+    "desk",
     "drive_along",
     "echo",
     "edit",

@@ -1,6 +1,8 @@
 // The viewer: MeshCat draws what Python sends; this adds the list of displays, labels, RViz's tools and the camera.
 const TOOLS = { goal: "2D Goal Pose", estimate: "2D Pose Estimate", point: "Publish Point" };
 const FIELD = 45;
+const NARROW = 620; // pixels of a viewer below which the list of displays is folded at first
+const LEVELS = ["Ok", "Warn", "Error"];
 
 // MeshCat's own code, once per page: Python sends it, it is not part of any widget's state.
 function meshcat(model) {
@@ -159,6 +161,21 @@ function useTools(stage, scene, buttons, model) {
   return choose;
 }
 
+// The wheel scrolls the page until the picture is clicked: who reads on must not get stuck in it.
+function wheelIsThePages(stage) {
+  const note = make("div", { className: "ck-wheel", textContent: "Click the picture, then the wheel zooms" });
+  let timer = null;
+  stage.append(note);
+  stage.addEventListener("pointerdown", () => stage.focus({ preventScroll: true }));
+  stage.addEventListener("wheel", (event) => {
+    if (stage.contains(document.activeElement)) return;
+    event.stopPropagation();
+    note.classList.add("ck-seen");
+    clearTimeout(timer);
+    timer = setTimeout(() => note.classList.remove("ck-seen"), 1500);
+  }, { capture: true });
+}
+
 function rowOf(row, model) {
   const box = make("input", { type: "checkbox", checked: row.on, onchange: () => model.send({ type: "switch", row: row.row, on: box.checked }) });
   const dot = make("span", { className: `ck-dot ck-${row.level}`, title: row.level });
@@ -180,16 +197,30 @@ export default {
     const { panel, head, body } = frame(el, "viewer", "Viewer");
     const fixed = make("select", { onchange: () => model.send({ type: "fix", frame: fixed.value }) });
     const buttons = Object.fromEntries(Object.entries(TOOLS).map(([name, text]) => [name, make("button", { textContent: text })]));
+    const worst = make("span", { className: "ck-dot" });
+    const fold = make("button", { title: "show or hide the list of displays", onclick: () => folded(panel.clientWidth, !panel.classList.contains("ck-folded")) },
+      "Displays", worst);
+    let chosen = false;
+    const folded = (width, wish) => {
+      chosen ||= wish !== undefined;
+      if (!width || (chosen && wish === undefined)) return;
+      const now = wish ?? width < NARROW;
+      panel.classList.toggle("ck-folded", now);
+      fold.setAttribute("aria-expanded", String(!now));
+    };
+    const sizes = new ResizeObserver(() => folded(panel.clientWidth));
+    sizes.observe(panel);
     const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
-    head.append(make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons));
+    head.append(fold, make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons));
     const list = make("div", { className: "ck-list" }), pane = make("div", { className: "ck-pane" });
     const labels = make("div", { className: "ck-labels" }), pictures = make("div", { className: "ck-pictures" });
     const aim = make("div", { className: "ck-aim" });
     aim.innerHTML = '<svg width="100%" height="100%"><defs><marker id="ck-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs><line style="display:none" marker-end="url(#ck-tip)"/></svg>';
     const told = make("div", { className: "ck-told" });
     const corner = make("div", { className: "ck-corner" }, home, top);
-    const stage = make("div", { className: "ck-stage" }, pane, labels, aim, pictures, told, corner);
+    const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, aim, pictures, told, corner);
     body.append(list, stage);
+    wheelIsThePages(stage);
     const images = new Map();
     const early = [];
     let scene = null, view = null, rows = "";
@@ -219,6 +250,8 @@ export default {
         const text = JSON.stringify([message.rows, message.level, message.remark, message.skipped]);
         if (text === rows || list.contains(document.activeElement) && document.activeElement.matches(".ck-topic")) return;
         rows = text;
+        const levels = [message.level, ...message.rows.filter((row) => row.on).map((row) => row.level)];
+        worst.className = `ck-dot ck-${levels.reduce((one, other) => LEVELS.indexOf(other) > LEVELS.indexOf(one) ? other : one, "Ok")}`;
         const wrong = message.remark ? [make("div", { className: `ck-say ck-${message.level}`, textContent: message.remark })] : [];
         const skipped = message.skipped.map((name) => make("div", { className: "ck-say", textContent: `not known here: ${name}` }));
         list.replaceChildren(...wrong, ...message.rows.map((row) => rowOf(row, model)), ...skipped);
@@ -251,6 +284,7 @@ export default {
     });
     return () => {
       closed = true;
+      sizes.disconnect();
       model.off("msg:custom", hear);
       scene?.close();
       for (const { address } of images.values()) URL.revokeObjectURL(address);

@@ -43,7 +43,25 @@
     if (data?.[WIDGET]) node.replaceChildren(figure(data));
   }
 
+  function tellWhenClosed(app, panel, closed) {
+    const look = () => {
+      if (panel.isAttached) return;
+      app.shell.layoutModified.disconnect(look);
+      closed();
+    };
+    app.shell.layoutModified.connect(look);
+  }
+
+  // A desk whose kernel was restarted goes when the next one opens; what is closed by hand is told.
+  function keepDesks(app, { el, closed }) {
+    for (const panel of [...app.shell.widgets("main")]) {
+      if (panel.node.contains(el)) tellWhenClosed(app, panel, closed);
+      else if (panel.node.querySelector(".ck-floor > .ck-veil")) panel.dispose();
+    }
+  }
+
   function activate(app) {
+    document.addEventListener("coursekit-desk", ({ detail }) => keepDesks(app, detail));
     const look = (root) => root.querySelectorAll?.(".jp-OutputArea-output").forEach((node) => mend(app, node));
     new MutationObserver((changes) => {
       for (const { target } of changes) {

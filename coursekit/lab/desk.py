@@ -1,0 +1,97 @@
+"""The desk: viewer, pad and other panels docked beside the notebook, in sight while it is read and scrolled."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import anywidget
+import ipywidgets
+
+from coursekit.processes.session import current
+
+from .errors import BadArgument
+from .kernel import notebook_name, running_variables
+from .panel import open_panels
+from .script import script, style
+
+NOTHING = "Nothing is on the desk. Put panels there: desk(viewer(), pad())"
+
+
+class _Floor(anywidget.AnyWidget):
+    """Brings the desk's style to the page, and says when the student has closed the desk."""
+
+    _esm = script("desk.js")
+    _css = style("desk.css")
+
+
+class Desk:
+    """What stands beside the notebook; made by `desk`."""
+
+    def __init__(self) -> None:
+        self.panels: list[Any] = []
+        self._sidecar: Any = None
+        self._column = ipywidgets.VBox()
+        self._column.add_class("ck-desk")
+
+    def put(self, panels: list[Any]) -> None:
+        """Show these and no others, from top to bottom."""
+        self.panels = panels
+        self._column.children = tuple(panels)
+
+    def close(self) -> None:
+        """Take it away. Its panels live on: `viewer` and the others show themselves in a cell, too."""
+        if self._sidecar is not None:
+            self._sidecar.close()
+            self._sidecar = None
+
+    def _dock(self) -> None:
+        """Open it on the page, unless it is open; a page that is loaded anew opens it by itself."""
+        if self._sidecar is not None:
+            return
+        from IPython.display import display
+        from sidecar import Sidecar
+
+        floor = _Floor()
+        floor.on_msg(lambda *_: self.close())
+        self._sidecar = Sidecar(title=f"Desk: {notebook_name().removesuffix('.ipynb')}", anchor="split-right")
+        with self._sidecar:
+            display(ipywidgets.VBox([self._column, floor]).add_class("ck-room"))
+
+    def __repr__(self) -> str:
+        return "\n".join(["On the desk:", *map(repr, self.panels)]) if self.panels else NOTHING
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        if not self.panels or current().clock.virtual:
+            return {"text/plain": repr(self)}
+        if "__vsc_ipynb_file__" in running_variables():  # VS Code has no place beside a notebook: the cell shows it
+            return self._column._repr_mimebundle_(**options)
+        self._dock()
+        return {"text/plain": f"On the desk, beside this notebook: {', '.join(_named(one) for one in self.panels)}"}
+
+
+_desks: list[Desk] = []
+"""The desk of this kernel, once there is one."""
+
+
+def desk(*panels: Any) -> Desk:
+    """Dock panels beside the notebook, from top to bottom: `desk(viewer(), pad())`; without any, all that are open.
+
+    The notebook has one desk: what is put there next takes the place of what was there.
+
+    Raises:
+        BadArgument: when something is not a panel.
+    """
+    for one in panels:
+        if not isinstance(one, ipywidgets.DOMWidget):
+            raise BadArgument(f"{type(one).__name__} cannot be docked. Panels can: viewer(), pad(), graph(), terminal(...)")
+    if not _desks:
+        _desks.append(Desk())
+    _desks[0].put(list(panels) or list[Any](open_panels()))
+    return _desks[0]
+
+
+def _named(panel: Any) -> str:
+    return type(panel).__name__.removesuffix("Panel").lower()
+
+
+__all__ = ["Desk", "desk"]

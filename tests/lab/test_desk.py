@@ -1,0 +1,43 @@
+"""The desk without a browser: what is put on it, and what is refused."""
+
+from importlib import import_module
+
+import pytest
+
+from coursekit.lab.desk import desk
+from coursekit.lab.errors import BadArgument
+from coursekit.lab.pad import pad
+from coursekit.lab.panel import end_panels
+from coursekit.lab.viewer import viewer
+from coursekit.processes.session import Session
+
+
+@pytest.fixture(autouse=True)
+def session(monkeypatch):
+    monkeypatch.setattr(import_module("coursekit.lab.desk"), "_desks", [])
+    with Session(virtual=True).use() as made:
+        yield made
+        end_panels()
+
+
+def test_it_says_what_stands_on_it():
+    view, drive = viewer(), pad()
+    assert repr(desk(view, drive)).splitlines()[:2] == ["On the desk:", "viewer: fixed frame map"]
+    assert desk(drive).panels == [drive], "what is put there next takes the place of the rest"
+    assert desk(view)._repr_mimebundle_() == {"text/plain": repr(desk(view))}
+
+
+def test_a_notebook_has_one_desk():
+    assert desk(pad()) is desk(viewer())
+
+
+def test_without_names_all_open_panels_are_put_there():
+    view = viewer()
+    assert desk().panels == [view]
+    end_panels()
+    assert "Nothing is on the desk" in repr(desk())
+
+
+def test_what_is_no_panel_is_refused():
+    with pytest.raises(BadArgument, match=r"int cannot be docked. Panels can: viewer\(\), pad\(\)"):
+        desk(7)

@@ -9,6 +9,7 @@ import psutil
 import pytest
 
 from coursekit.systems import children, which
+from tests.needs import real_windows
 
 
 class Child:
@@ -86,6 +87,7 @@ child.wait()
 """
 
 
+@real_windows("its taskkill ends a program without what that has started")
 def test_the_end_of_a_family_is_that_of_what_a_child_has_started_too():
     child = subprocess.Popen([sys.executable, "-c", PARENT], stdout=subprocess.PIPE, **children.apart())
     started = psutil.Process(int(child.stdout.readline()))

@@ -37,6 +37,9 @@ HOLDER = "coursekit.cli.attach:holder"
 MEET = "coursekit.cli.neighbours:meet"
 """The function that has the interpreter's own nodes meet those of other programs of the same user and domain."""
 
+NETWORK = "coursekit.net.joining:join_as_the_environment_says"
+"""The function that has a session join the network that COURSEKIT_NETWORK names, and says whether it is joined."""
+
 IMPORT_HOOKS = {"cv2": "coursekit.view.highgui", "matplotlib.pyplot": "coursekit.view.plots"}
 """Imported module: the module whose `install()` makes it work in a session."""
 

@@ -11,7 +11,7 @@ ROOMS = (
     "files", "suggestions", "systems", "wiring", "geometry",  # the ground
     "tf", "urdf", "sim", "slam", "nav",  # the sciences, without ROS
     "interfaces", "bag", "cpp", "core", "rcl", "processes", "joined",  # the middleware
-    "ros", "packages", "nodes", "lib", "view", "jupyter",
+    "ros", "net", "packages", "nodes", "lib", "view", "jupyter",
     "grade", "cli", "lab",  # what people use
     "building",
 )  # fmt: skip

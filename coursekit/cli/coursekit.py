@@ -1,4 +1,4 @@
-"""The command `coursekit`: lab, doctor, cpp, progress, course, slam, slam-error, release and grade."""
+"""The command `coursekit`: lab, doctor, cpp, progress, course, slam, slam-error, network, gateway, release and grade."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from urllib.parse import quote
 
-from coursekit.cli import compile_ahead, cpp, grading, slam
+from coursekit.cli import compile_ahead, cpp, grading, networking, slam
 from coursekit.cli.terminal_settings import terminal_settings
 from coursekit.packages.folder_name import refusal
 from coursekit.systems import rights
@@ -41,6 +41,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     cpp.add_commands(commands)
     slam.add_commands(commands)
     grading.add_commands(commands)
+    networking.add_commands(commands)
     args = parser.parse_args(argv)
     try:
         status = int(args.main(args) or 0)

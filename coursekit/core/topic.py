@@ -46,10 +46,12 @@ class Endpoint(Source):
 class Publisher(Endpoint):
     """The sending end."""
 
-    __slots__ = ("_deadline_timer", "_history", "_last_sign", "_lease_timer", "_live", "targets")
+    __slots__ = ("_deadline_timer", "_history", "_last_sign", "_lease_timer", "_live", "tap", "targets")
 
     def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
+        self.tap: Callable[[Any, int], None] | None = None
+        """Takes each message and its stamp, to carry it out of the graph; it must not keep or change the message."""
         self.targets: tuple[Subscription, ...] = ()
         keeps = self.qos.durability == TRANSIENT_LOCAL
         depth = None if self.qos.history == KEEP_ALL else self.qos.depth
@@ -71,12 +73,18 @@ class Publisher(Endpoint):
             target.push((kept, stamp, self))
         if self._history is not None:
             self._history.append((msg._clone(), stamp))
+        if self.tap is not None:
+            self.tap(msg, stamp)
         if self._deadline_timer is not None or not self._live or self._lease_timer is not None:
             self._sign_of_life()
 
+    def kept(self) -> list[tuple[Any, int]]:
+        """What it still keeps for late joiners: messages and their stamps."""
+        return list(self._history or ())
+
     def replay(self, target: Subscription) -> None:
         """Give a late joiner what this publisher still keeps."""
-        for msg, stamp in list(self._history or ()):
+        for msg, stamp in self.kept():
             kept = msg._clone() if target.reduce is None else target.reduce(msg)
             target.push((kept, stamp, self))
 

@@ -13,6 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from coursekit.cpp.age import runtime_key
 from coursekit.cpp.headers import write_headers
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
 from coursekit.files import read_bytes
@@ -23,20 +24,19 @@ PACKAGES = (
     "OpenCV", "message_filters", "laser_geometry", "cv_bridge", "image_transport",
     "rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle",
     "rcutils", "rcl", "rcpputils", "class_loader", "pluginlib", "rmw",
-    "tf2", "tf2_geometry_msgs", "tf2_ros", "rosidl_runtime_cpp", "rosbag2_cpp", "rosbag2_storage",
+    "tf2", "tf2_geometry_msgs", "tf2_ros", "tf2_eigen", "rosidl_runtime_cpp", "rosbag2_cpp", "rosbag2_storage",
     "ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "ament_cmake_ros_core", "ament_cmake_core", "ament_cmake_python",
     "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest", "ament_cmake_test", "ament_index_cpp",
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
     "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake", "ament_cmake_pep257",
     "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
-    "python_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
+    "python_cmake_module", "eigen3_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
     "rosidl_typesupport_cpp",
 )  # fmt: skip
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
-    "angles", "controller_interface", "diagnostic_updater", "gazebo_plugins", "gazebo_ros",
-    "hardware_interface", "image_geometry", "nav2_util",
-    "tf2_eigen", "tf2_kdl", "tf2_sensor_msgs", "urdf",
+    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "image_geometry", "nav2_util", "tf2_kdl",
+    "urdf",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 FORWARDED = {
@@ -105,7 +105,8 @@ def _write_forwarded(folder: Path) -> None:
 
 
 def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
-    defines = {**tools.defines(), "INTERFACES": str(folder / "include"), "CMAKE_INSTALL_PREFIX": str(folder)}
+    told = {"INTERFACES": str(folder / "include"), "KEY": runtime_key(), "CMAKE_INSTALL_PREFIX": str(folder)}
+    defines = {**tools.defines(), **told}
     words = [f"-D{name}={value}" for name, value in defines.items()]
     _run(tools.cmake, "-G", tools.generator, "-S", str(ROOM), "-B", str(build), *words)
     _run(tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1))

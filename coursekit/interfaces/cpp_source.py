@@ -76,6 +76,7 @@ def header(interface: Interface, kind: str) -> str:
         *includes,
         f"namespace {interface.package}::{kind}",
         "{",
+        *(f"using coursekit::yaml::{name};" for name in ("to_block_style_yaml", "to_flow_style_yaml", "to_yaml")),
         *_body(interface),
         f"}}  // namespace {interface.package}::{kind}",
         "",

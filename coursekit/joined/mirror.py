@@ -120,7 +120,7 @@ class Mirror:
 
     def _local(self) -> Iterator[Any]:
         for node in list(self.graph.nodes):
-            if not isinstance(node, GhostNode):
+            if not isinstance(node, GhostNode) and not node.remote:  # the other side joins the network itself, if it wants
                 yield node
                 yield from (*node.publishers, *node.subscriptions, *node.servers, *node.clients)
 

@@ -57,6 +57,7 @@ class Driver:
         self._node: GraphNode | None = None
         self._publisher: Any = None
         self._silence: Any = None
+        self._far: set[str] = set()
 
     def join(self) -> Any:
         """Be in the graph; the publisher."""
@@ -65,6 +66,21 @@ class Driver:
             self._node = graph.add_node(self.node_name, "/")
             self._publisher = self._node.publisher(self.topic, Twist, Qos(depth=1))
         return self._publisher
+
+    def lost(self) -> str:
+        """Where the robot was that heard this over a network, when it does not any more; '' while it does, or never did.
+
+        Then what drove it ends here too: nothing goes on by itself when the link is there again.
+        """
+        if self._node is None or not self._publisher.alive:
+            return ""
+        listeners = self._publisher.targets
+        far = {one.node.remote for one in listeners if one.node.remote}
+        self._far = far or self._far
+        if far or not self._far:
+            return ""
+        self.stop()
+        return ", ".join(sorted(self._far))
 
     def leave(self) -> None:
         """Stop, and leave the graph."""

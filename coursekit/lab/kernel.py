@@ -15,12 +15,13 @@ from coursekit.cli.attach import domain_id
 from coursekit.cli.session_server import serve
 from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
-from coursekit.processes.session import Session, current
+from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 
 from . import shell_lines
 from .cells import Cells
 from .command_table import CommandMagics
 from .magics import CourseMagics
+from .network import NetworkMagics
 from .panel import end_panels
 
 SUBSHELL_SECONDS = 0.5
@@ -52,12 +53,14 @@ def start() -> Session:
         hear_all(shell.kernel)
         keep_output_in_cells(shell)
         cells = Cells(session, shell, lambda: _begin_cell(session, shell.kernel))
-        shell.register_magics(CourseMagics, CommandMagics)
+        shell.register_magics(CourseMagics, CommandMagics, NetworkMagics)
         shell_lines.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
         _serve_terminals(session)
+    if os.environ.get(NETWORK_VARIABLE):
+        session.meet(domain_id())
     atexit.register(_stop)
     return session
 
@@ -124,11 +127,20 @@ def reset() -> None:
             process.kill()
             process.wait(2.0)
     end_panels("It ended with reset().")
+    left = leave_network(session)
     nodes = sum(len(graph.nodes) for graph in session.graphs.values())
     for graph in session.graphs.values():
         graph.clear()
     _forget_interpreter_contexts(session)
     print(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty.")
+    if left:
+        print("The network was left. To join it again: %network ADDRESS")
+
+
+def leave_network(session: Session) -> bool:
+    """Leave the network, if one was joined."""
+    joining = sys.modules.get("coursekit.net.joining")  # not imported: nobody has joined one
+    return joining is not None and bool(joining.leave(session))
 
 
 def _forget_interpreter_contexts(session: Session) -> None:

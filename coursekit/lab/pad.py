@@ -7,6 +7,9 @@ from typing import Any
 import anywidget
 import traitlets
 
+from coursekit.cli.attach import domain_id
+from coursekit.processes.session import current
+
 from .bundle import with_text
 from .drive import Driver
 from .script import script, style
@@ -21,12 +24,28 @@ class Pad(anywidget.AnyWidget):
     linear = traitlets.Float(0.5).tag(sync=True)
     angular = traitlets.Float(1.0).tag(sync=True)
     holonomic = traitlets.Bool(False).tag(sync=True)
+    lost = traitlets.Unicode("").tag(sync=True)
+    """The address of a network at which a robot heard this pad, and does not any more."""
 
     def __init__(self, topic: str, linear: float, angular: float, holonomic: bool) -> None:
         self._driver = Driver(topic, linear, angular)
         super().__init__(topic=self._driver.topic, linear=linear, angular=angular, holonomic=holonomic)
         self.on_msg(lambda _widget, message, _buffers: self._driver.hear(message))
         self._driver.join()
+        self._graph = current().graph(domain_id())
+        self._graph.watch(self._look)
+        self._look()
+
+    def close(self) -> None:
+        """Be a pad no more."""
+        self._graph.unwatch(self._look)
+        super().close()
+
+    def _look(self) -> None:
+        """The graph has changed: say so if the link to the robot is gone, or there again."""
+        lost = self._driver.lost()
+        if lost != self.lost:
+            self.lost = lost
 
     def press(self, keys: str = "up", seconds: float = 1.0) -> None:
         """Hold keys ('up', 'down', 'left', 'right', 'up+left', ...) for some seconds, as a hand would."""
@@ -42,7 +61,8 @@ class Pad(anywidget.AnyWidget):
 
     def __repr__(self) -> str:
         sideways = ", sideways too" if self.holonomic else ""
-        return f"[pad {self.topic}: {self.linear:.2f} m/s, {self.angular:.2f} rad/s{sideways}]"
+        gone = f"; THE LINK TO {self.lost} IS GONE" if self.lost else ""
+        return f"[pad {self.topic}: {self.linear:.2f} m/s, {self.angular:.2f} rad/s{sideways}{gone}]"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         return with_text(super()._repr_mimebundle_(**kwargs), repr(self))

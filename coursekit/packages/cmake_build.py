@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import importlib.util
 import os
 import re
 import shutil
@@ -115,8 +116,16 @@ def bracketed(value: str) -> str:
 
 def _complete(env: dict[str, str], runtime: Path) -> None:
     """Where find_package() looks: sourced workspaces, what the package depends on, what comes with coursekit."""
-    known = os.pathsep.join([env.get("AMENT_PREFIX_PATH", ""), env.get("CMAKE_PREFIX_PATH", ""), str(runtime)])
+    sourced = [env.get("AMENT_PREFIX_PATH", ""), env.get("CMAKE_PREFIX_PATH", "")]
+    known = os.pathsep.join([*sourced, str(runtime), *_of_wheels()])
     env["CMAKE_PREFIX_PATH"] = os.pathsep.join(dict.fromkeys(filter(None, known.split(os.pathsep))))
+
+
+def _of_wheels() -> list[str]:
+    """Where the wheels of C++ libraries have put theirs: cmeel-eigen's is Eigen."""
+    spec = importlib.util.find_spec("cmeel")
+    folders = [Path(place).with_name("cmeel.prefix") for place in (spec.submodule_search_locations or [])] if spec else []
+    return [str(folder) for folder in folders if (folder / "share" / "eigen3" / "cmake").is_dir()]
 
 
 def completed(env: dict[str, str], tools: Toolchain) -> dict[str, str]:

@@ -23,7 +23,7 @@ from coursekit.core.execution_context import ExecutionContext, ProcessKilled, th
 from coursekit.core.graph import Graph
 from coursekit.core.virtual_clock import VirtualClock, is_virtual_thread
 from coursekit.systems.children import interrupt_self
-from coursekit.wiring import MEET, load
+from coursekit.wiring import MEET, NETWORK, load
 
 from . import current_session
 from .patches import patch_manager
@@ -32,6 +32,8 @@ from .process import Process, current_process
 
 _making = threading.RLock()
 
+NETWORK_VARIABLE = "COURSEKIT_NETWORK"
+"""The variable of the environment that holds the address of a network to join."""
 ALONE = ("COURSEKIT_ALONE", "COURSEKIT_STOP_AFTER")
 """Variables of the environment that have an interpreter's nodes meet nobody."""
 
@@ -61,6 +63,7 @@ class Session:
         self.locals: dict[Any, Any] = {}
         """What other rooms keep per session; for the interpreter's own code also what they keep per process."""
         self.on_start: list[Callable[[Process], None]] = []
+        self.on_close: list[Callable[[], object]] = []
         self._pids = itertools.count(1000)
         self._endpoints = itertools.count(1)
         self._uuids = itertools.count(1)
@@ -168,6 +171,8 @@ class Session:
                 if act:
                     process.kill()
                 process.wait(grace_sec)
+        for act_last in list(self.on_close):
+            act_last()
         for graph in self.graphs.values():
             graph.clear()
         self.clock.close()
@@ -178,7 +183,12 @@ class Session:
     # -- shared things
 
     def meet(self, domain_id: int) -> None:
-        """Have the interpreter's own nodes and those of other programs in the domain see each other."""
+        """Have the interpreter's own nodes and those of other programs in the domain see each other.
+
+        Where COURSEKIT_NETWORK names a network, there; both ways at once, they would hear everything twice.
+        """
+        if os.environ.get(NETWORK_VARIABLE) and load(NETWORK)(self, domain_id):
+            return
         if self.meets and not self.embedded and current_process() is None:
             load(MEET)(self.graph(domain_id), domain_id)
 

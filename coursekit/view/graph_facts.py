@@ -48,6 +48,8 @@ class Facts:
     clients: tuple[End, ...] = ()
     action_servers: tuple[End, ...] = ()
     action_clients: tuple[End, ...] = ()
+    remote: tuple[str, ...] = ()
+    """Names of nodes that run on other computers or in other notebooks."""
     gone: tuple[tuple[str, str], ...] = ()
     """(topic, node) where the last publisher has left while others listen."""
 
@@ -106,6 +108,7 @@ def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
     return Facts(
         nodes=tuple(sorted(counts)),
         duplicates=tuple(sorted((name, count) for name, count in counts.items() if count > 1)),
+        remote=tuple(sorted({node.full_name for node in nodes if node.remote})),
         namespaces=tuple(sorted({node.namespace for node in nodes if node.namespace != "/"})),
         publishers=ends("publishers"),
         subscriptions=ends("subscriptions"),

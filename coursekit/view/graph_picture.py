@@ -21,7 +21,7 @@ COLOURS = {
     "action": ("#f2ecfb", "#8b66c2", "#42286b"),
 }
 """Fill, line and letters of each kind of thing."""
-SMALL = {"topic": "#93783f", "service": "#5b8a6b", "action": "#866ba8"}
+SMALL = {"node": "#5d6d7a", "topic": "#93783f", "service": "#5b8a6b", "action": "#866ba8"}
 
 
 @dataclass
@@ -87,7 +87,8 @@ def _things(facts: Facts, view: str, services: bool, actions: bool) -> Iterator[
         return f"/{first}" if first in groups and name.count("/") > 1 else ""
 
     for name in facts.nodes:
-        yield Thing("node", name, group=group(name))
+        far = name in facts.remote
+        yield Thing("node", name, "network" if far else "", group(name), dashed=far)
     for kind, names, sources, targets in _kinds(facts, services, actions):
         for name in names:
             left, right = nodes_at(name, sources), nodes_at(name, targets)

@@ -17,7 +17,7 @@ def described(
     `dead_ends` takes in topics that have only publishers or only subscribers, and says so.
     """
     counts = [_count(len(facts.nodes), "node"), _count(len(facts.topics), "topic")]
-    lines = [f"graph: {', '.join(counts)}", f"nodes: {', '.join(facts.nodes) or '(none)'}"]
+    lines = [f"graph: {', '.join(counts)}", f"nodes: {', '.join(_marked(facts)) or '(none)'}"]
     for name in facts.topics:
         if dead_ends or (nodes_at(name, facts.publishers) and nodes_at(name, facts.subscriptions)):
             lines.append(_line("topic", name, facts.publishers, facts.subscriptions))
@@ -29,6 +29,11 @@ def described(
         if fault.serious:
             lines += [f"! {fault.text}", f"  cure: {fault.cure}"]
     return "\n".join(lines)
+
+
+def _marked(facts: Facts) -> Iterable[str]:
+    """The nodes; those that came by the network are marked."""
+    return (f"{name} (network)" if name in facts.remote else name for name in facts.nodes)
 
 
 def _count(number: int, word: str) -> str:
@@ -69,6 +74,8 @@ def _of_node(node: Any) -> str:
         lines += sorted(
             {f"    {one.name}: {one.type_name}" for one in list(endpoints) if "/_" not in one.name}
         )
+    if node.remote:
+        lines.append(f"  Runs elsewhere; heard at {node.remote}")
     if node.process is not None:
         lines.append(f"  Process: {node.process.pid} {' '.join(node.process.argv)}")
     return "\n".join(lines)

@@ -238,6 +238,18 @@ bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
   return context->sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
 }
 
+bool Clock::wait_until_started(Context::SharedPtr context) {return wait_until_started(Duration::max(), context);}
+bool Clock::wait_until_started(const Duration & timeout, Context::SharedPtr context, const Duration & wait_tick_ns)
+{
+  Clock steady(RCL_STEADY_TIME);
+  Time begun = steady.now();
+  while (!started()) {
+    if (steady.now() - begun >= timeout || !steady.sleep_for(wait_tick_ns, context)) {
+      return false;
+    }
+  }
+  return true;
+}
 JumpHandler::SharedPtr Clock::create_jump_callback(
   JumpHandler::pre_callback_t pre, JumpHandler::post_callback_t post, const rcl_jump_threshold_t & threshold)
 {

@@ -195,6 +195,9 @@ void * obey(void * control)
   return nullptr;
 }
 
+/// Programs are looked at for this before they are started: one of an older runtime is to be built again.
+__attribute__((used)) const volatile char g_age[] = "coursekit-runtime:" COURSEKIT_KEY;
+
 struct AtStart
 {
   AtStart()

@@ -5,8 +5,6 @@
 using coursekit::Packer;
 using coursekit::Unpacker;
 
-namespace tf2_ros
-{
 namespace
 {
 Unpacker asked(const char * what, const Packer & with)
@@ -27,12 +25,72 @@ Unpacker asked(const char * what, const Packer & with)
   }
 }
 int64_t count(const tf2::TimePoint & time) {return time.time_since_epoch().count();}
+bool can(const Packer & with, std::string * why_not)
+{
+  auto answer = asked("tf_can", with);
+  bool can = answer.i();
+  std::string why = answer.s();
+  if (why_not) {
+    *why_not = why;
+  }
+  return can;
+}
 }  // namespace
 
-Buffer::Buffer(rclcpp::Clock::SharedPtr, tf2::Duration cache_time, rclcpp::Node::SharedPtr node)
+namespace tf2
 {
-  id = asked("tf_buffer", Packer{}.i(cache_time.count()).i(node ? node->get_node_base_interface()->id : 0)).i();
+BufferCore::BufferCore(Duration cache_time)
+: BufferCore(cache_time, 0) {}
+BufferCore::BufferCore(Duration cache_time, int64_t node)
+: cache_time_(cache_time)
+{
+  id = asked("tf_buffer", Packer{}.i(cache_time.count()).i(node)).i();
 }
+geometry_msgs::msg::TransformStamped BufferCore::lookupTransform(
+  const std::string & target, const std::string & source, const TimePoint & time) const
+{
+  return asked("tf_lookup", Packer{}.i(id).i(0).s(target).s(source).i(count(time))).m<geometry_msgs::msg::TransformStamped>();
+}
+geometry_msgs::msg::TransformStamped BufferCore::lookupTransform(
+  const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
+  const std::string & fixed) const
+{
+  Packer with = Packer{}.i(id).i(0).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
+  return asked("tf_lookup_full", with).m<geometry_msgs::msg::TransformStamped>();
+}
+bool BufferCore::canTransform(
+  const std::string & target, const std::string & source, const TimePoint & time, std::string * why_not) const
+{
+  return can(Packer{}.i(id).i(0).s(target).s(source).i(count(time)), why_not);
+}
+bool BufferCore::_frameExists(const std::string & name) const
+{
+  auto names = getAllFrameNames();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+bool BufferCore::setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static)
+{
+  asked("tf_set", Packer{}.i(id).s(authority).i(is_static).m(transform));
+  return true;
+}
+void BufferCore::clear() {asked("tf_clear", Packer{}.i(id));}
+std::string BufferCore::allFramesAsString() const {return asked("tf_text", Packer{}.i(id)).s();}
+std::string BufferCore::allFramesAsYAML() const {return asked("tf_yaml", Packer{}.i(id)).s();}
+std::vector<std::string> BufferCore::getAllFrameNames() const
+{
+  auto answer = asked("tf_names", Packer{}.i(id));
+  std::vector<std::string> names(static_cast<size_t>(answer.i()));
+  for (auto & name : names) {
+    name = answer.s();
+  }
+  return names;
+}
+}  // namespace tf2
+
+namespace tf2_ros
+{
+Buffer::Buffer(rclcpp::Clock::SharedPtr, tf2::Duration cache_time, rclcpp::Node::SharedPtr node)
+: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0) {}
 geometry_msgs::msg::TransformStamped Buffer::lookupTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const
 {
@@ -50,32 +108,9 @@ bool Buffer::canTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
   std::string * why_not) const
 {
-  auto answer = asked("tf_can", Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)));
-  bool can = answer.i();
-  std::string why = answer.s();
-  if (why_not) {
-    *why_not = why;
-  }
-  return can;
+  return can(Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
 }
-bool Buffer::setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static)
-{
-  asked("tf_set", Packer{}.i(id).s(authority).i(is_static).m(transform));
-  return true;
-}
-void Buffer::clear() {asked("tf_clear", Packer{}.i(id));}
-std::string Buffer::allFramesAsString() const {return asked("tf_text", Packer{}.i(id)).s();}
-std::string Buffer::allFramesAsYAML() const {return asked("tf_yaml", Packer{}.i(id)).s();}
-std::vector<std::string> Buffer::getAllFrameNames() const
-{
-  auto answer = asked("tf_names", Packer{}.i(id));
-  std::vector<std::string> names(static_cast<size_t>(answer.i()));
-  for (auto & name : names) {
-    name = answer.s();
-  }
-  return names;
-}
-void TransformListener::listen(Buffer & buffer, bool static_only)
+void TransformListener::listen(tf2::BufferCore & buffer, bool static_only)
 {
   id = asked("tf_listener", Packer{}.i(buffer.id).i(static_only)).i();
 }

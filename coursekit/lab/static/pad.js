@@ -35,9 +35,20 @@ export default {
     };
     const steer = steering(field, (message) => model.send(message), { letters: true, strafe, gamepad: true, changed });
     field.prepend(touchStick(steer));
+    const hint = part(".ck-hint").textContent;
+    const link = () => {
+      const lost = model.get("lost");
+      part(".ck-hint").textContent = lost ? `The link to ${lost} is gone: the robot does not hear you.` : hint;
+      part(".ck-hint").style.color = lost ? "#b3261e" : "";
+    };
+    model.on("change:lost", link);
+    link();
     field.addEventListener("pointerdown", () => field.focus({ preventScroll: true }));
     changed({ x: 0, y: 0, turn: 0 }, new Set());
     el.appendChild(frame);
-    return () => steer.close();
+    return () => {
+      model.off("change:lost", link);
+      steer.close();
+    };
   },
 };

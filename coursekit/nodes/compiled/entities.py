@@ -67,6 +67,7 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         allow_undeclared_parameters=allow,
         automatically_declare_parameters_from_overrides=automatic,
     )
+    host.node_clocks.append(node.get_clock())
     full_name = node.get_fully_qualified_name()
     group = host.keep(node.default_callback_group)
     return packed(host.keep(node), node.get_name(), node.get_namespace(), full_name, node.get_logger().name, group)
@@ -84,6 +85,12 @@ def do_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The time of a node that follows /clock."""
     return packed(host.things[frame.integer()].get_clock().now().nanoseconds)
+
+
+def do_ros_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Sleep by the time of a node that follows /clock; 0 when its context ended, or it ceased to follow."""
+    node, span = host.things[frame.integer()], Duration(nanoseconds=frame.integer())
+    return packed(int(node.get_clock().sleep_for(span, context=node.context)))
 
 
 def do_ros_time_active(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
-STOPPING = 2
 
 
 def do_node_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
@@ -81,7 +80,7 @@ def do_wait_for_graph(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     waiter = host.clock.new_waiter()
     graph.watch(waiter.notify)
     try:
-        while graph.version == seen and not host.flags & STOPPING and (end is None or host.clock.steady() < end):
+        while graph.version == seen and not host.stopping and (end is None or host.clock.steady() < end):
             waiter.wait(end)
     finally:
         graph.unwatch(waiter.notify)

@@ -14,6 +14,7 @@ import socket
 import subprocess
 import sys
 import threading
+from pathlib import Path
 from typing import Any
 
 from rclpy.context import Context
@@ -21,6 +22,7 @@ from rclpy.signals import shutdown_all
 from rclpy.utilities import get_default_context
 
 from coursekit.core.ready_queue import ReadyQueue
+from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled import (
     actions,
     bags,
@@ -41,6 +43,7 @@ from coursekit.nodes.compiled.door import open_door
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
 from coursekit.nodes.compiled.workers import Workers
+from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
 from coursekit.systems import children, which
@@ -56,6 +59,10 @@ _IDLE_WEIGHT = 250
 _TOO_LONG = (
     "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
     "stands still meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
+)
+_ANOTHER_AGE = (
+    "[coursekit] {name} was built by another version of coursekit than this one, and cannot talk with it. Build its "
+    "workspace again: `colcon build`."
 )
 _ERRORS = {
     "InvalidNodeNameException": "InvalidNodeNameError",
@@ -81,7 +88,10 @@ class Host:
         process = current_process()
         assert process is not None, "a compiled program runs in a process of the session"
         self.process = process
-        self.flags = VIRTUAL if self.clock.virtual else 0
+        self.node_clocks: list[Any] = []
+        """The clocks of the program's nodes, of which some may follow /clock."""
+        self.stopping = False
+        """Whether Ctrl-C or `kill` came."""
         self.things: dict[int, Any] = {}
         """What the program has made, by number."""
         self.of_context: dict[Any, Channel] = {}
@@ -107,6 +117,12 @@ class Host:
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
         self._workers = Workers(self.clock, lambda: self.accept()[1])
+
+    @property
+    def flags(self) -> int:
+        """What every frame to the program tells it."""
+        simulated = any(clock.ros_time_is_active for clock in self.node_clocks)
+        return VIRTUAL * self.clock.virtual | STOPPING * self.stopping | SIMULATED * simulated
 
     # -- the child
 
@@ -188,7 +204,7 @@ class Host:
     def _on_signal(self, signum: int, _frame: Any) -> None:
         if signum in self.caught:
             self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
-        self.flags |= STOPPING
+        self.stopping = True
         self._wake()
         self._pass_on(signum)
         self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
@@ -266,6 +282,10 @@ class Host:
 
 def main(argv: list[str]) -> int:
     """Run a compiled program in a process of the session; its exit code."""
+    for word in argv:
+        if os.path.isfile(word) and is_compiled_here(Path(word)) and is_of_another_age(Path(word)):
+            print(_ANOTHER_AGE.format(name=os.path.basename(word)), file=sys.stderr)
+            return 1
     code = Host(argv[0], argv[1:]).run()
     if code < 0:
         raise ProcessKilled(-code)

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
-STOPPING = 2
 _INFO = 20
 _LINE = 256
 """Whoever asks for fewer bytes wants single keys."""
@@ -58,7 +57,7 @@ def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     waiter = host.clock.new_waiter()
     if context is None or not context.ok():
         _sleep(host, waiter, until, lambda: True)
-        return packed(int(not host.flags & STOPPING))
+        return packed(int(not host.stopping))
 
     def wake() -> None:  # a function of its own: contexts hold methods only weakly, and waiters cannot be held so
         waiter.notify()
@@ -66,11 +65,11 @@ def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     context.on_shutdown(wake)
     _sleep(host, waiter, until, context.ok)
     context.remove_on_shutdown(wake)
-    return packed(int(not host.flags & STOPPING and context.ok()))
+    return packed(int(not host.stopping and context.ok()))
 
 
 def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> None:
-    while not host.flags & STOPPING and host.clock.steady() < until and goes_on():
+    while not host.stopping and host.clock.steady() < until and goes_on():
         waiter.wait(until)
 
 
@@ -79,7 +78,7 @@ def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     size, by_keys, patience = frame.integer(), frame.integer(), frame.integer()
     keys = host.process.stdin
     while not host.typed and not host.over:
-        if host.flags & STOPPING:
+        if host.stopping:
             return packed(0)
         if keys.wait_for_keys(None if patience < 0 else patience * 1e-9):
             host.typed = keys.read(1).encode() if by_keys or size < _LINE else keys.readline().encode()

@@ -76,7 +76,7 @@ def do_tf_yaml(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 def do_tf_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The names of all frames."""
-    names = host.things[frame.integer()].get_frame_names()
+    names = host.things[frame.integer()]._getFrameStrings()
     return packed(len(names), *names)
 
 

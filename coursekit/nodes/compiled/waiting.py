@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
-STOPPING = 2
 
 
 def do_guard_condition(host: Host, _channel: Channel, _frame: Unpacker) -> bytes:
@@ -53,7 +52,7 @@ def _wait(host: Host, sources: list[Any], end: int | None) -> list[bool]:
             source.attach(queue, source)
         while True:
             ready = [source.has_work() for source in sources]
-            if any(ready) or host.flags & STOPPING or (end is not None and host.clock.steady() >= end):
+            if any(ready) or host.stopping or (end is not None and host.clock.steady() >= end):
                 return ready
             queue.items.clear()
             for source in sources:

@@ -42,7 +42,7 @@ FRAME = st.one_of(QUESTION, st.binary(min_size=1, max_size=40).filter(lambda dat
 def stand_in(session: Session) -> Any:
     """A host without a child."""
     made = object.__new__(Host)
-    made.session, made.clock, made.flags = session, session.clock, 0
+    made.session, made.clock, made.node_clocks, made.stopping = session, session.clock, [], False
     made.things, made.of_context, made.waiting = {}, {}, []
     made.process = SimpleNamespace(on_signal=[], handlers={}, env={})
     made.own_gids = set()

@@ -30,6 +30,13 @@ public:
   bool sleep_until(Time until, Context::SharedPtr context = contexts::get_global_default_context());
   bool sleep_for(Duration duration, Context::SharedPtr context = contexts::get_global_default_context());
   bool ros_time_is_active() const;
+  /// Whether time has begun: ROS time follows /clock where a node does, and is zero until somebody publishes it.
+  bool started() const {return now().nanoseconds() != 0;}
+  /// Wait until it has; false where the context ended first, or the time ran out.
+  bool wait_until_started(Context::SharedPtr context = contexts::get_global_default_context());
+  bool wait_until_started(
+    const Duration & timeout, Context::SharedPtr context = contexts::get_global_default_context(),
+    const Duration & wait_tick_ns = Duration(0, 10000000));
   /// Have functions called before and after jumps that reach a threshold: of a node's clock, since no other jumps.
   JumpHandler::SharedPtr create_jump_callback(
     JumpHandler::pre_callback_t pre_callback, JumpHandler::post_callback_t post_callback,

@@ -45,6 +45,13 @@ public:
   }
   template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
   void spin_node_some(std::shared_ptr<N> node) {spin_node_some(node->get_node_base_interface());}
+  template<class N, class Rep = int64_t, class Period = std::milli>
+  void spin_node_once(N node, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    add_node(node);
+    spin_once(std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
+    remove_node(node);
+  }
   /// Have the spin that goes on return.
   virtual void cancel();
   bool is_spinning() {return spinning_;}

@@ -250,3 +250,4 @@ __attribute__((format(printf, 6, 7)))
 #define RCLCPP_FATAL_STREAM_THROTTLE(...)
 #define RCLCPP_FATAL_STREAM_SKIPFIRST_THROTTLE(...)
 #endif
+#include "rcutils/logging_macros.h"  // Humble's brings them along

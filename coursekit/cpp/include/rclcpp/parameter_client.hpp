@@ -190,7 +190,8 @@ public:
   : executor_(std::move(executor)), base_(base_of(node)), client_(node, remote, profile) {}
 
   template<class Rep = int64_t, class Period = std::milli>
-  std::vector<Parameter> get_parameters(const std::vector<std::string> & names, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  std::vector<Parameter> get_parameters(
+    const std::vector<std::string> & names, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
     return wait(client_.get_parameters(names), timeout);
   }
@@ -214,33 +215,47 @@ public:
     auto found = get_parameters({name});
     return found.empty() || found[0].get_type() == PARAMETER_NOT_SET ? alternative : static_cast<T>(found[0].get_value<T>());
   }
-  std::vector<ParameterType> get_parameter_types(const std::vector<std::string> & names)
+  template<class Rep = int64_t, class Period = std::milli>
+  std::vector<ParameterType> get_parameter_types(
+    const std::vector<std::string> & names, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.get_parameter_types(names));
+    return wait(client_.get_parameter_types(names), timeout);
   }
-  AsyncParametersClient::Results set_parameters(const std::vector<Parameter> & parameters)
+  template<class Rep = int64_t, class Period = std::milli>
+  AsyncParametersClient::Results set_parameters(
+    const std::vector<Parameter> & parameters, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.set_parameters(parameters));
+    return wait(client_.set_parameters(parameters), timeout);
   }
-  rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters)
+  template<class Rep = int64_t, class Period = std::milli>
+  rcl_interfaces::msg::SetParametersResult set_parameters_atomically(
+    const std::vector<Parameter> & parameters, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.set_parameters_atomically(parameters));
+    return wait(client_.set_parameters_atomically(parameters), timeout);
   }
-  AsyncParametersClient::Results delete_parameters(const std::vector<std::string> & names)
+  template<class Rep = int64_t, class Period = std::milli>
+  AsyncParametersClient::Results delete_parameters(
+    const std::vector<std::string> & names, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.delete_parameters(names));
+    return wait(client_.delete_parameters(names), timeout);
   }
-  rcl_interfaces::msg::ListParametersResult list_parameters(const std::vector<std::string> & prefixes, uint64_t depth)
+  template<class Rep = int64_t, class Period = std::milli>
+  rcl_interfaces::msg::ListParametersResult list_parameters(
+    const std::vector<std::string> & prefixes, uint64_t depth, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.list_parameters(prefixes, depth));
+    return wait(client_.list_parameters(prefixes, depth), timeout);
   }
-  AsyncParametersClient::Results load_parameters(const std::string & yaml_filename)
+  template<class Rep = int64_t, class Period = std::milli>
+  AsyncParametersClient::Results load_parameters(
+    const std::string & yaml_filename, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.load_parameters(yaml_filename));
+    return wait(client_.load_parameters(yaml_filename), timeout);
   }
-  AsyncParametersClient::Descriptors describe_parameters(const std::vector<std::string> & names)
+  template<class Rep = int64_t, class Period = std::milli>
+  AsyncParametersClient::Descriptors describe_parameters(
+    const std::vector<std::string> & names, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return wait(client_.describe_parameters(names));
+    return wait(client_.describe_parameters(names), timeout);
   }
   template<class F>
   auto on_parameter_event(F && callback)

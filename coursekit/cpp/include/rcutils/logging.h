@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "rclcpp/logger.hpp"
+#include "rcutils/allocator.h"
 
 typedef int rcutils_ret_t;
 typedef int rcl_ret_t;
@@ -14,11 +15,6 @@ typedef int rmw_ret_t;
 #define RCL_RET_OK 0
 #define RCL_RET_ERROR 1
 #define RMW_RET_OK 0
-/// Memory is the program's own; what wants an allocator takes this one and asks it for nothing.
-struct rcutils_allocator_t {};
-typedef rcutils_allocator_t rcl_allocator_t;
-inline rcutils_allocator_t rcutils_get_default_allocator() {return {};}
-inline rcl_allocator_t rcl_get_default_allocator() {return {};}
 
 enum RCUTILS_LOG_SEVERITY
 {

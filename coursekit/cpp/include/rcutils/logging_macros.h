@@ -1,6 +1,6 @@
 // Logging with a logger's name instead of a logger, or without any.
 #pragma once
-#include "rclcpp/rclcpp.hpp"
+#include "rclcpp/logging.hpp"
 
 #define RCUTILS_LOG_DEBUG(...) RCLCPP_DEBUG(rclcpp::get_logger(""), __VA_ARGS__)
 #define RCUTILS_LOG_DEBUG_NAMED(name, ...) RCLCPP_DEBUG(rclcpp::get_logger(name), __VA_ARGS__)

@@ -4,6 +4,7 @@
 
 #include "coursekit/cdr.hpp"
 #include "rosidl_runtime_cpp/message_initialization.hpp"
+#include "rosidl_runtime_cpp/yaml.hpp"
 
 #define COURSEKIT_MESSAGE(Name, full_name) \
   static constexpr const char * coursekit_type = full_name; \

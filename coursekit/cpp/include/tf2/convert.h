@@ -5,9 +5,27 @@
 #include "rosidl_runtime_cpp/message.hpp"
 #include "tf2/exceptions.h"
 #include "tf2/time.h"
+#include "tf2/transform_datatypes.h"
+
+namespace geometry_msgs::msg
+{
+struct TransformStamped;
+}
 
 namespace tf2
 {
+/// What a type is through a transform, its time and its frame: packages and programs specialise these for their own types.
+template<class T>
+void doTransform(const T & in, T & out, const geometry_msgs::msg::TransformStamped & transform);
+template<class T>
+TimePoint getTimestamp(const T & data);
+template<class T>
+std::string getFrameId(const T & data);
+template<class T>
+TimePoint getTimestamp(const Stamped<T> & data) {return data.stamp_;}
+template<class T>
+std::string getFrameId(const Stamped<T> & data) {return data.frame_id_;}
+
 template<class A, class B>
 void convert(const A & a, B & b)
 {

@@ -6,8 +6,10 @@
 #include "geometry_msgs/msg/quaternion_stamped.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
 #include "geometry_msgs/msg/vector3_stamped.hpp"
+#include "geometry_msgs/msg/wrench_stamped.hpp"
 #include "tf2/LinearMath/Transform.h"
 #include "tf2/convert.h"
+#include "tf2/transform_datatypes.h"
 
 namespace tf2
 {
@@ -57,6 +59,55 @@ inline void fromMsg(const gm::Pose & m, Transform & t)
   t = Transform(turn, place);
 }
 
+// -- with a time and a frame
+
+inline TimePoint time_of(const std_msgs::msg::Header & header)
+{
+  return TimePoint(std::chrono::seconds(header.stamp.sec) + std::chrono::nanoseconds(header.stamp.nanosec));
+}
+template<class T>
+std_msgs::msg::Header header_of(const Stamped<T> & data)
+{
+  std_msgs::msg::Header header;
+  auto nanoseconds = data.stamp_.time_since_epoch().count();
+  header.stamp.sec = static_cast<int32_t>(nanoseconds / 1000000000);
+  header.stamp.nanosec = static_cast<uint32_t>(nanoseconds % 1000000000);
+  header.frame_id = data.frame_id_;
+  return header;
+}
+#define COURSEKIT_STAMPED_DATA(Type, field, Data) \
+  inline void fromMsg(const gm::Type & m, Stamped<Data> & out) \
+  { \
+    out.stamp_ = time_of(m.header); \
+    out.frame_id_ = m.header.frame_id; \
+    fromMsg(m.field, static_cast<Data &>(out)); \
+  }
+COURSEKIT_STAMPED_DATA(TransformStamped, transform, Transform)
+COURSEKIT_STAMPED_DATA(PoseStamped, pose, Transform)
+COURSEKIT_STAMPED_DATA(PointStamped, point, Vector3)
+COURSEKIT_STAMPED_DATA(Vector3Stamped, vector, Vector3)
+COURSEKIT_STAMPED_DATA(QuaternionStamped, quaternion, Quaternion)
+inline gm::TransformStamped toMsg(const Stamped<Transform> & in)
+{
+  return gm::TransformStamped().set__header(header_of(in)).set__transform(toMsg(static_cast<const Transform &>(in)));
+}
+inline gm::QuaternionStamped toMsg(const Stamped<Quaternion> & in)
+{
+  return gm::QuaternionStamped().set__header(header_of(in)).set__quaternion(toMsg(static_cast<const Quaternion &>(in)));
+}
+inline gm::PoseStamped & toMsg(const Stamped<Transform> & in, gm::PoseStamped & m)
+{
+  m.header = header_of(in);
+  toMsg(static_cast<const Transform &>(in), m.pose);
+  return m;
+}
+inline gm::PointStamped & toMsg(const Stamped<Vector3> & in, gm::PointStamped & m)
+{
+  m.header = header_of(in);
+  toMsg(static_cast<const Vector3 &>(in), m.point);
+  return m;
+}
+
 // -- messages stay messages
 
 template<class M, class = std::enable_if_t<coursekit::is_message<M>::value>>
@@ -103,6 +154,36 @@ inline void doTransform(const gm::Transform & in, gm::Transform & out, const gm:
   fromMsg(in, own);
   out = toMsg(t * own);
 }
+/// A covariance of place and direction, turned: both of its halves are.
+inline std::array<double, 36> transformCovariance(const std::array<double, 36> & in, const Transform & transform)
+{
+  std::array<double, 36> out{};
+  const Matrix3x3 & turn = transform.getBasis();
+  for (int block = 0; block < 4; ++block) {
+    int at = (block / 2) * 18 + (block % 2) * 3;
+    Matrix3x3 part(
+      in[at], in[at + 1], in[at + 2], in[at + 6], in[at + 7], in[at + 8], in[at + 12], in[at + 13], in[at + 14]);
+    Matrix3x3 turned = turn * part * turn.transpose();
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        out[at + row * 6 + column] = turned[row][column];
+      }
+    }
+  }
+  return out;
+}
+inline void doTransform(const gm::PoseWithCovariance & in, gm::PoseWithCovariance & out, const gm::TransformStamped & transform)
+{
+  Transform t;
+  fromMsg(transform.transform, t);
+  doTransform(in.pose, out.pose, transform);
+  out.covariance = transformCovariance(in.covariance, t);
+}
+inline void doTransform(const gm::Wrench & in, gm::Wrench & out, const gm::TransformStamped & transform)
+{
+  doTransform(in.force, out.force, transform);
+  doTransform(in.torque, out.torque, transform);
+}
 #define COURSEKIT_STAMPED(Type, field) \
   inline void doTransform(const gm::Type & in, gm::Type & out, const gm::TransformStamped & transform) \
   { \
@@ -122,4 +203,6 @@ COURSEKIT_STAMPED(Vector3Stamped, vector)
 COURSEKIT_STAMPED(QuaternionStamped, quaternion)
 COURSEKIT_STAMPED(PoseStamped, pose)
 COURSEKIT_STAMPED(TransformStamped, transform)
+COURSEKIT_STAMPED(PoseWithCovarianceStamped, pose)
+COURSEKIT_STAMPED(WrenchStamped, wrench)
 }  // namespace tf2

@@ -1,11 +1,11 @@
-// Transforms of the last seconds: a buffer of the session's, asked over the link.
+// Transforms of the last seconds, waited for.
 #pragma once
-#include "coursekit/entity.hpp"
+#include "tf2/buffer_core.h"
 #include "tf2_ros/buffer_interface.h"
 
 namespace tf2_ros
 {
-class Buffer : public BufferInterface, public coursekit::Entity
+class Buffer : public BufferInterface, public tf2::BufferCore
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Buffer)
@@ -13,9 +13,10 @@ public:
     rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time = tf2::BUFFER_CORE_DEFAULT_CACHE_TIME,
     rclcpp::Node::SharedPtr node = nullptr);
 
+  using tf2::BufferCore::canTransform;
+  using tf2::BufferCore::lookupTransform;
   geometry_msgs::msg::TransformStamped lookupTransform(
-    const std::string & target, const std::string & source, const tf2::TimePoint & time,
-    const tf2::Duration timeout = tf2::Duration::zero()) const override;
+    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const override;
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const std::string & source, const rclcpp::Time & time,
     const rclcpp::Duration timeout = rclcpp::Duration(0, 0)) const
@@ -24,7 +25,7 @@ public:
   }
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const tf2::TimePoint & target_time, const std::string & source,
-    const tf2::TimePoint & source_time, const std::string & fixed, const tf2::Duration timeout = tf2::Duration::zero()) const;
+    const tf2::TimePoint & source_time, const std::string & fixed, const tf2::Duration timeout) const;
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const rclcpp::Time & target_time, const std::string & source, const rclcpp::Time & source_time,
     const std::string & fixed, const rclcpp::Duration timeout = rclcpp::Duration(0, 0)) const
@@ -33,8 +34,8 @@ public:
   }
 
   bool canTransform(
-    const std::string & target, const std::string & source, const tf2::TimePoint & time,
-    const tf2::Duration timeout = tf2::Duration::zero(), std::string * why_not = nullptr) const;
+    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
+    std::string * why_not = nullptr) const;
   bool canTransform(
     const std::string & target, const std::string & source, const rclcpp::Time & time,
     const rclcpp::Duration timeout = rclcpp::Duration(0, 0), std::string * why_not = nullptr) const
@@ -42,12 +43,6 @@ public:
     return canTransform(target, source, fromRclcpp(time), fromRclcpp(timeout), why_not);
   }
 
-  bool setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static = false);
-  void clear();
-  std::string allFramesAsString() const;
-  std::string allFramesAsYAML() const;
-  std::vector<std::string> getAllFrameNames() const;
-  bool setUsingDedicatedThread(bool) {return true;}
   template<class T>
   void setCreateTimerInterface(const T &) {}
 };

@@ -16,6 +16,7 @@ inline tf2::TimePoint fromMsg(const builtin_interfaces::msg::Time & time)
   return tf2::TimePoint(std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nanosec));
 }
 inline builtin_interfaces::msg::Time toMsg(const tf2::TimePoint & time) {return toRclcpp(time);}
+inline builtin_interfaces::msg::Duration toMsg(const tf2::Duration & duration) {return toRclcpp(duration);}
 inline tf2::Duration fromMsg(const builtin_interfaces::msg::Duration & duration)
 {
   return tf2::Duration(std::chrono::seconds(duration.sec) + std::chrono::nanoseconds(duration.nanosec));
@@ -26,8 +27,7 @@ class BufferInterface
 public:
   virtual ~BufferInterface() = default;
   virtual geometry_msgs::msg::TransformStamped lookupTransform(
-    const std::string & target, const std::string & source, const tf2::TimePoint & time,
-    const tf2::Duration timeout = tf2::Duration::zero()) const = 0;
+    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const = 0;
 
   template<class T>
   T transform(const T & in, const std::string & target, tf2::Duration timeout = tf2::Duration::zero()) const

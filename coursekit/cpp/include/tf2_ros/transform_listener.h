@@ -9,16 +9,16 @@ class TransformListener : public coursekit::Entity
 {
 public:
   using SharedPtr = std::shared_ptr<TransformListener>;
-  explicit TransformListener(Buffer & buffer, bool = true, bool static_only = false) {listen(buffer, static_only);}
+  explicit TransformListener(tf2::BufferCore & buffer, bool = true, bool static_only = false) {listen(buffer, static_only);}
   template<class N, class = std::enable_if_t<!std::is_same_v<std::decay_t<N>, bool>>>
   TransformListener(
-    Buffer & buffer, N &&, bool = true, const rclcpp::QoS & = DynamicListenerQoS(), const rclcpp::QoS & = StaticListenerQoS(),
+    tf2::BufferCore & buffer, N &&, bool = true, const rclcpp::QoS & = DynamicListenerQoS(), const rclcpp::QoS & = StaticListenerQoS(),
     bool static_only = false)
   {
     listen(buffer, static_only);
   }
 
 private:
-  void listen(Buffer & buffer, bool static_only);
+  void listen(tf2::BufferCore & buffer, bool static_only);
 };
 }  // namespace tf2_ros

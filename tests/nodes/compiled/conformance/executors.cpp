@@ -143,6 +143,17 @@ int main(int argc, char ** argv)
   }
   check("its own serves it", with_group == 3 && with_node == before);
 
+  // a node once
+  auto lonely = rclcpp::Node::make_shared("lonely");
+  int singles = 0;
+  auto often = lonely->create_wall_timer(10ms, [&] {++singles;});
+  rclcpp::executors::SingleThreadedExecutor briefly;
+  briefly.spin_node_once(lonely);
+  equal("a node is spun once", singles, 1);
+  often->cancel();
+  briefly.spin_node_once(lonely, 20ms);
+  equal("or not within the time", singles, 1);
+
   // what a callback throws leaves through spin
   auto thrower = rclcpp::Node::make_shared("thrower");
   auto bad = thrower->create_wall_timer(10ms, [] {throw std::domain_error("from a callback");});

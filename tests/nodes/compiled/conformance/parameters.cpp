@@ -100,6 +100,11 @@ int main(int argc, char ** argv)
   equal("remote types", static_cast<int>(client->get_parameter_types({"speed"})[0]), static_cast<int>(rclcpp::PARAMETER_DOUBLE));
   equal("remote list", client->list_parameters({"wheel"}, 10).names.front(), "wheel.aft");
   check("remote atomically", client->set_parameters_atomically({{"count", 2}, {"speed", 2.0}}).successful);
+  check("remote calls take a time", client->set_parameters({rclcpp::Parameter("count", 2)}, 2s)[0].successful);
+  equal("also in brackets", client->set_parameters<>({rclcpp::Parameter("count", 2)}).size(), 1u);
+  equal("a list within a time", client->list_parameters({"wheel"}, 10, 2s).names.size(), client->list_parameters({"wheel"}, 10).names.size());
+  auto nobody = std::make_shared<rclcpp::SyncParametersClient>(asker, "nobody");
+  check("in vain", nobody->describe_parameters({"count"}, 20ms).empty() && nobody->get_parameter_types({"count"}, 20ms).empty());
   std::ofstream("given.yaml") << "/**:\n  ros__parameters:\n    count: 44\nparameters:\n  ros__parameters:\n    wheel: {left: 7}\n";
   equal("a file is loaded", client->load_parameters("given.yaml").size(), 2u);
   equal("for all nodes", node->get_parameter("count").as_int(), 44);

@@ -55,5 +55,10 @@ int main(int argc, char ** argv)
   check("wall rate is steady", rate.is_steady());
   check("rate is not", !rclcpp::Rate(10).is_steady());
   std::this_thread::sleep_for(10ms);
+  check("a clock has started", steady.started() && steady.wait_until_started() && rclcpp::Clock(RCL_ROS_TIME).wait_until_started(1s));
+  rclcpp::NodeOptions simulated;
+  simulated.parameter_overrides({{"use_sim_time", true}});
+  auto waiting = rclcpp::Node::make_shared("waiting", simulated);
+  check("simulated time has not", !waiting->get_clock()->started() && !waiting->get_clock()->wait_until_started(50ms));
   rclcpp::shutdown();
 }

@@ -1,0 +1,46 @@
+// Transforms of the last seconds, without waiting for them: a buffer of the session's, asked over the link.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "coursekit/entity.hpp"
+#include "geometry_msgs/msg/transform_stamped.hpp"
+#include "tf2/exceptions.h"
+#include "tf2/time.h"
+#include "tf2/transform_datatypes.h"
+
+namespace tf2
+{
+class BufferCore : public coursekit::Entity
+{
+public:
+  explicit BufferCore(Duration cache_time = BUFFER_CORE_DEFAULT_CACHE_TIME);
+  virtual ~BufferCore() = default;
+
+  geometry_msgs::msg::TransformStamped lookupTransform(
+    const std::string & target, const std::string & source, const TimePoint & time) const;
+  geometry_msgs::msg::TransformStamped lookupTransform(
+    const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
+    const std::string & fixed) const;
+  bool canTransform(
+    const std::string & target, const std::string & source, const TimePoint & time, std::string * why_not = nullptr) const;
+
+  bool setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static = false);
+  void clear();
+  std::string allFramesAsString() const;
+  std::string allFramesAsYAML() const;
+  std::vector<std::string> getAllFrameNames() const;
+  bool _frameExists(const std::string & name) const;
+  Duration getCacheLength() const {return cache_time_;}
+  void setUsingDedicatedThread(bool uses) {dedicated_thread_ = uses;}
+  bool isUsingDedicatedThread() const {return dedicated_thread_;}
+
+protected:
+  /// A buffer that answers `tf2_frames` for a node, by its number at the session; 0 for none.
+  BufferCore(Duration cache_time, int64_t node);
+
+private:
+  Duration cache_time_;
+  bool dedicated_thread_ = false;
+};
+}  // namespace tf2

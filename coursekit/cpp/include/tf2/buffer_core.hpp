@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2/buffer_core.h"

@@ -1,0 +1,117 @@
+"""Tells the network what is in this graph, and carries what somebody there asks for."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import Any
+
+from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.service import Client, Server
+from coursekit.core.topic import Endpoint, Publisher, Subscription
+from coursekit.joined.ghosts import GhostNode
+
+from .calls import Answers
+from .place import Place
+from .quality import wire_quality
+from .remote import RemoteSubscription
+from .sending import Sender
+from .wire.names import NO_HASH
+from .wire.token import CLIENT, NODE, PUBLISHER, SERVER, SUBSCRIPTION, Token, gid_of
+
+INSIDE = ("/clock",)
+"""Topics that never leave the session, and are not taken from outside: each simulation has its own time."""
+KINDS = {Publisher: PUBLISHER, Subscription: SUBSCRIPTION, Server: SERVER, Client: CLIENT}
+
+
+class Announced:
+    """One thing that others know of, with what serves it."""
+
+    def __init__(self, token: Any, sender: Sender | None = None, answers: Answers | None = None) -> None:
+        self.sender = sender
+        self._parts = [part for part in (sender, answers) if part is not None]
+        self._token = token
+
+    def close(self) -> None:
+        """Take it back."""
+        for part in self._parts:
+            part.close()
+        self._token.undeclare()
+
+
+class Announcer:
+    """Keeps the announcements equal to the graph: `compare` is called after each change, by one thread."""
+
+    def __init__(self, place: Place, *, listen_only: bool) -> None:
+        self._place = place
+        self._listen_only = listen_only
+        self._numbers = itertools.count(1)
+        self._node_numbers: dict[GraphNode, int] = {}
+        self.known: dict[Any, Announced] = {}
+
+    @property
+    def senders(self) -> list[Sender]:
+        """Those of publishers that are announced."""
+        return [one.sender for one in list(self.known.values()) if one.sender is not None]
+
+    def compare(self) -> None:
+        """Announce what is new, take back what is gone, and send where somebody listens."""
+        there = dict.fromkeys(self._ours())
+        for gone in [one for one in self.known if one not in there]:
+            self.known.pop(gone).close()
+            self._node_numbers.pop(gone, None)
+        for one in there:
+            if one not in self.known:
+                self.known[one] = self._announce(one)
+        for sender in self.senders:
+            sender.want({one.type_hash for one in sender.publisher.targets if isinstance(one, RemoteSubscription)})
+
+    def close(self) -> None:
+        """Take everything back."""
+        for one in self.known.values():
+            one.close()
+        self.known.clear()
+
+    def _ours(self) -> Iterator[Any]:
+        for node in local_nodes(self._place.graph):
+            yield node
+            ends: list[Endpoint] = [*node.subscriptions]
+            if not self._listen_only:
+                ends += [*node.publishers, *node.servers, *node.clients]
+            yield from (one for one in ends if one.name not in INSIDE)
+
+    def _announce(self, one: Any) -> Announced:
+        token = self._token(one)
+        text = token.text()
+        sender = answers = None
+        if token.kind == PUBLISHER:
+            sender = Sender(self._place.session, one, gid_of(text), self._keys_of(one))
+        if token.kind == SERVER:
+            key = self._place.key(one.name, one.type_name)
+            answers = Answers(self._place.session, one, key, self._place.tell)
+        # The token comes last: who sees it can ask at once.
+        return Announced(self._place.session.liveliness().declare_token(text), sender, answers)
+
+    def _keys_of(self, one: Endpoint) -> Any:
+        return lambda type_hash: self._place.key(one.name, one.type_name, type_hash)
+
+    def _token(self, one: Any) -> Token:
+        node = one if isinstance(one, GraphNode) else one.node
+        number = self._node_numbers.setdefault(node, next(self._numbers))
+        head = Token(self._place.domain_id, self._place.id, str(number), str(number), NODE, node.namespace, node.name)
+        if one is node:
+            return head
+        kind = next(kind for cls, kind in KINDS.items() if isinstance(one, cls))
+        return head._replace(
+            entity=str(next(self._numbers)),
+            kind=kind,
+            name=one.name,
+            type_name=one.type_name,
+            type_hash=NO_HASH,
+            quality=wire_quality(one.qos),
+        )
+
+
+def local_nodes(graph: Graph) -> list[GraphNode]:
+    """The nodes of this session: neither those of a network nor those of neighbours, which may join it themselves."""
+    return [node for node in list(graph.nodes) if not node.remote and not isinstance(node, GhostNode)]

@@ -1,0 +1,7 @@
+"""What joining a network can fail of, in one sentence with the cure."""
+
+from __future__ import annotations
+
+
+class NoNetwork(RuntimeError):
+    """The network was not joined; the text says why, and what to do."""

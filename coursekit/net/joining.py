@@ -1,0 +1,109 @@
+"""Joining and leaving: `join` asks before anything moves a robot, and nobody hears of this side before that."""
+
+from __future__ import annotations
+
+import functools
+import os
+import sys
+import threading
+from collections.abc import Callable
+from weakref import WeakKeyDictionary
+
+from coursekit.processes.session import NETWORK_VARIABLE, Session
+
+from .address import read_address
+from .errors import NoNetwork
+from .link import Link
+from .motion import would_move
+from .opening import Credentials, open_client
+from .place import Place
+
+_links: WeakKeyDictionary[Session, dict[int, Link]] = WeakKeyDictionary()
+_tried: WeakKeyDictionary[Session, set[int]] = WeakKeyDictionary()
+_lock = threading.RLock()
+
+Confirm = Callable[[list[str]], bool]
+"""Is given what would move, a sentence each, and says whether to join all the same."""
+
+
+def join(
+    session: Session,
+    domain_id: int,
+    address: str,
+    *,
+    credentials: Credentials = Credentials(),
+    listen_only: bool = False,
+    confirm: Confirm = lambda _moves: False,
+) -> Link:
+    """Have a session's graph of a domain be part of the network at an address; a link that there is, is left first.
+
+    With `listen_only` nothing is sent but the wish to hear.
+
+    Raises:
+        NoNetwork: when it was not joined; the text says why.
+    """
+    if session.clock.virtual:
+        raise NoNetwork("A session on the virtual clock runs faster than others and joins no network: use the wall clock.")
+    where = read_address(address)
+    leave(session, domain_id)
+    engine = open_client(where, credentials)
+    link = Link(Place(session.graph(domain_id), domain_id, engine, where, tell), listen_only=listen_only)
+    try:
+        moves = [] if listen_only else would_move(link.place.graph, link.tokens())
+        if moves and not confirm(moves):
+            raise NoNetwork("Not joined: " + "; ".join(moves) + ". Listen without sending: %network ADDRESS --listen-only")
+    except BaseException:
+        link.close()
+        raise
+    with _lock:
+        if session not in _links:
+            _links[session] = {}
+            session.on_close.append(functools.partial(leave, session))
+        _links[session][domain_id] = link
+    link.begin()
+    return link
+
+
+def leave(session: Session, domain_id: int | None = None) -> bool:
+    """Leave the network of a domain, or all of them; whether there was one."""
+    with _lock:
+        links = _links.get(session, {})
+        found = [links.pop(one) for one in ([domain_id] if domain_id is not None else list(links)) if one in links]
+    for link in found:
+        link.close()
+    return bool(found)
+
+
+def link_of(session: Session, domain_id: int) -> Link | None:
+    """The link of a domain, if it is joined."""
+    return _links.get(session, {}).get(domain_id)
+
+
+def credentials_from_the_environment() -> Credentials:
+    """COURSEKIT_NETWORK_USER, COURSEKIT_NETWORK_PASSWORD and COURSEKIT_NETWORK_CERTIFICATE."""
+    values = (os.environ.get(f"{NETWORK_VARIABLE}_{one}", "") for one in ("USER", "PASSWORD", "CERTIFICATE"))
+    return Credentials(*values)
+
+
+def join_as_the_environment_says(session: Session, domain_id: int) -> bool:
+    """Join the network that COURSEKIT_NETWORK names, once; whether it is joined.
+
+    What stands in the way is told, and all goes on without. Tests join nothing: a robot is no part of them.
+    """
+    with _lock:
+        tried = _tried.setdefault(session, set())
+        if domain_id in tried or "pytest" in sys.modules:
+            return link_of(session, domain_id) is not None
+        tried.add(domain_id)
+    address, *words = os.environ[NETWORK_VARIABLE].split()
+    asked, listen_only = credentials_from_the_environment(), "--listen-only" in words
+    try:
+        join(session, domain_id, address, credentials=asked, listen_only=listen_only)
+    except NoNetwork as error:
+        tell(str(error))
+    return link_of(session, domain_id) is not None
+
+
+def tell(sentence: str) -> None:
+    """Say something to the user, from any thread."""
+    print(f"[network] {sentence}", file=sys.stderr, flush=True)

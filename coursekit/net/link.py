@@ -1,0 +1,164 @@
+"""One session's link to a network: a thread of its own does all that changes, in the order in which it is told."""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import sys
+import threading
+import traceback
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+from .announcing import Announcer
+from .place import Place
+from .visiting import Visitors
+from .wire.token import ADMIN, Token, read_token
+
+SETTLE_SECONDS = 5.0
+"""How long joining waits for what others have announced [s]."""
+CLOSE_SECONDS = 2.0
+"""How long leaving may take; what is not done by then is left to the others' time-outs [s]."""
+
+
+class Link:
+    """Looks at a network first (`tokens`); nobody knows of this side before `begin`."""
+
+    def __init__(self, place: Place, *, listen_only: bool = False) -> None:
+        self.place = place
+        self.listen_only = listen_only
+        self.announcer = Announcer(place, listen_only=listen_only)
+        self.visitors = Visitors(place, listen_only=listen_only)
+        self.since = place.graph.clock.now()
+        self.is_up = True
+        """Whether the router answers at present."""
+        self.on_change: list[Callable[[], None]] = []
+        """Called, by any thread, when the link is lost or comes back, and when it is left."""
+        self.closed = False
+        self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
+        self._planned = threading.Event()
+        self._worker = threading.Thread(target=self._work, name="coursekit-network", daemon=True)
+        self._listeners: list[Any] = []
+        _close_before_python_ends(self)
+
+    def tokens(self) -> list[Token]:
+        """What others have announced up to now."""
+        found = []
+        for reply in self.place.session.liveliness().get(self._key, timeout=SETTLE_SECONDS):
+            if reply.ok is not None:
+                with contextlib.suppress(ValueError):
+                    found.append(read_token(str(reply.ok.key_expr)))
+        return found
+
+    @property
+    def _key(self) -> str:
+        """All tokens of the domain."""
+        return f"{ADMIN}/{self.place.domain_id}/**"
+
+    def begin(self) -> None:
+        """Be part of the network, and wait until both sides' present announcements are known."""
+        there = {token.text() for token in self.tokens() if self.visitors.wants(token)}
+        session = self.place.session  # the question above comes first: Zenoh answers none whose answer is subscribed to
+        self._listeners = [
+            session.info.declare_transport_events_listener(self._hear_transport),
+            session.liveliness().declare_subscriber(self._key, self._hear_token, history=True),
+        ]
+        self.place.graph.watch(self._plan)
+        self._worker.start()
+        self._plan()
+        self.visitors.wait_for(there, SETTLE_SECONDS)
+        self.settle()
+
+    def settle(self, seconds: float = SETTLE_SECONDS) -> bool:
+        """Wait until all is done that was told up to now; whether it was in time."""
+        done = threading.Event()
+        self._do(done.set)
+        return done.wait(seconds)
+
+    def close(self) -> None:
+        """Leave: at once, also where the router does not answer, and harmless when it was left."""
+        if self.closed:
+            return
+        self.closed = True
+        self.place.graph.unwatch(self._plan)
+        self._jobs.put(None)
+        leaving = threading.Thread(target=self._leave, name="coursekit-network-leave", daemon=True)
+        try:
+            leaving.start()
+            leaving.join(CLOSE_SECONDS)
+        except RuntimeError:  # so late that no thread can begin
+            self._leave()
+        for tell_of_it in list(self.on_change):
+            tell_of_it()
+
+    def _leave(self) -> None:
+        if self._worker.ident is not None:
+            self._worker.join(CLOSE_SECONDS)
+        for listener in self._listeners:
+            listener.undeclare()
+        with contextlib.suppress(Exception):
+            self.announcer.close()
+        self.visitors.close()
+        self.place.session.close()
+
+    def _work(self) -> None:
+        while (job := self._jobs.get()) is not None:
+            try:
+                job()
+            except Exception:
+                if not self.closed:
+                    traceback.print_exc(file=sys.stderr)
+
+    def _do(self, job: Callable[..., None], *args: Any) -> None:
+        self._jobs.put((lambda: job(*args)) if args else job)
+
+    def _plan(self) -> None:
+        """Have the graph compared with what was announced; many changes at once are looked at once."""
+        if not self._planned.is_set():
+            self._planned.set()
+            self._do(self._compare)
+
+    def _compare(self) -> None:
+        self._planned.clear()
+        self.visitors.listen()
+        self.announcer.compare()
+        self.visitors.compare()
+
+    def _hear_token(self, sample: Any) -> None:
+        self._do(self.visitors.left if _is_end(sample) else self.visitors.came, str(sample.key_expr))
+
+    def _hear_transport(self, event: Any) -> None:
+        self._do(self._change, not _is_end(event))
+
+    def _change(self, is_up: bool) -> None:
+        if is_up == self.is_up or self.closed:
+            return
+        self.is_up = is_up
+        where = self.place.address
+        self.place.tell(
+            f"The link to {where} is there again."
+            if is_up
+            else f"The link to {where} is gone. Nothing is sent or heard; it is tried again until `%network off`."
+        )
+        for tell_of_it in list(self.on_change):
+            tell_of_it()
+
+
+def _is_end(event: Any) -> bool:
+    return str(event.kind).endswith("DELETE")
+
+
+_open: weakref.WeakSet[Link] = weakref.WeakSet()
+
+
+def _close_before_python_ends(link: Link) -> None:
+    """Zenoh's threads call Python, so it ends before them; `atexit` would come too late, the interpreter would hang."""
+    if not _open:
+        threading._register_atexit(_close_all)  # type: ignore[attr-defined]
+    _open.add(link)
+
+
+def _close_all() -> None:
+    for link in list(_open):
+        link.close()

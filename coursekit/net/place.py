@@ -1,0 +1,31 @@
+"""Where a link is: its graph, domain, Zenoh session and address, and how it tells what happens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from coursekit.core.graph import Graph
+
+from .wire.names import ANY_HASH, data_key
+
+
+@dataclass(frozen=True)
+class Place:
+    """What all parts of a link share; `tell` takes a sentence for the user."""
+
+    graph: Graph
+    domain_id: int
+    session: Any
+    address: str
+    tell: Callable[[str], None]
+
+    @property
+    def id(self) -> str:
+        """By which others tell this side's tokens from theirs."""
+        return str(self.session.info.zid())
+
+    def key(self, name: str, type_name: str, type_hash: str = ANY_HASH) -> str:
+        """The key of a topic or service."""
+        return data_key(self.domain_id, name, type_name, type_hash)

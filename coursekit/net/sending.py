@@ -1,0 +1,92 @@
+"""Carries what one publisher sends out of the graph, for as long as somebody there listens."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+from coursekit.core.qos import KEEP_ALL, RELIABLE
+from coursekit.core.topic import Publisher
+from coursekit.interfaces import cdr
+
+from .remote import is_latched
+from .traffic import Traffic
+from .wire.attachment import Attachment
+
+MOST_LATCHED = 1000
+"""Messages that a publisher which keeps all keeps for late joiners on the network."""
+
+
+class Sender:
+    """Sends on a key for each hash that listeners name; `key_of` gives it. With no hash nothing is sent, or serialized."""
+
+    def __init__(self, zenoh_session: Any, publisher: Publisher, gid: bytes, key_of: Callable[[str], str]) -> None:
+        self.publisher = publisher
+        self.traffic = Traffic()
+        self._session = zenoh_session
+        self._gid = gid
+        self._key_of = key_of
+        self._outlets: dict[str, Any] = {}
+        self._numbers = itertools.count(1)
+        depth = MOST_LATCHED if publisher.qos.history == KEEP_ALL else min(publisher.qos.depth, MOST_LATCHED)
+        self._kept: deque[tuple[bytes, bytes]] = deque(maxlen=depth)
+        self._last_kept = -1
+        self._lock = threading.Lock()
+
+    def want(self, hashes: set[str]) -> None:
+        """Send for listeners of these hashes from now on; those that come late get first what is kept for them."""
+        for gone in self._outlets.keys() - hashes:
+            with self._lock:
+                outlet = self._outlets.pop(gone)
+            outlet.undeclare()
+        if hashes and self.publisher.tap is None:
+            self._begin()
+        for new in hashes - self._outlets.keys():
+            self._add(new)
+        if not hashes:
+            self.publisher.tap = None
+
+    def close(self) -> None:
+        """Send no more."""
+        self.want(set())
+
+    def _begin(self) -> None:
+        with self._lock:
+            self._kept.clear()
+            self.publisher.tap = self._take
+            for msg, stamp in self.publisher.kept():
+                self._last_kept = stamp
+                self._packed(msg)
+
+    def _add(self, type_hash: str) -> None:
+        from zenoh import CongestionControl, ext
+
+        qos = self.publisher.qos
+        may_block = qos.history == KEEP_ALL and qos.reliability == RELIABLE
+        options: dict[str, Any] = {"congestion_control": CongestionControl.BLOCK if may_block else CongestionControl.DROP}
+        if is_latched(self.publisher):
+            options |= {"cache": ext.CacheConfig(self._kept.maxlen), "publisher_detection": True}
+        outlet = ext.declare_advanced_publisher(self._session, self._key_of(type_hash), **options)
+        with self._lock:
+            for data, attachment in self._kept:
+                outlet.put(data, attachment=attachment)
+            self._outlets[type_hash] = outlet
+
+    def _take(self, msg: Any, stamp: int) -> None:
+        with self._lock:
+            if stamp <= self._last_kept and is_latched(self.publisher):
+                return  # it was among those kept
+            data, attachment = self._packed(msg)
+            for outlet in self._outlets.values():
+                outlet.put(data, attachment=attachment)
+        self.traffic.count(self.publisher.graph.clock.now())
+
+    def _packed(self, msg: Any) -> tuple[bytes, bytes]:
+        entry = cdr.serialize(msg), Attachment(next(self._numbers), time.time_ns(), self._gid).data()
+        if is_latched(self.publisher):
+            self._kept.append(entry)
+        return entry

@@ -1,0 +1,28 @@
+"""Who may use a router: a file of lines USER:PASSWORD."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from .errors import NoNetwork
+
+_LINE = re.compile(r"[^\s:]+:\S.*")
+
+
+def check_users(path: Path) -> int:
+    """How many users a file names.
+
+    Raises:
+        NoNetwork: when it is no such file.
+    """
+    try:
+        lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
+    except (OSError, UnicodeDecodeError) as error:
+        raise NoNetwork(f"The file of users cannot be read: {error}") from None
+    for number, line in enumerate(lines, 1):
+        if not _LINE.fullmatch(line):
+            raise NoNetwork(f"Line {number} of {path.name} is no user. Write: NAME:PASSWORD")
+    if not lines:
+        raise NoNetwork(f"{path.name} names nobody. Write a line for each user: NAME:PASSWORD")
+    return len(lines)

@@ -1,0 +1,33 @@
+"""What goes with each message: its number, when it was sent, and who sent it."""
+
+from __future__ import annotations
+
+import struct
+from typing import NamedTuple
+
+_LAYOUT = struct.Struct("<qqB16s")
+_GID_SIZE = 16
+
+
+class Attachment(NamedTuple):
+    """`stamp` is the sender's clock [ns]."""
+
+    number: int
+    stamp: int
+    gid: bytes
+
+    def data(self) -> bytes:
+        """As it is sent.
+
+        >>> len(Attachment(1, 2, bytes(16)).data())
+        33
+        """
+        return _LAYOUT.pack(self.number, self.stamp, _GID_SIZE, self.gid)
+
+
+def read_attachment(data: bytes) -> Attachment:
+    """Read what came with a message; ValueError for what is no attachment."""
+    if len(data) != _LAYOUT.size or data[16] != _GID_SIZE:
+        raise ValueError(f"{len(data)} bytes that are no attachment")
+    number, stamp, _, gid = _LAYOUT.unpack(data)
+    return Attachment(number, stamp, gid)

@@ -1,0 +1,59 @@
+"""How names of topics and types are spelled in keys."""
+
+from __future__ import annotations
+
+import re
+
+NO_HASH = "TypeHashNotSupported"
+"""What Humble says in place of a type's hash, which later distributions compute."""
+ANY_HASH = "*"
+_TYPE = re.compile(r"(\w+)::(msg|srv|action)::dds_::(\w+)_")
+_NAME = re.compile(r"(/[A-Za-z_~{}][\w~{}]*)+")
+
+
+def dds_type(name: str) -> str:
+    """A type as DDS spells it.
+
+    >>> dds_type("std_msgs/msg/String")
+    'std_msgs::msg::dds_::String_'
+    """
+    package, kind, short = name.split("/")
+    return f"{package}::{kind}::dds_::{short}_"
+
+
+def ros_type(name: str) -> str:
+    """A type as ROS spells it; ValueError for what is none.
+
+    >>> ros_type("std_msgs::msg::dds_::String_")
+    'std_msgs/msg/String'
+    """
+    found = _TYPE.fullmatch(name)
+    if found is None or not name.isascii():
+        raise ValueError(f"'{name[:80]}' is no type")
+    return "/".join(found.groups())
+
+
+def mangle(name: str) -> str:
+    """A name as one part of a key.
+
+    >>> mangle("/robot/scan")
+    '%robot%scan'
+    """
+    return name.replace("/", "%")
+
+
+def demangle(name: str) -> str:
+    """The name that `mangle` was given; ValueError for what can be no name of a topic."""
+    found = name.replace("%", "/")
+    if not _NAME.fullmatch(found) or not found.isascii():
+        raise ValueError(f"'{found[:80]}' is no name of a topic")
+    return found
+
+
+def data_key(domain_id: int, name: str, type_name: str, type_hash: str = ANY_HASH) -> str:
+    """The key of a topic's messages or of a service's requests.
+
+    >>> data_key(0, "/chatter", "std_msgs/msg/String", NO_HASH)
+    '0/chatter/std_msgs::msg::dds_::String_/TypeHashNotSupported'
+    """
+    return f"{domain_id}/{name.strip('/')}/{dds_type(type_name)}/{type_hash}"

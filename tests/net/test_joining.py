@@ -1,0 +1,422 @@
+"""Joining, refusing, being lost, leaving: each in bounded time, and nothing of it moves a robot unasked."""
+
+import os
+import subprocess
+import sys
+import threading
+
+import pytest
+from geometry_msgs.msg import Twist
+from std_msgs.msg import String
+
+from coursekit.core.qos import Qos
+from coursekit.joined.ghosts import Named
+from coursekit.net import joining, opening
+from coursekit.net.errors import NoNetwork
+from coursekit.net.joining import join, leave, link_of
+from coursekit.net.opening import Credentials, open_client, open_router
+from coursekit.net.remote import RemotePublisher
+from coursekit.net.report import report
+from coursekit.net.wire.attachment import Attachment
+from coursekit.net.wire.moving import Punctual
+from coursekit.net.wire.token import read_token
+from coursekit.processes.session import Session
+
+from .sides import LIMIT, Inbox, free_port, network
+
+UNKNOWN = "@ros2_lv/0/ffee/1/2/MP/%/%/robot/%thing/my_msgs::msg::dds_::Thing_/RIHS01_ab/::,10:,:,:,,"
+
+
+def seen_by(side, holds):
+    """Wait until somebody else sees it."""
+    watch = side()
+    watch.until(lambda: holds(watch.graph))
+
+
+@pytest.fixture
+def session():
+    session = Session()
+    yield session
+    session.close()
+
+
+def test_nothing_is_joined_and_zenoh_is_not_imported_unless_asked():
+    code = (
+        "import sys, rclpy; from coursekit.lab import kernel; rclpy.init(); rclpy.create_node('n'); "
+        "print([one for one in sys.modules if one.split('.')[0] in ('zenoh', 'xxhash') or one.startswith('coursekit.net')])"
+    )
+    env = {name: value for name, value in os.environ.items() if name != "COURSEKIT_NETWORK"}
+    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, timeout=60)
+    assert done.stdout.strip() in ("['coursekit.net']", "[]"), done.stderr
+
+
+def test_the_virtual_clock_refuses_in_one_sentence():
+    session = Session(virtual=True)
+    with pytest.raises(NoNetwork) as refused:
+        join(session, 0, "tcp/127.0.0.1:7447")
+    assert str(refused.value).count(".") == 1 and "virtual clock" in str(refused.value)
+
+
+@pytest.mark.parametrize("text", ["", "udp/robot:1", "robot:99999", "a b", "tcp/robot:7447/x", "http://robot"])
+def test_what_is_no_address_is_told(session, text):
+    with pytest.raises(NoNetwork, match="is no address"):
+        join(session, 0, text)
+
+
+def test_where_nobody_listens_is_told(session):
+    with pytest.raises(NoNetwork, match="Nobody listens at tcp/127"):
+        join(session, 0, f"127.0.0.1:{free_port()}")
+
+
+def test_who_does_not_know_the_password_is_kept_out_in_bounded_time(session, tmp_path):
+    users, port = tmp_path / "users.txt", free_port()
+    users.write_text("class:secret\n", encoding="utf-8")
+    router = open_router([f"tcp/127.0.0.1:{port}"], users)
+    try:
+        for credentials in (Credentials(), Credentials("class", "wrong"), Credentials("other", "secret")):
+            with pytest.raises(NoNetwork, match="does not let"):
+                open_client(f"tcp/127.0.0.1:{port}", credentials, seconds=1.0)
+        open_client(f"tcp/127.0.0.1:{port}", Credentials("class", "secret")).close()
+    finally:
+        router.close()
+
+
+def test_a_port_that_is_no_routers_is_given_up(session):
+    import socket
+
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        address = f"tcp/127.0.0.1:{server.getsockname()[1]}"
+        with pytest.raises(NoNetwork, match="does not let this side in"):
+            open_client(address, seconds=1.0)
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/net/tcp"), reason="sockets are looked up where Linux tells them")
+def test_a_client_opens_no_port_and_the_router_only_its_own():
+    before = listening()
+    with network() as side:
+        side()
+        assert listening() - before == {("tcp", int(side.address.rpartition(":")[2]))}
+
+
+def listening():
+    """The kinds and ports of this interpreter's sockets at which others can call, or send to."""
+    links = [f"/proc/self/fd/{fd}" for fd in os.listdir("/proc/self/fd")]
+    mine = {os.readlink(link) for link in links if os.path.islink(link)}
+    found = set()
+    for kind in ("tcp", "tcp6", "udp", "udp6"):
+        with open(f"/proc/net/{kind}", encoding="ascii") as table:
+            rows = [line.split() for line in list(table)[1:]]
+        states = ("0A",) if kind.startswith("tcp") else ("07",)
+        ours = [row for row in rows if row[3] in states and f"socket:[{row[9]}]" in mine]
+        found |= {(kind, int(row[1].rpartition(":")[2], 16)) for row in ours}
+    return found
+
+
+def test_what_would_move_a_robot_is_told_before_anybody_knows_of_this_side(side, session):
+    robot = side()
+    robot.graph.add_node("base", "/r1").subscription("/cmd_vel", Twist, Qos())
+    graph = session.graph(0)
+    graph.add_node("teleop", "/").publisher("/cmd_vel", Twist, Qos())
+    asked = []
+    seen_by(side, lambda graph: "/cmd_vel" in graph.subscriptions)
+    with pytest.raises(NoNetwork, match="/teleop publishes /cmd_vel, /r1/base listens"):
+        join(session, 0, side.address, confirm=lambda moves: asked.extend(moves) or False)
+    assert asked == ["/teleop publishes /cmd_vel, /r1/base listens"]
+    robot.link.settle()
+    assert robot.names() == ["/r1/base"] and link_of(session, 0) is None
+    join(session, 0, side.address, confirm=lambda moves: True)
+    robot.until(lambda: "/teleop" in robot.names())
+
+
+def test_goals_of_actions_are_among_what_moves(side, session):
+    action = "/navigate_to_pose/_action/send_goal"
+    kind = Named("nav2_msgs/action/NavigateToPose_SendGoal")
+    robot = side()
+    robot.graph.add_node("bt_navigator", "/").server(action, kind, Qos())
+    seen_by(side, lambda graph: action in graph.servers)
+    session.graph(0).add_node("commander", "/").client(action, kind, Qos())
+    with pytest.raises(NoNetwork, match="/commander sends goals to /navigate_to_pose, /bt_navigator carries them out"):
+        join(session, 0, side.address)
+    join(session, 0, side.address, listen_only=True)
+
+
+def test_leaving_takes_the_others_out_and_joining_again_works(side, session):
+    other = side()
+    other.graph.add_node("robot", "/")
+    seen_by(side, lambda graph: graph.nodes)
+    for _ in range(2):
+        join(session, 0, side.address)
+        assert [node.full_name for node in session.graph(0).nodes] == ["/robot"]
+        assert leave(session, 0) and session.graph(0).nodes == []
+    assert not leave(session, 0)
+
+
+def test_a_session_that_closes_leaves(side):
+    other, session = side(), Session()
+    join(session, 0, side.address)
+    session.graph(0).add_node("guest", "/")
+    other.until(lambda: other.names() == ["/guest"])
+    session.close()
+    other.until(lambda: other.names() == [])
+
+
+def test_two_nodes_of_the_same_name_are_told_on_both_sides(side):
+    one, two = side(), side()
+    for each in (one, two):
+        each.graph.add_node("talker", "/")
+    for each in (one, two):
+        assert "__node:=talker_2" in each.until_told("Two nodes are called /talker")
+    assert "Two nodes are called /talker" in report(one.link)
+
+
+def test_an_unknown_type_is_listed_and_it_is_said_what_to_build(side):
+    one = side()
+    one.link.visitors.came(UNKNOWN)
+    assert one.graph.topics() == [("/thing", ["my_msgs/msg/Thing"])]
+    said = report(one.link)
+    assert "Unknown here: my_msgs/msg/Thing (/thing)" in said and "%colcon build --packages-select my_msgs" in said
+
+
+def test_the_report_tells_who_is_there_and_what_is_carried(side):
+    one, two = side(), side()
+    inbox = Inbox(two.graph.add_node("listener", "/").subscription("/chatter", String, Qos()))
+    publisher = one.graph.add_node("talker", "/").publisher("/chatter", String, Qos())
+    one.until(lambda: publisher.targets)
+    one.link.settle()
+    two.until(lambda: inbox.source in two.graph.publishers["/chatter"][0].targets)
+    two.link.settle()
+    publisher.publish(String(data="hello"))
+    inbox.take()
+    assert "/chatter  std_msgs/msg/String  1 messages" in report(two.link) and "on the way" in report(two.link)
+    assert "Others: 1" in report(one.link) and "/listener" in report(one.link)
+    assert report(None).startswith("No network")
+
+
+def test_a_lost_link_is_told_and_comes_back_with_all_that_was_there():
+    from .sides import Side
+
+    address = f"tcp/127.0.0.1:{free_port()}"
+    router = open_router([address])
+    one, two = Side(address), Side(address)
+    try:
+        one.link.begin()
+        two.link.begin()
+        publisher = one.graph.add_node("talker", "/").publisher("/chatter", String, Qos())
+        inbox = Inbox(two.graph.add_node("listener", "/").subscription("/chatter", String, Qos()))
+        one.until(lambda: publisher.targets)
+        router.close()
+        two.until_told(f"The link to {address} is gone")
+        two.until(lambda: two.names() == ["/listener"])
+        one.until(lambda: not publisher.targets)
+        one.link.settle()
+        publisher.publish(String(data="while nobody could hear"))
+        assert "THE LINK IS GONE" in report(two.link)
+        router = open_router([address])
+        two.until_told("is there again")
+        one.until(lambda: publisher.targets)
+        one.link.settle()
+        two.until(lambda: "/talker" in two.names() and two.graph.publishers["/chatter"][0].targets)
+        two.link.settle()
+        publisher.publish(String(data="after"))
+        assert inbox.take()[0].data == "after" and inbox.source.take() is None
+    finally:
+        one.link.close()
+        two.link.close()
+        router.close()
+
+
+# -- velocities
+
+
+def velocity(publisher, forward, number, stamp):
+    from coursekit.interfaces import cdr
+
+    twist = Twist()
+    twist.linear.x = forward
+    publisher.receive(cdr.serialize(twist), Attachment(number, stamp, bytes(16)))
+
+
+@pytest.fixture
+def driven(side):
+    """A robot here, and a publisher of velocities there."""
+    one = side()
+    subscription = one.graph.add_node("base", "/").subscription("/cmd_vel", Twist, Qos(depth=50))
+    text = "@ros2_lv/0/ffee/1/2/MP/%/%/teleop/%cmd_vel/geometry_msgs::msg::dds_::Twist_/X/::,10:,:,:,,"
+    one.link.visitors.came(text)
+    publisher = one.graph.publishers["/cmd_vel"][0]
+    assert isinstance(publisher, RemotePublisher) and read_token(text).name == "/cmd_vel"
+    yield subscription, publisher, lambda: one.link.visitors.left(text)
+
+
+def speeds(subscription):
+    found = []
+    while (entry := subscription.take()) is not None:
+        found.append(entry[0].linear.x)
+    return found
+
+
+def test_a_robot_is_stopped_when_who_drives_it_is_gone(driven):
+    subscription, publisher, go = driven
+    velocity(publisher, 0.5, 1, 0)
+    go()
+    assert speeds(subscription) == [0.5, 0.0]
+
+
+def test_a_robot_that_stands_gets_no_stop(driven):
+    subscription, publisher, go = driven
+    velocity(publisher, 0.5, 1, 0)
+    velocity(publisher, 0.0, 2, 1)
+    go()
+    assert speeds(subscription) == [0.5, 0.0]
+
+
+def test_velocities_that_waited_in_a_queue_are_not_carried_out(driven):
+    subscription, publisher, _ = driven
+    now = publisher.graph.clock.now()
+    velocity(publisher, 0.1, 1, now)
+    for number in range(2, 10):  # sent long before, here only now
+        velocity(publisher, 0.9, number, now - 5_000_000_000)
+    velocity(publisher, 0.2, 10, publisher.graph.clock.now())
+    assert speeds(subscription) == [0.1, 0.2]
+
+
+def test_another_computers_clock_may_be_wrong_and_may_be_set():
+    second, check = 1_000_000_000, Punctual()
+    hour = 3600 * second
+    assert not any(check.is_late(k * second // 10 + hour, k * second // 10) for k in range(20))
+    late = [check.is_late(k * second // 10, k * second // 10) for k in range(20, 80)]
+    assert late[0] and not late[-1]
+
+
+# -- whole interpreters
+
+PROGRAM = """
+import sys, rclpy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node(sys.argv[1])
+publisher = node.create_publisher(String, "chatter", 10)
+heard = lambda message: print("heard", message.data, flush=True) if message.data != sys.argv[1] else None
+subscription = node.create_subscription(String, "chatter", heard, 10)
+timer = node.create_timer(0.02, lambda: publisher.publish(String(data=sys.argv[1])))
+print("ready", flush=True)
+if "leave" in sys.argv:
+    rclpy.spin_once(node)
+else:
+    rclpy.spin(node)
+"""
+
+
+def program(address, *words, **environ):
+    env = dict(os.environ, COURSEKIT_NETWORK=address, COURSEKIT_ALONE="1", **environ)
+    command = [sys.executable, "-c", PROGRAM, *words]
+    return subprocess.Popen(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def until_line(child, wanted):
+    for line in child.stdout:
+        if line.strip() == wanted:
+            return
+    raise AssertionError(f"{wanted!r} was not said: {child.stderr.read()}")
+
+
+def test_programs_join_by_the_environment_and_one_that_is_killed_is_gone_at_once(side):
+    watch = side()
+    children = [program(side.address, "one"), program(side.address, "two")]
+    try:
+        until_line(children[0], "heard two")
+        until_line(children[1], "heard one")
+        watch.until(lambda: watch.names() == ["/one", "/two"])
+        children[0].kill()
+        watch.until(lambda: watch.names() == ["/two"])
+    finally:
+        for child in children:
+            child.kill()
+            child.communicate()
+
+
+COUNTING = """
+import sys, rclpy
+from std_msgs.msg import Int32
+rclpy.init()
+node = rclpy.create_node(sys.argv[1])
+if sys.argv[1] == "counter":
+    numbers, publisher = iter(range(10**9)), node.create_publisher(Int32, "count", 100)
+    timer = node.create_timer(0.01, lambda: publisher.publish(Int32(data=next(numbers))))
+else:
+    subscription = node.create_subscription(Int32, "count", lambda message: print(message.data, flush=True), 100)
+rclpy.spin(node)
+"""
+
+
+def test_programs_of_one_computer_that_both_join_hear_nothing_twice(side, tmp_path):
+    env = dict(os.environ, COURSEKIT_NETWORK=side.address, COURSEKIT_RUNTIME_DIR=str(tmp_path))
+    children = [
+        subprocess.Popen([sys.executable, "-c", COUNTING, name], env=env, stdout=subprocess.PIPE, text=True)
+        for name in ("counter", "listener")
+    ]
+    try:
+        heard = [int(children[1].stdout.readline()) for _ in range(50)]
+        assert heard == list(range(heard[0], heard[0] + 50))
+    finally:
+        for child in children:
+            child.kill()
+            child.communicate()
+
+
+def test_tests_join_nothing_by_the_environment(side, session, monkeypatch):
+    monkeypatch.setenv("COURSEKIT_NETWORK", side.address)
+    session.meet(0)
+    assert link_of(session, 0) is None
+
+
+def test_a_program_ends_by_itself_though_messages_come_in(side):
+    loud = program(side.address, "loud")
+    try:
+        until_line(loud, "ready")
+        quiet = program(side.address, "quiet", "leave")
+        assert quiet.wait(LIMIT) == 0, quiet.communicate()
+        assert "Traceback" not in quiet.communicate()[1]
+    finally:
+        loud.kill()
+        loud.communicate()
+
+
+def test_a_program_ends_by_itself_though_its_router_is_frozen(side, tmp_path):
+    import signal
+
+    from coursekit.systems.children import send_signal
+
+    port = free_port()
+    router = subprocess.Popen(
+        [sys.executable, "-m", "coursekit.cli.coursekit", "network", "serve", "--listen", f"tcp/127.0.0.1:{port}"],
+        stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    try:
+        assert f"%network tcp/127.0.0.1:{port}" in router.stdout.readline()
+        child = program(f"127.0.0.1:{port}", "one")
+        until_line(child, "ready")
+        send_signal(router, signal.SIGSTOP)
+        child.send_signal(signal.SIGINT)
+        child.communicate(timeout=LIMIT)
+    finally:
+        router.kill()
+        router.communicate()
+
+
+def test_a_program_whose_network_is_not_there_says_so_and_runs(side):
+    child = program(f"127.0.0.1:{free_port()}", "alone", "leave")
+    said = child.communicate(timeout=LIMIT)
+    assert child.returncode == 0 and "ready" in said[0] and "Nobody listens" in said[1]
+
+
+def test_an_engine_that_is_not_installed_is_told(monkeypatch, session):
+    monkeypatch.setitem(sys.modules, "zenoh", None)
+    with pytest.raises(NoNetwork, match=r'pip install "coursekit\[network\]"'):
+        join(session, 0, "127.0.0.1")
+    assert joining.link_of(session, 0) is None and opening.OPEN_SECONDS < LIMIT
+
+
+def test_a_call_that_never_returns_is_given_up():
+    with pytest.raises(NoNetwork, match="no"):
+        opening._within(threading.Event().wait, 0.01, "no")

@@ -21,6 +21,8 @@ ON_WINDOWS = (
     "C++ is not compiled on Windows, where only Python runs; in WSL it is: type `wsl --install`, and set the course up "
     "there as the README says for Ubuntu"
 )
+_SYSTEMS = {"windows": "Windows", "macos": "Darwin", "linux": "Linux"}
+"""CMake's names of systems, by zig's."""
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
 
 
@@ -39,6 +41,8 @@ class Toolchain:
     cmake: str
     ninja: str | None
     """None where make does its work."""
+    system: str | None = None
+    """CMake's name of the system that the programs are for, where it is another than this one."""
 
     def defines(self) -> dict[str, str]:
         """What CMake is to be told of them."""
@@ -47,6 +51,8 @@ class Toolchain:
             told |= {"CMAKE_AR": self.archiver[0], "CMAKE_RANLIB": self.archiver[1]}
         if self.ninja:
             told["CMAKE_MAKE_PROGRAM"] = self.ninja
+        if self.system:
+            told["CMAKE_SYSTEM_NAME"] = self.system
         return told
 
     @property
@@ -74,8 +80,22 @@ def find_toolchain() -> Toolchain:
     zig = _zig()
     if zig is None:
         raise NoToolchain(MISSING.format(what="C++ compiler"))
-    cxx, cc, ar, ranlib = (_as_program(zig, name) for name in ("c++", "cc", "ar", "ranlib"))
-    return Toolchain((cxx,), (cc,), (ar, ranlib), cmake, ninja)
+    return _of_zig(zig, cmake, ninja, f"{platform.machine()}-linux-gnu.2.28" if sys.platform == "linux" else None)
+
+
+def cross_toolchain(target: str) -> Toolchain:
+    """zig's tools that make programs for another computer, such as x86_64-windows-gnu or aarch64-macos; NoToolchain."""
+    zig, cmake = _zig(), _program("cmake", "CMAKE_BIN_DIR")
+    if zig is None or cmake is None:
+        raise NoToolchain(MISSING.format(what="zig" if zig is None else "CMake"))
+    system = next(name for word, name in _SYSTEMS.items() if word in target)
+    return _of_zig(zig, cmake, _program("ninja", "BIN_DIR"), target, system)
+
+
+def _of_zig(zig: str, cmake: str, ninja: str | None, target: str | None, system: str | None = None) -> Toolchain:
+    folder = cache_folder() / "zig" / (target if system and target else "")
+    cxx, cc, ar, ranlib = (_as_program(zig, folder / name, target) for name in ("c++", "cc", "ar", "ranlib"))
+    return Toolchain((cxx,), (cc,), (ar, ranlib), cmake, ninja, system)
 
 
 def _program(name: str, folder: str) -> str | None:
@@ -94,12 +114,12 @@ def _zig() -> str | None:
     return shutil.which("zig", path=str(Path(spec.submodule_search_locations[0])))
 
 
-def _as_program(zig: str, name: str) -> str:
+def _as_program(zig: str, path: Path, target: str | None) -> str:
     """A program that is one of zig's tools: CMake wants a program for each, and zig's usual flags are not a robot's."""
-    target = ["-target", f"{platform.machine()}-linux-gnu.2.28"] if sys.platform == "linux" else []
-    flags = [] if name in ("ar", "ranlib") else [*target, "-fno-sanitize=undefined"]  # what would trap goes on under g++
-    path = cache_folder() / "zig" / name
-    text = f'#!/bin/sh\nexec {shlex.quote(zig)} {name} {" ".join(flags)} "$@"\n'
+    flags = [] if path.name in ("ar", "ranlib") else ["-fno-sanitize=undefined"]  # what would trap goes on under g++
+    if flags and target:
+        flags = ["-target", target, *flags]
+    text = f'#!/bin/sh\nexec {shlex.quote(zig)} {path.name} {" ".join(flags)} "$@"\n'
     if not path.is_file() or read_text(path) != text:
         write_whole(path, text, 0o755, parents=True)
     return str(path)
@@ -124,4 +144,4 @@ def version_of(command: tuple[str, ...]) -> str:
     return f"{' '.join(command)}\n{done.stdout}"
 
 
-__all__ = ["NoToolchain", "Toolchain", "cache_folder", "find_toolchain", "version_of"]
+__all__ = ["NoToolchain", "Toolchain", "cache_folder", "cross_toolchain", "find_toolchain", "version_of"]

@@ -14,6 +14,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from coursekit.systems.children import apart
+
 from . import sandbox
 from .checking import judge_work
 from .exercise import Exercise, find
@@ -73,7 +75,7 @@ def examine(task: Task, limits: sandbox.Limits) -> Examined:
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        start_new_session=True,
+        **apart(),
     )
     running = sandbox.Sandboxed(child)
     timer = threading.Timer(limits.chapter, running.end, [f"marking it took longer than {limits.chapter:g} s"])

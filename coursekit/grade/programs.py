@@ -12,6 +12,7 @@ from collections import deque
 from pathlib import Path
 from typing import Any
 
+from coursekit.systems.inherited import opened
 from coursekit.wiring import COMMANDS, load
 
 from .limited import end_with_parent
@@ -58,7 +59,7 @@ class Programs:
 def main() -> int:
     """Join the watcher."""
     end_with_parent()
-    read, write = (int(one) for one in sys.argv[1:3]) if len(sys.argv) == 3 else (os.dup(0), os.dup(1))
+    read, write = map(opened, sys.argv[1:3]) if len(sys.argv) == 3 else (os.dup(0), os.dup(1))
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1):  # what a program writes past sys.stdout is no frame
         os.dup2(nothing, number)

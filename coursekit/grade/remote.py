@@ -15,6 +15,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from coursekit.systems.inherited import name_for_child
 from coursekit.systems.pipes import readable
 
 from . import folders, sandbox
@@ -212,10 +213,10 @@ class RemoteWork(Work):
         there, back = os.pipe(), os.pipe()
         started: list[sandbox.Sandboxed] = []
         try:
-            command = [*WATCHER, str(GIVES_WAY), str(back[0]), str(there[1])]
+            command = [*WATCHER, str(GIVES_WAY), name_for_child(back[0]), name_for_child(there[1])]
             pipes = (back[0], there[1])
             started.append(sandbox.start(command, folder, env, self._limits, writable=False, pipes=pipes))
-            command = [*PROGRAMS, str(there[0]), str(back[1])]
+            command = [*PROGRAMS, name_for_child(there[0]), name_for_child(back[1])]
             started.append(sandbox.start(command, folder, env, self._limits, pipes=(there[0], back[1])))
             for one in (*there, *back):
                 os.close(one)

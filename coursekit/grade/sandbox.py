@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import functools
 import os
-import signal
 import subprocess
 import sys
 import tempfile
@@ -20,7 +19,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from coursekit.systems import which
+from coursekit.systems import children, inherited, which
 
 from . import folders
 from .confined import SERVICE_VARIABLES, confined
@@ -29,6 +28,8 @@ PACKAGE = Path(__file__).resolve().parents[1]
 _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/fonts", "/etc/ld.so.cache")
 _BWRAP = ("/usr/bin/bwrap", "/usr/local/bin/bwrap", "/bin/bwrap")
 _NOBODY = "65534"
+_WINDOWS = ("SYSTEMROOT", "SYSTEMDRIVE", "WINDIR", "COMSPEC", "PATHEXT", "LOCALAPPDATA", "APPDATA")
+"""What programs of Windows need to begin at all: sockets and dice are found by them."""
 _HIDDEN = ("grade/chapters",)
 """Folders of the package that hold what is asked and what is right."""
 
@@ -95,10 +96,8 @@ class Sandboxed:
         """End it and all that it started; the first reason is kept."""
         if why and not self.stopped:
             self.stopped, self.timed_out = why, timed_out
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(self.child.pid, signal.SIGKILL)
-        with contextlib.suppress(ProcessLookupError):
-            self.child.kill()
+        if self.child.poll() is None or not which.WINDOWS:  # there nothing is known of what an ended program had started
+            children.end_family(self.child)
         self.child.wait()
         self._ended.set()
         if self.scratch is not None:
@@ -162,8 +161,8 @@ def start(
         stderr=subprocess.DEVNULL,
         cwd=work,
         env=inside | around,
-        start_new_session=True,
-        pass_fds=tuple(pipes),
+        **children.apart(),
+        **inherited.given(pipes),
     )
     running = Sandboxed(child, scratch)
     threading.Thread(target=_watch, args=(running, work if writable else None, limits), daemon=True).start()
@@ -176,6 +175,10 @@ def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratc
     kept = {name: value for name, value in env.items() if name in wanted or name.startswith("COURSEKIT_")}
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])
     home = str(work) if writable else scratch
+    if which.WINDOWS:
+        kept |= {name: env[name] for name in _WINDOWS if name in env}
+        kept |= {"USERPROFILE": home, "TEMP": scratch, "TMP": scratch}
+        path = os.pathsep.join([str(Path(sys.executable).parent), env.get("PATH", "")])
     quiet = {"PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "COLUMNS": "120", "NUMBA_CACHE_DIR": f"{scratch}/.numba"}
     single = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
     return {**kept, **quiet, **single, "PATH": path, "HOME": home, "USER": "student", "TMPDIR": scratch}
@@ -214,6 +217,8 @@ def _python_folders() -> list[str]:
 
 
 def _limited(limits: Limits) -> list[str]:
+    if which.WINDOWS:  # a program cannot become another one there, nor limit itself: the watcher is all there is
+        return []
     return [sys.executable, "-I", str(Path(__file__).with_name("limited.py")), str(limits.memory), str(limits.processes),
             str(limits.file), str(int(limits.seconds) + 1), "--"]  # fmt: skip
 
@@ -248,19 +253,19 @@ def _excess(pid: int, limits: Limits) -> str:
 
 def _family(pid: int) -> list[tuple[int, int]]:
     """(pid, resident bytes) of a process and all that it started."""
-    children: dict[int, list[tuple[int, int]]] = {}
-    if not Path("/proc/self/stat").exists():
+    started: dict[int, list[tuple[int, int]]] = {}
+    if which.WINDOWS or not Path("/proc/self/stat").exists():  # Wine shows that of Linux
         return []
     page = os.sysconf("SC_PAGE_SIZE")
     for entry in os.scandir("/proc"):
         if entry.name.isdigit():
             with contextlib.suppress(OSError, ValueError, IndexError):
                 fields = Path(entry.path, "stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()
-                children.setdefault(int(fields[1]), []).append((int(entry.name), int(fields[21]) * page))
+                started.setdefault(int(fields[1]), []).append((int(entry.name), int(fields[21]) * page))
     found: list[tuple[int, int]] = []
     waiting = [pid]
     while waiting:
-        for child in children.get(waiting.pop(), ()):
+        for child in started.get(waiting.pop(), ()):
             found.append(child)
             waiting.append(child[0])
     return found

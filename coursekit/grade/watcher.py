@@ -17,6 +17,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from coursekit.systems.inherited import opened
 from coursekit.wiring import COMMANDS, load
 
 from .plan import MESSAGES, Plan, Seen
@@ -143,7 +144,7 @@ def main() -> int:
         os.dup2(nothing, number)
     patience, *pipes = sys.argv[1:]
     child = None if pipes else _other_side()
-    read, write = (int(one) for one in pipes) if child is None else (child.stdout.fileno(), child.stdin.fileno())
+    read, write = map(opened, pipes) if child is None else (child.stdout.fileno(), child.stdin.fileno())
 
     def answer(facts: dict[str, Any]) -> None:
         if child is not None:

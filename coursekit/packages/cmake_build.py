@@ -72,11 +72,11 @@ async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[by
 def _words(context: Any, tools: Toolchain) -> list[str]:
     args = context.args
     linking = "ON" if getattr(args, "symlink_install", False) else "OFF"
-    facts = _initial_cache(Path(args.build_base), Path(args.install_base), tools)
+    facts = initial_cache(Path(args.build_base), Path(args.install_base), tools)
     return ["-G", tools.generator, "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
 
 
-def _initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
+def initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
     """A file of what CMake is told of this computer: unlike words on the command line, such need not all be used."""
     facts = {
         **tools.defines(),

@@ -24,7 +24,8 @@ from .unavailable_packages import remark, remark_on_executable
 if TYPE_CHECKING:
     from .session import Session
 
-_PROGRAMS = (b"\x7fELF", b"\xcf\xfa\xed\xfe")
+_PROGRAMS = (b"\x7fELF", b"\xcf\xfa\xed\xfe", b"MZ")
+"""How programs begin: Linux's, those of a Mac, Windows'."""
 _LINK = b"COURSEKIT_LINK"
 """The runtime's word for its address, which only programs hold that are linked with it."""
 _HOW = (
@@ -151,7 +152,7 @@ def is_compiled_here(path: Path) -> bool:
     if UNDERLAY in path.parents:
         return False
     with open(path, "rb") as file:
-        if file.read(4) not in _PROGRAMS:
+        if not file.read(4).startswith(_PROGRAMS):
             return False
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             return data.find(_LINK) >= 0

@@ -50,6 +50,18 @@ def _send_on_windows(child: subprocess.Popen[Any], signum: int) -> None:
         child.terminate()
 
 
+def end_family(child: subprocess.Popen[Any]) -> None:
+    """End a child that began `apart`, and all that it has started, at once."""
+    if which.WINDOWS:
+        with contextlib.suppress(OSError):
+            subprocess.run(["taskkill", "/F", "/T", "/PID", str(child.pid)], stdin=subprocess.DEVNULL, capture_output=True)
+    else:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(child.pid, signal.SIGKILL)
+    with contextlib.suppress(OSError):
+        child.kill()
+
+
 def interrupt_self() -> None:
     """Press Ctrl-C in this program; from any thread, and its main one sees it."""
     if which.WINDOWS:  # os.kill would end the program there

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import select
 import time
 from collections.abc import Sequence
@@ -36,16 +37,52 @@ def readable(pipe: int, seconds: float) -> bool:
 
 
 def wait_readable(sources: Sequence[Any], seconds: float | None = None) -> list[Any]:
-    """Which pipes and sockets have something to read, or their end; waits for the first, at most so many real seconds.
-
-    Not on Windows, where only sockets can be waited for together.
+    """Which pipes (numbers) and sockets have something to read, or their end; waits at most so many real seconds.
 
     >>> import socket
     >>> one, other = socket.socketpair()
     >>> other.send(b"x"), wait_readable([one, other]) == [one]
     (1, True)
     """
-    return list(_select(sources, [], [], seconds)[0])
+    if not which.WINDOWS:
+        return list(_select(sources, [], [], seconds)[0])
+    pipes = [one for one in sources if isinstance(one, int)]
+    sockets = [one for one in sources if not isinstance(one, int)]
+    give_up = None if seconds is None else _now() + seconds
+    while True:
+        left = None if give_up is None else max(0.0, give_up - _now())
+        ready = [one for one in pipes if peek(one)]
+        ready += _ready_sockets(sockets, 0.0 if ready else _step(left, bool(pipes)))
+        if ready or left == 0.0:
+            return ready
+
+
+def _step(left: float | None, has_pipes: bool) -> float | None:
+    """How long sockets alone are waited for."""
+    if not has_pipes:
+        return left
+    return STEP if left is None else min(STEP, left)
+
+
+def _ready_sockets(sockets: list[Any], seconds: float | None) -> list[Any]:
+    """Windows refuses to wait for no socket at all."""
+    if sockets:
+        return list(_select(sockets, [], [], seconds)[0])
+    _sleep(seconds or 0.0)
+    return []
+
+
+def never_wait(pipe: int) -> None:
+    """From now on reading the pipe by `read_now` waits for nothing."""
+    if not which.WINDOWS:
+        os.set_blocking(pipe, False)
+
+
+def read_now(pipe: int, size: int) -> bytes:
+    """What is there, at most so many bytes, empty at the end; BlockingIOError when nothing has come yet."""
+    if which.WINDOWS and not peek(pipe):
+        raise BlockingIOError
+    return os.read(pipe, size)
 
 
 def peek(pipe: int) -> bool:

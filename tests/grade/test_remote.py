@@ -13,6 +13,7 @@ from coursekit.grade.plain import called
 from coursekit.grade.remote import RemoteWork
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.verdict import Wrong
+from tests.needs import posix
 
 CELL = """
 state = {"holding": False, "odd": object()}
@@ -91,6 +92,7 @@ os.truncate(src / "huge", 60_000_000)
 """
 
 
+@posix("there are no pipes in folders, nor devices")
 def test_pipes_devices_links_and_huge_files_are_told_at_once(work):
     assert work.run(HOSTILE, 10) == ""
     work.finish(10)

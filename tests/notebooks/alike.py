@@ -12,6 +12,9 @@ import math
 import re
 from typing import Any
 
+from coursekit.interfaces.find import UNDERLAY
+
+_UNDERLAY = re.sub(r"^[A-Za-z]:", "", UNDERLAY.as_posix())
 RULES = (
     (re.compile(r"\r\n"), "\n"),
     (re.compile(r"\\+"), "/"),  # two of them in a repr
@@ -19,6 +22,8 @@ RULES = (
     (re.compile(r"(?<=\w)\.exe\b"), ""),
     (re.compile(r"\b[Ll]ib/(python3\.\d+/)?site-packages\b"), "lib/site-packages"),
     (re.compile(r"\bScripts\b"), "bin"),
+    (re.compile(re.escape(_UNDERLAY)), "<underlay>"),  # chapters replace it themselves, but not in the repr of a path
+    (re.compile(r"(?<=no file )/\w+(/[\w.]+)/(?!\w)"), r"\1"),  # file://HOST/NAME is a folder of another computer there
 )
 """What Windows writes otherwise, and what stands for it in both texts that are compared."""
 

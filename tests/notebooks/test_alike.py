@@ -3,6 +3,8 @@
 import nbformat
 import pytest
 
+from coursekit.interfaces.find import UNDERLAY
+
 from .alike import Output, alike
 from .store import WIDGET, number_widgets
 
@@ -16,6 +18,8 @@ from .store import WIDGET, number_widgets
         ("install\\s2\\Lib\\site-packages\\s2", "install/s2/lib/python3.11/site-packages/s2"),
         ("ros2 lies in the folder Scripts", "ros2 lies in the folder bin"),
         ("a\r\nb", "a\nb"),
+        (f"searching: {[str(UNDERLAY)]}", "searching: ['<underlay>']"),
+        ("there is no file \\\\meshes\\cone.stl\\", "there is no file /cone.stl"),
     ],
 )
 def test_what_differs_by_system_only_is_alike(here, there):

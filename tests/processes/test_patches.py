@@ -31,9 +31,11 @@ VOLATILE = {
 def fingerprint():
     'Which object stands at every name of what could be replaced.'
     asyncio.get_event_loop_policy()  # made when it is asked for
-    there = [name for name in MODULES if importlib.util.find_spec(name)]  # Windows has some, other systems others
-    for name in there:
-        importlib.import_module(name)
+    there = []
+    for name in MODULES:
+        with contextlib.suppress(ImportError):  # Windows has some, other systems others
+            importlib.import_module(name)
+            there.append(name)
     places = {name: pkgutil.resolve_name(name) for name in [*there, *CLASSES]}
     seen = {
         f"{place}.{name}": value

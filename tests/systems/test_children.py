@@ -5,9 +5,11 @@ import signal
 import subprocess
 import sys
 
+import psutil
 import pytest
 
 from coursekit.systems import children, which
+from tests.needs import real_windows
 
 
 class Child:
@@ -75,3 +77,21 @@ def test_a_python_child_writes_utf8_whatever_the_code_page(windows):
     done = subprocess.run([sys.executable, "-c", "print('ñ ✓')"], env={**env, "LC_ALL": "C"}, capture_output=True)
     assert done.stdout.decode().splitlines() == ["ñ ✓"]
     assert children.with_utf8({"PYTHONUTF8": "0"}) == {"PYTHONUTF8": "0"}
+
+
+PARENT = """
+import subprocess, sys
+child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(300)"])
+print(child.pid, flush=True)
+child.wait()
+"""
+
+
+@real_windows("its taskkill ends a program without what that has started")
+def test_the_end_of_a_family_is_that_of_what_a_child_has_started_too():
+    child = subprocess.Popen([sys.executable, "-c", PARENT], stdout=subprocess.PIPE, **children.apart())
+    started = psutil.Process(int(child.stdout.readline()))
+    children.end_family(child)
+    child.communicate()
+    psutil.wait_procs([started], timeout=20)
+    assert not started.is_running() or started.status() == psutil.STATUS_ZOMBIE

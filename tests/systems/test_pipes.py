@@ -1,6 +1,7 @@
 """A pipe is waited for: with select where it knows pipes, else by looking into it."""
 
 import os
+import socket
 
 import pytest
 
@@ -47,3 +48,31 @@ def test_on_windows_the_end_is_seen_at_once(windows):
     os.close(write)
     with pytest.raises(Broken, match="it ended"):
         Pipe(read, read).receive(1.0)
+
+
+def test_a_pipe_and_a_socket_are_waited_for_together():
+    one, other = socket.socketpair()
+    read, write = os.pipe()
+    with one, other:
+        assert pipes.wait_readable([one, read], 0.0) == []
+        os.write(write, b"x")
+        assert pipes.wait_readable([one, read]) == [read]
+        other.send(b"x")
+        assert set(pipes.wait_readable([one, read])) == {one, read}
+        os.read(read, 1)
+        assert pipes.wait_readable([one, read]) == [one]
+        os.close(write)
+        assert set(pipes.wait_readable([one, read])) == {one, read}  # the end is something, too
+    os.close(read)
+
+
+def test_reading_at_once_tells_nothing_yet_from_the_end():
+    read, write = os.pipe()
+    pipes.never_wait(read)
+    with pytest.raises(BlockingIOError):
+        pipes.read_now(read, 10)
+    os.write(write, b"\x1a\r\n")
+    assert pipes.read_now(read, 10) == b"\x1a\r\n"
+    os.close(write)
+    assert pipes.read_now(read, 10) == b""
+    os.close(read)

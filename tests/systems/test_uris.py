@@ -14,6 +14,7 @@ from coursekit.urdf.resources import find_file
         ("file:///d:/a b.stl", "d:/a b.stl"),
         ("file://server/share/arm.stl", "//server/share/arm.stl"),
         ("file:///no/drive", "/no/drive"),
+        ("file://C:/Users/vera/arm.stl", "C:/Users/vera/arm.stl"),
     ],
 )
 def test_on_windows_a_file_is_where_its_uri_says(monkeypatch, uri, path):

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from . import leg, pieces, results, setup, wine
 
 NO_WINE = "Windows: SKIPPED, there is no Wine (Debian: apt-get install wine64; it is for x86-64 only)."
-TODO: dict[str, Callable[[list[str]], list[pieces.Piece | pieces.InChromium]]] = {
+TODO: dict[str, Callable[[list[str]], list[pieces.Piece | pieces.FromOutside]]] = {
     "fast": lambda _: [*pieces.FAST],
     "all": lambda _: pieces.everything(),
     "only": pieces.named,
@@ -44,7 +44,7 @@ def main(words: list[str]) -> int:
         wine.stop_services()
 
 
-def run(todo: list[pieces.Piece | pieces.InChromium]) -> int:
+def run(todo: list[pieces.Piece | pieces.FromOutside]) -> int:
     """Run all pieces, whatever becomes of each, and say what became of them; the exit code of the first that fails."""
     names = [piece.name for piece in todo]
     results.forget(names)

@@ -46,28 +46,40 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class InChromium:
-    """JupyterLab of Windows' Python, which a Chromium outside of Wine opens."""
+class FromOutside:
+    """Tests that begin outside of Wine: with a Chromium, or a compiler."""
 
-    name: str = "JupyterLab"
+    name: str
+    path: str
 
     def run(self) -> int:
         """pytest's exit code."""
-        command = [
-            sys.executable,
-            "-m",
-            "pytest",
-            f"--junitxml={results.file_of(self.name)}",
-            "tests/browser/test_windows.py",
-        ]
+        command = [sys.executable, "-m", "pytest", f"--junitxml={results.file_of(self.name)}", self.path]
         return subprocess.run(command, cwd=wine.ROOT, env=os.environ | {"COURSEKIT_WINE_LAB": "1"}, check=False).returncode
+
+
+OUTSIDE = (
+    FromOutside("JupyterLab", "tests/browser/test_windows.py"),
+    FromOutside("C++", "tests/windows/test_cpp.py"),
+)
+"""A student's way in the lab of Windows' Python; nodes in C++ that zig compiles for Windows."""
 
 
 def chapter(name: str) -> Piece:
     """A chapter by its number or letter: its outputs are compared, on the virtual clock."""
-    [file] = (wine.ROOT / "notebooks").glob(f"{name.zfill(2) if name.isdigit() else name}_*.ipynb")
+    return chapters(name)
+
+
+def chapters(*names: str) -> Piece:
+    """Chapters side by side."""
+    files = [_file_of(name) for name in names]
     words = ("-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", CELL_SECONDS, "--timeout", "900")
-    return Piece(f"chapter {name}", (f"notebooks/{file.name}",), words, chapters=True)
+    return Piece(f"chapter{'s' * (len(names) > 1)} {' '.join(names)}", tuple(files), words, chapters=True)
+
+
+def _file_of(chapter: str) -> str:
+    [file] = (wine.ROOT / "notebooks").glob(f"{chapter.zfill(2) if chapter.isdigit() else chapter}_*.ipynb")
+    return f"notebooks/{file.name}"
 
 
 def fast(name: str, *without: str) -> Piece:
@@ -87,15 +99,15 @@ def every_room() -> list[str]:
     return [name for name in folders if name not in NOT_IN_WINE]
 
 
-def everything() -> list[Piece | InChromium]:
+def everything() -> list[Piece | FromOutside]:
     """All chapters and tests, the quickest to tell something first; the docstrings' examples are tests, too."""
     rooms = every_room()
     loose = tuple(f"tests/{one.name}" for one in sorted((wine.ROOT / "tests").glob("test_*.py")))
     beside = [Piece("files", loose), Piece("docstrings", ("coursekit",))]
-    return [*map(chapter, EVERY_CHAPTER), InChromium(), *map(fast, rooms), *beside, *map(slow, rooms)]
+    return [*map(chapter, EVERY_CHAPTER), *OUTSIDE, *map(fast, rooms), *beside, *map(slow, rooms)]
 
 
-def named(names: Iterable[str]) -> list[Piece | InChromium]:
+def named(names: Iterable[str]) -> list[Piece | FromOutside]:
     """Pieces by their names; SystemExit lists the names when there is none such."""
     known = {piece.name: piece for piece in everything()}
     if wrong := [name for name in names if name not in known]:
@@ -106,5 +118,5 @@ def named(names: Iterable[str]) -> list[Piece | InChromium]:
 FAST = [*map(fast, ROOMS), *map(chapter, CHAPTERS)]
 _BUILDS = ("test_build_state.py", "test_colcon.py", "test_links.py", "test_quiet.py")
 """They build for minutes, and Wine 8 refuses to start one of some twenty programs (WinError 1359) on a busy computer."""
-IN_CI = [fast("systems"), chapter("0"), fast("launch"), chapter("1"), fast("packages", *_BUILDS)]
+IN_CI = [fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8")]
 """What passed every time that it was run, in the order of what it tells of Windows for its time."""

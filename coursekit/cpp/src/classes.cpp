@@ -1,6 +1,4 @@
 // The classes that this program and the libraries it has loaded have.
-#include <dlfcn.h>
-
 #include <map>
 #include <utility>
 #include <mutex>
@@ -8,6 +6,7 @@
 #include "ament_index_cpp/get_package_prefix.hpp"
 #include "class_loader/exceptions.hpp"
 #include "class_loader/registry.hpp"
+#include "system.hpp"
 
 namespace class_loader::registry
 {
@@ -53,10 +52,11 @@ void load(const std::string & path)
     return;
   }
   std::string before = std::exchange(known().loading, path);
-  void * library = dlopen(found(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  std::string reason;
+  void * library = coursekit::load_library(found(path), reason);
   known().loading = before;
   if (!library) {
-    throw LibraryLoadException("Could not load library " + path + ": " + dlerror());
+    throw LibraryLoadException("Could not load library " + path + ": " + reason);
   }
   known().loaded[path] = library;
 }

@@ -3,16 +3,11 @@
 // A frame is: length of the rest (4 bytes), kind (1), then
 //   up:   'Q' question | 'N' note: name s, packed words;  'R' return of a callback: packed;  'E' it threw
 //   down: 'A' answer | 'X' refusal (kind s, text s) | 'C' call (handler i), each after system i, steady i, flags i
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
-#include <iostream>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -48,9 +43,9 @@ struct Closed {};
 class Link
 {
 public:
-  explicit Link(int fd)
-  : fd_(fd) {}
-  ~Link() {close(fd_);}
+  explicit Link(Connection connection)
+  : connection_(connection) {}
+  ~Link() {close_connection(connection_);}
 
   Unpacker ask(const char * what, const Packer & with)
   {
@@ -101,15 +96,8 @@ private:
     std::string frame(reinterpret_cast<const char *>(&size), 4);
     frame += kind;
     frame += body;
-    for (size_t at = 0; at < frame.size(); ) {
-      ssize_t n = ::send(fd_, frame.data() + at, frame.size() - at, MSG_NOSIGNAL);
-      if (n < 0 && errno == EINTR) {
-        continue;
-      }
-      if (n <= 0) {
-        throw Closed();
-      }
-      at += static_cast<size_t>(n);
+    if (!send_all(connection_, frame.data(), frame.size())) {
+      throw Closed();
     }
   }
   Unpacker receive()
@@ -135,23 +123,19 @@ private:
   }
   void fill()
   {
-    ssize_t got;
-    do {
-      got = recv(fd_, buffer_, sizeof(buffer_), 0);
-    } while (got < 0 && errno == EINTR);
-    if (got <= 0) {
+    begin_ = 0;
+    end_ = receive_some(connection_, buffer_, sizeof(buffer_));
+    if (!end_) {
       throw Closed();
     }
-    begin_ = 0;
-    end_ = static_cast<size_t>(got);
   }
 
-  int fd_;
+  Connection connection_;
   char buffer_[65536];
   size_t begin_ = 0, end_ = 0;
 };
 
-thread_local int t_fd = -1;
+thread_local Connection t_connection = NO_CONNECTION;
 thread_local bool t_is_main = false;
 thread_local Link * t_link = nullptr;
 /// Closes a thread's connection when it ends. The main thread's stays: global nodes are destroyed after what is thread_local.
@@ -171,8 +155,8 @@ Link & link()
 {
   if (!t_link) {
     t_end.is_used = true;
-    bool given = t_fd >= 0;
-    t_link = new Link(given ? t_fd : connect_to_session(THREAD));
+    bool given = t_connection != NO_CONNECTION;
+    t_link = new Link(given ? t_connection : connect_to_session(THREAD));
     t_link->wait();  // the session says when this thread may begin
   }
   return *t_link;
@@ -184,7 +168,7 @@ auto guarded(F talk)
   try {
     return talk();
   } catch (const Closed &) {
-    _exit(1);
+    _Exit(1);
   }
 }
 
@@ -197,12 +181,16 @@ void * work(void *)
   }
   return nullptr;
 }
-/// Makes a thread whenever the session has a callback for which the program has none.
-void * obey(void * fd)
+/// Makes a thread whenever the session has a callback for which the program has none, and obeys a signal that comes this way.
+void * obey(void * control)
 {
   char wish;
-  while (recv(static_cast<int>(reinterpret_cast<intptr_t>(fd)), &wish, 1, 0) == 1) {
-    start_real_thread(work, nullptr);
+  while (receive_some(reinterpret_cast<Connection>(control), &wish, 1)) {
+    if (wish == WORKER) {
+      start_real_thread(work, nullptr);
+    } else {
+      obey_signal(wish);
+    }
   }
   return nullptr;
 }
@@ -214,38 +202,34 @@ struct AtStart
 {
   AtStart()
   {
-    setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // as in a terminal
+    print_as_in_a_terminal();
     if (!getenv("COURSEKIT_LINK")) {
       return;
     }
-    int control = connect_to_session(CONTROL);
+    Connection control = connect_to_session(CONTROL);
     use_connection(connect_to_session(MAIN));
     t_is_main = true;
     begin_thread();
-    start_real_thread(obey, reinterpret_cast<void *>(static_cast<intptr_t>(control)));
+    start_real_thread(obey, reinterpret_cast<void *>(control));
   }
 } at_start;
 }  // namespace
 
-int connect_to_session(Purpose purpose)
+Connection connect_to_session(Purpose purpose)
 {
-  const char * path = getenv("COURSEKIT_LINK");
-  if (!path) {
+  const char * address = getenv("COURSEKIT_LINK");
+  if (!address) {
     fprintf(stderr, "This program was built for coursekit: start it with `ros2 run` or a launch file.\n");
-    _exit(127);
+    _Exit(127);
   }
-  int fd = socket(AF_UNIX, SOCK_STREAM, 0);
-  fcntl(fd, F_SETFD, FD_CLOEXEC);
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  strncpy(address.sun_path, path, sizeof(address.sun_path) - 1);
+  Connection connection = open_connection(address);
   char first = purpose;
-  if (connect(fd, reinterpret_cast<sockaddr *>(&address), sizeof(address)) || ::send(fd, &first, 1, MSG_NOSIGNAL) != 1) {
-    _exit(127);
+  if (connection == NO_CONNECTION || !send_all(connection, &first, 1)) {
+    _Exit(127);
   }
-  return fd;
+  return connection;
 }
-void use_connection(int fd) {t_fd = fd;}
+void use_connection(Connection connection) {t_connection = connection;}
 void begin_thread() {guarded([] {link();});}
 void serve_calls() {link().wait();}
 

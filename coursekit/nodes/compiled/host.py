@@ -13,7 +13,6 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import threading
 from pathlib import Path
 from typing import Any
@@ -40,18 +39,21 @@ from coursekit.nodes.compiled import (
     waiting,
 )
 from coursekit.nodes.compiled.channel import Channel, Gone
+from coursekit.nodes.compiled.door import open_door
 from coursekit.nodes.compiled.frames import Unpacker
 from coursekit.nodes.compiled.output import ChildOutput
 from coursekit.nodes.compiled.workers import Workers
 from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
-from coursekit.systems import children
+from coursekit.systems import children, which
 from coursekit.systems.signal_names import signal_called
 
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
 _COMPUTE_LIMIT_S = 60.0
+_ENDED_BY_CTRL_C = 0xC000013A
+"""The exit code of a program of Windows that Ctrl-C has ended."""
 _IDLE_WEIGHT = 250
 """Questions that one which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
 _TOO_LONG = (
@@ -110,6 +112,8 @@ class Host:
         self.context = contextvars.copy_context()
         self.caught: set[int] = set()
         """The signals that end what the program waits for, and not the program."""
+        self._signalled = 0
+        """The last signal that the program was given."""
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
         self._workers = Workers(self.clock, lambda: self.accept()[1])
@@ -124,34 +128,34 @@ class Host:
 
     def run(self) -> int:
         """Run it to its end; its exit code, negative where a signal ended it."""
-        with tempfile.TemporaryDirectory(prefix="coursekit-") as folder, socket.socket(socket.AF_UNIX) as self._server:
-            address = os.path.join(folder, "link")
-            self._server.bind(address)
-            self._server.listen(64)
+        self._door = open_door()
+        try:
             self._child = subprocess.Popen(
                 [self.path, *self.argv],
-                env={**self.process.env, "COURSEKIT_LINK": address},
+                env={**self.process.env, "COURSEKIT_LINK": self._door.address},
                 cwd=self.process.cwd,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
-                start_new_session=True,
+                **children.apart(),
             )
             self.output = ChildOutput(self._child, self.process.out.write)
             for number in (signal.SIGINT, signal.SIGTERM):
                 self.process.handlers[number] = self._on_signal
             self.process.cleanups.append(self._kill)
             return self._stand_for_it() if self.clock.virtual else self._stand_by()
+        finally:
+            self._door.close()
 
     def _stand_for_it(self) -> int:
         """On the virtual clock: one thing at a time, so the order of all that happens is fixed."""
-        if self.output.wait_for(self._server):
+        if self.output.wait_for(self._door.listening):
             self.accept()[1].serve()
         self.over = True
-        code = self._child.wait()
+        self._child.wait()
         self.output.drain()
         self._workers.end()
-        return code
+        return self._code()
 
     def _stand_by(self) -> int:
         ended = self.clock.new_event()
@@ -162,9 +166,14 @@ class Host:
         self._wake()
         for channel in list(self._channels):  # what it said last is still to be carried out
             channel.ended.wait(_LAST_WORDS_S)
-        self._server.shutdown(socket.SHUT_RDWR)
+        self._door.close()
         self._workers.end()
-        return self._child.returncode
+        return self._code()
+
+    def _code(self) -> int:
+        """The exit code of the program, which has ended; minus the signal where that ended it."""
+        code = self._child.returncode
+        return -self._signalled if which.WINDOWS and code == _ENDED_BY_CTRL_C and self._signalled else code
 
     def _watch(self, ended: Any) -> None:
         self.output.pass_all_on()
@@ -173,7 +182,7 @@ class Host:
 
     def accept(self) -> tuple[bytes, Channel]:
         """The next connection: its purpose and its channel."""
-        connection, _ = self._server.accept()
+        connection = self._door.accept()
         purpose = connection.recv(1)
         if purpose == b"C":
             self._workers.ask_by(connection)
@@ -197,9 +206,16 @@ class Host:
             self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
         self.stopping = True
         self._wake()
+        self._pass_on(signum)
+        self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
+
+    def _pass_on(self, signum: int) -> None:
+        """Give the program a signal: over its connection on Windows, where a program without a console hears of none."""
+        self._signalled = signum
+        if which.WINDOWS and self._workers.tell_signal(signum):
+            return
         if self._child.poll() is None:
             children.send_signal(self._child, signum)
-        self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
 
     def _wake(self) -> None:
         """Have whoever waits in the program's stead look at what has happened."""

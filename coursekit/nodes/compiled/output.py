@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import socket
 import subprocess
 import threading
@@ -10,7 +9,7 @@ from collections.abc import Callable
 from time import monotonic as _now  # the real one: in a process that of `time` is the session's
 from typing import Any
 
-from coursekit.systems.pipes import wait_readable
+from coursekit.systems.pipes import never_wait, read_now, wait_readable
 
 
 class ChildOutput:
@@ -22,7 +21,7 @@ class ChildOutput:
         self._write = write
         self._lock = threading.Lock()
         for pipe in self._streams:
-            os.set_blocking(pipe, False)
+            never_wait(pipe)
 
     def drain(self) -> None:
         """Pass on what is there."""
@@ -33,7 +32,7 @@ class ChildOutput:
 
     def _pass_on(self, pipe: int) -> bool:
         try:
-            data = os.read(pipe, 65_536)
+            data = read_now(pipe, 65_536)
         except BlockingIOError:
             return False
         if not data:

@@ -34,6 +34,14 @@ class Workers:
         """The program makes a thread for each W that this connection brings."""
         self._control = control
 
+    def tell_signal(self, number: int) -> bool:
+        """Tell the program of a signal; whether it can be told, by then."""
+        control = self._control
+        try:
+            return control is not None and control.send(bytes([number])) == 1
+        except OSError:
+            return False
+
     def take(self) -> Channel:
         """A thread that waits for calls; a new one where all are busy. Raises Gone when the program has ended."""
         with self._lock:

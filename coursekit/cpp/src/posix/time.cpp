@@ -3,17 +3,12 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include "state.hpp"
+#include "real.hpp"
 
 namespace coursekit
 {
 namespace
 {
-std::atomic<int> g_polls{0};
-std::atomic<bool> g_stop{false};
-constexpr int POLLS_PER_TICK = 1000;
-constexpr int64_t POLL_TICK_NS = 1000000;
-
 void on_signal(int) {g_stop = true;}
 
 int real_clock(clockid_t id, timespec * t)
@@ -57,30 +52,9 @@ void release_signals()
   react_to(SIGINT, SIG_DFL);
   react_to(SIGTERM, SIG_DFL);
 }
-bool stopping() {return g_stop || (g_state.flags & STOPPING);}
-bool simulated_time() {return g_state.flags & SIMULATED;}
-void poll()
-{
-  if (g_state.is_virtual && ++g_polls >= POLLS_PER_TICK) {
-    g_polls = 0;
-    sleep_for(POLL_TICK_NS);
-  }
-}
-bool sleep_for(int64_t nanoseconds, int64_t context)
-{
-  g_polls = 0;
-  return request("sleep", Packer{}.i(nanoseconds).i(context)).i() != 0;
-}
-int64_t system_now()
-{
-  poll();
-  return g_state.is_virtual ? g_state.system.load() : real_ns(CLOCK_REALTIME);
-}
-int64_t steady_now()
-{
-  poll();
-  return g_state.is_virtual ? g_state.steady.load() : real_ns(CLOCK_MONOTONIC);
-}
+void obey_signal(int number) {raise(number);}
+int64_t real_system_ns() {return real_ns(CLOCK_REALTIME);}
+int64_t real_steady_ns() {return real_ns(CLOCK_MONOTONIC);}
 }  // namespace coursekit
 
 extern "C" {

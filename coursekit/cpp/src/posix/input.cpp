@@ -12,7 +12,7 @@
 #include <iostream>
 #include <streambuf>
 
-#include "state.hpp"
+#include "real.hpp"
 
 namespace coursekit
 {
@@ -146,8 +146,8 @@ extern "C" int tcsetattr(int fd, int when, const termios * settings)
   return coursekit::real<decltype(&tcsetattr)>(known, "tcsetattr")(fd, when, settings);
 }
 
-// Programs look for keys before they read them.
-extern "C" int select(
+// Programs look for keys before they read them. (It is a C function, as its header says: a Mac's gives it another name.)
+int select(
   int count, fd_set * __restrict reads, fd_set * __restrict writes, fd_set * __restrict exceptions, timeval * __restrict timeout)
 {
   static std::atomic<void *> known{nullptr};

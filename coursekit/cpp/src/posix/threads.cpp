@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "state.hpp"
-#include "threads.hpp"
+#include "../threads.hpp"
+#include "real.hpp"
 
 namespace coursekit
 {
@@ -15,17 +15,17 @@ struct Start
 {
   void * (* function)(void *);
   void * argument;
-  int fd;
+  Connection connection;
 };
 void * begin(void * given)
 {
   Start start = *static_cast<Start *>(given);
   delete static_cast<Start *>(given);
-  use_connection(start.fd);
+  use_connection(start.connection);
   begin_thread();
   return start.function(start.argument);
 }
-int64_t address_of(const void * p) {return static_cast<int64_t>(reinterpret_cast<uintptr_t>(p));}
+int64_t number_of(pthread_t thread) {return (int64_t)thread;}  // NOLINT: a number on Linux, on a Mac a pointer
 int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
 {
   pthread_mutex_unlock(m);
@@ -34,20 +34,6 @@ int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
   return woken ? 0 : ETIMEDOUT;
 }
 }  // namespace
-
-bool block(const void * what, int64_t until)
-{
-  ++g_state.blocked;
-  bool woken = request("block", Packer{}.i(address_of(what)).i(until)).i();
-  --g_state.blocked;
-  return woken;
-}
-void unblock(const void * what, bool all)
-{
-  if (g_state.is_virtual && g_state.blocked) {
-    note("unblock", Packer{}.i(address_of(what)).i(all));
-  }
-}
 
 void start_real_thread(void * (*function)(void *), void * argument)
 {
@@ -65,17 +51,17 @@ int pthread_create(
   pthread_t * __restrict thread, const pthread_attr_t * __restrict how, void * (*function)(void *), void * __restrict argument)
 {
   COURSEKIT_REAL(pthread_create, thread, how, function, argument)
-  int fd = coursekit::connect_to_session(coursekit::THREAD);
-  int error = next(thread, how, coursekit::begin, new coursekit::Start{function, argument, fd});
+  coursekit::Connection own = coursekit::connect_to_session(coursekit::THREAD);
+  int error = next(thread, how, coursekit::begin, new coursekit::Start{function, argument, own});
   if (!error) {
-    coursekit::request("thread", coursekit::Packer{}.i(static_cast<int64_t>(*thread)));
+    coursekit::request("thread", coursekit::Packer{}.i(coursekit::number_of(*thread)));
   }
   return error;
 }
 int pthread_join(pthread_t thread, void ** result)
 {
   COURSEKIT_REAL(pthread_join, thread, result)
-  coursekit::request("join", coursekit::Packer{}.i(static_cast<int64_t>(thread)));
+  coursekit::request("join", coursekit::Packer{}.i(coursekit::number_of(thread)));
   return next(thread, result);
 }
 int pthread_mutex_lock(pthread_mutex_t * m)

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "state.hpp"
-#include "threads.hpp"
+#include "../threads.hpp"
+#include "real.hpp"
 
 namespace
 {

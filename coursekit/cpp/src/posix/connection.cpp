@@ -1,0 +1,69 @@
+// A Unix socket to the session, standard output, and libraries.
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "../system.hpp"
+
+#ifdef MSG_NOSIGNAL
+#define COURSEKIT_SEND_FLAGS MSG_NOSIGNAL
+#else
+#define COURSEKIT_SEND_FLAGS 0  // macOS has a setting of the socket for that
+#endif
+
+namespace coursekit
+{
+Connection open_connection(const char * address)
+{
+  int fd = socket(AF_UNIX, SOCK_STREAM, 0);
+  fcntl(fd, F_SETFD, FD_CLOEXEC);
+#ifdef SO_NOSIGPIPE
+  int on = 1;
+  setsockopt(fd, SOL_SOCKET, SO_NOSIGPIPE, &on, sizeof(on));
+#endif
+  sockaddr_un where{};
+  where.sun_family = AF_UNIX;
+  strncpy(where.sun_path, address, sizeof(where.sun_path) - 1);
+  return connect(fd, reinterpret_cast<sockaddr *>(&where), sizeof(where)) ? NO_CONNECTION : fd;
+}
+bool send_all(Connection connection, const char * data, size_t size)
+{
+  while (size) {
+    ssize_t sent = send(static_cast<int>(connection), data, size, COURSEKIT_SEND_FLAGS);
+    if (sent < 0 && errno == EINTR) {
+      continue;
+    }
+    if (sent <= 0) {
+      return false;
+    }
+    data += sent;
+    size -= static_cast<size_t>(sent);
+  }
+  return true;
+}
+size_t receive_some(Connection connection, char * to, size_t size)
+{
+  ssize_t got;
+  do {
+    got = recv(static_cast<int>(connection), to, size, 0);
+  } while (got < 0 && errno == EINTR);
+  return got < 0 ? 0 : static_cast<size_t>(got);
+}
+void close_connection(Connection connection) {close(static_cast<int>(connection));}
+
+void print_as_in_a_terminal() {setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);}
+
+void * load_library(const std::string & path, std::string & reason)
+{
+  void * library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    reason = dlerror();
+  }
+  return library;
+}
+}  // namespace coursekit

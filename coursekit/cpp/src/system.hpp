@@ -1,0 +1,34 @@
+// What each system does in its own way: `posix/` and `windows/` have it.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace coursekit
+{
+/// A connection to the session: a descriptor, or a socket of Windows.
+using Connection = std::intptr_t;
+constexpr Connection NO_CONNECTION = -1;
+
+/// Connect to what COURSEKIT_LINK names; NO_CONNECTION where nobody listens there.
+Connection open_connection(const char * address);
+/// Send all of it; false where the other end has gone.
+bool send_all(Connection connection, const char * data, size_t size);
+/// Receive what has come, at least a byte and at most so many; 0 where the other end has gone.
+size_t receive_some(Connection connection, char * to, size_t size);
+void close_connection(Connection connection);
+
+/// Have what is printed leave the program as it does in a terminal.
+void print_as_in_a_terminal();
+/// End this program as a signal ends one that does not catch it; returns where its own handler has it go on.
+void obey_signal(int number);
+
+/// Start a thread that the session need not know of.
+void start_real_thread(void * (*function)(void *), void * argument);
+/// Nanoseconds since the epoch, and since some beginning, whatever the session's clock says.
+int64_t real_system_ns();
+int64_t real_steady_ns();
+
+/// Load a library; nullptr and the reason where that fails.
+void * load_library(const std::string & path, std::string & reason);
+}  // namespace coursekit

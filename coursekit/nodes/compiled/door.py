@@ -1,0 +1,81 @@
+"""Where a compiled program's threads connect to the session: a Unix socket, or on Windows a loopback port with a token."""
+
+from __future__ import annotations
+
+import contextlib
+import hmac
+import os
+import secrets
+import socket
+import tempfile
+
+from coursekit.systems import which
+
+_WAITING = 64
+_TOKEN_S = 5.0
+"""Real seconds in which whoever connects to a port has to say the token."""
+
+
+class UnixDoor:
+    """A socket in a folder that only this user can enter."""
+
+    def __init__(self) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="coursekit-")
+        self.address = os.path.join(self._folder.name, "link")
+        self.listening = socket.socket(socket.AF_UNIX)
+        self.listening.bind(self.address)
+        self.listening.listen(_WAITING)
+
+    def accept(self) -> socket.socket:
+        """The next connection; OSError when the door is closed."""
+        return self.listening.accept()[0]
+
+    def close(self) -> None:
+        """Let nobody in any more; who waits in `accept` hears of it."""
+        with contextlib.suppress(OSError):
+            self.listening.shutdown(socket.SHUT_RDWR)
+        self.listening.close()
+        self._folder.cleanup()
+
+
+class LoopbackDoor:
+    """A port of this computer: only who says the token first comes in."""
+
+    def __init__(self) -> None:
+        self._token = secrets.token_hex(16).encode()
+        self._open = True
+        self.listening = socket.create_server(("127.0.0.1", 0), backlog=_WAITING)
+        self.address = f"{self.listening.getsockname()[1]}:{self._token.decode()}"
+
+    def accept(self) -> socket.socket:
+        """The next connection that says the token; OSError when the door is closed."""
+        while True:
+            connection, _ = self.listening.accept()
+            if not self._open:
+                connection.close()
+                raise OSError("the program has ended")
+            if self._knows_token(connection):
+                connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+                return connection
+            connection.close()
+
+    def close(self) -> None:
+        """Let nobody in any more; who waits in `accept` hears of it."""
+        self._open = False
+        with contextlib.suppress(OSError), socket.create_connection(self.listening.getsockname(), timeout=_TOKEN_S):
+            pass  # on Windows that alone ends an `accept` of another thread
+        self.listening.close()
+
+    def _knows_token(self, connection: socket.socket) -> bool:
+        connection.settimeout(_TOKEN_S)
+        said = b""
+        with contextlib.suppress(OSError):
+            while len(said) < len(self._token) and (part := connection.recv(len(self._token) - len(said))):
+                said += part
+        connection.settimeout(None)
+        return hmac.compare_digest(said, self._token)
+
+
+def open_door() -> UnixDoor | LoopbackDoor:
+    """A door as this system has it, and as its compiled programs know it."""
+    return LoopbackDoor() if which.WINDOWS else UnixDoor()

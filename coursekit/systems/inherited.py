@@ -1,0 +1,54 @@
+"""Pipes beside the usual three that a child gets: by number, or on Windows by handle."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Sequence
+from typing import Any
+
+from . import which
+
+
+def name_for_child(pipe: int) -> str:
+    """How a child is told of a pipe that it is given.
+
+    >>> name_for_child(7)
+    '7'
+    """
+    return str(_handle(pipe)) if which.WINDOWS else str(pipe)
+
+
+def given(pipes: Sequence[int]) -> dict[str, Any]:
+    """The words of `subprocess.Popen` that give a child these pipes.
+
+    >>> given([7, 8])
+    {'pass_fds': (7, 8)}
+    """
+    if not which.WINDOWS:
+        return {"pass_fds": tuple(pipes)}
+    handles = [_handle(one) for one in pipes]
+    for handle in handles:
+        os.set_handle_inheritable(handle, True)  # type: ignore[attr-defined]
+    info: Any = subprocess.STARTUPINFO()  # type: ignore[attr-defined]
+    info.lpAttributeList = {"handle_list": handles}
+    return {"startupinfo": info} if handles else {}
+
+
+def opened(name: str) -> int:
+    """In the child: the number of a pipe that it was told of.
+
+    >>> opened("7")
+    7
+    """
+    if not which.WINDOWS:
+        return int(name)
+    import msvcrt
+
+    return int(msvcrt.open_osfhandle(int(name), 0))  # type: ignore[attr-defined]
+
+
+def _handle(pipe: int) -> int:
+    import msvcrt
+
+    return int(msvcrt.get_osfhandle(pipe))  # type: ignore[attr-defined]

@@ -90,6 +90,9 @@ def run_grade(args: argparse.Namespace) -> int:
         raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what students handed in.")
     if args.out.suffix.casefold() != ".csv":
         raise SystemExit(f"--out {args.out}: give the table a name that ends in .csv; a folder of that name lies beside it.")
+    if args.out.with_suffix("").resolve() == args.folder.resolve():
+        said = f"--out {args.out}: its pages would go into the folder '{args.folder}' of what was handed in."
+        raise SystemExit(f"{said} Choose another name: --out grades.csv")
     if args.platform and args.anonymous:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:

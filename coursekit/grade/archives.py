@@ -75,7 +75,7 @@ class Archive:
                 raise BadArchive("a file in it has no name: zip it again")
             kind = stat.S_IFMT(info.external_attr >> 16)
             if not info.is_dir() and kind in (0, stat.S_IFREG):
-                yield Member(parts_of(info.filename), _when(info), info.file_size, info)
+                yield Member(parts_of(_name_of(info)), _when(info), info.file_size, info)
 
     def read(self, member: Member, most: int = 0) -> bytes:
         """What is in a file of at most `most` bytes.
@@ -127,6 +127,20 @@ def _said() -> Iterator[None]:
         raise BadArchive("a file name in it is not UTF-8: zip it again") from None
     except Exception:  # zipfile, zlib and struct have a dozen kinds
         raise BadArchive("it is broken, or only a part of a zip: upload it again") from None
+
+
+def _name_of(info: zipfile.ZipInfo) -> str:
+    """A member's name. Programs that write UTF-8 without saying so are many: what is UTF-8 is read as that.
+
+    >>> _name_of(zipfile.ZipInfo("Müller".encode().decode("cp437")))
+    'Müller'
+    """
+    if info.flag_bits & 0x800:
+        return info.filename
+    try:
+        return info.filename.encode("cp437").decode("utf-8")
+    except UnicodeError:
+        return info.filename
 
 
 def parts_of(name: str) -> tuple[str, ...]:

@@ -30,4 +30,5 @@ class Bar:
             print(line, end="\n" if done == of else "", file=sys.stderr, flush=True)
         elif done == of or self._told is None or now - self._told >= EVERY_S:
             self._told = now
-            print(f"{done} of {of} notebooks marked, about {left:.0f} s left", file=sys.stderr, flush=True)
+            rest = f", about {left:.0f} s left" if done < of else ""
+            print(f"{done} of {of} notebooks marked{rest}", file=sys.stderr, flush=True)

@@ -93,7 +93,7 @@ class Class:
             if again is not None:
                 self.results.forget(_asked(records, again), chapters)
             outcome = Outcome(records, collection)
-            outcome.told += [*collection.told, *by_hand.told, *_told_others(others)]
+            outcome.told += [*collection.told, *by_hand.told, *_told_others(others), *_told_bonus(records)]
             try:
                 for name in chapters if any(one.chapters() for one in records) else ():
                     said = expect_sound(self._reference(name, Path(scratch)), self.results, _announced(mark, name, say))
@@ -214,6 +214,16 @@ def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
         f"{name} was handed in only by {', '.join(people[:5])}{' and others' if len(people) > 5 else ''}: it is not marked. "
         f"To mark it: --chapters {name.partition('_')[0]}"
         for name, people in others.items()
+    ]
+
+
+def _told_bonus(records: Sequence[Record]) -> list[str]:
+    """Points by hand that are more than an exercise has: a bonus, or a slip."""
+    return [
+        f"{one.label}: {verdict.name} is {verdict.points:g} by hand, and has {verdict.of:g} points. A bonus?"
+        for one in records
+        for verdict in one.marked().verdicts
+        if verdict.name in one.by_hand and verdict.points > verdict.of
     ]
 
 

@@ -41,7 +41,7 @@ def choose(
     said = question.chosen(answers)
     if len(left) > 1 and said in question.choices:
         named = left[question.choices.index(said)]
-        return Choice(named, _why(named, pieces, "as answered"), question)
+        return Choice(named, _why(named, pieces, "as the teacher decided"), question)
     newest = _newest(left)
     if len(newest) == 1:
         best = newest[0]

@@ -9,15 +9,16 @@ from pathlib import Path, PurePosixPath
 from .harmless import cell, number, shown
 from .identifying import Identifier
 from .lateness import late_by
+from .moodle_sheet import comment_column, mark_column, maximum_column
 from .platform_names import moodle_folder, platform_name
 from .record import Record
 from .report import page
 from .roster import Person, Roster
-from .tables import write_table
+from .tables import Table, write_table
 
 
 def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, out: Path) -> list[Path]:
-    """Write the platform's table, and feedback.zip where it is Moodle and its numbers are known; what was written."""
+    """Write the platform's table, and the zip of pages where it is Moodle and its numbers are known; what was written."""
     table = out.with_name(f"{out.stem}.{platform}.csv")
     title = _title(records)
     rows = roster.table if roster is not None and roster.layout is not None and roster.layout.platform == platform else None
@@ -26,7 +27,7 @@ def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, o
     else:
         headings, filled = _of_own(platform, records, title)
     write_table(table, headings, filled, rows.separator if rows is not None else ",")
-    feedback = _feedback(records, roster, out.with_name("feedback.zip")) if platform == "moodle" else []
+    feedback = _feedback(records, roster, out.with_name(f"{out.stem}.feedback.zip")) if platform == "moodle" else []
     return [table, *feedback]
 
 
@@ -52,7 +53,7 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
     """The platform's own list with the marks put in: rows and columns stay."""
     assert roster.table is not None
     headings = list(roster.table.headings)
-    column, comment = _columns(platform, headings, title)
+    column, comment = _columns(platform, roster.table, headings, title)
     by_row = {one.handed.person.row: one for one in records}
     of = records[0].of() if records else 0.0
     rows = []
@@ -83,10 +84,9 @@ def _as_number(text: str) -> float | None:
 def unlike_the_platform_s(records: Sequence[Record], roster: Roster | None) -> str:
     """What to say before marks are uploaded into an assignment with another maximum; empty where that is not known."""
     table = roster.table if roster is not None else None
-    known = [one.casefold() for one in table.headings] if table is not None else []
-    if table is None or not records or "maximum grade" not in known:
+    place = maximum_column(table) if table is not None else None
+    if table is None or place is None or not records:
         return ""
-    place = known.index("maximum grade")
     return beside_the_platform_s(records[0].of(), [row[place] for row in table.rows if len(row) > place])
 
 
@@ -105,15 +105,14 @@ def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
     )
 
 
-def _columns(platform: str, headings: list[str], title: str) -> tuple[int, int | None]:
+def _columns(platform: str, table: Table, headings: list[str], title: str) -> tuple[int, int | None]:
     """Where the mark and the comment stand; a list without a column for marks gets its own at the end."""
-    known = [one.casefold() for one in headings]
-    comment = known.index("feedback comments") if "feedback comments" in known else None
-    if platform == "moodle" and "grade" in known:
-        return known.index("grade"), comment
+    mark = mark_column(table) if platform == "moodle" else None
+    if mark is not None:
+        return mark, comment_column(table)
     headings.append(title)
     if platform != "moodle":
-        return len(headings) - 1, comment
+        return len(headings) - 1, None
     headings.append(f"{title} comments")
     return len(headings) - 2, len(headings) - 1
 
@@ -159,14 +158,14 @@ def _with_a_page(records: Sequence[Record]) -> list[Record]:
 
 
 def left_out(records: Sequence[Record], roster: Roster | None) -> str:
-    """Whose page is not in feedback.zip, and what Moodle needs for it; empty if nobody's."""
+    """Whose page is not in the zip of pages, and what Moodle needs for it; empty if nobody's."""
     identifier = Identifier(roster) if roster is not None else None
     names = [one.label for one in _with_a_page(records) if not _folder(one, identifier)]
     if not names:
         return ""
     more = f" and {len(names) - 5} more" if len(names) > 5 else ""
     return (
-        f"feedback.zip has no page for {', '.join(names[:5])}{more}: Moodle's number of them is not known. Download the "
+        f"The zip of pages has none for {', '.join(names[:5])}{more}: Moodle's number of them is not known. Download the "
         "assignment's grading worksheet (it has the column Identifier), and give that as --roster."
     )
 

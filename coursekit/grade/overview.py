@@ -72,7 +72,8 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
             faulty = [f"{verdict.name}: its check has a fault" for verdict in one.marked().verdicts if verdict.fault]
             why = [*one.handed.open, *faulty, *late, *concerns, *one.marked().notes][:12]
             words = "<br>".join(_text(word) for word in why)
-            rows.append(f"<tr><td>{_link(one)}</td><td class='words'>{one.status()}</td><td class='words'>{words}</td></tr>")
+            status = f"<td class='words status'>{one.status()}</td>"
+            rows.append(f"<tr><td>{_link(one)}</td>{status}<td class='words'>{words}</td></tr>")
     for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
     heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"

@@ -30,7 +30,7 @@ _PAGE = """<h2>{title}</h2>
 ros-env/bin/pip install {wheel}</pre>
 <p>(Windows: <code>py -3 -m venv ros-env</code>, then <code>ros-env\\Scripts\\pip install {wheel}</code>, and
 <code>ros-env\\Scripts\\coursekit</code> below.)</p>
-<p>Download <b>{archive}</b> and unpack it: it holds a folder <code>{folder}</code>. (<i>Extract All</i> of Windows puts that
+<p>Download <b>{archive}</b> and unpack it: it holds a folder <code>{folder}</code>. (Extract All of Windows puts that
 into another folder: move it out.) Put <code>{folder}</code> next to <code>ros-env</code>, and open the notebooks with
 <code>ros-env/bin/coursekit lab --folder {folder}</code>. Run the cells from top to bottom; write where it says
 <code># YOUR CODE HERE</code>, and run the check below it.</p>

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .harmless import counted, shown
+from .moodle_sheet import participants
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
 from .tables import Table, decoded, read_table
 
@@ -132,7 +133,7 @@ class Roster:
 
     @classmethod
     def _of_table(cls, table: Table, file: Path) -> Roster:
-        layout = layout_of(table.headings)
+        layout = _with_numbers(layout_of(table.headings), table)
         if layout is None and any(one.strip().casefold() in HEADINGS for one in table.headings):
             raise ValueError(f"No column of {file} is one of names. Call it 'name', or: 'given name' and 'family name'.")
         if layout is None:  # no headings: names stand in the first column
@@ -165,6 +166,17 @@ class Roster:
         wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}
         found = named or [one for one in self.people if wanted and wanted <= _words_of(one)]
         return found[0] if len(found) == 1 else None
+
+
+def _with_numbers(layout: Layout | None, table: Table) -> Layout | None:
+    """The layout with Moodle's numbers, which are known by what they are; names stand behind them in its worksheet."""
+    place = participants(table)
+    if place is None:
+        return layout
+    places = {what: at for what, at in (layout.places if layout else {}).items() if at != place} | {"number": place}
+    if not set(places) & {"name", "given", "family"} and place + 1 < len(table.headings):
+        places["name"] = place + 1
+    return Layout("moodle", places)
 
 
 def _person(layout: Layout, row: Sequence[str], at: int) -> Person:

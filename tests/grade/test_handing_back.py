@@ -39,7 +39,7 @@ def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(
         zip(head, ana, strict=True)
     )
     assert ana[head.index("Full name")] == "García López, Ana" and ben[head.index("Grade")] == "0"
-    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+    with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
         assert packed.namelist() == ["Ana García López_101_assignsubmission_file_/feedback.html"]
         assert "Ana García López" in packed.read(packed.namelist()[0]).decode()
 
@@ -55,7 +55,7 @@ def test_nobody_gets_another_s_page_whatever_folder_their_work_lay_in(folder, na
         grade(folder, *words, "--for", "moodle")
     else:
         grade(folder, "--for", "moodle")
-    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+    with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
         found = {one.split("_")[1]: packed.read(one).decode() for one in packed.namelist()}
     assert set(found) == ({"101", "102"} if name else {"101", "102", "103"})
     assert "López" in found["101"] and "Ben" in found["102"] and "Ben" not in found["101"]
@@ -66,7 +66,7 @@ def test_a_comment_reaches_also_whoever_handed_in_nothing(folder):
     grade(folder, *words)
     edited(folder.parent / "grades.csv", student="Ben Ito", comment="Come and see me.")
     grade(folder, *words)
-    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+    with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
         (own,) = [one for one in packed.namelist() if "_102_" in one]
         assert "Come and see me." in packed.read(own).decode()
 
@@ -272,11 +272,11 @@ def test_whose_page_moodle_cannot_deal_out_is_told(folder, capsys):
     people.write_text("First name;Last name;Email address\nAna;García López;ana@uni\nBen;Ito;ben@uni\n", encoding="utf-8")
     grade(folder, "--roster", people, "--for", "moodle")
     said = capsys.readouterr().out
-    assert "! feedback.zip has no page for Ben Ito: Moodle's number of them is not known. Download" in said
-    with zipfile.ZipFile(folder.parent / "feedback.zip") as packed:
+    assert "! The zip of pages has none for Ben Ito: Moodle's number of them is not known. Download" in said
+    with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
         assert [name.split("_")[1] for name in packed.namelist()] == ["101"]
     grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")
-    assert "no page" not in capsys.readouterr().out
+    assert "has none" not in capsys.readouterr().out
 
 
 def test_a_list_of_participants_comes_back_with_its_separator_the_marks_and_the_comments(folder):
@@ -326,3 +326,43 @@ def test_a_total_by_hand_says_so_on_the_page(folder):
     edited(folder.parent / "grades.csv", student="García López Ana", total="6")
     grade(folder, *words)
     assert "</b> of 7 points in 02_topics, given by hand" in page.read_text() and "taken off" not in page.read_text()
+
+
+SPANISH = (
+    "Identificador;Nombre completo;Dirección de correo;Estatus;Calificación;Calificación máxima;Última modificación (entrega);"
+    "Comentarios de retroalimentación\n"
+    'Participante101;"García López, Ana";ana@uni;;;100,00;-;\nParticipante102;"Ito, Ben";ben@uni;;;100,00;-;\n'
+)
+GERMAN = (
+    "ID;Vollständiger Name;E-Mail-Adresse;Status;Bewertung;Bestwertung;Zuletzt geändert (Abgabe);Feedback als Kommentar\n"
+    'Teilnehmer/in101;"García López, Ana";ana@uni;;;100,00;-;\nTeilnehmer/in102;"Ito, Ben";ben@uni;;;100,00;-;\n'
+)
+UNKNOWN = SPANISH.replace("Calificación;Calificación", "Hodnocení;Calificación").replace("Identificador;Nombre completo", "X;Y")
+
+
+@pytest.mark.parametrize("sheet", [SPANISH, GERMAN, UNKNOWN], ids=["es", "de", "unknown words"])
+def test_moodle_s_worksheet_is_known_in_other_languages(folder, sheet, capsys):
+    people = folder.parent / "sheet.csv"
+    people.write_text(sheet, encoding="utf-8-sig")
+    _, found = grade(folder, "--roster", people, "--for", "moodle")
+    assert set(found) == {"Ana García López", "Ben Ito"}
+    with open(folder.parent / "grades.moodle.csv", encoding="utf-8-sig", newline="") as file:
+        head, ana, ben = csv.reader(file, delimiter=";")
+    assert head == sheet.splitlines()[0].split(";"), "no column is added"
+    assert (ana[4], ben[4], ana[5]) == ("3", "0", "100,00") and "2 of 2 for" in ana[7]
+    assert "maximum grade is 100,00, and these marks are of 7 points" in capsys.readouterr().out
+    with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
+        assert [one.split("_")[1] for one in packed.namelist()] == ["101"]
+
+
+def test_more_points_than_there_are_are_asked_about(folder, capsys):
+    grade(folder)
+    edited(folder.parent / "grades.csv", student="García López Ana", **{"ch02.q2": "9"})
+    grade(folder)
+    assert "! García López Ana: ch02.q2 is 9 by hand, and has 2 points. A bonus?" in capsys.readouterr().out
+
+
+def test_pages_never_go_into_the_folder_of_what_was_handed_in(folder):
+    with pytest.raises(SystemExit, match="its pages would go into the folder"):
+        grade(folder, out=folder.with_suffix(".csv"))
+    assert not folder.with_suffix(".csv").exists()

@@ -135,7 +135,7 @@ class Trip:
 
     async def run(self) -> str:
         """Go: 'succeeded', 'failed' or 'stopped'."""
-        beat, told = Beat(self.crew.node, self._period), -math.inf
+        beat, told, abandoned = Beat(self.crew.node, self._period), -math.inf, False
         try:
             while not self._stop():
                 status = self.tree.tick()
@@ -146,7 +146,11 @@ class Trip:
                     self._tell(self)
                 await beat.next()
             return "stopped"
+        except GeneratorExit:  # collected long after its node has gone: nothing is left to stop, and nobody to hear of it
+            abandoned = True
+            raise
         finally:
-            beat.stop()
-            self.crew.goes_on = self._goes_on()
-            self.tree.halt()
+            if not abandoned:
+                beat.stop()
+                self.crew.goes_on = self._goes_on()
+                self.tree.halt()

@@ -1,0 +1,56 @@
+"""Moodle's grading worksheet, whose headings are in the site's language: its columns are also known by what is in them."""
+
+from __future__ import annotations
+
+import re
+
+from .tables import Table
+
+_PARTICIPANT = re.compile(r"(partic|partec|teilnehm|deelnem|delt|osallist|uczest)\D{0,20}?\s*(\d+)", re.I)
+"""`Participant 101`, `Participante101`, `Teilnehmer/in101`."""
+_MARK = {"grade", "calificación", "note", "bewertung", "nota", "valutazione", "qualificació", "beoordeling", "cijfer"}
+_MAXIMUM = {"maximum grade", "calificación máxima", "note maximale", "höchste bewertung", "bestwertung", "nota máxima",
+            "valutazione massima", "qualificació màxima", "maximumcijfer"}  # fmt: skip
+_COMMENTS = {"feedback comments", "feedback als kommentar", "feedback-kommentare", "commentaires"}
+_COMMENTS_BEGIN = ("comentarios de retro", "comentários de feedback", "commentaires de", "commenti", "comentaris de retro")
+
+
+def participants(table: Table) -> int | None:
+    """The column with Moodle's numbers of people, whatever its heading; None when there is none.
+
+    >>> participants(Table(["Identificador", "Nombre completo"], [["Participante501", "Ann"], ["Participante502", "Ben"]]))
+    0
+    """
+    for place in range(len(table.headings)):
+        found = [_PARTICIPANT.fullmatch(row[place]) for row in table.rows if len(row) > place]
+        numbers = [match[2] for match in found if match]
+        if numbers and len(numbers) == len(table.rows) == len(set(numbers)):
+            return place
+    return None
+
+
+def maximum_column(table: Table) -> int | None:
+    """The column of the assignment's maximum."""
+    return _named(table, _MAXIMUM)
+
+
+def mark_column(table: Table) -> int | None:
+    """The column that Moodle takes marks from: called so, else the one before the maximum."""
+    found, maximum = _named(table, _MARK), maximum_column(table)
+    return maximum - 1 if found is None and maximum else found
+
+
+def comment_column(table: Table) -> int | None:
+    """The column that Moodle takes comments from."""
+    known = _known(table)
+    found = _named(table, _COMMENTS)
+    return found if found is not None else next((known.index(one) for one in known if one.startswith(_COMMENTS_BEGIN)), None)
+
+
+def _named(table: Table, words: set[str]) -> int | None:
+    known = _known(table)
+    return next((place for place, one in enumerate(known) if one in words), None)
+
+
+def _known(table: Table) -> list[str]:
+    return [one.strip().casefold() for one in table.headings]

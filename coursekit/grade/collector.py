@@ -17,7 +17,7 @@ from .handed import Handed
 from .harmless import counted, identity_of, shown, unique
 from .identifying import SURE, Identified, Identifier
 from .lateness import Policy, platform_time
-from .parting import Part, parts_of
+from .parting import Part, parts_of, whole
 from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw
 from .platform_names import platform_name
 from .questions import NOBODY, Question, numbered
@@ -136,7 +136,7 @@ class Collector:
         """The whole of an entry, where there is no list of the class."""
         person = self._without_list(entry)
         found = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
-        return Part(entry, found, shown(entry.name), (entry.name,))
+        return whole(entry, found)
 
     def _without_list(self, entry: Entry) -> Person | None:
         """The person that an entry's name or content says."""

@@ -30,9 +30,9 @@ def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
     named = identifier.by_name(entry.name)
     whose = [_whose(piece, named, identifier) for piece in entry.pieces]
     known = list(dict.fromkeys(one for one in whose if one is not None))
-    whole = _whole(entry, known, identifier)
-    if not known or (len({one.people for one in known}) == 1 and (None not in whose or whole.found is not known[0])):
-        return [whole]
+    everything = _whole(entry, known, identifier)
+    if not known or (len({one.people for one in known}) == 1 and (None not in whose or everything.found is not known[0])):
+        return [everything]
     parts = []
     for found in known:
         pieces = [piece for piece, one in zip(entry.pieces, whose, strict=True) if one == found]
@@ -44,6 +44,11 @@ def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
     return parts
 
 
+def whole(entry: Entry, found: Identified) -> Part:
+    """All of an entry. An answer about it holds for just this work: another week's file may have the same name."""
+    return Part(entry, found, shown(entry.name), (entry.name, *sorted(one.digest for one in entry.pieces)))
+
+
 def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) -> Part:
     found = identifier.identify(entry.name, unique(piece.known.copy for piece in entry.pieces if piece.known.copy))
     if not found.people and known:
@@ -51,7 +56,7 @@ def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) ->
     if not found.people and entry.students:
         said = [person for one in unique(entry.students) for person in identifier.by_name(one).people]
         found = Identified(tuple(dict.fromkeys(said)), _BY_BUNDLE) if said else found
-    return Part(entry, found, shown(entry.name), (entry.name,))
+    return whole(entry, found)
 
 
 def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identified | None:

@@ -246,3 +246,16 @@ def test_why_a_file_is_no_notebook_is_said_without_a_parser_s_words(folder, cont
     write(folder / "Ann Lee" / TOPICS, content)
     one, where = only(folder)
     assert where is None and f"is no notebook: {why}" in one.notes[0]
+
+
+def test_an_answer_about_a_file_does_not_hold_for_another_week_s_of_the_same_name(tmp_path, monkeypatch):
+    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
+    monkeypatch.setattr("coursekit.grade.sandbox.tier", lambda: "bubblewrap")
+    (tmp_path / "names.txt").write_text("Ann Lee\nBen Ito\n")
+    words = ("--roster", tmp_path / "names.txt")
+    write(tmp_path / "class" / "garcia.ipynb", text("q1"))
+    assert grade(tmp_path / "class", *words)[0] == 1
+    answer(tmp_path / "questions.csv", garcia="nobody")
+    assert grade(tmp_path / "class", *words)[0] == 0
+    write(tmp_path / "class" / "garcia.ipynb", text("q2"))
+    assert grade(tmp_path / "class", *words)[0] == 1, "it is asked again"

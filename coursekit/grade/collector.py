@@ -113,7 +113,8 @@ class Collector:
                     handed.concerns.append(f"'{part.where}' was taken as theirs by {found.how}")
 
     def _whose(self, part: Part) -> Question:
-        choices = tuple(self._roster.label(one) for one in part.found.people) if self._roster else ()
+        people = part.found.people or (self._identifier.maybe(part.entry.name) if self._identifier else ())
+        choices = tuple(self._roster.label(one) for one in people) if self._roster else ()
         about = f"{part.where} ({part.found.how}; {counted(len(part.entry.pieces), 'notebook')})"
         text = "Whose is this? Write the name, id or e-mail; or: nobody."
         return Question(numbered("whose", *part.about), text, about, choices)

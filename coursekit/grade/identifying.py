@@ -92,6 +92,16 @@ class Identifier:
         return Identified(self._sorted(found), ("a name in the name" if len(found) == 1 else "several names fit") if found
                           else "no student in the list has that name")  # fmt: skip
 
+    def maybe(self, name: str) -> tuple[Person, ...]:
+        """Those who have a word of it in their names: whom a question offers, not an answer.
+
+        >>> [one.name for one in Identifier(Roster(["Ana García", "Luz García", "Ben Ito"])).maybe("garcia.ipynb")]
+        ['Ana García', 'Luz García']
+        """
+        words = {plain(one) for one in re.split(r"[\W_]+", _without_ending(name))} - {""}
+        fitting = (one for one in self.roster.people if words & {plain(part) for text in one.names() for part in text.split()})
+        return tuple(fitting)
+
     def _exactly(self, texts: Sequence[str], *, name_only: bool) -> set[Person]:
         if name_only:
             return self._spelled.get(_letters(texts[0]), set()) or self._plain.get(plain(texts[0]), set())

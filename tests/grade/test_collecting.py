@@ -4,6 +4,8 @@ import shutil
 
 import pytest
 
+from coursekit.grade.roster import Roster
+
 from .handed import (  # fmt: skip
     NOON,
     SERVICES,
@@ -259,3 +261,10 @@ def test_an_answer_about_a_file_does_not_hold_for_another_week_s_of_the_same_nam
     assert grade(tmp_path / "class", *words)[0] == 0
     write(tmp_path / "class" / "garcia.ipynb", text("q2"))
     assert grade(tmp_path / "class", *words)[0] == 1, "it is asked again"
+
+
+def test_a_question_offers_those_whose_name_has_a_word_of_the_file_s(tmp_path):
+    write(tmp_path / "class" / "garcia.ipynb", text("q1"))
+    roster = Roster(["Ana García", "Luz García Paz", "Ben Ito"])
+    (question,) = collected(tmp_path / "class", tmp_path / "scratch", roster=roster).questions
+    assert question.choices == ("Ana García", "Luz García Paz")

@@ -8,6 +8,7 @@ from random import Random
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.harmless import counted
 from coursekit.grade.outputs import expect_node, heard, last_words, said
 from coursekit.grade.plain import called, field, is_number, shown, text
 from coursekit.grade.trial import EVERY_NODE_S
@@ -100,6 +101,7 @@ def listener(work: Work) -> None:
     hints=(
         "The node has both: a publisher made in the constructor, and a subscription whose callback publishes.",
         "Texts in capitals: msg.data.upper().",
+        "The callback itself publishes: one message goes out for each that comes in, without a timer.",
     ),
 )
 def relay(work: Work) -> None:
@@ -118,13 +120,15 @@ def relay(work: Work) -> None:
     answers = [(when, field(one, "data", str, "/py_upper_topic")) for when, one in heard(seen, "/py_upper_topic")]
     got = [one for _, one in answers]
     if [one.casefold() for one in got] != [one.casefold() for one in texts]:
-        raise Wrong(f"{len(texts)} messages, one for each that came in", f"{len(got)}: {shown(got)}", share=0.25, hint=0)
+        wanted = f"{len(texts)} messages, one for each that came in"
+        cause = "Does a timer publish? It misses what comes in between, or sends it twice." if got else ""
+        raise Wrong(wanted, f"{counted(len(got), 'message')}: {shown(got)}", cause, share=0.25, hint=2 if got else 0)
     if got != [one.upper() for one in texts]:
         raise Wrong("texts in capitals", shown(got), "str has a method for it.", share=0.5, hint=1)
     late = [when - came for (when, _), came in zip(answers, times, strict=True)]
     if not max(late) <= AT_ONCE:
         cause = "Publish in the callback, not on a timer."
-        raise Wrong("an answer at once", f"{max(late):.3f} s later", cause, share=0.5, hint=0)
+        raise Wrong("an answer at once", f"{max(late):.3f} s later", cause, share=0.5, hint=2)
 
 
 @exercise(
@@ -134,6 +138,8 @@ def relay(work: Work) -> None:
     hints=(
         "Two create_publisher lines with different types, one timer that publishes on both.",
         "std_msgs/msg has Float64, Int32, Bool, String and more: `%ros2 interface package std_msgs`.",
+        "The timer's period is between 0.05 and 1 second, and its callback calls publish() of both publishers.",
+        "Count or compute something in the callback, so that each message has another value.",
     ),
 )
 def health(work: Work) -> None:
@@ -151,10 +157,12 @@ def health(work: Work) -> None:
 def _judge_health(topic: str, messages: list[tuple[float, Any]]) -> None:
     wanted = f"{topic} between 1 and 20 times a second"
     if len(messages) < SECONDS - 2:
-        raise Wrong(wanted, f"{len(messages)} messages in {SECONDS:g} s", share=0.5)
+        cause = "" if messages else f"Does the timer's callback publish on {topic}, too?"
+        raise Wrong(wanted, f"{counted(len(messages), 'message')} in {SECONDS:g} s", cause, share=0.5, hint=2)
     gaps = sorted(after - before for (before, _), (after, _) in pairwise(messages))
     usual = gaps[len(gaps) // 2]
     if not (is_number(usual) and 1 / 20.5 <= usual <= 1.01 and gaps[-1] <= 2.02):
-        raise Wrong(wanted, f"one each {usual:.3f} s" + (f", once {gaps[-1]:.1f} s" if gaps[-1] > 1.01 else ""), share=0.5)
+        got = f"one each {usual:.3f} s" + (f", once {gaps[-1]:.1f} s" if gaps[-1] > 1.01 else "")
+        raise Wrong(wanted, got, share=0.5, hint=2)
     if len({repr(message) for _, message in messages}) < 2:
-        raise Wrong(f"values on {topic} that change", f"always {shown(messages[0][1])}", share=0.5)
+        raise Wrong(f"values on {topic} that change", f"always {shown(messages[0][1])}", share=0.5, hint=3)

@@ -99,8 +99,8 @@ class Identifier:
         ['Ana García', 'Luz García']
         """
         words = {plain(one) for one in re.split(r"[\W_]+", _without_ending(name))} - {""}
-        fitting = (one for one in self.roster.people if words & {plain(part) for text in one.names() for part in text.split()})
-        return tuple(fitting)
+        parts = {one: {plain(part) for text in one.names() for part in text.split()} for one in self.roster.people}
+        return tuple(one for one, own in parts.items() if words & own)
 
     def _exactly(self, texts: Sequence[str], *, name_only: bool) -> set[Person]:
         if name_only:

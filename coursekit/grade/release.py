@@ -37,8 +37,9 @@ into another folder: move it out.) Put <code>{folder}</code> next to <code>ros-e
 <table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
 {rows}<tr><th>All</th><th>{exercises}</th><th>{points}</th></tr></table>
 <p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each: type
-that in a new cell at the end of the notebook (the first time with your name: <code>hand_in(by="Ann Lee")</code>), and run it.
-Its file also holds the pictures that <code>evidence()</code> made: where the assignment asks for evidence, hand in this file.</p>
+that in a new cell at the end of the notebook (the first time with your name: <code>hand_in(by="Ann Lee")</code>), and run
+it. Its file also holds the pictures that <code>evidence()</code> made: where the assignment asks for evidence, hand in
+this file.</p>
 """
 
 

@@ -13,7 +13,7 @@ from coursekit.view.working import Working
 from . import events
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace, TimeOver
-from .outputs import exception_in
+from .outputs import DIED, exception_in
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
@@ -66,10 +66,10 @@ def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
 
 
 def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:
-    """The verdict that says what is wrong; what a program died of comes first."""
-    died, got = noted.death(), wrong.got
+    """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
+    died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died and died not in got:
-        got = f"your program raised {died}" + (f"; {got}" if got else "")
+        got, cause, hint = f"your program raised {died}" + (f"; {got}" if got else ""), DIED, ""
     return Verdict(
         exercise.name,
         exercise.title,
@@ -77,8 +77,8 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
         exercise.points,
         wrong.expected,
         got,
-        wrong.cause,
-        _hint(exercise.hints, wrong, tries),
+        cause,
+        hint,
         wrong.gave,
         wrong.timed_out or noted.timed_out(),
     )

@@ -111,7 +111,7 @@ class Record:
     def counts(self) -> bool:
         """Whether the mark is one of the class's average: of somebody who handed in or got points by hand, and is marked."""
         known = {"total", *(verdict.name for verdicts in self.wanted.values() for verdict in verdicts)}
-        return bool(self.handed.entries or known & set(self.by_hand)) and self.total() is not None
+        return bool(self.chapters() or known & set(self.by_hand)) and self.total() is not None
 
     def told_chapters(self) -> str:
         """The chapters that were asked for, as they are told."""

@@ -86,3 +86,7 @@ def test_text_and_picture_tell_one_mean(tmp_path, monkeypatch):
     write_statistics(tmp_path, records, {})
     told = json.loads((tmp_path / "statistics.json").read_text())["mean"]
     assert f"on average {told:.2f} of" in average(records) and f"mean {told:.2f} of" in " ".join(titles)
+
+
+def test_an_empty_hand_in_counts_in_no_average():
+    assert "(1 student with work and a mark)" in average([record("ann", verdict(2)), record("dai")])

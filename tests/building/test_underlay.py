@@ -23,6 +23,11 @@ def test_what_is_installed_is_what_is_made():
     assert different == []
 
 
+def test_stubs_are_in_the_same_order_on_every_system():
+    stub = FILES["ros/controller_manager_msgs/srv/__init__.pyi"]
+    assert stub.index("class ListControllerTypes_Request") < stub.index("class ListControllers_Request"), "with their case"
+
+
 @pytest.mark.parametrize("name", [name for name in FILES if name.startswith("ros/")])
 def test_modules_and_stubs_are_python(name):
     compile(FILES[name], name, "exec")

@@ -140,8 +140,7 @@ def _family_first(person: Person) -> str:
 
 def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> list[Path]:
     """The pages of those who handed in or were told something, in folders under which Moodle knows them."""
-    identifier = Identifier(roster) if roster is not None else None
-    folders = {folder: one for one in _with_a_page(records) if (folder := _folder(one, identifier))}
+    folders = {folder: one for folder, one in _with_a_page(records, roster) if folder}
     if not folders:
         return []
     fresh = file.with_suffix(".new")
@@ -152,15 +151,15 @@ def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> l
     return [file]
 
 
-def _with_a_page(records: Sequence[Record]) -> list[Record]:
-    """Those who handed in or were told something."""
-    return [one for one in records if one.counts() or one.handed.entries or one.comments()]
+def _with_a_page(records: Sequence[Record], roster: Roster | None) -> list[tuple[str, Record]]:
+    """Those who handed in or were told something, and the folder under which Moodle knows each; '' where it is not known."""
+    identifier = Identifier(roster) if roster is not None else None
+    return [(_folder(one, identifier), one) for one in records if one.counts() or one.handed.entries or one.comments()]
 
 
 def left_out(records: Sequence[Record], roster: Roster | None) -> str:
     """Whose page is not in the zip of pages, and what Moodle needs for it; empty if nobody's."""
-    identifier = Identifier(roster) if roster is not None else None
-    names = [one.label for one in _with_a_page(records) if not _folder(one, identifier)]
+    names = [one.label for folder, one in _with_a_page(records, roster) if not folder]
     if not names:
         return ""
     more = f" and {len(names) - 5} more" if len(names) > 5 else ""

@@ -64,7 +64,6 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
 def _look(records: Sequence[Record], outcome: Outcome) -> str:
     """Who needs the teacher's eye, and why; the most pressing first."""
     rows = []
-    asked = "<p>Answer the questions in <code>questions.csv</code>, next to the table, and run the command again.</p>"
     for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
         concerns = one.marked().concerns
         if one.status() in LOOK or concerns:
@@ -77,6 +76,7 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
     for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
     heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"
+    asked = "<p>Answer the questions in <code>questions.csv</code>, next to the table, and run the command again.</p>"
     how = asked if outcome.collection.unanswered else ""
     return f"<h2>Needs a look</h2>{how}<table>{heading}{''.join(rows)}</table>" if rows else ""
 

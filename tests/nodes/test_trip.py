@@ -1,5 +1,9 @@
 """A trip that was left in the middle: its session has ended, and it is collected whenever Python likes."""
 
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
 import rclpy
 from rclpy.node import Node
 
@@ -22,27 +26,31 @@ class Endless(TreeNode):
         self.halted = True
 
 
-def test_an_abandoned_trip_touches_nothing_when_it_is_collected() -> None:
+@pytest.fixture
+def tree() -> Iterator[Endless]:
+    """A tree to go by, in a session that has begun."""
     with Session(virtual=True).use():
         rclpy.init()
-        node, tree = Node("navigator"), Endless("Endless", {}, [], {})
-        crew = Crew(node, lambda: None, lambda pose: None)  # type: ignore[arg-type, return-value]
-        going = Trip(tree, crew, lambda: False, lambda: True, lambda trip: None, 0.1).run()
-        going.send(None)
-        rclpy.shutdown()
-    going.close()
+        yield Endless("Endless", {}, [], {})
+        rclpy.try_shutdown()
+
+
+def going(tree: Endless, stop: bool) -> tuple[Crew, Any]:
+    """A trip's crew, and the trip on its way."""
+    crew = Crew(Node("navigator"), lambda: None, lambda pose: None)  # type: ignore[arg-type, return-value]
+    return crew, Trip(tree, crew, lambda: stop, lambda: True, lambda trip: None, 0.1).run()
+
+
+def test_an_abandoned_trip_touches_nothing_when_it_is_collected(tree: Endless) -> None:
+    crew, trip = going(tree, stop=False)
+    trip.send(None)
+    rclpy.shutdown()
+    trip.close()
     assert not tree.halted and not crew.goes_on
 
 
-def test_a_trip_that_ends_halts_its_tree() -> None:
-    with Session(virtual=True).use():
-        rclpy.init()
-        node, tree = Node("navigator"), Endless("Endless", {}, [], {})
-        crew = Crew(node, lambda: None, lambda pose: None)  # type: ignore[arg-type, return-value]
-        going = Trip(tree, crew, lambda: True, lambda: True, lambda trip: None, 0.1).run()
-        try:
-            going.send(None)
-        except StopIteration as end:
-            assert end.value == "stopped"
-        assert tree.halted and crew.goes_on
-        rclpy.shutdown()
+def test_a_trip_that_ends_halts_its_tree(tree: Endless) -> None:
+    crew, trip = going(tree, stop=True)
+    with pytest.raises(StopIteration) as end:
+        trip.send(None)
+    assert end.value.value == "stopped" and tree.halted and crew.goes_on

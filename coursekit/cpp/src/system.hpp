@@ -12,8 +12,21 @@ constexpr Connection NO_CONNECTION = -1;
 
 /// Connect to what COURSEKIT_LINK names; NO_CONNECTION where nobody listens there.
 Connection open_connection(const char * address);
+/// Send some of it, at least a byte; 0 where the other end has gone.
+size_t send_some(Connection connection, const char * data, size_t size);
 /// Send all of it; false where the other end has gone.
-bool send_all(Connection connection, const char * data, size_t size);
+inline bool send_all(Connection connection, const char * data, size_t size)
+{
+  while (size) {
+    size_t sent = send_some(connection, data, size);
+    if (!sent) {
+      return false;
+    }
+    data += sent;
+    size -= sent;
+  }
+  return true;
+}
 /// Receive what has come, at least a byte and at most so many; 0 where the other end has gone.
 size_t receive_some(Connection connection, char * to, size_t size);
 void close_connection(Connection connection);

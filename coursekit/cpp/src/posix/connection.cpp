@@ -31,20 +31,13 @@ Connection open_connection(const char * address)
   strncpy(where.sun_path, address, sizeof(where.sun_path) - 1);
   return connect(fd, reinterpret_cast<sockaddr *>(&where), sizeof(where)) ? NO_CONNECTION : fd;
 }
-bool send_all(Connection connection, const char * data, size_t size)
+size_t send_some(Connection connection, const char * data, size_t size)
 {
-  while (size) {
-    ssize_t sent = send(static_cast<int>(connection), data, size, COURSEKIT_SEND_FLAGS);
-    if (sent < 0 && errno == EINTR) {
-      continue;
-    }
-    if (sent <= 0) {
-      return false;
-    }
-    data += sent;
-    size -= static_cast<size_t>(sent);
-  }
-  return true;
+  ssize_t sent;
+  do {
+    sent = send(static_cast<int>(connection), data, size, COURSEKIT_SEND_FLAGS);
+  } while (sent < 0 && errno == EINTR);
+  return sent < 0 ? 0 : static_cast<size_t>(sent);
 }
 size_t receive_some(Connection connection, char * to, size_t size)
 {

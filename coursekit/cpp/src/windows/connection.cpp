@@ -54,17 +54,10 @@ Connection open_connection(const char * address)
   }
   return static_cast<Connection>(made);
 }
-bool send_all(Connection connection, const char * data, size_t size)
+size_t send_some(Connection connection, const char * data, size_t size)
 {
-  while (size) {
-    int sent = send(static_cast<SOCKET>(connection), data, static_cast<int>(std::min(size, MOST)), 0);
-    if (sent <= 0) {
-      return false;
-    }
-    data += sent;
-    size -= static_cast<size_t>(sent);
-  }
-  return true;
+  int sent = send(static_cast<SOCKET>(connection), data, static_cast<int>(std::min(size, MOST)), 0);
+  return sent < 0 ? 0 : static_cast<size_t>(sent);
 }
 size_t receive_some(Connection connection, char * to, size_t size)
 {

@@ -4,7 +4,8 @@ import os
 
 import pytest
 
-from .handed import NOON
+from .handed import NOON, TOPICS, cheap_mark, text, write
+from .test_identifying import LISTS
 
 
 @pytest.fixture(autouse=True)
@@ -24,3 +25,14 @@ def not_root(monkeypatch):
 def same_day(monkeypatch):
     """It is a week after what was handed in, whatever this computer's clock says."""
     monkeypatch.setattr("coursekit.grade.record.now", lambda: NOON + 7 * 86400)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """What Moodle's download of a class of two looks like; the list of it is beside."""
+    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
+    monkeypatch.setattr("coursekit.grade.sandbox.tier", lambda: "bubblewrap")
+    for name in LISTS:
+        (tmp_path / name).write_text(LISTS[name], encoding="utf-8")
+    write(tmp_path / "class" / "García López Ana_101_assignsubmission_file_" / TOPICS, text("q1", "q2"))
+    return tmp_path / "class"

@@ -1,4 +1,4 @@
-"""Marks go back in the platform's own columns; what a teacher wrote by hand stays; names can be hidden."""
+"""Marks go back in the platform's own columns; names can be hidden."""
 
 import csv
 import html
@@ -11,24 +11,7 @@ import pytest
 from coursekit.cli.coursekit import main
 from coursekit.grade.statuses import STATUSES
 
-from .handed import NOON, SERVICES, TOPICS, answer, cheap_mark, grade, rows, text, write, zipped
-from .test_identifying import LISTS
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    """What Moodle's download of a class of two looks like; the list of it is beside."""
-    monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
-    monkeypatch.setattr("coursekit.grade.sandbox.tier", lambda: "bubblewrap")
-    for name in LISTS:
-        (tmp_path / name).write_text(LISTS[name], encoding="utf-8")
-    write(tmp_path / "class" / "García López Ana_101_assignsubmission_file_" / TOPICS, text("q1", "q2"))
-    return tmp_path / "class"
-
-
-def lines(file):
-    with open(file, newline="", encoding="utf-8-sig") as table:
-        return list(csv.reader(table))
+from .handed import NOON, TOPICS, answer, edited, grade, lines, rows, text, write, zipped
 
 
 def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(folder):
@@ -92,61 +75,6 @@ def test_nothing_is_handed_back_for_whom_a_question_is_open(folder):
     assert grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")[0] == 1
     head, _, ben = lines(folder.parent / "grades.moodle.csv")
     assert ben[head.index("Grade")] == ""
-
-
-def edited(table, **cells):
-    """The table with other texts in a row of one student, saved as a German Excel does."""
-    found = lines(table)
-    row = next(one for one in found if one[1] == cells["student"])
-    for name, said in cells.items():
-        if name not in found[0]:
-            found = [[*one, name if number == 0 else ""] for number, one in enumerate(found)]
-            row = next(one for one in found if one[1] == cells["student"])
-        row[found[0].index(name)] = said
-    with open(table, "w", newline="", encoding="utf-8-sig") as out:
-        csv.writer(out, delimiter=";").writerows(found)
-
-
-def test_points_and_comments_by_hand_are_kept_and_told(folder, capsys):
-    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1"))
-    words = ("--roster", folder.parent / "moodle.csv")
-    before = grade(folder, *words)[1]["Ben Ito"]
-    edited(folder.parent / "grades.csv", student="Ben Ito", comment="Well tried; =see me", oral="2", **{"ch02.q2": "1,5"})
-    for _ in range(2):
-        capsys.readouterr()
-        row = grade(folder, *words, "--again")[1]["Ben Ito"]
-        assert (row["ch02.q2"], row["total"], row["comment"], row["oral"]) == ("1.5", "2.5", "Well tried;' =see me".replace(
-            ";' =", "; '="), "2")  # fmt: skip
-        assert "ch02.q2: 1.5 by hand" in row["notes"]
-    page = (folder.parent / "grades" / f"{row['key']}.html").read_text()
-    assert "Well tried" in page and "given by hand" in page
-    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", "q3"), NOON + 60)
-    assert grade(folder, *words)[1]["Ben Ito"]["total"] == "4.5"
-    edited(folder.parent / "grades.csv", student="Ben Ito", **{"ch02.q2": ""})
-    capsys.readouterr()
-    assert grade(folder, *words)[1]["Ben Ito"]["total"] == "3" and before["total"] == "1"
-    assert "ch02.q2 is the grader's again" in capsys.readouterr().out
-
-
-def test_a_total_by_hand_and_one_that_is_no_number(folder, capsys):
-    grade(folder)
-    edited(folder.parent / "grades.csv", student="García López Ana", total="6", **{"ch02.q1": "good"})
-    row = grade(folder)[1]["García López Ana"]
-    assert (row["total"], row["points"]) == ("6", "3")
-    said = capsys.readouterr().out
-    assert "total is 6 by hand (was 3)" in said and "'good' is not a number: ignored" in said
-
-
-def test_a_total_by_hand_is_that_of_its_chapters_only(folder):
-    write(folder / "García López Ana_101_assignsubmission_file_" / SERVICES, text("q1", chapter=SERVICES))
-    name = "García López Ana"
-    grade(folder, "--chapters", "02")
-    edited(folder.parent / "grades.csv", student=name, total="6")
-    assert grade(folder, "--chapters", "02")[1][name]["total"] == "6"
-    assert lines(folder.parent / "grades" / "gradebook.csv")[1][3:5] == ["6", "6"]
-    other = grade(folder, "--chapters", "03")[1][name]
-    assert other["total"] == other["points"] != "6" and "by hand" not in other["notes"]
-    assert grade(folder, "--chapters", "02")[1][name]["total"] == "6"
 
 
 def test_every_average_is_of_the_marks_after_lateness_and_says_so(folder, capsys):
@@ -240,24 +168,6 @@ def test_rows_are_whole_while_it_runs(folder, monkeypatch):
     assert not list(folder.parent.glob(".grades*"))
 
 
-def test_what_was_marked_without_names_holds_when_names_are_shown(folder):
-    grade(folder, "--chapters", "02", "--anonymous")
-    table = folder.parent / "grades.csv"
-    with open(table, newline="", encoding="utf-8-sig") as file:
-        found = list(csv.DictReader(file))
-    found[0] |= {"ch02.q1": "0.75", "comment": "Nearly."}
-    with open(table, "w", newline="", encoding="utf-8") as file:
-        made = csv.DictWriter(file, found[0].keys())
-        made.writeheader()
-        made.writerows(found)
-    assert found[0]["student"].startswith("P-")
-    for words in (("--anonymous",), (), ("--again",), ("--anonymous",), ()):
-        _, after = grade(folder, "--chapters", "02", *words)
-        (row,) = [one for one in after.values() if one["key"] and one["total"] != "0"]
-        assert (row["ch02.q1"], row["comment"]) == ("0.75", "Nearly.")
-        assert row["student"].startswith("P-") == ("--anonymous" in words)
-
-
 def test_nobody_with_an_open_question_has_a_total_in_the_gradebook(folder):
     for name in ("x", "y"):
         write(folder / "Ito Ben_102_assignsubmission_file_" / name / TOPICS, text("q1" if name == "x" else "q2"))
@@ -292,42 +202,6 @@ def test_a_list_of_participants_comes_back_with_its_separator_the_marks_and_the_
     assert ana[:4] == ["Ana", "García López", "a01", "3"] and ana[4].endswith("Well done")
 
 
-def test_a_teacher_s_own_columns_are_not_shown_to_the_student(folder):
-    words = ("--roster", folder.parent / "plain.csv", "--for", "moodle")
-    key = grade(folder, *words)[1]["Ana García López"]["key"]
-    said = {"comment": "Well done", "ch02.q1 comment": "Shorter next time", "private": "copied?"}
-    edited(folder.parent / "grades.csv", student="Ana García López", **said)
-    row = grade(folder, *words)[1]["Ana García López"]
-    assert row["private"] == "copied?"
-    back = (folder.parent / "grades.moodle.csv").read_text(encoding="utf-8")
-    for page in ((folder.parent / "grades" / f"{key}.html").read_text(), back):
-        assert "Well done" in page and "Shorter next time" in page and "copied" not in page
-
-
-def test_a_table_saved_with_decimal_commas_is_not_changed(folder, capsys):
-    words = ("--due", "2026-11-22T10:26", "--roster", folder.parent / "moodle.csv")
-    before = grade(folder, *words)[1]["Ana García López"]
-    table = lines(folder.parent / "grades.csv")
-    with_commas = [[one.replace(".", ",") if one.replace(".", "").isdigit() else one for one in row] for row in table]
-    with_commas[1][table[0].index("minutes_late")] += ",0"
-    with open(folder.parent / "grades.csv", "w", newline="", encoding="utf-8-sig") as out:
-        csv.writer(out, delimiter=";").writerows(with_commas)
-    capsys.readouterr()
-    assert grade(folder, *words)[1]["Ana García López"] == before
-    assert "!" not in capsys.readouterr().out
-
-
-def test_a_total_by_hand_says_so_on_the_page(folder):
-    words = ("--due", "2026-11-22T10:26", "--policy", folder.parent / "policy.toml")
-    words[3].write_text("percent_per_day = 10\n", encoding="utf-8")
-    key = grade(folder, *words)[1]["García López Ana"]["key"]
-    page = folder.parent / "grades" / f"{key}.html"
-    assert "after 20 % taken off for being late" in page.read_text()
-    edited(folder.parent / "grades.csv", student="García López Ana", total="6")
-    grade(folder, *words)
-    assert "</b> of 7 points in 02_topics, given by hand" in page.read_text() and "taken off" not in page.read_text()
-
-
 SPANISH = (
     "Identificador;Nombre completo;Dirección de correo;Estatus;Calificación;Calificación máxima;"
     "Última modificación (entrega);Comentarios de retroalimentación\n"
@@ -353,13 +227,6 @@ def test_moodle_s_worksheet_is_known_in_other_languages(folder, sheet, capsys):
     assert "maximum grade is 100,00, and these marks are of 7 points" in capsys.readouterr().out
     with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
         assert [one.split("_")[1] for one in packed.namelist()] == ["101"]
-
-
-def test_more_points_than_there_are_are_asked_about(folder, capsys):
-    grade(folder)
-    edited(folder.parent / "grades.csv", student="García López Ana", **{"ch02.q2": "9"})
-    grade(folder)
-    assert "! García López Ana: ch02.q2 is 9 by hand, and has 2 points. A bonus?" in capsys.readouterr().out
 
 
 def test_pages_never_go_into_the_folder_of_what_was_handed_in(folder):

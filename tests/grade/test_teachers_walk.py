@@ -23,12 +23,11 @@ from coursekit.grade.verdict import Verdict, Wrong
 from coursekit.grade.work import Work
 from tests.needs import posix
 
-from .handed import TOPICS, grade, text, write
-from .test_handing_back import folder, lines  # noqa: F401
+from .handed import TOPICS, grade, lines, text, write
 from .test_identifying import LISTS
 
 
-def test_marks_of_7_in_an_assignment_of_100_are_told_before_they_are_uploaded(folder, capsys):  # noqa: F811
+def test_marks_of_7_in_an_assignment_of_100_are_told_before_they_are_uploaded(folder, capsys):
     (folder.parent / "moodle.csv").write_text(_with_maximum("100.00"), encoding="utf-8")
     grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")
     assert "the assignment's maximum grade is 100.00, and these marks are of 7 points" in capsys.readouterr().out
@@ -47,7 +46,7 @@ def test_a_maximum_that_is_no_number_is_left_alone(most, told):
     assert bool(beside_the_platform_s(14.0, [most])) == told
 
 
-def test_a_dash_in_the_platform_s_own_column_stays_a_dash(folder):  # noqa: F811
+def test_a_dash_in_the_platform_s_own_column_stays_a_dash(folder):
     head, *rows = LISTS["moodle.csv"].splitlines()
     made = "\n".join([f"{head},Last modified (grade)", *(f"{row},-" for row in rows)])
     (folder.parent / "moodle.csv").write_text(made, encoding="utf-8")
@@ -90,7 +89,7 @@ def test_marking_says_at_once_what_it_begins_with(tmp_path, monkeypatch):
     ]
 
 
-def test_the_solutions_are_announced_once_while_they_are_marked(folder, capfd):  # noqa: F811
+def test_the_solutions_are_announced_once_while_they_are_marked(folder, capfd):
     for expected in (1, 0):
         write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q3"))
         grade(folder, "--roster", folder.parent / "moodle.csv")

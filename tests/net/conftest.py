@@ -2,6 +2,8 @@
 
 import pytest
 
+from coursekit.processes.session import Session
+
 from .sides import network
 
 
@@ -9,3 +11,10 @@ from .sides import network
 def side():
     with network() as make:
         yield make
+
+
+@pytest.fixture
+def session():
+    session = Session()
+    yield session
+    session.close()

@@ -15,11 +15,7 @@ from coursekit.net import joining, opening
 from coursekit.net.errors import NoNetwork
 from coursekit.net.joining import join, leave, link_of
 from coursekit.net.opening import Credentials, open_client, open_router
-from coursekit.net.remote import RemotePublisher
 from coursekit.net.report import report
-from coursekit.net.wire.attachment import Attachment
-from coursekit.net.wire.moving import Punctual
-from coursekit.net.wire.token import read_token
 from coursekit.processes.session import Session
 
 from .sides import LIMIT, Inbox, free_port, network
@@ -31,13 +27,6 @@ def seen_by(side, holds):
     """Wait until somebody else sees it."""
     watch = side()
     watch.until(lambda: holds(watch.graph))
-
-
-@pytest.fixture
-def session():
-    session = Session()
-    yield session
-    session.close()
 
 
 def test_nothing_is_joined_and_zenoh_is_not_imported_unless_asked():
@@ -223,191 +212,6 @@ def test_a_lost_link_is_told_and_comes_back_with_all_that_was_there():
         one.link.close()
         two.link.close()
         router.close()
-
-
-# -- velocities
-
-
-def velocity(publisher, forward, number, stamp):
-    from coursekit.interfaces import cdr
-
-    twist = Twist()
-    twist.linear.x = forward
-    publisher.receive(cdr.serialize(twist), Attachment(number, stamp, bytes(16)))
-
-
-@pytest.fixture
-def driven(side):
-    """A robot here, and a publisher of velocities there."""
-    one = side()
-    subscription = one.graph.add_node("base", "/").subscription("/cmd_vel", Twist, Qos(depth=50))
-    text = "@ros2_lv/0/ffee/1/2/MP/%/%/teleop/%cmd_vel/geometry_msgs::msg::dds_::Twist_/X/::,10:,:,:,,"
-    one.link.visitors.came(text)
-    publisher = one.graph.publishers["/cmd_vel"][0]
-    assert isinstance(publisher, RemotePublisher) and read_token(text).name == "/cmd_vel"
-    yield subscription, publisher, lambda: one.link.visitors.left(text)
-
-
-def speeds(subscription):
-    found = []
-    while (entry := subscription.take()) is not None:
-        found.append(entry[0].linear.x)
-    return found
-
-
-def test_a_robot_is_stopped_when_who_drives_it_is_gone(driven):
-    subscription, publisher, go = driven
-    velocity(publisher, 0.5, 1, 0)
-    go()
-    assert speeds(subscription) == [0.5, 0.0]
-
-
-def test_a_robot_that_stands_gets_no_stop(driven):
-    subscription, publisher, go = driven
-    velocity(publisher, 0.5, 1, 0)
-    velocity(publisher, 0.0, 2, 1)
-    go()
-    assert speeds(subscription) == [0.5, 0.0]
-
-
-def test_velocities_that_waited_in_a_queue_are_not_carried_out(driven):
-    subscription, publisher, _ = driven
-    now = publisher.graph.clock.now()
-    velocity(publisher, 0.1, 1, now)
-    for number in range(2, 10):  # sent long before, here only now
-        velocity(publisher, 0.9, number, now - 5_000_000_000)
-    velocity(publisher, 0.2, 10, publisher.graph.clock.now())
-    assert speeds(subscription) == [0.1, 0.2]
-
-
-def test_another_computers_clock_may_be_wrong_and_may_be_set():
-    second, check = 1_000_000_000, Punctual()
-    hour = 3600 * second
-    assert not any(check.is_late(k * second // 10 + hour, k * second // 10) for k in range(20))
-    late = [check.is_late(k * second // 10, k * second // 10) for k in range(20, 80)]
-    assert late[0] and not late[-1]
-
-
-# -- whole interpreters
-
-PROGRAM = """
-import sys, rclpy
-from std_msgs.msg import String
-rclpy.init()
-node = rclpy.create_node(sys.argv[1])
-publisher = node.create_publisher(String, "chatter", 10)
-heard = lambda message: print("heard", message.data, flush=True) if message.data != sys.argv[1] else None
-subscription = node.create_subscription(String, "chatter", heard, 10)
-timer = node.create_timer(0.02, lambda: publisher.publish(String(data=sys.argv[1])))
-print("ready", flush=True)
-if "leave" in sys.argv:
-    rclpy.spin_once(node)
-else:
-    rclpy.spin(node)
-"""
-
-
-def program(address, *words, **environ):
-    env = dict(os.environ, COURSEKIT_NETWORK=address, COURSEKIT_ALONE="1", **environ)
-    command = [sys.executable, "-c", PROGRAM, *words]
-    return subprocess.Popen(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-
-def until_line(child, wanted):
-    for line in child.stdout:
-        if line.strip() == wanted:
-            return
-    raise AssertionError(f"{wanted!r} was not said: {child.stderr.read()}")
-
-
-def test_programs_join_by_the_environment_and_one_that_is_killed_is_gone_at_once(side):
-    watch = side()
-    children = [program(side.address, "one"), program(side.address, "two")]
-    try:
-        until_line(children[0], "heard two")
-        until_line(children[1], "heard one")
-        watch.until(lambda: watch.names() == ["/one", "/two"])
-        children[0].kill()
-        watch.until(lambda: watch.names() == ["/two"])
-    finally:
-        for child in children:
-            child.kill()
-            child.communicate()
-
-
-COUNTING = """
-import sys, rclpy
-from std_msgs.msg import Int32
-rclpy.init()
-node = rclpy.create_node(sys.argv[1])
-if sys.argv[1] == "counter":
-    numbers, publisher = iter(range(10**9)), node.create_publisher(Int32, "count", 100)
-    timer = node.create_timer(0.01, lambda: publisher.publish(Int32(data=next(numbers))))
-else:
-    subscription = node.create_subscription(Int32, "count", lambda message: print(message.data, flush=True), 100)
-rclpy.spin(node)
-"""
-
-
-def test_programs_of_one_computer_that_both_join_hear_nothing_twice(side, tmp_path):
-    env = dict(os.environ, COURSEKIT_NETWORK=side.address, COURSEKIT_RUNTIME_DIR=str(tmp_path))
-    children = [
-        subprocess.Popen([sys.executable, "-c", COUNTING, name], env=env, stdout=subprocess.PIPE, text=True)
-        for name in ("counter", "listener")
-    ]
-    try:
-        heard = [int(children[1].stdout.readline()) for _ in range(50)]
-        assert heard == list(range(heard[0], heard[0] + 50))
-    finally:
-        for child in children:
-            child.kill()
-            child.communicate()
-
-
-def test_tests_join_nothing_by_the_environment(side, session, monkeypatch):
-    monkeypatch.setenv("COURSEKIT_NETWORK", side.address)
-    session.meet(0)
-    assert link_of(session, 0) is None
-
-
-def test_a_program_ends_by_itself_though_messages_come_in(side):
-    loud = program(side.address, "loud")
-    try:
-        until_line(loud, "ready")
-        quiet = program(side.address, "quiet", "leave")
-        assert quiet.wait(LIMIT) == 0, quiet.communicate()
-        assert "Traceback" not in quiet.communicate()[1]
-    finally:
-        loud.kill()
-        loud.communicate()
-
-
-def test_a_program_ends_by_itself_though_its_router_is_frozen(side, tmp_path):
-    import signal
-
-    from coursekit.systems.children import send_signal
-
-    port = free_port()
-    router = subprocess.Popen(
-        [sys.executable, "-m", "coursekit.cli.coursekit", "network", "serve", "--listen", f"tcp/127.0.0.1:{port}"],
-        stdout=subprocess.PIPE, text=True,
-    )  # fmt: skip
-    try:
-        assert f"%network tcp/127.0.0.1:{port}" in router.stdout.readline()
-        child = program(f"127.0.0.1:{port}", "one")
-        until_line(child, "ready")
-        send_signal(router, signal.SIGSTOP)
-        child.send_signal(signal.SIGINT)
-        child.communicate(timeout=LIMIT)
-    finally:
-        router.kill()
-        router.communicate()
-
-
-def test_a_program_whose_network_is_not_there_says_so_and_runs(side):
-    child = program(f"127.0.0.1:{free_port()}", "alone", "leave")
-    said = child.communicate(timeout=LIMIT)
-    assert child.returncode == 0 and "ready" in said[0] and "Nobody listens" in said[1]
 
 
 def test_an_engine_that_is_not_installed_is_told(monkeypatch, session):

@@ -5,46 +5,27 @@ import subprocess
 import sys
 
 import pytest
-from jupyter_client.manager import start_new_kernel
 
 from coursekit.cli import endpoint
+from tests.kernels import run, surround, two_kernels
 
 pty = pytest.importorskip("pty", reason="Windows has no terminals of this kind")
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
 DOMAIN = 79
-START = "from coursekit.lab import *\nimport rclpy\nrclpy.init()\nnode = rclpy.create_node('{}')"
+START = "from coursekit.lab import *\nimport rclpy\nrclpy.init()\nnode = rclpy.create_node('{name}')"
 
 
 @pytest.fixture
 def surroundings(tmp_path, monkeypatch):
-    for name in [one for one in os.environ if one.startswith("COURSEKIT_")]:
-        monkeypatch.delenv(name)
-    monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", str(tmp_path))
+    surround(monkeypatch, tmp_path, DOMAIN)
     monkeypatch.setenv("COURSEKIT_WORKSPACE", str(tmp_path / "ros2_ws"))
-    monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
-    monkeypatch.setenv("ROS_DOMAIN_ID", str(DOMAIN))
 
 
 @pytest.fixture
 def notebooks(surroundings, monkeypatch):
     """Kernels of two notebooks; the second was opened last."""
-    opened = []
-    for name in ("one", "two"):
-        monkeypatch.setenv("JPY_SESSION_NAME", f"/course/{name}.ipynb")
-        manager, client = start_new_kernel(kernel_name="python3", startup_timeout=60)
-        opened.append((manager, client))
-        run(client, START.format(name))
-    yield opened
-    for manager, client in opened:
-        client.stop_channels()
-        manager.shutdown_kernel(now=True)
-
-
-def run(client, code):
-    said = []
-    reply = client.execute_interactive(code, timeout=60, output_hook=lambda message: said.append(message["content"]))
-    assert reply["content"]["status"] == "ok", reply["content"]
-    return "".join(one.get("text", "") for one in said)
+    with two_kernels(lambda name: monkeypatch.setenv("JPY_SESSION_NAME", f"/course/{name}.ipynb"), START) as opened:
+        yield opened
 
 
 def ros2(*words):

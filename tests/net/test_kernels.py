@@ -1,12 +1,12 @@
 """Two notebooks, each in a kernel of its own, at the router of `coursekit network serve`: what students type."""
 
 import contextlib
-import os
 import subprocess
 import sys
 
 import pytest
-from jupyter_client.manager import start_new_kernel
+
+from tests.kernels import run, surround, two_kernels
 
 from .sides import free_port, network
 
@@ -47,32 +47,13 @@ def router(*words):
 
 @pytest.fixture
 def notebooks(tmp_path, monkeypatch):
-    for name in [one for one in os.environ if one.startswith("COURSEKIT_")]:
-        monkeypatch.delenv(name)
-    monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", str(tmp_path))
-    monkeypatch.setenv("COURSEKIT_COURSE", str(tmp_path))
-    monkeypatch.setenv("ROS_DOMAIN_ID", "78")
-    opened = []
-    for name in ("one", "two"):
+    surround(monkeypatch, tmp_path, 78)
+
+    def prepare(name):
         monkeypatch.setenv("COURSEKIT_WORKSPACE", str(tmp_path / name / "ros2_ws"))
-        opened.append(start_new_kernel(kernel_name="python3", startup_timeout=60))
-        run(opened[-1][1], START.format(name=name))
-    yield opened
-    for manager, client in opened:
-        client.stop_channels()
-        manager.shutdown_kernel(now=True)
 
-
-def run(client, code):
-    said = []
-
-    def keep(message):
-        if message["msg_type"] == "stream":
-            said.append(message["content"]["text"])
-
-    reply = client.execute_interactive(code, output_hook=keep, timeout=120)
-    assert reply["content"]["status"] == "ok", reply["content"]
-    return "".join(said)
+    with two_kernels(prepare, START) as opened:
+        yield opened
 
 
 def test_two_notebooks_meet_and_one_is_shut_down_though_it_did_not_leave(notebooks, tmp_path):

@@ -8,7 +8,11 @@ import os
 import stat
 import tempfile
 import time
-from pathlib import Path
+from collections.abc import Iterable
+from pathlib import Path, PurePath
+from typing import TypeVar
+
+AnyPath = TypeVar("AnyPath", bound=PurePath)
 
 WINDOWS = os.name == "nt"
 """Tests set it, to see on Linux what happens there."""
@@ -17,6 +21,17 @@ PAUSES = (0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8)
 TEXT, DATA = 16 << 20, 256 << 20
 """The largest text, and the largest other file, that is read [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+
+
+def in_order(paths: Iterable[AnyPath]) -> list[AnyPath]:
+    """Paths in one order on every system: those of Windows ignore case when they are sorted by themselves.
+
+    >>> from pathlib import PureWindowsPath
+    >>> names = [PureWindowsPath("ListControllers.srv"), PureWindowsPath("ListControllerTypes.srv")]
+    >>> [one.name for one in in_order(names)], [one.name for one in sorted(names)]
+    (['ListControllerTypes.srv', 'ListControllers.srv'], ['ListControllers.srv', 'ListControllerTypes.srv'])
+    """
+    return sorted(paths, key=lambda one: one.as_posix())
 
 
 def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:

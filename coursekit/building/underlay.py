@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
 
+from coursekit.files import in_order
 from coursekit.interfaces.find import KINDS, UNDERLAY
 from coursekit.interfaces.stubs import package_stubs
 
@@ -41,18 +42,13 @@ def write(package: Path = UNDERLAY) -> list[Path]:
 
 
 def _interfaces() -> Iterator[tuple[str, str]]:
-    for folder in sorted((UNDERLAY / "share").iterdir(), key=_name):
-        definitions = {kind: sorted((folder / kind).glob(f"*.{kind}"), key=_name) for kind in KINDS}
+    for folder in in_order((UNDERLAY / "share").iterdir()):
+        definitions = {kind: in_order((folder / kind).glob(f"*.{kind}")) for kind in KINDS}
         for kind in (kind for kind, paths in definitions.items() if paths):
             yield f"ros/{folder.name}/__init__.py", f'"""Interfaces of {folder.name}."""\n'
             yield f"ros/{folder.name}/{kind}/__init__.py", _module(folder.name, kind)
         stubs = package_stubs(folder.name, chain.from_iterable(definitions.values()))
         yield from ((f"ros/{name}", text) for name, text in stubs.items())
-
-
-def _name(path: Path) -> str:
-    """What files are sorted by. Paths of Windows ignore case, and what is made would differ there."""
-    return path.name
 
 
 def _module(package: str, kind: str) -> str:

@@ -6,7 +6,7 @@ import hashlib
 import mmap
 from pathlib import Path
 
-from coursekit.files import read_bytes
+from coursekit.files import in_order, read_bytes
 
 MARK = b"coursekit-runtime:"
 """What stands before the key in every program; `src/link.cpp` has it, too."""
@@ -18,7 +18,7 @@ def runtime_key() -> str:
     """A text that changes with the runtime's headers and sources."""
     seen = hashlib.sha256()
     for folder in ("include", "src"):
-        for path in sorted(path for path in (_ROOM / folder).rglob("*") if path.is_file()):
+        for path in in_order(path for path in (_ROOM / folder).rglob("*") if path.is_file()):
             seen.update(path.relative_to(_ROOM).as_posix().encode() + b"\0" + read_bytes(path))
     return seen.hexdigest()[:_LENGTH]
 

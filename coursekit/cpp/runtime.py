@@ -16,7 +16,7 @@ from pathlib import Path
 from coursekit.cpp.age import runtime_key
 from coursekit.cpp.headers import write_headers
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
-from coursekit.files import read_bytes
+from coursekit.files import in_order, read_bytes
 from coursekit.interfaces.find import UNDERLAY, known_interfaces
 
 ROOM = Path(__file__).parent
@@ -62,7 +62,7 @@ _CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay
 def runtime_folder(tools: Toolchain) -> Path:
     """Where the runtime for these tools is, or will be: one for each compiler and each version of what it is made of."""
     seen = hashlib.sha256(version_of(tools.cxx).encode())
-    for path in sorted([*_files(ROOM), UNDERLAY / "interfaces" / "cpp_source.py", *UNDERLAY.glob("share/*/*/*")]):
+    for path in in_order([*_files(ROOM), UNDERLAY / "interfaces" / "cpp_source.py", *UNDERLAY.glob("share/*/*/*")]):
         if path.suffix in (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py"):
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
     return cache_folder() / "cpp" / seen.hexdigest()[:16]

@@ -10,7 +10,7 @@ from coursekit.nodes.rviz.kinds import KINDS
 from coursekit.suggestions import similar
 from coursekit.tf import ExtrapolationException, Pose, TransformException
 
-from .displays import Display, NoTransform, make_display
+from .displays import Display, NoTransform, NotYet, make_display
 from .displays.image import Image
 from .displays.robot_model import RobotModel
 from .frame_listening import listen_to_frames
@@ -112,7 +112,7 @@ class Stage:
         return frame
 
     def pose(self, frame: str, stamp: int = 0) -> Pose:
-        """A frame in the fixed frame, at a time [ns], 0: the newest. Raises NoTransform."""
+        """A frame in the fixed frame, at a time [ns], 0: the newest. Raises NoTransform; NotYet if its time may come."""
         fixed = self.fixed_frame
         frame = frame.removeprefix("/")
         if frame == fixed:
@@ -120,7 +120,16 @@ class Stage:
         try:
             return self.buffer.lookup(fixed, frame, stamp).pose
         except TransformException as error:
-            raise NoTransform(self._explain(frame, fixed, error)) from None
+            text = self._explain(frame, fixed, error)
+            ahead = isinstance(error, ExtrapolationException) and self._ahead(frame, fixed, stamp)
+            raise (NotYet if ahead else NoTransform)(text) from None
+
+    def _ahead(self, frame: str, fixed: str, stamp: int) -> bool:
+        """Whether a time is after the newest one at which two frames are joined."""
+        try:
+            return stamp > self.buffer.latest_common_time(fixed, frame)
+        except TransformException:
+            return False
 
     def pose_at(self, header: Any, newest: bool = False) -> Pose:
         """The frame of a header at its time; with `newest`, the newest one where that time is not held."""

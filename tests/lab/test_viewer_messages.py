@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from builtin_interfaces.msg import Time
 from geometry_msgs.msg import Point, Pose, PoseArray, PoseStamped
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from sensor_msgs.msg import Image, LaserScan, PointCloud2, PointField
-from std_msgs.msg import ColorRGBA
+from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
 from coursekit.lab.hidden import HiddenNode
@@ -112,17 +113,57 @@ def test_a_bad_marker_is_named_and_the_others_stay(session, talker):
     assert len(shapes(panel, "MarkerArray")) == 1
 
 
-def test_a_scan_waits_for_its_transform_and_is_shown_where_it_was_taken(session, talker):
+@pytest.fixture
+def scans(session, talker):
+    """A viewer of scans, in `odom`; its laser is at 0, now. Gives the viewer, and what sends a scan of now."""
     panel = viewer(fixed_frame="odom", displays=["LaserScan"])
     frame(talker, "odom", "laser", 0.0, static=False)
     session.clock.sleep(0.1)
-    msg = LaserScan(ranges=[1.0], range_max=5.0)
-    msg.header.frame_id, msg.header.stamp = "laser", talker.get_clock().now().to_msg()
-    talker.create_publisher(LaserScan, "/scan", 1).publish(msg)
-    session.clock.sleep(0.1)
-    assert panel.status("LaserScan").startswith("Error") and "extrapolation" in panel.status("LaserScan")
+    publisher = talker.create_publisher(LaserScan, "/scan", 5)
+
+    def scan():
+        msg = LaserScan(ranges=[1.0], range_max=5.0)
+        msg.header.frame_id, msg.header.stamp = "laser", talker.get_clock().now().to_msg()
+        publisher.publish(msg)
+        session.clock.sleep(0.1)
+
+    return panel, scan
+
+
+def test_a_scan_waits_for_its_transform_and_is_shown_where_it_was_taken(session, talker, scans):
+    panel, scan = scans
+    scan()
+    assert panel.status("LaserScan").startswith("Warn") and "extrapolation" in panel.status("LaserScan")
     frame(talker, "odom", "laser", 2.0, static=False)
     session.clock.sleep(0.1)
     panel.stage.update()
     (thing,) = panel.stage.scene.things.values()
     assert thing.pose[0] == pytest.approx(1.0), "half way, when the scan was taken"
+    assert panel.status("LaserScan").startswith("Ok")
+
+
+def test_a_scan_that_came_before_its_transform_is_no_fault_where_one_is_shown(session, talker, scans):
+    panel, scan = scans
+    scan()
+    frame(talker, "odom", "laser", static=False)
+    scan()
+    assert panel.status("LaserScan").startswith("Ok"), "the first is shown, the second waits"
+
+
+def test_transforms_that_come_no_more_are_an_error(session, talker, scans):
+    panel, scan = scans
+    scan()
+    frame(talker, "odom", "laser", static=False)
+    for _ in range(6):
+        scan()
+    assert panel.status("LaserScan").startswith("Error") and "extrapolation" in panel.status("LaserScan")
+
+
+def test_a_scan_from_before_all_transforms_is_an_error(session, talker, scans):
+    panel = scans[0]
+    for _ in range(2):
+        session.clock.sleep(0.1)
+        frame(talker, "odom", "laser", static=False)
+    said(talker, LaserScan, "/scan", "laser", header=Header(stamp=Time(sec=1)))
+    session.clock.sleep(0.1)
+    assert panel.status("LaserScan").startswith("Error") and "into the past" in panel.status("LaserScan")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from threading import local
+from threading import Lock, local
 from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
@@ -17,6 +17,8 @@ from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -152,6 +154,38 @@ def do_feedback(host: Host, _channel: Channel, frame: Unpacker) -> None:
 # -- clients
 
 
+class _Sent:
+    """A goal on its way. Feedback that is taken before the answer waits: the program does not know its goal yet."""
+
+    def __init__(self, tell_answer: Callable[[Any], None], tell_feedback: Callable[[Any], None]) -> None:
+        self._tell_answer = tell_answer
+        self._tell_feedback = tell_feedback
+        self._early: list[Any] = []
+        self._answered = False
+        self._lock = Lock()
+
+    def heard(self, message: Any) -> None:
+        """Feedback came."""
+        with self._lock:
+            if not self._answered:
+                self._early.append(message)
+                return
+        self._tell_feedback(message)
+
+    def answered(self, future: Any) -> None:
+        """The answer came: tell it, then the feedback that waited, in its order."""
+        self._tell_answer(future)
+        while early := self._waiting():
+            for message in early:
+                self._tell_feedback(message)
+
+    def _waiting(self) -> list[Any]:
+        with self._lock:
+            early, self._early = self._early, []
+            self._answered = not early
+        return early
+
+
 class CompiledActionClient(ActionClient):
     """Knows its goals by their ids, until their results are there."""
 
@@ -163,8 +197,9 @@ class CompiledActionClient(ActionClient):
 
     def send(self, number: int, goal: bytes) -> None:
         """Send a goal; the program hears of the answer by its number."""
-        future = self.send_goal_async(deserialize(goal, self._action_type.Goal), feedback_callback=self._tell_feedback)
-        future.add_done_callback(partial(self._tell_answer, number))
+        sent = _Sent(partial(self._tell_answer, number), self._tell_feedback)
+        future = self.send_goal_async(deserialize(goal, self._action_type.Goal), feedback_callback=sent.heard)
+        future.add_done_callback(sent.answered)
 
     def _tell_answer(self, number: int, future: Any) -> None:
         handle = future.result()

@@ -3,7 +3,7 @@
 from coursekit.nodes.rviz.config import DisplayConfig
 
 from .axes import Axes
-from .display import Display, NoTransform
+from .display import Display, NoTransform, NotYet
 from .flat import GridCells, PointStamped, Polygon
 from .grid import Grid
 from .image import Image
@@ -30,4 +30,4 @@ def make_display(config: DisplayConfig, number: int) -> Display:
     return BY_KIND[config.kind](config, number)
 
 
-__all__ = ["BY_KIND", "Display", "NoTransform", "make_display"]
+__all__ = ["BY_KIND", "Display", "NoTransform", "NotYet", "make_display"]

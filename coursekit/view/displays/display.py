@@ -22,6 +22,10 @@ class NoTransform(Exception):
     """A frame cannot be placed; the text names it and what there is."""
 
 
+class NotYet(NoTransform):
+    """A frame cannot be placed yet: its time is after the newest transform, which may still come."""
+
+
 class Display:
     """One row of the list. A subclass gives `draw`, and `kind`, its name in `KINDS`.
 
@@ -175,13 +179,13 @@ class StampedDisplay(Display):
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Show the newest message that can be placed; the newer ones wait for their transforms."""
         messages = self.taken()
+        faults: list[NoTransform] = []
         for index in range(len(messages) - 1, -1, -1):
             msg = messages[index]
             try:
                 pose = self.pose_of(msg, stage)
             except NoTransform as error:
-                if index == len(messages) - 1:
-                    self.say("Transform", "Error", str(error))
+                faults.append(error)
                 continue
             self.say("Transform", "Ok", "Transform OK")
             self.put_back(messages[index + 1 :])
@@ -189,7 +193,17 @@ class StampedDisplay(Display):
             self.show(msg, pose, stage, scene)
             return
         self.put_back(messages)
+        self._tell(faults)
         self._stay(stage, scene)
+
+    def _tell(self, faults: list[NoTransform]) -> None:
+        """Why no message can be shown, newest first. One that came before its transform is no fault, unless all wait."""
+        if not faults:
+            return
+        if not isinstance(faults[0], NotYet) or len(faults) == WAITING:
+            self.say("Transform", "Error", str(faults[0]))
+        elif self.shown is None:
+            self.say("Transform", "Warn", str(faults[0]))
 
     def _stay(self, stage: Stage, scene: Scene) -> None:
         """What is shown stays where its frame was at its time, also when the fixed frame is another now."""
@@ -215,4 +229,4 @@ class StampedDisplay(Display):
         raise TypeError(f"{type(self).__name__} has to say how a message is shown")
 
 
-__all__ = ["LEVELS", "Display", "NoTransform", "StampedDisplay"]
+__all__ = ["LEVELS", "Display", "NoTransform", "NotYet", "StampedDisplay"]

@@ -212,13 +212,17 @@ def _floor(message: dict[str, Any]) -> tuple[float, float]:
 
 
 def _at(place: Pose2D) -> str:
-    return f"({place.x + 0.0:.2f}, {place.y + 0.0:.2f})"
+    return f"({_short(place.x)}, {_short(place.y)})"
+
+
+def _short(number: float) -> str:
+    return f"{round(number, 2) + 0.0:.2f}"  # adding 0 takes the sign of -0.00
 
 
 def _robot_line(name: str, robot: Any) -> str:
     ahead, _, turn = robot.velocity
-    line = f"  {name}: robot, at {_at(robot.place)}, heading {math.degrees(robot.place.theta):.0f} deg"
-    line += f", {ahead:.2f} m/s, {turn:.2f} rad/s"
+    line = f"  {name}: robot, at {_at(robot.place)}, heading {round(math.degrees(robot.place.theta))} deg"
+    line += f", {_short(ahead)} m/s, {_short(turn)} rad/s"
     return line + (f", touches {', '.join(sorted(robot.contacts))}" if robot.contacts else "")
 
 

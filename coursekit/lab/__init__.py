@@ -29,8 +29,7 @@ from .viewer import viewer
 from .viewer_windows import show_rviz_windows
 from .waiting import wait
 from .windows import show_new_windows, windows
-from .world_view import world_view
-from .world_windows import show_world_windows
+from .world_windows import show_world_windows, world_view
 
 __all__ = [
     "check",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import anywidget
@@ -97,7 +98,7 @@ def desk(*panels: Any) -> Desk:
 
 
 def _named(panel: Any) -> str:
-    return type(panel).__name__.removesuffix("Panel").lower()
+    return re.sub("(?<!^)(?=[A-Z])", " ", type(panel).__name__.removesuffix("Panel")).lower()
 
 
 __all__ = ["Desk", "desk"]

@@ -1,13 +1,34 @@
-"""The windows of `gzclient`: the world's view appears in the notebook by itself, below the cell that started it."""
+"""The world's view, made by a cell or by `gzclient`, whose window appears below the cell that started it.
+
+What draws it is not loaded before it is used: physics and their compiler would take a third of a kernel's start.
+"""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from coursekit.nodes.gazebo.gzclient import WorldWindow, windows
 
 from .node_windows import NodeWindows
-from .world_view import WorldView
 
-_windows = NodeWindows(lambda _window: WorldView())
+if TYPE_CHECKING:
+    from .world_panel import WorldView
+
+
+def world_view(height: int = 420) -> WorldView:
+    """The simulated world as it truly is, in 3D: pause, step and reset it, drag robots and things, add boxes.
+
+    It shows the newest simulator of this notebook. From code: `world_view().pause()`, `.step(0.5)`, `.speed(2)`,
+    `.move("box_1", 1.0, 0.5)`, `.add_box(1.0, 0.0)`.
+
+    In ROS 2: `gzclient`, Gazebo's window.
+    """
+    from .world_panel import WorldView
+
+    return WorldView(height)
+
+
+_windows = NodeWindows(lambda _window: world_view())
 
 
 def show_world_windows() -> None:
@@ -28,4 +49,4 @@ def _hear(window: WorldWindow) -> bool:
     return True
 
 
-__all__ = ["show_world_windows"]
+__all__ = ["show_world_windows", "world_view"]

@@ -87,3 +87,14 @@ def test_gzclient_opens_it(notebook):
     made.run()
     made.page.wait_for_selector(".ck-world[data-messages]")
     made.page.wait_for_function("() => !document.querySelector('.ck-world .ck-nothing:not([hidden])')")
+
+
+def test_it_fills_the_desk(notebook, picture):
+    made = notebook(LAB, WORLD, "world = world_view()\ndesk(world, pad())", width=1366, height=768)
+    made.run()
+    made.page.wait_for_selector(".jupyterlab-sidecar .ck-world[data-messages]")
+    made.page.wait_for_function(HAS, arg="house")
+    assert "beside this notebook: world view, pad" in made.text()
+    sizes = {name: made.page.locator(f".jupyterlab-sidecar {name}").bounding_box() for name in (".ck-world", ".ck-pad")}
+    assert sizes[".ck-world"]["height"] > 380 and sizes[".ck-pad"]["y"] + sizes[".ck-pad"]["height"] <= 768
+    picture(made.page, "world-desk")

@@ -1,12 +1,14 @@
 """The world's view without a browser: what it says and shows, its hands on the simulator, and what a page asks of it."""
 
 import itertools
+import subprocess
+import sys
 
 import pytest
 
 from coursekit.lab.errors import BadArgument
 from coursekit.lab.panel import end_panels
-from coursekit.lab.world_view import world_view
+from coursekit.lab.world_windows import world_view
 from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.processes.executables import find
 from coursekit.processes.session import Session
@@ -186,3 +188,10 @@ def test_what_cannot_be_done_is_told_to_who_asked_and_the_world_goes_on(session,
     world.stage.simulator.soon(world.stage.simulator.put, Assembly("crate", things=[Thing("crate", ())]))
     session.clock.sleep(0.5)
     assert "there is a 'crate' already" in capsys.readouterr().err and server.state == "running"
+
+
+def test_a_kernel_that_shows_no_world_does_not_load_its_physics():
+    """It would take a third of the kernel's start."""
+    code = "import sys, coursekit.lab; print([one for one in ('numba', 'pymunk', 'mapbox_earcut') if one in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True)
+    assert done.stdout.strip().splitlines()[-1] == "[]"

@@ -8,7 +8,6 @@ from typing import Any
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.nodes.gazebo.simulators import Simulator, simulators
-from coursekit.processes.session import current
 from coursekit.sim import Prism, Thing, WorldError
 from coursekit.view.world_scene import WorldScene
 
@@ -226,16 +225,4 @@ def _robot_line(name: str, robot: Any) -> str:
     return line + (f", touches {', '.join(sorted(robot.contacts))}" if robot.contacts else "")
 
 
-def world_view(height: int = 420) -> WorldView:
-    """The simulated world as it truly is, in 3D: pause, step and reset it, drag robots and things, add boxes.
-
-    It shows the newest simulator of this notebook. From code: `world_view().pause()`, `.step(0.5)`, `.speed(2)`,
-    `.move("box_1", 1.0, 0.5)`, `.add_box(1.0, 0.0)`.
-
-    In ROS 2: `gzclient`, Gazebo's window.
-    """
-    current()
-    return WorldView(height)
-
-
-__all__ = ["WorldView", "world_view"]
+__all__ = ["WorldView"]

@@ -40,8 +40,7 @@ class SceneStage(Protocol):
 class ScenePanel(Panel):
     """The base of `viewer` and `world_view`. A subclass sets `stage`, then calls `stream`."""
 
-    stage: Any
-    """A SceneStage."""
+    stage: SceneStage
 
     def stream(self) -> None:
         """From now on pages may draw."""
@@ -50,7 +49,7 @@ class ScenePanel(Panel):
     def png(self, width: int = 640, height: int = 400) -> bytes:
         """A still picture of what is shown now."""
         self.stage.update()
-        return bytes(self.stage.png(width, height))
+        return self.stage.png(width, height)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         bundle = super()._repr_mimebundle_(**options)

@@ -30,6 +30,7 @@ class Viewer(ScenePanel):
 
     _esm = static("viewer.js", "scene.js")
     _css = static("viewer.css", "scene.css")
+    stage: Stage
 
     def __init__(self, config: Config | None = None, height: int = 420) -> None:
         super().__init__("viewer")

@@ -28,6 +28,7 @@ class WorldView(ScenePanel):
 
     _esm = static("world.js", "scene.js")
     _css = static("world.css", "scene.css")
+    stage: WorldScene
 
     def __init__(self, height: int = 420) -> None:
         super().__init__()

@@ -7,11 +7,13 @@ import socket
 import threading
 from pathlib import Path
 
+from . import practice_robot
+
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add both to the command's parser."""
-    network = commands.add_parser("network", help="run a router, at which notebooks and robots meet: network serve")
-    verbs = network.add_subparsers(dest="verb", required=True, metavar="serve")
+    network = commands.add_parser("network", help="run a router, or a robot to practise with, at which notebooks meet")
+    verbs = network.add_subparsers(dest="verb", required=True, metavar="serve|robot")
     serve = verbs.add_parser("serve", help="run the router until Ctrl-C")
     serve.add_argument(
         "--listen", nargs="+", default=["tcp/127.0.0.1:7447"], metavar="ADDRESS",
@@ -21,6 +23,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     serve.add_argument("--certificate", type=Path, metavar="FILE", help="for addresses that begin with tls/ (PEM)")
     serve.add_argument("--key", type=Path, metavar="FILE", help="the certificate's private key (PEM)")
     serve.set_defaults(main=serve_network)
+    practice_robot.add_command(verbs)
     gateway = commands.add_parser("gateway", help="write the program that joins a robot with DDS to notebooks")
     gateway.add_argument("--write", type=Path, required=True, metavar="FILE", help="for example gateway.pyz")
     gateway.set_defaults(main=write_gateway)

@@ -9,6 +9,7 @@ from typing import Any
 
 from coursekit.core.graph import GraphNode
 from coursekit.core.topic import Subscription
+from coursekit.processes.current_process import outside
 
 from .announcing import INSIDE, local_nodes
 from .calls import Questions
@@ -156,7 +157,7 @@ class Visitors:
         questions = self._questions.get(key)
         if questions is None:
             questions = self._questions.setdefault(key, Questions(self._place.session, key, os.urandom(16)))
-        questions.ask(server, data, request_id)
+        outside(questions.ask, server, data, request_id)  # its thread lasts until the answer, which may never come
 
     def _forget(self, token: Token) -> None:
         others = self.sessions.get(token.session, [])

@@ -17,7 +17,8 @@ END_SECONDS = 5.0
 def add_command(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add it to `coursekit network`."""
     robot = verbs.add_parser("robot", help="run a simulated robot to practise with, and its router, until Ctrl-C")
-    robot.add_argument("--listen", default="tcp/127.0.0.1:7447", metavar="ADDRESS", help="where (default: this computer only)")
+    where = "where to listen (default: this computer only)"
+    robot.add_argument("--listen", default="tcp/127.0.0.1:7447", metavar="ADDRESS", help=where)
     robot.add_argument("--users", type=Path, metavar="FILE", help="who may come in: lines NAME:PASSWORD")
     robot.add_argument("--world", default="robot_world", help="a world of coursekit_maps (default: robot_world)")
     robot.add_argument("--until-input-ends", action="store_true", help="end when standard input does, as well")
@@ -51,12 +52,13 @@ def run_robot(args: argparse.Namespace) -> int:
 
 def _join_by_environment(address: str, users: Path | None) -> None:
     """Have the robot's programs join the router, as any user that it lets in; they meet nobody else on this computer."""
+    from coursekit.net.users import first_user
     from coursekit.processes.session import NETWORK_VARIABLE
 
     os.environ |= {NETWORK_VARIABLE: address, "COURSEKIT_ALONE": "1"}
     os.environ.pop("COURSEKIT_TIME", None)
     if users is not None:
-        user, _, password = next(line for line in users.read_text(encoding="utf-8").splitlines() if line.strip()).partition(":")
+        user, password = first_user(users)
         os.environ |= {f"{NETWORK_VARIABLE}_USER": user, f"{NETWORK_VARIABLE}_PASSWORD": password}
 
 
@@ -79,7 +81,6 @@ def _end_with_input() -> None:
             pass
     interrupt_self()
     time.sleep(END_SECONDS)
-    import faulthandler; faulthandler.dump_traceback(all_threads=True)
     os._exit(1)
 
 

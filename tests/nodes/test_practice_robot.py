@@ -1,11 +1,10 @@
 """The driver of the practice robot: limits, the stop without commands, and a clock that is wrong."""
 
 import pytest
+import rclpy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
-
-import rclpy
 
 
 @pytest.fixture

@@ -69,6 +69,12 @@ class WeakLink:
             self._loop.call_soon_threadsafe(self._loop.stop)
             self._thread.join(CONNECT_SECONDS)
 
+    def __repr__(self) -> str:
+        slow = f"{self._bytes_per_second:g} bytes a second" if self._bytes_per_second else ""
+        late = f"{1e3 * self._seconds:g} ms late" if self._seconds else ""
+        state = "cut" if not self._carries.is_set() else ", ".join(filter(None, (slow, late))) or "good"
+        return f"[weak link: {state}]"
+
     # -- within the loop's thread
 
     def _do(self, work: Coroutine[Any, Any, Result]) -> Result:

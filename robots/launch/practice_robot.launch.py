@@ -12,7 +12,7 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def generate_launch_description():
-    """Return the base, the state publisher, and a screen that shows what is said on /py_str_topic."""
+    """Return the base, the state publisher, a screen that shows what is said on /py_str_topic, and a meter of messages."""
     file = PathJoinSubstitution([FindPackageShare("coursekit_robots"), "urdf", "robot_lidar.urdf"])
     description = ParameterValue(Command(["xacro ", file]), value_type=str)
     return LaunchDescription(
@@ -29,6 +29,7 @@ def generate_launch_description():
                 executable="robot_state_publisher",
                 parameters=[{"robot_description": description}],
             ),
+            Node(package="coursekit_robots", executable="practice_meter"),
             Node(
                 package="demo_nodes_py",
                 executable="listener",

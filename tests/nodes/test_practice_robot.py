@@ -89,3 +89,11 @@ def test_stamps_are_those_of_its_computer_s_clock_also_when_that_is_wrong(robot,
 def test_a_world_that_is_not_there_is_told(session, run):
     process = run("coursekit_robots", "practice_base", "--ros-args", "-p", "world:=nowhere")
     assert process.wait(5) == -6 and "there is no world 'nowhere'" in process.output
+
+
+def test_the_meter_counts_what_arrives_with_each_quality(session, run, ros2):
+    run("coursekit_robots", "practice_meter")
+    ros2("topic", "pub", "-t", "3", "-r", "10", "-w", "1", "/meter/reliable", "std_msgs/msg/UInt8MultiArray", "{data: [1]}")
+    quality = ("--qos-reliability", "best_effort")
+    ros2("topic", "pub", "-1", "-w", "1", *quality, "/meter/best_effort", "std_msgs/msg/UInt8MultiArray", "{data: [1]}")
+    assert "best_effort 1, reliable 3" in ros2("service", "call", "/meter/read", "std_srvs/srv/Trigger")

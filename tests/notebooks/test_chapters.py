@@ -16,7 +16,7 @@ reset()
 print([p.name for p in _current().processes], [n.full_name for g in _current().graphs.values() for n in g.nodes])
 """
 
-ONLY_TO_READ = ("D_your_own_ubuntu",)
+ONLY_TO_READ = ("10_a_real_robot", "D_your_own_ubuntu")
 """Without exercises."""
 
 pytestmark = [pytest.mark.timeout(600), pytest.mark.slow]

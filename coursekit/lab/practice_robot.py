@@ -64,6 +64,7 @@ def practice_robot(world: str = "robot_world") -> PracticeRobot:
         until_said(process, READY, most=START_SECONDS)
     if READY not in process.output:
         process.kill()
+        process.wait(2.0)
         raise NotNow(f"The practice robot did not start. What it said:\n{process.output.strip()}")
     _let_in(process, password)
     shown = PracticeRobot(process, NAME)

@@ -4,7 +4,7 @@ ros2 launch coursekit_robots practice_robot.launch.py world:=robot_world
 """
 
 from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument
+from launch.actions import DeclareLaunchArgument, Shutdown
 from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
@@ -23,6 +23,7 @@ def generate_launch_description():
                 executable="practice_base",
                 parameters=[{"world": LaunchConfiguration("world")}],
                 output="screen",
+                on_exit=Shutdown(),  # a robot without wheels is none
             ),
             Node(
                 package="robot_state_publisher",

@@ -176,7 +176,8 @@ def test_the_report_tells_who_is_there_and_what_is_carried(side):
     two.link.settle()
     publisher.publish(String(data="hello"))
     inbox.take()
-    assert "/chatter  std_msgs/msg/String  1 messages" in report(two.link) and "on the way" in report(two.link)
+    said = report(two.link)
+    assert "/chatter  std_msgs/msg/String  from /talker  1 message  " in said and "on the way" in said
     assert "Others: 1" in report(one.link) and "/listener" in report(one.link)
     assert report(None).startswith("No network")
 

@@ -6,12 +6,14 @@ import threading
 import time
 
 import pytest
+from std_msgs.msg import Empty, UInt8MultiArray
 
+from coursekit.core.qos import BEST_EFFORT, KEEP_ALL, RELIABLE, Qos
 from coursekit.net.address import host_and_port
 from coursekit.net.errors import NoNetwork
 from coursekit.net.weak_link import WeakLink
 
-from .sides import LIMIT, free_port
+from .sides import LIMIT, Inbox, Side, free_port, network
 
 
 @pytest.fixture
@@ -113,3 +115,31 @@ def test_it_listens_on_loopback_only_and_an_address_that_is_none_is_told(link):
     assert link.address.startswith("tcp/127.0.0.1:")
     with pytest.raises(NoNetwork, match="is no address"):
         WeakLink("what/is/this")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("keeps_all", [False, True])
+def test_what_a_slow_link_cannot_carry_is_dropped_or_waits_as_the_publisher_says(keeps_all):
+    qos = Qos(history=KEEP_ALL, reliability=RELIABLE) if keeps_all else Qos(depth=1, reliability=BEST_EFFORT)
+    with network() as make:
+        there = make()
+        every = Qos(history=KEEP_ALL, reliability=qos.reliability)
+        heard = there.graph.add_node("robot", "/").subscription("/big", UInt8MultiArray, every)
+        last = Inbox(there.graph.add_node("end", "/").subscription("/last", Empty, Qos()))
+        link = WeakLink(make.address)
+        here = Side(link.address)
+        here.link.begin()
+        sender = here.graph.add_node("laptop", "/").publisher("/big", UInt8MultiArray, qos)
+        told = here.graph.add_node("teller", "/").publisher("/last", Empty, Qos(history=KEEP_ALL))
+        here.until(lambda: sender.targets and told.targets)
+        here.link.settle()
+        link.slow(300_000)
+        for _ in range(400):
+            sender.publish(UInt8MultiArray(data=bytes(2500)))
+        link.slow(0)
+        told.publish(Empty())
+        last.take()
+        came = sum(1 for _ in iter(heard.take, None))
+        here.link.close()
+        link.close()
+    assert (came == 400) == keeps_all and came > 20

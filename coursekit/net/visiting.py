@@ -143,7 +143,7 @@ class Visitors:
             publisher.gid = gid_of(text) + bytes(8)
             return graph.add_publisher(publisher)
         if token.kind == SUBSCRIPTION:
-            return graph.add_subscription(RemoteSubscription(graph, node, token))
+            return graph.add_subscription(RemoteSubscription(graph, node, token, hears=not self._listen_only))
         if token.kind == SERVER:
             return graph.add_server(RemoteServer(graph, node, token, self._ask))
         return graph.add_client(RemoteClient(graph, node, token))

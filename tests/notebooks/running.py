@@ -13,6 +13,8 @@ from nbclient import NotebookClient
 
 ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = ROOT / "notebooks"
+ONLY_TO_READ = ("10_a_real_robot", "D_your_own_ubuntu")
+"""Without exercises."""
 
 
 def chapters() -> list[Path]:

@@ -7,7 +7,7 @@ import pytest
 
 from coursekit.grade.exercise import all_exercises
 
-from .running import chapters, code_cells, read, run
+from .running import ONLY_TO_READ, chapters, code_cells, read, run
 
 LEFT_BEHIND = """
 from coursekit.processes.session import current as _current
@@ -15,9 +15,6 @@ import threading as _threading
 reset()
 print([p.name for p in _current().processes], [n.full_name for g in _current().graphs.values() for n in g.nodes])
 """
-
-ONLY_TO_READ = ("10_a_real_robot", "D_your_own_ubuntu")
-"""Without exercises."""
 
 pytestmark = [pytest.mark.timeout(600), pytest.mark.slow]
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import socket
 import threading
 from pathlib import Path
 
 from . import practice_robot
+from .router_text import welcome
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -52,26 +52,6 @@ def serve_network(args: argparse.Namespace) -> int:
     return 0
 
 
-def welcome(addresses: list[str], users: int) -> list[str]:
-    """What to type to join a router that listens at these addresses, and what is not safe about it."""
-    from coursekit.net.address import is_loopback
-
-    asks = " --user NAME" if users else ""
-    lines = [f"The router listens. Notebooks join it with: %network {_reachable(one)}{asks}" for one in addresses]
-    if not users and not all(map(is_loopback, addresses)):
-        lines.append("Anybody in the network can join, and drive the robots that do. To ask for a password: --users FILE")
-    if users and not all(one.startswith("tls/") or is_loopback(one) for one in addresses):
-        lines.append("Passwords and messages can be read on the way. To encrypt them: tls/ADDRESS, --certificate and --key")
-    return [*lines, "Ctrl-C ends it."]
-
-
-def _reachable(address: str) -> str:
-    """The address as others type it: this computer's name where it listens everywhere."""
-    for everywhere in ("/0.0.0.0:", "/[::]:"):
-        address = address.replace(everywhere, f"/{socket.gethostname()}:")
-    return address
-
-
 def write_gateway(args: argparse.Namespace) -> int:
     """Write the gateway's file."""
     from coursekit.net.gateway_file import write
@@ -89,4 +69,4 @@ def write_gateway(args: argparse.Namespace) -> int:
     return 0
 
 
-__all__ = ["add_commands", "welcome"]
+__all__ = ["add_commands"]

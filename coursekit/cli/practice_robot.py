@@ -10,6 +10,8 @@ import threading
 import time
 from pathlib import Path
 
+from .router_text import welcome
+
 END_SECONDS = 5.0
 """How long the robot's programs may take to end before they are cut off [s]."""
 
@@ -31,8 +33,6 @@ def run_robot(args: argparse.Namespace) -> int:
     from coursekit.net.errors import NoNetwork
     from coursekit.net.opening import open_router
     from coursekit.net.users import check_users
-
-    from .networking import welcome
 
     try:
         users = check_users(args.users) if args.users is not None else 0

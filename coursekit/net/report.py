@@ -47,22 +47,22 @@ def _carried(link: Link) -> Iterator[str]:
 
 
 def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> list[str]:
-    """Topic, type, whose it is, how many messages, how often, and how long they take."""
+    """Topic, how often, how many, how long on the way, whose it is, type: what is long comes last, where lines wrap."""
     delay = traffic.delay(now) if with_delay else None
     many = f"{traffic.total} message{'' if traffic.total == 1 else 's'}"
     late = f"{1e3 * delay:.1f} ms on the way" if delay is not None else ""
-    return [end.name, end.type_name, f"from {end.node.full_name}", many, f"{traffic.rate(now):.1f} a second", late]
+    return [end.name, f"{traffic.rate(now):.1f} a second", many, late, f"from {end.node.full_name}", end.type_name]
 
 
 def _aligned(rows: list[list[str]]) -> Iterator[str]:
-    """Lines whose parts stand below each other.
+    """Lines whose parts stand below each other; a part that all lack takes no room.
 
     >>> list(_aligned([["/scan", "5"], ["/tf", "20"]]))
     ['/scan  5', '/tf    20']
     """
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
-        yield "  ".join(part.ljust(width) for part, width in zip(row, widths, strict=True)).rstrip()
+        yield "  ".join(part.ljust(width) for part, width in zip(row, widths, strict=True) if width).rstrip()
 
 
 def _unknown(link: Link) -> Iterator[str]:

@@ -30,6 +30,8 @@ from .viewer import viewer
 from .viewer_windows import show_rviz_windows
 from .waiting import wait
 from .windows import show_new_windows, windows
+from .world_view import world_view
+from .world_windows import show_world_windows
 
 __all__ = [
     "check",
@@ -63,6 +65,7 @@ __all__ = [
     "weak_link",
     "windows",
     "workspace",
+    "world_view",
 ]
 
 start()
@@ -71,3 +74,4 @@ show_new_windows()
 show_rviz_windows()
 show_joint_windows()
 show_rqt_windows()
+show_world_windows()

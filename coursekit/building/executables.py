@@ -31,6 +31,8 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     },
     "coursekit_robots": {
         "odd_adder": "coursekit.nodes.examples.odd_adder:main",
+        "practice_base": "coursekit.nodes.practice_robot.base:main",
+        "practice_meter": "coursekit.nodes.practice_robot.meter:main",
     },
     "demo_nodes_cpp": {
         "add_two_ints_client": "coursekit.nodes.demo_nodes.services:client_cpp",

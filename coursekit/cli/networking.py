@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import argparse
-import socket
 import threading
 from pathlib import Path
+
+from . import practice_robot
+from .router_text import welcome
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add both to the command's parser."""
-    network = commands.add_parser("network", help="run a router, at which notebooks and robots meet: network serve")
-    verbs = network.add_subparsers(dest="verb", required=True, metavar="serve")
+    network = commands.add_parser("network", help="run a router, or a robot to practise with, at which notebooks meet")
+    verbs = network.add_subparsers(dest="verb", required=True, metavar="serve|robot")
     serve = verbs.add_parser("serve", help="run the router until Ctrl-C")
     serve.add_argument(
         "--listen", nargs="+", default=["tcp/127.0.0.1:7447"], metavar="ADDRESS",
@@ -21,6 +23,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     serve.add_argument("--certificate", type=Path, metavar="FILE", help="for addresses that begin with tls/ (PEM)")
     serve.add_argument("--key", type=Path, metavar="FILE", help="the certificate's private key (PEM)")
     serve.set_defaults(main=serve_network)
+    practice_robot.add_command(verbs)
     gateway = commands.add_parser("gateway", help="write the program that joins a robot with DDS to notebooks")
     gateway.add_argument("--write", type=Path, required=True, metavar="FILE", help="for example gateway.pyz")
     gateway.set_defaults(main=write_gateway)
@@ -49,26 +52,6 @@ def serve_network(args: argparse.Namespace) -> int:
     return 0
 
 
-def welcome(addresses: list[str], users: int) -> list[str]:
-    """What to type to join a router that listens at these addresses, and what is not safe about it."""
-    from coursekit.net.address import is_loopback
-
-    asks = " --user NAME" if users else ""
-    lines = [f"The router listens. Notebooks join it with: %network {_reachable(one)}{asks}" for one in addresses]
-    if not users and not all(map(is_loopback, addresses)):
-        lines.append("Anybody in the network can join, and drive the robots that do. To ask for a password: --users FILE")
-    if users and not all(one.startswith("tls/") or is_loopback(one) for one in addresses):
-        lines.append("Passwords and messages can be read on the way. To encrypt them: tls/ADDRESS, --certificate and --key")
-    return [*lines, "Ctrl-C ends it."]
-
-
-def _reachable(address: str) -> str:
-    """The address as others type it: this computer's name where it listens everywhere."""
-    for everywhere in ("/0.0.0.0:", "/[::]:"):
-        address = address.replace(everywhere, f"/{socket.gethostname()}:")
-    return address
-
-
 def write_gateway(args: argparse.Namespace) -> int:
     """Write the gateway's file."""
     from coursekit.net.gateway_file import write
@@ -86,4 +69,4 @@ def write_gateway(args: argparse.Namespace) -> int:
     return 0
 
 
-__all__ = ["add_commands", "welcome"]
+__all__ = ["add_commands"]

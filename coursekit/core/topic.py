@@ -184,6 +184,9 @@ class Subscription(Endpoint):
             if lifespan == INFINITE or self.graph.clock.now() - entry[1] <= lifespan:
                 return entry
 
+    def meet(self, publisher: Publisher) -> None:
+        """A publisher is about to be matched; nothing of it has been pushed yet."""
+
     def lose_publisher(self, publisher: Publisher) -> None:
         """A matched publisher let its lease run out."""
         self._lost.append(publisher)
@@ -224,6 +227,7 @@ def match(publisher: Publisher, subscription: Subscription) -> bool:
         publisher.status(INCOMPATIBLE).add(policy=policy)
         subscription.status(INCOMPATIBLE).add(policy=policy)
         return False
+    subscription.meet(publisher)
     publisher.targets = (*publisher.targets, subscription)
     publisher.status(MATCHED).add()
     subscription.status(MATCHED).add()

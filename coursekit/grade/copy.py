@@ -60,7 +60,7 @@ def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
             cell["metadata"] |= {"editable": False, "deletable": False}
         if grading.get("solution"):
             given[str(grading.get("grade_id"))] = given_digest(cleared)
-    made.setdefault("metadata", {})["coursekit"] = {GIVEN: given}
+    made.setdefault("metadata", {}).setdefault("coursekit", {})[GIVEN] = given
     return made
 
 

@@ -20,6 +20,7 @@ from .map_view import map_view
 from .messages import echo
 from .pad import pad
 from .parameter_panel import parameter_panel
+from .practice_robot import practice_robot, weak_link
 from .rqt_windows import show_rqt_windows
 from .service_panel import service_caller
 from .topic_panel import topic_panel
@@ -49,6 +50,7 @@ __all__ = [
     "map_view",
     "pad",
     "parameter_panel",
+    "practice_robot",
     "progress",
     "reset",
     "service_caller",
@@ -59,6 +61,7 @@ __all__ = [
     "turtlesim_window",
     "viewer",
     "wait",
+    "weak_link",
     "windows",
     "workspace",
     "world_view",

@@ -37,6 +37,11 @@ def terminal(name: str) -> Terminal:
         raise NotThere(f"There is no terminal '{name}'. There are: {known}") from None
 
 
+def show_as(name: str, shown: Terminal) -> None:
+    """Have `terminal(name)` find a terminal."""
+    _terminals[name] = shown
+
+
 def terminals(*names: str, columns: int = 2) -> Terminals:
     """Terminals side by side; all of them when no name is given."""
     return Terminals([terminal(name) for name in names] or list(_terminals.values()), columns)
@@ -189,7 +194,7 @@ def _attend(begin: Callable[[], Any], title: str, options: dict[str, str], backg
     process = begin()
     if background:
         shown = Terminal(process, title, again=lambda: adopt(shown.process, begin()))
-        _terminals[title] = shown
+        show_as(title, shown)
         return shown
     least = float(options["stop-after"]) if "stop-after" in options else None
     try:
@@ -224,4 +229,4 @@ def workspace_environment(folder: str | None = None) -> dict[str, str]:
     return env
 
 
-__all__ = ["CourseMagics", "edit", "terminal", "terminals"]
+__all__ = ["CourseMagics", "edit", "show_as", "terminal", "terminals"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import socket
+from typing import Any
 
 from .errors import NoNetwork
 
@@ -37,15 +38,23 @@ def host_and_port(address: str) -> tuple[str, int]:
     return host.strip("[]"), int(port)
 
 
+def find_computer(address: str) -> tuple[int, tuple[Any, ...]]:
+    """The family and the place, as sockets want them, of the computer in a whole address; NoNetwork when there is none."""
+    host, port = host_and_port(address)
+    try:
+        family, _, _, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    except socket.gaierror:
+        raise _no_computer(host, port) from None
+    return family, place
+
+
 def knock(address: str, seconds: float) -> None:
     """Look whether anybody listens there; NoNetwork says what is wrong."""
     host, port = host_and_port(address)
     try:
         socket.create_connection((host, port), timeout=seconds).close()
     except socket.gaierror:
-        raise NoNetwork(
-            f"There is no computer '{host}' on this network. Its number works, too: %network tcp/192.168.1.20:{port}"
-        ) from None
+        raise _no_computer(host, port) from None
     except TimeoutError:
         raise NoNetwork(
             f"{host} does not answer within {seconds:g} s. Is it on, and in the same network as this computer?"
@@ -55,6 +64,12 @@ def knock(address: str, seconds: float) -> None:
             f"Nobody listens at {address} ({error.strerror or error}). Start the router there: coursekit network serve, "
             "the gateway on the robot, or ros2 run rmw_zenoh_cpp rmw_zenohd."
         ) from None
+
+
+def _no_computer(host: str, port: int) -> NoNetwork:
+    return NoNetwork(
+        f"There is no computer '{host}' on this network. Its number works, too: %network tcp/192.168.1.20:{port}"
+    )
 
 
 def is_loopback(address: str) -> bool:

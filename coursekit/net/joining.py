@@ -9,6 +9,7 @@ import threading
 from collections.abc import Callable
 from weakref import WeakKeyDictionary
 
+from coursekit.processes.current_process import outside
 from coursekit.processes.session import NETWORK_VARIABLE, Session
 
 from .address import read_address
@@ -97,8 +98,10 @@ def join_as_the_environment_says(session: Session, domain_id: int) -> bool:
         tried.add(domain_id)
     address, *words = os.environ[NETWORK_VARIABLE].split()
     asked, listen_only = credentials_from_the_environment(), "--listen-only" in words
+    # Not within the program that happens to be the first: it would not end before the network's threads do.
+    begin = functools.partial(join, session, domain_id, address, credentials=asked, listen_only=listen_only)
     try:
-        join(session, domain_id, address, credentials=asked, listen_only=listen_only)
+        outside(begin)
     except NoNetwork as error:
         tell(str(error))
     return link_of(session, domain_id) is not None

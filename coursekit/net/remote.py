@@ -23,6 +23,8 @@ from .wire.attachment import Attachment
 from .wire.moving import MOVING, VELOCITIES, Punctual
 from .wire.token import Token
 
+MOST_EARLY = 64
+"""Messages that are kept until they can be carried."""
 REMEMBERED = 256
 """Numbers of messages by which doubles are known: a publisher sends on several keys where its listeners' hashes differ."""
 
@@ -96,6 +98,30 @@ class RemotePublisher(Publisher):
         """The real one is watched where it is."""
 
 
+class Early:
+    """Takes what is published before a publisher's messages are carried, and hands it over in order when they are."""
+
+    def __init__(self) -> None:
+        self._messages: deque[tuple[Any, int]] = deque(maxlen=MOST_EARLY)
+        self._take: Callable[[Any, int], None] | None = None
+        self._lock = threading.Lock()
+
+    def __call__(self, msg: Any, stamp: int) -> None:
+        """Take a message, as a publisher's tap."""
+        with self._lock:
+            if self._take is None:
+                self._messages.append((msg._clone(), stamp))
+            else:
+                self._take(msg, stamp)
+
+    def hand_over(self, take: Callable[[Any, int], None]) -> None:
+        """Have `take` get what there is, and all that still comes here."""
+        with self._lock:
+            self._take = take
+            while self._messages:
+                take(*self._messages.popleft())
+
+
 def _nothing(_msg: Any) -> None:
     return None
 
@@ -103,10 +129,17 @@ def _nothing(_msg: Any) -> None:
 class RemoteSubscription(Subscription):
     """Somebody else's subscription: it matches; what is published goes out once for all of them, by the publisher's tap."""
 
-    def __init__(self, graph: Graph, node: GraphNode, token: Token) -> None:
+    def __init__(self, graph: Graph, node: GraphNode, token: Token, *, hears: bool = True) -> None:
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
         self.type_hash = token.type_hash
         self.reduce = _nothing
+        self._hears = hears
+        """Whether this side sends to it."""
+
+    def meet(self, publisher: Publisher) -> None:
+        """Keep what is published before the link knows of the match; a velocity is carried at once or not at all."""
+        if self._hears and publisher.tap is None and publisher.type_name not in MOVING:
+            publisher.tap = Early()
 
     def push(self, entry: tuple[Any, int, Publisher]) -> None:
         """Nothing: see above."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from coursekit.core.topic import Publisher
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.registry import load
 
@@ -36,20 +37,32 @@ def _others(link: Link) -> Iterator[str]:
 
 def _carried(link: Link) -> Iterator[str]:
     now = link.place.graph.clock.now()
-    heard = [(one.name, one.type_name, one.traffic) for one in link.visitors.publishers if one.traffic.total]
-    senders = [(one.publisher, one.traffic) for one in link.announcer.senders if one.traffic.total]
-    sent = [(one.name, one.type_name, traffic) for one, traffic in senders]
+    heard = [(one, one.traffic) for one in link.visitors.publishers if one.traffic.total]
+    sent = [(one.publisher, one.traffic) for one in link.announcer.senders if one.traffic.total]
     for title, group in (("Heard", heard), ("Sent", sent)):
         if group:
             yield f"{title}:"
-        for name, type_name, traffic in sorted(group, key=lambda one: one[0]):
-            yield f"  {name}  {type_name}  {_figures(traffic, now, title == 'Heard')}"
+            rows = [_row(end, traffic, now, with_delay=title == "Heard") for end, traffic in group]
+            yield from (f"  {line}" for line in _aligned(sorted(rows)))
 
 
-def _figures(traffic: Traffic, now: int, with_delay: bool) -> str:
+def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> list[str]:
+    """Topic, how often, how many, how long on the way, whose it is, type: what is long comes last, where lines wrap."""
     delay = traffic.delay(now) if with_delay else None
-    late = f", {1e3 * delay:.1f} ms on the way" if delay is not None else ""
-    return f"{traffic.total} messages, {traffic.rate(now):.1f} a second{late}"
+    many = f"{traffic.total} message{'' if traffic.total == 1 else 's'}"
+    late = f"{1e3 * delay:.1f} ms on the way" if delay is not None else ""
+    return [end.name, f"{traffic.rate(now):.1f} a second", many, late, f"from {end.node.full_name}", end.type_name]
+
+
+def _aligned(rows: list[list[str]]) -> Iterator[str]:
+    """Lines whose parts stand below each other; a part that all lack takes no room.
+
+    >>> list(_aligned([["/scan", "5"], ["/tf", "20"]]))
+    ['/scan  5', '/tf    20']
+    """
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        yield "  ".join(part.ljust(width) for part, width in zip(row, widths, strict=True) if width).rstrip()
 
 
 def _unknown(link: Link) -> Iterator[str]:

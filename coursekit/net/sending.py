@@ -13,7 +13,7 @@ from coursekit.core.qos import KEEP_ALL, RELIABLE
 from coursekit.core.topic import Publisher
 from coursekit.interfaces import cdr
 
-from .remote import is_latched
+from .remote import Early, is_latched
 from .traffic import Traffic
 from .wire.attachment import Attachment
 
@@ -43,21 +43,28 @@ class Sender:
             with self._lock:
                 outlet = self._outlets.pop(gone)
             outlet.undeclare()
-        if hashes and self.publisher.tap is None:
-            self._begin()
+        begins = bool(hashes) and self.publisher.tap != self._take
+        if begins:
+            self._read_kept()
         for new in hashes - self._outlets.keys():
             self._add(new)
-        if not hashes:
-            self.publisher.tap = None
+        if begins or not hashes:
+            self._tap(bool(hashes))
 
     def close(self) -> None:
         """Send no more."""
         self.want(set())
 
-    def _begin(self) -> None:
+    def _tap(self, carries: bool) -> None:
+        """Take what is published, and what already was since a listener there is known; or take nothing any more."""
+        early = self.publisher.tap
+        if carries and isinstance(early, Early):
+            early.hand_over(self._take)
+        self.publisher.tap = self._take if carries else None
+
+    def _read_kept(self) -> None:
         with self._lock:
             self._kept.clear()
-            self.publisher.tap = self._take
             for msg, stamp in self.publisher.kept():
                 self._last_kept = stamp
                 self._packed(msg)

@@ -10,6 +10,13 @@ from .errors import NoNetwork
 _LINE = re.compile(r"[^\s:]+:\S.*")
 
 
+def first_user(path: Path) -> tuple[str, str]:
+    """The name and the password in the first line of a file that `check_users` has found right."""
+    first = next(line.strip() for line in path.read_text(encoding="utf-8").splitlines() if line.strip())
+    user, _, password = first.partition(":")
+    return user, password
+
+
 def check_users(path: Path) -> int:
     """How many users a file names.
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from coursekit.core.graph import GraphNode
 from coursekit.core.topic import Subscription
+from coursekit.processes.current_process import outside
 
 from .announcing import INSIDE, local_nodes
 from .calls import Questions
@@ -142,7 +143,7 @@ class Visitors:
             publisher.gid = gid_of(text) + bytes(8)
             return graph.add_publisher(publisher)
         if token.kind == SUBSCRIPTION:
-            return graph.add_subscription(RemoteSubscription(graph, node, token))
+            return graph.add_subscription(RemoteSubscription(graph, node, token, hears=not self._listen_only))
         if token.kind == SERVER:
             return graph.add_server(RemoteServer(graph, node, token, self._ask))
         return graph.add_client(RemoteClient(graph, node, token))
@@ -156,7 +157,7 @@ class Visitors:
         questions = self._questions.get(key)
         if questions is None:
             questions = self._questions.setdefault(key, Questions(self._place.session, key, os.urandom(16)))
-        questions.ask(server, data, request_id)
+        outside(questions.ask, server, data, request_id)  # its thread lasts until the answer, which may never come
 
     def _forget(self, token: Token) -> None:
         others = self.sessions.get(token.session, [])

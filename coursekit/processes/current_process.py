@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import contextvars
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .process import Process
@@ -14,3 +15,11 @@ owner: contextvars.ContextVar[Process | None] = contextvars.ContextVar("courseki
 def current_process() -> Process | None:
     """The process in which the calling code runs; None in the interpreter's own code."""
     return owner.get()
+
+
+def outside(function: Callable[..., Any], *args: Any) -> Any:
+    """What a function returns that is carried out as the interpreter's own code.
+
+    Threads that it starts belong to no process: a process that ends does not wait for them.
+    """
+    return contextvars.Context().run(function, *args)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import socket
 import threading
 import time
 
@@ -12,15 +11,10 @@ from coursekit.core.graph import Graph
 from coursekit.net.link import Link
 from coursekit.net.opening import open_client, open_router
 from coursekit.net.place import Place
+from coursekit.systems.ports import free_port
 
 LIMIT = 20.0
 """Ends a wait in vain; what is waited for comes by itself, as soon as it happens [s]."""
-
-
-def free_port() -> int:
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
 
 
 class Side:

@@ -1,6 +1,7 @@
 """Joining, refusing, being lost, leaving: each in bounded time, and nothing of it moves a robot unasked."""
 
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -18,6 +19,7 @@ from coursekit.net.opening import Credentials, open_client, open_router
 from coursekit.net.report import report
 from coursekit.processes.session import Session
 
+from .listening import LOOPBACK, listening
 from .sides import LIMIT, Inbox, free_port, network
 
 UNKNOWN = "@ros2_lv/0/ffee/1/2/MP/%/%/robot/%thing/my_msgs::msg::dds_::Thing_/RIHS01_ab/::,10:,:,:,,"
@@ -84,21 +86,7 @@ def test_a_client_opens_no_port_and_the_router_only_its_own():
     before = listening()
     with network() as side:
         side()
-        assert listening() - before == {("tcp", int(side.address.rpartition(":")[2]))}
-
-
-def listening():
-    """The kinds and ports of this interpreter's sockets at which others can call, or send to."""
-    links = [f"/proc/self/fd/{fd}" for fd in os.listdir("/proc/self/fd")]
-    mine = {os.readlink(link) for link in links if os.path.islink(link)}
-    found = set()
-    for kind in ("tcp", "tcp6", "udp", "udp6"):
-        with open(f"/proc/net/{kind}", encoding="ascii") as table:
-            rows = [line.split() for line in list(table)[1:]]
-        states = ("0A",) if kind.startswith("tcp") else ("07",)
-        ours = [row for row in rows if row[3] in states and f"socket:[{row[9]}]" in mine]
-        found |= {(kind, int(row[1].rpartition(":")[2], 16)) for row in ours}
-    return found
+        assert listening() - before == {("tcp", LOOPBACK, int(side.address.rpartition(":")[2]))}
 
 
 def test_what_would_move_a_robot_is_told_before_anybody_knows_of_this_side(side, session):
@@ -176,7 +164,9 @@ def test_the_report_tells_who_is_there_and_what_is_carried(side):
     two.link.settle()
     publisher.publish(String(data="hello"))
     inbox.take()
-    assert "/chatter  std_msgs/msg/String  1 messages" in report(two.link) and "on the way" in report(two.link)
+    said = report(two.link)
+    assert re.search(r"  /chatter  0.0 a second  1 message  \d+.\d ms on the way  from /talker  std_msgs/msg/String\b", said)
+    assert "  /chatter  0.0 a second  1 message  from /talker  std_msgs/msg/String" in report(one.link)
     assert "Others: 1" in report(one.link) and "/listener" in report(one.link)
     assert report(None).startswith("No network")
 

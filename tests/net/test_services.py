@@ -232,3 +232,22 @@ def test_frames_and_a_managed_node(pair):
     assert state.wait_for_service(LIMIT)
     assert result(state.call_async(GetState.Request())).current_state.label == "inactive"
     del listener
+
+
+def test_a_program_ends_by_itself_though_a_server_there_never_answers(side, session):
+    far = side()
+    far.graph.add_node("silent", "/").server("/add_two_ints", AddTwoInts, Qos())
+
+    def ask():
+        import rclpy
+
+        rclpy.init()
+        node = rclpy.create_node("client")
+        client = node.create_client(AddTwoInts, "add_two_ints")
+        assert client.wait_for_service(LIMIT)
+        client.call_async(AddTwoInts.Request(a=1, b=2))
+        rclpy.shutdown()
+
+    with session.use():
+        join(session, 0, side.address)
+        assert session.start(ask, name="client").wait(LIMIT) == 0

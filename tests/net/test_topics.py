@@ -183,3 +183,50 @@ def test_bytes_that_are_no_message_are_told_once_and_do_no_harm(side):
     publisher.publish(String(data="sound"))
     assert inbox.take()[0].data == "sound"
     assert "%colcon build" in two.until_told("cannot be read") and len(two.said) == 1
+
+
+def test_what_is_published_in_the_moment_in_which_a_listener_is_known_arrives(side):
+    one, two = side(), side()
+    publisher = one.graph.add_node("talker", "/").publisher("/chatter", String, Qos())
+    two.until(lambda: "/chatter" in two.graph.publishers)
+    said = []
+
+    def say():
+        if publisher.targets and not said:
+            said.append(publisher.publish(String(data="first")))
+
+    one.graph.watch(say)
+    inbox = Inbox(two.graph.add_node("listener", "/").subscription("/chatter", String, Qos()))
+    assert inbox.take()[0].data == "first"
+
+
+def test_a_publisher_that_is_new_where_a_listener_is_known_speaks_at_once_and_in_order(side):
+    one, two = side(), side()
+    inbox = Inbox(two.graph.add_node("listener", "/").subscription("/chatter", String, Qos(depth=100)))
+    one.until(lambda: "/chatter" in one.graph.subscriptions)
+    publisher = one.graph.add_node("talker", "/").publisher("/chatter", String, Qos(depth=100))
+    assert publisher.targets
+    for number in range(50):
+        publisher.publish(String(data=str(number)))
+    assert [inbox.take()[0].data for _ in range(50)] == [str(number) for number in range(50)]
+
+
+def test_a_velocity_does_not_wait_for_the_link(side):
+    one, two = side(), side()
+    inbox = Inbox(two.graph.add_node("base", "/").subscription("/cmd_vel", Twist, Qos()))
+    one.until(lambda: "/cmd_vel" in one.graph.subscriptions)
+    publisher = one.graph.add_node("teleop", "/").publisher("/cmd_vel", Twist, Qos())
+    assert publisher.targets and publisher.tap is None
+    one.link.settle()
+    two.link.settle()
+    publisher.publish(Twist())
+    inbox.take()
+    assert inbox.source.take() is None
+
+
+def test_who_only_listens_keeps_nothing_for_others(side):
+    one, two = side(), side(listen_only=True)
+    one.graph.add_node("listener", "/").subscription("/chatter", String, Qos())
+    two.until(lambda: "/chatter" in two.graph.subscriptions)
+    publisher = two.graph.add_node("talker", "/").publisher("/chatter", String, Qos())
+    assert publisher.targets and publisher.tap is None

@@ -1,14 +1,17 @@
 """A pytest plugin for `--nbval`: the chapters run in a course folder of their own, not in the checkout."""
 
+import contextlib
 import os
 import tempfile
 from pathlib import Path
+
+from nbval.plugin import IPyNbFile
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.needs import ON_WINDOWS
 
 from .alike import compare_alike
-from .running import name_student
+from .running import clock_of, name_student, read
 
 _folder = tempfile.TemporaryDirectory(prefix="course-")
 
@@ -21,6 +24,29 @@ def pytest_configure(config):
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws")}
     os.environ |= {"COLUMNS": "120", "TZ": "UTC"}
     os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions
+
+
+def pytest_collectstart(collector):
+    """A chapter's kernel starts when its cells are about to run, on the clock that the chapter asks for."""
+    if isinstance(collector, IPyNbFile):
+        begin, clock = collector.setup, clock_of(read(collector.path))
+
+        def setup():
+            with use_clock(clock):
+                begin()
+
+        collector.setup = setup
+
+
+@contextlib.contextmanager
+def use_clock(clock):
+    """Have kernels that start here run on this clock, where the chapters are not to run on the wall clock anyway."""
+    before = os.environ.get("COURSEKIT_TIME")
+    if before:
+        os.environ["COURSEKIT_TIME"] = clock
+    yield
+    if before:
+        os.environ["COURSEKIT_TIME"] = before
 
 
 def compiles():

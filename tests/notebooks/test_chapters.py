@@ -2,10 +2,7 @@
 
 import pytest
 
-from .running import chapters, code_cells, exercises_of, read
-
-ONLY_TO_READ = ("D_your_own_ubuntu",)
-"""Without exercises."""
+from .running import ONLY_TO_READ, chapters, code_cells, exercises_of, read
 
 
 @pytest.fixture(params=chapters(), ids=lambda path: path.stem)

@@ -12,7 +12,7 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from .running import chapters, course_environment, exercises_of, read
+from .running import chapters, clock_of, course_environment, exercises_of, read
 
 pytestmark = [pytest.mark.timeout(900), pytest.mark.slow]
 
@@ -32,7 +32,7 @@ def chapter(request):
 def kernel_of(notebook, folder):
     """A function that runs one cell as JupyterLab does, which says which cell it is; it gives what was printed."""
     (folder / "ros2_ws" / "src").mkdir(parents=True)
-    with course_environment(folder):
+    with course_environment(folder, clock_of(notebook)):
         resources = {"metadata": {"path": str(folder)}}
         client = NotebookClient(notebook, timeout=300, kernel_name="python3", resources=resources)
         with client.setup_kernel():

@@ -39,7 +39,7 @@ export default {
     const link = () => {
       const lost = model.get("lost");
       part(".ck-hint").textContent = lost ? `The link to ${lost} is gone: the robot does not hear you.` : hint;
-      part(".ck-hint").style.color = lost ? "#b3261e" : "";
+      part(".ck-hint").style.color = lost ? "#ff8a80" : "";
     };
     model.on("change:lost", link);
     link();

@@ -1,0 +1,28 @@
+"""What a router says when it begins."""
+
+from __future__ import annotations
+
+import socket
+
+
+def welcome(addresses: list[str], users: int) -> list[str]:
+    """What to type to join a router that listens at these addresses, and what is not safe about it."""
+    from coursekit.net.address import is_loopback
+
+    asks = " --user NAME" if users else ""
+    lines = [f"The router listens. Notebooks join it with: %network {_reachable(one)}{asks}" for one in addresses]
+    if not users and not all(map(is_loopback, addresses)):
+        lines.append("Anybody in the network can join, and drive the robots that do. To ask for a password: --users FILE")
+    if users and not all(one.startswith("tls/") or is_loopback(one) for one in addresses):
+        lines.append("Passwords and messages can be read on the way. To encrypt them: tls/ADDRESS, --certificate and --key")
+    return [*lines, "Ctrl-C ends it."]
+
+
+def _reachable(address: str) -> str:
+    """The address as others type it: this computer's name where it listens everywhere."""
+    for everywhere in ("/0.0.0.0:", "/[::]:"):
+        address = address.replace(everywhere, f"/{socket.gethostname()}:")
+    return address
+
+
+__all__ = ["welcome"]

@@ -1,0 +1,116 @@
+"""A robot to practise with, in a program of its own beside the kernel: a network like a real one, on loopback."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from coursekit.processes.child import ChildProcess
+from coursekit.processes.session import NETWORK_VARIABLE, current
+from coursekit.systems.ports import free_port
+
+from .errors import NotNow
+from .magics import show_as
+from .terminal import Terminal
+from .waiting import until_said
+
+if TYPE_CHECKING:
+    from coursekit.net.weak_link import WeakLink
+
+NAME = "practice_robot"
+READY = "Wheels and laser are ready"
+USER = "practice"
+START_SECONDS = 90.0
+"""The first start compiles what the laser needs, which takes a slow machine a minute."""
+
+
+class PracticeRobot(Terminal):
+    """The robot's own terminal; `address` is where to join it."""
+
+    address = ""
+
+    def stop(self) -> None:
+        """Switch it off."""
+        self.process.interrupt()
+        if self.process.wait(5.0) is None:
+            self.process.kill()
+            self.process.wait(2.0)
+
+
+def practice_robot(world: str = "robot_world") -> PracticeRobot:
+    """Start a robot in a simulated world, as a program of its own; one that runs already is switched off first.
+
+    Only this computer reaches it, and only with the password that is now in this notebook's environment. It ends with
+    `stop()`, with `reset()`, and with the kernel.
+
+        vera = practice_robot()
+        %network {vera.address}
+
+    In ROS 2: nothing; there you have a robot.
+    """
+    _check()
+    for running in [one for one in current().processes if one.name == NAME]:
+        running.kill()
+        running.wait(2.0)
+    address, password = f"tcp/127.0.0.1:{free_port()}", secrets.token_urlsafe(16)
+    with tempfile.TemporaryDirectory(prefix="coursekit-") as folder:
+        users = Path(folder) / "users.txt"
+        users.write_text(f"{USER}:{password}\n", encoding="utf-8")
+        process = current().launch(_program(address, users, world))
+        until_said(process, READY, most=START_SECONDS)
+    if READY not in process.output:
+        process.kill()
+        process.wait(2.0)
+        raise NotNow(f"The practice robot did not start. What it said:\n{process.output.strip()}")
+    _let_in(process, password)
+    shown = PracticeRobot(process, NAME)
+    shown.address = address
+    show_as(NAME, shown)
+    return shown
+
+
+def weak_link(address: str) -> WeakLink:
+    """A link to an address that can be made as bad as Wi-Fi: `slow`, `late`, `cut`, `mend`. Join its own `address`."""
+    from coursekit.net.weak_link import WeakLink
+
+    return WeakLink(address)
+
+
+def _check() -> None:
+    """Say what is missing before anything is started."""
+    from coursekit.net.errors import NoNetwork
+    from coursekit.net.opening import engine
+
+    if current().clock.virtual:
+        raise NotNow("A session on the virtual clock joins no network, and a robot needs one: use the wall clock.")
+    try:
+        engine()
+    except NoNetwork as error:
+        raise NotNow(str(error)) from None
+
+
+def _program(address: str, users: Path, world: str) -> ChildProcess:
+    command = [sys.executable, "-m", "coursekit.cli.coursekit", "network", "robot", "--until-input-ends"]
+    command += ["--listen", address, "--users", str(users), "--world", world]
+    env = {name: value for name, value in os.environ.items() if name not in ("COURSEKIT_TIME", "COURSEKIT_STOP_AFTER")}
+    return ChildProcess(current(), command, name=NAME, env=env | {"PYTHONUNBUFFERED": "1"}, one_stream=True)
+
+
+def _let_in(process: Any, password: str) -> None:
+    """Have `%network` know the password, for as long as the robot runs."""
+    theirs = {f"{NETWORK_VARIABLE}_USER": USER, f"{NETWORK_VARIABLE}_PASSWORD": password}
+    os.environ |= theirs
+
+    def forget(_process: Any) -> None:
+        if os.environ.get(f"{NETWORK_VARIABLE}_PASSWORD") == password:
+            for name in theirs:
+                os.environ.pop(name, None)
+
+    process.on_exit(forget)
+
+
+__all__ = ["PracticeRobot", "practice_robot", "weak_link"]

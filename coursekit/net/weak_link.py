@@ -1,0 +1,164 @@
+"""A link that can be made as bad as Wi-Fi: a relay on loopback between a notebook and the address that it joins.
+
+What a bad radio does to TCP, this one does on purpose: it is slow, it is late, and it is gone for a while. Of messages of
+3 kB and more it carries only that they are there: Zenoh hands them over in shared memory on one computer.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import threading
+from collections.abc import Coroutine
+from typing import Any, TypeVar
+
+from .address import find_computer, read_address
+
+PIECE = 8192
+"""Bytes that are carried at once."""
+BUFFER = 32768
+"""Bytes that the system keeps for a connection: few, so that a slow link is felt by who sends."""
+WAITING = 256
+"""Pieces that are on the way."""
+CONNECT_SECONDS = 5.0
+Result = TypeVar("Result")
+
+
+class WeakLink:
+    """Relays between its own `address` and another one, until `close`.
+
+    Raises:
+        NoNetwork: when the other address is none, or there is no such computer.
+    """
+
+    def __init__(self, to: str) -> None:
+        self._family, self._to = find_computer(read_address(to))
+        self._bytes_per_second = self._seconds = 0.0
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, name="coursekit-weak-link", daemon=True)
+        self._thread.start()
+        self._relays: set[asyncio.Future[None]] = set()
+        self._port = 0
+        self._carries = self._do(self._begin())
+
+    @property
+    def address(self) -> str:
+        """Where to join it."""
+        return f"tcp/127.0.0.1:{self._port}"
+
+    def slow(self, bytes_per_second: float) -> None:
+        """Carry at most so much a second, each way; 0 for all that comes."""
+        self._bytes_per_second = bytes_per_second
+
+    def late(self, seconds: float) -> None:
+        """Carry everything so much later, each way."""
+        self._seconds = seconds
+
+    def cut(self) -> None:
+        """Carry nothing, as out of Wi-Fi's reach: both ends hear silence, and who dials meets nobody."""
+        self._do(self._cut())
+
+    def mend(self) -> None:
+        """Carry again; what was on the way arrives now, if its receiver still waits."""
+        self._do(self._mend())
+
+    def close(self) -> None:
+        """Be no link any more."""
+        if self._loop.is_running():
+            self._do(self._end())
+            self._loop.call_soon_threadsafe(self._loop.stop)
+            self._thread.join(CONNECT_SECONDS)
+
+    def __repr__(self) -> str:
+        slow = f"{self._bytes_per_second:g} bytes a second" if self._bytes_per_second else ""
+        late = f"{1e3 * self._seconds:g} ms late" if self._seconds else ""
+        state = "cut" if not self._carries.is_set() else ", ".join(filter(None, (slow, late))) or "good"
+        return f"[weak link: {state}]"
+
+    # -- within the loop's thread
+
+    def _do(self, work: Coroutine[Any, Any, Result]) -> Result:
+        return asyncio.run_coroutine_threadsafe(work, self._loop).result(CONNECT_SECONDS)
+
+    async def _begin(self) -> asyncio.Event:
+        carries = asyncio.Event()
+        carries.set()
+        self._listen()
+        return carries
+
+    def _listen(self) -> None:
+        self._listener = socket.create_server(("127.0.0.1", self._port))
+        self._listener.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
+        self._listener.setblocking(False)
+        self._port = self._listener.getsockname()[1]
+        self._accepting = asyncio.ensure_future(self._accept(self._listener))
+
+    async def _accept(self, listener: socket.socket) -> None:
+        while True:
+            near, _ = await self._loop.sock_accept(listener)
+            relay = asyncio.ensure_future(self._relay(near))
+            self._relays.add(relay)
+            relay.add_done_callback(self._relays.discard)
+
+    async def _cut(self) -> None:
+        self._carries.clear()
+        await self._end_listening()
+
+    async def _mend(self) -> None:
+        if not self._carries.is_set():
+            self._listen()
+            self._carries.set()
+
+    async def _end_listening(self) -> None:
+        self._accepting.cancel()
+        await asyncio.wait([self._accepting])
+        self._listener.close()
+
+    async def _end(self) -> None:
+        await self._end_listening()
+        relays = list(self._relays)
+        for one in relays:
+            one.cancel()
+        await asyncio.gather(*relays, return_exceptions=True)
+
+    async def _relay(self, near: socket.socket) -> None:
+        """Carry between one who dialled and the other address, until either hangs up."""
+        with near, socket.socket(self._family, socket.SOCK_STREAM) as far, contextlib.suppress(OSError, TimeoutError):
+            far.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
+            for one in (near, far):
+                one.setblocking(False)
+                one.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            await asyncio.wait_for(self._loop.sock_connect(far, self._to), CONNECT_SECONDS)
+            await _first_of(self._carry(near, far), self._carry(far, near))
+
+    async def _carry(self, source: socket.socket, sink: socket.socket) -> None:
+        on_the_way: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue(WAITING)
+        await _first_of(self._take(source, on_the_way), self._bring(on_the_way, sink))
+
+    async def _take(self, source: socket.socket, on_the_way: asyncio.Queue[tuple[float, bytes]]) -> None:
+        while piece := await self._loop.sock_recv(source, PIECE):
+            if self._bytes_per_second:
+                await asyncio.sleep(len(piece) / self._bytes_per_second)
+            await on_the_way.put((self._loop.time() + self._seconds, piece))
+
+    async def _bring(self, on_the_way: asyncio.Queue[tuple[float, bytes]], sink: socket.socket) -> None:
+        while True:
+            due, piece = await on_the_way.get()
+            await asyncio.sleep(due - self._loop.time())
+            await self._carries.wait()
+            await self._loop.sock_sendall(sink, piece)
+
+
+async def _first_of(*works: Coroutine[Any, Any, None]) -> None:
+    """Do all at once until one of them ends, which ends the others."""
+    tasks = [asyncio.ensure_future(one) for one in works]
+    try:
+        await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        for one in tasks:
+            one.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+
+
+__all__ = ["WeakLink"]

@@ -1,0 +1,20 @@
+"""Ports of this computer."""
+
+from __future__ import annotations
+
+import socket
+
+
+def free_port() -> int:
+    """A port of loopback that nobody listens at in this moment.
+
+    >>> 0 < free_port() < 65536
+    True
+    """
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        port: int = one.getsockname()[1]
+    return port
+
+
+__all__ = ["free_port"]

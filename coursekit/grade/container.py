@@ -27,7 +27,7 @@ _SECURITY = ("seccomp=unconfined", "apparmor=unconfined", "label=disable")
 _FILES = ("folder", "notebooks", "roster", "variants", "policy")
 """Words of `coursekit grade` that name something to be read."""
 _FLAGS = ("anonymous",)
-_VALUES = ("jobs", "count", "platform")
+_VALUES = ("jobs", "count", "csv", "platform")
 _LISTS = ("chapters", "again")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
@@ -22,6 +23,8 @@ class Step:
     exercise: str = ""
     solution: bool = False
     """Whether the student wrote it."""
+    given: str = ""
+    """What stood there when it was handed out."""
 
 
 @dataclass
@@ -34,8 +37,8 @@ class Repaired:
     """Whether anything was written into the cells of an exercise; stubs as they were handed out earn nothing."""
 
     def answers(self) -> list[str]:
-        """What the student wrote into solution cells."""
-        return [step.source for step in self.steps if step.solution]
+        """What the student wrote into solution cells, without the lines that stood there when they were handed out."""
+        return [_own_lines(step.source, step.given) for step in self.steps if step.solution]
 
 
 def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
@@ -56,7 +59,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
             answer = _answer(name, text, by_id, unknown, made.notes)
             added = own.pop(name, [])
             made.steps += [Step(one, solution=True) for one in added]
-            made.steps.append(Step(answer, solution=True))
+            made.steps.append(Step(answer, solution=True, given=without_solution(text)))
             exercise = ".".join(name.split("-")[:2])
             as_given = answer.strip() == without_solution(text).strip() and "YOUR CODE HERE" in answer
             written = bool(added or own.get("")) or not as_given
@@ -66,6 +69,21 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         made.steps.append(Step("" if found else text, found["name"] if found else ""))
     made.steps = [Step(one, solution=True) for left in own.values() for one in left] + made.steps
     return made
+
+
+def _own_lines(answer: str, given: str) -> str:
+    """The lines of an answer that are not those given, each as often as it was given.
+
+    >>> _own_lines("import math\\ndef f(x):\\n    return x\\n    return x", "import math\\ndef f(x):\\n    return x")
+    '    return x'
+    """
+    left = Counter(line.strip() for line in given.splitlines())
+    kept = []
+    for line in answer.splitlines():
+        left[line.strip()] -= 1
+        if left[line.strip()] < 0:
+            kept.append(line)
+    return "\n".join(kept)
 
 
 def _id(cell: dict[str, Any]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import glob
 import json
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -121,9 +122,14 @@ class Class:
         collector = Collector(
             self.sources, scratch, roster=self.roster, copies=marks, policy=self.policy, answers=answers
         )
-        found = collector.collect(self.place, leave=[self.kept, self.out])
+        found = collector.collect(self.place, leave=self._written())
         write_questions(asked, found.questions, answers, self.form)
         return found
+
+    def _written(self) -> list[Path]:
+        """What earlier runs wrote, which may lie beside what was handed in."""
+        beside = self.out.parent.glob(f"{glob.escape(self.out.stem)}.*")
+        return [self.kept, self.out, self.out.with_name(QUESTIONS), *beside]
 
     def _wanted(self, collection: Collection) -> tuple[list[str], dict[str, list[str]]]:
         if self.chapters:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .copy import without_solution
+from .recognising import text_of
 from .variants import CHECK
 
 LIVE = "live"
@@ -92,8 +93,7 @@ def _id(cell: dict[str, Any]) -> str:
 
 
 def _text(cell: dict[str, Any]) -> str:
-    source = cell.get("source", "")
-    return source if isinstance(source, str) else "".join(str(line) for line in source)
+    return text_of(cell)
 
 
 def _by_id(cells: Iterable[dict[str, Any]], notes: list[str]) -> dict[str, str]:

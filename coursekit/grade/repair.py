@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 from .copy import without_solution
+from .harmless import shown, unique
 from .recognising import text_of
 from .variants import CHECK
 
@@ -46,7 +47,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
     """Put the student's answers, and cells of their own, into the course's notebook."""
     made = Repaired()
     theirs = [cell for cell in submitted.get("cells", []) if isinstance(cell, dict)]
-    by_id = _by_id(theirs, made.notes)
+    by_id = _by_id(theirs, {_id(cell) for cell in source["cells"]}, made.notes)
     own = _own_cells(source, theirs)
     known = {"".join(cell["source"]).strip() for cell in source["cells"]}
     unknown = [cell for cell in theirs if CHECK.search(_text(cell)) or _text(cell).strip() not in known]
@@ -69,6 +70,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         found = CHECK.search(text)
         made.steps.append(Step("" if found else text, found["name"] if found else ""))
     made.steps = [Step(one, solution=True) for left in own.values() for one in left] + made.steps
+    made.notes = unique(made.notes)
     return made
 
 
@@ -96,15 +98,16 @@ def _text(cell: dict[str, Any]) -> str:
     return text_of(cell)
 
 
-def _by_id(cells: Iterable[dict[str, Any]], notes: list[str]) -> dict[str, str]:
-    """The text of each named cell: of two with one name the one that was worked on, else the later."""
+def _by_id(cells: Iterable[dict[str, Any]], known: Container[str], notes: list[str]) -> dict[str, str]:
+    """The text of each cell that has a name of the course's: of two with one the one that was worked on, else the later."""
     found: dict[str, str] = {}
     for cell in cells:
         name, text = _id(cell), _text(cell)
-        if not name:
+        if not name or name not in known:
             continue
         if cell.get("cell_type") != "code":
-            notes.append(f"{name}: the cell had been turned into {cell.get('cell_type')}; it was read as code")
+            kind = shown(str(cell.get("cell_type")), 30)
+            notes.append(f"{name}: the cell had been turned into {kind}; it was read as code")
         if name in found:
             notes.append(f"{name}: there were two such cells; the one that was worked on counts")
             if "NotImplementedError" in text and "NotImplementedError" not in found[name]:

@@ -90,3 +90,14 @@ def test_what_was_given_is_no_work_that_is_alike():
     long = "\n".join(f"def f{n}(a, b):\n    return a + b * {n} - {n + 1}" for n in range(9))
     copied = long.replace("(a, b)", "(one, other)").replace("a + b", "one + other")
     assert [pair[:2] for pair in similar([_marked("ann", long), _marked("ben", copied)])] == [("ann", "ben")]
+
+
+def test_however_many_cells_have_one_name_the_notes_stay_short():
+    """Thousands of doubled cells once made more notes than an examination may tell: there was no mark at all."""
+    theirs = student_notebook(SOURCE)
+    named = {"nbgrader": {"grade_id": "x" * 500}}
+    doubled = [cell for cell in theirs["cells"] if cell["metadata"].get("nbgrader", {}).get("solution")]
+    theirs["cells"] += [{"cell_type": "code", "metadata": named, "source": "1"}] * 9000 + doubled * 3000
+    theirs["cells"].append({**doubled[0], "cell_type": "y" * 9000})
+    notes = repair(SOURCE, theirs).notes
+    assert 1 < len(notes) < 9 and max(map(len, notes)) < 200

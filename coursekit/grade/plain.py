@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 from .interruptions import Gone, TimeOver
 from .own_checks import is_own
 from .verdict import Wrong
+from .wire import Described
 
 T = TypeVar("T")
 _OURS = str(Path(__file__).resolve().parents[1])
@@ -91,7 +92,7 @@ def _why_no_number(value: Any) -> str:
         return "Is there a `return` in every case?"
     if type(value) is float:
         return "Is something divided by zero, or is it beyond what a float holds?"
-    if getattr(value, "kind", type(value).__name__) in _UNFINISHED:
+    if (value.kind if type(value) is Described else type(value).__name__) in _UNFINISHED:
         return "Such a function gives no value: is there an `async` or a `yield` too many?"
     return ""
 

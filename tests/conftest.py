@@ -27,7 +27,7 @@ def pytest_sessionstart(session):
 
 
 LONG = (
-    "tests/notebooks/test_wrong", "tests/notebooks/test_chapters", "tests/notebooks/test_going", "tests/notebooks/",
+    "tests/notebooks/test_going", "tests/notebooks/test_wrong", "tests/notebooks/",
     "tests/grade/test_class", "tests/browser/", "tests/grade/", "tests/packages/", "tests/tutorials/",
 )  # fmt: skip
 """Files that take minutes with few tests, the longest first: begun last, one would keep a worker when all is done."""

@@ -149,6 +149,7 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "explore": "coursekit.nodes.explore_lite.explore:main",
     },
     "gazebo_ros": {
+        "gzclient": "coursekit.nodes.gazebo.gzclient:main",
         "gzserver": "coursekit.nodes.gazebo.gzserver:main",
         "spawn_entity.py": "coursekit.nodes.gazebo.spawn_entity:main",
     },

@@ -5,13 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from coursekit.processes.session import current
-from coursekit.systems.streams import use_utf8
-
 from . import parser, ros2
 
 _SERVER = ("run", "gazebo_ros", "gzserver")
-_NO_WINDOW = "gzclient: the world has no window of its own. Look at it in a notebook, with viewer()."
+_CLIENT = ("run", "gazebo_ros", "gzclient")
 
 
 def server() -> int:
@@ -25,14 +22,10 @@ def run_server(argv: Sequence[str]) -> int:
 
 
 def client() -> int:
-    """`gzclient` in a shell: it says where to look."""
-    use_utf8()
-    print(_NO_WINDOW)
-    return 0
+    """`gzclient` in a shell."""
+    return ros2.main([*_CLIENT, *sys.argv[1:]])
 
 
-def run_client(_argv: Sequence[str]) -> int:
-    """The same inside of a session: it stays until Ctrl-C, since launch files end everything when it ends."""
-    print(_NO_WINDOW)
-    current().clock.new_event().wait()
-    return 0
+def run_client(argv: Sequence[str]) -> int:
+    """The same inside of a session."""
+    return parser.run([*_CLIENT, *argv])

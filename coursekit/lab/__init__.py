@@ -29,6 +29,8 @@ from .viewer import viewer
 from .viewer_windows import show_rviz_windows
 from .waiting import wait
 from .windows import show_new_windows, windows
+from .world_view import world_view
+from .world_windows import show_world_windows
 
 __all__ = [
     "check",
@@ -60,6 +62,7 @@ __all__ = [
     "wait",
     "windows",
     "workspace",
+    "world_view",
 ]
 
 start()
@@ -68,3 +71,4 @@ show_new_windows()
 show_rviz_windows()
 show_joint_windows()
 show_rqt_windows()
+show_world_windows()

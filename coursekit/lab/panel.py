@@ -24,15 +24,19 @@ _open: list[Panel] = []
 _ended: list[Panel] = []
 
 
-def static(name: str) -> str:
-    """A file of the browser's side, after what all panels share (`panel.js`, `panel.css`).
+def static(name: str, *shared: str) -> str:
+    """A file of the browser's side, after what all panels share (`panel.js`, `panel.css`) and what some do.
 
     Every panel brings the shared style along: the own one has to win also over that of a panel which opens later.
     """
-    kind, _, suffix = name.rpartition(".")
-    if suffix == "js":
-        return script("panel.js", name)
-    return style("panel.css") + "\n" + style(name).replace(f".ck-{kind} ", f".ck-panel.ck-{kind} ")
+    if name.endswith(".js"):
+        return script("panel.js", *shared, name)
+    return "\n".join([style("panel.css"), *(_own_style(one) for one in (*shared, name))])
+
+
+def _own_style(name: str) -> str:
+    kind = name.removesuffix(".css")
+    return style(name).replace(f".ck-{kind} ", f".ck-panel.ck-{kind} ")
 
 
 def end_panels(why: str = "It has ended.") -> int:

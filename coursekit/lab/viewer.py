@@ -15,10 +15,9 @@ from coursekit.view.displays import Display
 from coursekit.view.scene_stage import Stage
 from coursekit.view.scene_text import described
 
-from .bundle import forms_of
 from .hidden import HiddenNode
-from .panel import Panel, static
-from .viewer_stream import Stream
+from .panel import static
+from .scene_panel import ScenePanel
 from .viewer_tools import Tools
 
 SETTLE_SECONDS = 1.0
@@ -26,11 +25,11 @@ SETTLE_SECONDS = 1.0
 _ROBOT = "robot_description"
 
 
-class Viewer(Panel):
+class Viewer(ScenePanel):
     """See `viewer`."""
 
-    _esm = static("viewer.js")
-    _css = static("viewer.css")
+    _esm = static("viewer.js", "scene.js")
+    _css = static("viewer.css", "scene.css")
 
     def __init__(self, config: Config | None = None, height: int = 420) -> None:
         super().__init__("viewer")
@@ -40,7 +39,7 @@ class Viewer(Panel):
             config = bare_config(self.hidden)
         self.stage = Stage(self.hidden.node, config)
         self.tools = Tools(self.hidden.node, self.stage)
-        self._stream = Stream(self)
+        self.stream()
         self._settle(self._complete)
 
     def _settle(self, done: Any) -> None:
@@ -104,26 +103,12 @@ class Viewer(Panel):
         """What the tool Publish Point publishes on /clicked_point [m]."""
         self.tools.publish_point(x, y, z)
 
-    def png(self, width: int = 640, height: int = 400) -> bytes:
-        """A still picture of what is shown now."""
-        self.stage.update()
-        return self.stage.png(width, height)
-
     # -- without the browser
 
     def text(self) -> str:
         """What is shown, in lines."""
         self.stage.update()
         return described(self.stage)
-
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**options)
-        data = forms_of(bundle)
-        if data is not None:
-            from base64 import b64encode
-
-            data["image/png"] = b64encode(self.stage.png()).decode()
-        return bundle
 
     # -- with the browser
 
@@ -134,21 +119,6 @@ class Viewer(Panel):
         head = {"height": self.height_px, "fixed": self.stage.fixed_frame, "frames": frames, "told": self.tools.told}
         rows = [_row(index, one) for index, one in enumerate(self.stage.displays)]
         return {**head, "level": level, "remark": text, "rows": rows, "skipped": self.stage.config.skipped}
-
-    def on_library(self, _message: dict[str, Any]) -> None:
-        """The page has no MeshCat yet."""
-        import meshcat
-
-        code = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
-        self.send({"type": "library"}, buffers=[code.read_bytes()])
-
-    def on_open(self, _message: dict[str, Any]) -> None:
-        """A page is ready to draw."""
-        self._stream.open()
-
-    def on_drawn(self, message: dict[str, Any]) -> None:
-        """A page has drawn."""
-        self._stream.drawn(int(message.get("n", 0)))
 
     def on_switch(self, message: dict[str, Any]) -> None:
         """A box was ticked."""
@@ -174,9 +144,6 @@ class Viewer(Panel):
         index = message.get("row")
         return self.stage.displays[index] if isinstance(index, int) and 0 <= index < len(self.stage.displays) else None
 
-    def leave(self) -> None:
-        """Send no more."""
-        self._stream.close()
 
 
 def _row(index: int, one: Display) -> dict[str, Any]:

@@ -10,7 +10,7 @@ import cv2
 from coursekit.view.scene_wire import packed
 
 if TYPE_CHECKING:
-    from .viewer import Viewer
+    from .scene_panel import ScenePanel
 
 FRAME_SECONDS = 1 / 30
 LIST_SECONDS = 0.25
@@ -19,9 +19,9 @@ JPEG_QUALITY = 80
 
 
 class Stream:
-    """Sends what a viewer shows, beside everything else. Nothing queues: while a page draws, changes only add up."""
+    """Sends what a panel shows, beside everything else. Nothing queues: while a page draws, changes only add up."""
 
-    def __init__(self, panel: Viewer) -> None:
+    def __init__(self, panel: ScenePanel) -> None:
         self.panel = panel
         self._lock = threading.Lock()
         self._running = False
@@ -79,12 +79,11 @@ class Stream:
             self.panel.send(message, buffers=[*buffers, *images])
 
     def _view(self, whole: bool) -> dict[str, Any] | None:
-        """From where to look: at the start, and once more when the first robot is there."""
+        """From where to look: at the start, and once more when there is something to look at."""
         stage = self.panel.stage
         if self._fitted and not whole:
             return None
-        there = bool(stage.config.view) or any(one.poses for one in stage.robots()) or not stage.robots()
-        self._fitted = there and stage.scene.bounds() is not None
+        self._fitted = stage.seen() and stage.scene.bounds() is not None
         return stage.camera().as_dict() if self._fitted or whole else None
 
     def _tell_list(self) -> None:

@@ -61,6 +61,11 @@ class Lidar:
             low = -max(self.angle_min, self.angle_max)
         return low, abs(self.step) or 1.0
 
+    def bearings(self) -> Array:
+        """The angles (beams) of the distances that `look` gives, counter-clockwise from its mount's x [rad]."""
+        low, step = self._ascending()
+        return np.asarray(low + step * np.arange(self.beams), np.float64)
+
     def look(self, cut: Cut, place: Pose2D, ranges: Array | None = None) -> Array:
         """True distances (beams) from `place` to what a cut shows; inf where there is nothing.
 

@@ -221,6 +221,11 @@ class Stage:
         """The keys of the displays of these kinds."""
         return [one.key for one in self.displays if one.kind in kinds]
 
+    def seen(self) -> bool:
+        """Whether what one looks at is there: a robot, where any is shown."""
+        robots = self.robots()
+        return bool(self.config.view) or not robots or any(one.poses for one in robots)
+
     def camera(self) -> Camera:
         """From where to look: as configured, else so that all but floors and clouds is seen; far enough if robots move."""
         at_home = any(one.robot is not None and self.fixed_frame in one.robot.links for one in self.robots())

@@ -10,6 +10,8 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
+from coursekit.grade.exercise import Exercise, all_exercises
+
 ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = ROOT / "notebooks"
 
@@ -27,6 +29,12 @@ def read(path: Path) -> nbformat.NotebookNode:
 def code_cells(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
     """The cells that run."""
     return [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.strip()]
+
+
+def exercises_of(chapter: Path) -> dict[str, Exercise]:
+    """The exercises of a chapter, by name."""
+    name = f"ch{chapter.stem[:2]}" if chapter.stem[0].isdigit() else f"app{chapter.stem[0].lower()}"
+    return {one: exercise for one, exercise in all_exercises().items() if one.startswith(f"{name}.")}
 
 
 def name_student(folder: Path) -> None:
@@ -58,10 +66,8 @@ def course_environment(folder: Path) -> Iterator[None]:
             os.environ.pop(name, None) if value is None else os.environ.__setitem__(name, value)
 
 
-def run(
-    notebook: nbformat.NotebookNode, folder: Path, *, allow_errors: bool = False, timeout: int = 120, times: int = 1
-) -> None:
-    """Execute a notebook in place, several times in one kernel if asked."""
+def run(notebook: nbformat.NotebookNode, folder: Path, *, allow_errors: bool = False, timeout: int = 120) -> None:
+    """Execute a notebook in place."""
     (folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
     with course_environment(folder):
         client = NotebookClient(
@@ -72,6 +78,5 @@ def run(
             resources={"metadata": {"path": str(folder)}},
         )
         with client.setup_kernel():
-            for _ in range(times):
-                for index, cell in enumerate(notebook.cells):
-                    client.execute_cell(cell, index)
+            for index, cell in enumerate(notebook.cells):
+                client.execute_cell(cell, index)

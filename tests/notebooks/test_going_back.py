@@ -1,15 +1,26 @@
-"""A student goes back: after a whole chapter the cells of every exercise run again, from the last to the first."""
+"""A chapter runs top to bottom; a student goes back to its exercises, from the last to the first; then it runs once more.
 
+That earns its points, and leaves nothing behind.
+"""
+
+import json
 import re
 from collections import Counter
 from contextlib import contextmanager
 
+import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from .running import chapters, course_environment, read
+from .running import chapters, course_environment, exercises_of, read
 
 pytestmark = [pytest.mark.timeout(900), pytest.mark.slow]
+
+LEFT_BEHIND = """
+from coursekit.processes.session import current as _current
+reset()
+print([p.name for p in _current().processes], [n.full_name for g in _current().graphs.values() for n in g.nodes])
+"""
 
 
 @pytest.fixture(params=chapters(), ids=lambda path: path.stem)
@@ -56,10 +67,11 @@ def doubled(folder):
             yield from (f"{path.name}: {line}" for line, count in entries.items() if count > 1)
 
 
-def test_the_cells_of_every_exercise_can_be_run_again_after_those_below(chapter, tmp_path):
+def test_exercises_can_be_run_again_and_the_whole_chapter_too(chapter, tmp_path):
     notebook = read(chapter)
+    notebook.cells.append(nbformat.v4.new_code_cell(LEFT_BEHIND))
     with kernel_of(notebook, tmp_path) as run:
-        for index in range(len(notebook.cells)):
+        for index in range(len(notebook.cells) - 1):
             run(index)
         before = list(doubled(tmp_path))
         for cells in reversed(exercises(notebook)):
@@ -67,3 +79,13 @@ def test_the_cells_of_every_exercise_can_be_run_again_after_those_below(chapter,
             assert "Failed   <<<" not in "".join(said)
             assert said[-1].startswith("✔"), said[-1]
             assert list(doubled(tmp_path)) == before
+        said = [run(index) for index in range(len(notebook.cells))]
+    assert said[-1].splitlines()[-1] == "[] []"
+    assert points_of(tmp_path, chapter) == {name: exercise.points for name, exercise in exercises_of(chapter).items()}
+
+
+def points_of(folder, chapter):
+    """What a student has, by exercise."""
+    kept = folder / ".coursekit" / "progress.json"
+    progress = json.loads(kept.read_text()) if exercises_of(chapter) else {}
+    return {name: progress[name]["points"] for name in exercises_of(chapter)}

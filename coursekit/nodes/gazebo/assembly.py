@@ -13,6 +13,7 @@ from coursekit.sim.odometry import EXACT
 from coursekit.sim.parts import Disc, Part, Prism
 from coursekit.sim.robot import Drive, RobotModel
 from coursekit.sim.world import Thing
+from coursekit.urdf import Robot
 
 from .articulated import Articulated
 from .blueprint import Blueprint
@@ -46,6 +47,10 @@ class Assembly:
     """How its links follow its joints, where it has motors."""
     systems: frozenset[str] = frozenset()
     """Of the newer Gazebo: those that it loads."""
+    description: Robot | None = None
+    """What it looks like, where that is URDF."""
+    lift: float = 0.0
+    """How far its origin is above the floor [m]."""
 
 
 def assemble(made: Blueprint, namespace: str = "") -> Assembly:
@@ -65,7 +70,7 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
     if made.robot is not None and any(isinstance(one, (ControlDevice, MotorDevice, TrajectoryDevice)) for one in devices):
         done.articulated = Articulated(made.robot, made, 0.0 if made.root == "world" else floor)
-    done.systems = frozenset(made.systems)
+    done.systems, done.description = frozenset(made.systems), made.robot
     done.frames = {name: link.pose for name, link in made.links.items()}
     if mast and devices:
         done.robot = RobotModel(made.name, tuple(parts), drive=None, fixed=True)
@@ -74,7 +79,7 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     elif made.root == "world":
         done.robot = RobotModel(made.name, tuple(parts), drive=None, fixed=True, reach=made.reach)
     else:
-        done.robot = _robot(made, drive, devices, [raised(part, -floor) for part in parts])
+        done.robot, done.lift = _robot(made, drive, devices, [raised(part, -floor) for part in parts]), -floor
     return done
 
 

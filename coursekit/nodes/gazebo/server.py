@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Callable
 from typing import Any
 
 import rclpy
@@ -180,6 +182,13 @@ class Gazebo(Node):
         for node, heard in self._commands.pop(name, []):
             node.destroy_subscription(heard)
 
+    def delete(self, name: str) -> None:
+        """Take a model out for good, also one in which nothing can be met."""
+        self.advance()
+        with contextlib.suppress(LookupError):
+            self.take_out(name)
+        self.around.deleted.add(name)
+
     def tell(self, notes: list[str]) -> None:
         """List what of a file is not simulated."""
         if notes and not self.verbose and len(notes) > 8:
@@ -207,6 +216,17 @@ class Gazebo(Node):
             if parts:
                 self.simulation.reshape(name, parts)
 
+    def pause(self, pause: bool) -> None:
+        """Stand still, or go on."""
+        self.advance()
+        (self.time.pause if pause else self.time.go_on)()
+
+    def step(self, seconds: float) -> None:
+        """Let so much simulated time pass and stand still after it."""
+        self.pause(True)
+        self.time.set(self.time.now() + round(seconds * 1e9))
+        self._do_due()
+
     def restart(self, time: bool) -> None:
         """Everything back to its place, and time to 0 if asked."""
         self.advance()
@@ -224,6 +244,11 @@ class Gazebo(Node):
         """Do all that is due; seconds until something is due again."""
         if self.time.paused:
             return 0.1
+        due = self._do_due()
+        return max(0.0, (due - self.time.now()) * 1e-9 / self.time.speed)
+
+    def _do_due(self) -> int:
+        """Do all that is due; the simulated time [ns] at which something is due again."""
         now = self.advance()
         while (clock := self._clock_due()) <= now:
             self._clock_count = max(self._clock_count + 1, int((now - 20_000_000) * 1e-9 * self._rate))
@@ -234,9 +259,8 @@ class Gazebo(Node):
                 if now - sensor.due_ns > 200_000_000:
                     sensor.restart(now)
                 sensor.work()
-        due = min([self._clock_due(), *(sensor.due_ns for sensor in sensors)])
-        self._planned = due
-        return max(0.0, (due - self.time.now()) * 1e-9)
+        self._planned = min([self._clock_due(), *(sensor.due_ns for sensor in sensors)])
+        return self._planned
 
     def tell_clock(self, msg: Clock) -> None:
         """The simulated time, for all who use it."""
@@ -244,6 +268,16 @@ class Gazebo(Node):
 
     def _clock_due(self) -> int:
         return round(self._clock_count * 1e9 / self._rate)
+
+    def soon(self, work: Callable[..., Any], *values: Any) -> None:
+        """Have the simulator's own thread do something; from any thread. What cannot be done is logged."""
+        self.executor_.create_task(self._try, work, *values)
+
+    def _try(self, work: Callable[..., Any], *values: Any) -> None:
+        try:
+            work(*values)
+        except (WorldError, LookupError) as error:
+            self.get_logger().error(str(error.args[0] if isinstance(error, LookupError) else error))
 
     def spin(self) -> None:
         """Simulate until the context ends."""

@@ -62,12 +62,7 @@ class Services:
         if request.name not in self._around.models():
             answer.success, answer.status_message = False, f"Entity [{request.name}] does not exist"
             return answer
-        self._node.advance()
-        try:
-            self._node.take_out(request.name)
-        except LookupError:  # a model in which nothing can be met
-            pass
-        self._around.deleted.add(request.name)
+        self._node.delete(request.name)
         answer.success, answer.status_message = True, f"Successfully deleted entity [{request.name}]"
         return answer
 
@@ -78,8 +73,7 @@ class Services:
         return answer
 
     def _pause(self, pause: bool, answer: Any) -> Any:
-        self._node.advance()
-        (self._node.time.pause if pause else self._node.time.go_on)()
+        self._node.pause(pause)
         return answer
 
     def _list(self, _request: Any, answer: Any) -> Any:

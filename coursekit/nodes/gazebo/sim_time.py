@@ -1,4 +1,4 @@
-"""The simulation's time: the session's clock from when the simulator began, less the time that it stood still."""
+"""The simulation's time: the session's clock from when the simulator began, as fast as told, less what it stood still."""
 
 from __future__ import annotations
 
@@ -9,17 +9,26 @@ MOST_BEHIND_NS = 50_000_000
 
 
 class SimTime:
-    """Nanoseconds of simulated time."""
+    """Nanoseconds of simulated time.
+
+    >>> from types import SimpleNamespace
+    >>> clock = SimpleNamespace(virtual=True, now=0, steady=lambda: clock.now)
+    >>> time = SimTime(clock)
+    >>> time.go_at(2.0); clock.now = 100; time.now()
+    200
+    """
 
     def __init__(self, clock: Any, paused: bool = False) -> None:
         self._clock = clock
         self.paused = paused
-        self._zero = clock.steady()
+        self.speed = 1.0
+        """Simulated seconds in a second of the session's clock."""
+        self._begin = clock.steady()
         self._held = 0
 
     def now(self) -> int:
         """The time now."""
-        return self._held if self.paused else self._clock.steady() - self._zero
+        return self._held if self.paused else self._held + round((self._clock.steady() - self._begin) * self.speed)
 
     def pause(self) -> None:
         """Stand still; harmless when it does."""
@@ -30,9 +39,16 @@ class SimTime:
         self.set(self.now())
         self.paused = False
 
+    def go_at(self, speed: float) -> None:
+        """Go on so many times as fast as the session's clock; ValueError unless it is above 0."""
+        if not 0.0 < speed < float("inf"):
+            raise ValueError(f"a speed is a number above 0, not {speed}")
+        self.set(self.now())
+        self.speed = speed
+
     def set(self, time_ns: int) -> None:
         """It is this time now."""
-        self._held, self._zero = time_ns, self._clock.steady() - time_ns
+        self._held, self._begin = time_ns, self._clock.steady()
 
     def keep_up(self, planned_ns: int) -> None:
         """Forget time that the simulation could not keep up with; work was planned for `planned_ns`."""

@@ -17,6 +17,9 @@ from coursekit.nodes.gazebo.whereabouts import planar_pose
 from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 
+_STEP_S = 0.001
+"""One step of a paused world, as its `max_step_size` is by default."""
+
 
 class GzServices:
     """The services of a world, in Gazebo's own graph."""
@@ -61,12 +64,7 @@ class GzServices:
         if name not in self._around.models():
             self._gazebo.get_logger().error(f"Entity named [{name}] of type [{request.entity.type}] not found")
             return answer
-        self._gazebo.advance()
-        try:
-            self._gazebo.take_out(name)
-        except LookupError:  # a model in which nothing can be met
-            pass
-        self._around.deleted.add(name)
+        self._gazebo.delete(name)
         answer.success = True
         return answer
 
@@ -82,10 +80,12 @@ class GzServices:
 
     def _control(self, request: Any, answer: Any) -> Any:
         wish = request.world_control
-        self._gazebo.advance()
         if wish.reset.all or wish.reset.time_only or wish.reset.model_only:
             self._gazebo.restart(not wish.reset.model_only)
-        (self._gazebo.time.pause if wish.pause else self._gazebo.time.go_on)()
+        if steps := wish.multi_step or int(wish.step):
+            self._gazebo.step(steps * _STEP_S)
+        else:
+            self._gazebo.pause(wish.pause)
         answer.success = True
         return answer
 

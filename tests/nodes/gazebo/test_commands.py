@@ -25,6 +25,6 @@ def test_a_launch_file_starts_gazebo_by_its_name(tmp_path):
         names = session.start(lambda: run(["service", "list"]), name="ros2")
         names.wait(5)
         assert "/spawn_entity" in names.output.split()
-        assert launch.state == "running" and "viewer()" in launch.output
+        assert launch.state == "running" and "world_view()" in launch.output
         launch.interrupt()
         assert launch.wait(10) == 0

@@ -1,10 +1,12 @@
-"""Nothing to start: a notebook draws the world. The arguments of Gazebo's window are accepted."""
+"""Gazebo's window: a notebook opens it. Its arguments are accepted."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
+from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    """Return the arguments."""
+    """Return the arguments and the window."""
     names = ("gui", "verbose", "extra_gazebo_args")
-    return LaunchDescription([DeclareLaunchArgument(name, default_value="") for name in names])
+    declared = [DeclareLaunchArgument(name, default_value="") for name in names]
+    return LaunchDescription([*declared, Node(package="gazebo_ros", executable="gzclient", output="screen")])

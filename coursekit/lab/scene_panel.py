@@ -1,0 +1,82 @@
+"""What the panels that draw in 3D share: MeshCat in the page, a stream of changes to it, a still picture."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from pathlib import Path
+from typing import Any, Protocol
+
+from coursekit.view.scene import Scene
+from coursekit.view.scene_camera import Camera
+
+from .bundle import forms_of
+from .panel import Panel
+from .viewer_stream import Stream
+
+
+class SceneStage(Protocol):
+    """What such a panel draws."""
+
+    lock: Any
+    """Held while it changes."""
+    scene: Scene
+
+    def update(self) -> Scene:
+        """Bring the scene up to date."""
+
+    def seen(self) -> bool:
+        """Whether what one looks at is there."""
+
+    def camera(self) -> Camera:
+        """From where to look."""
+
+    def images(self) -> list[Any]:
+        """Displays with pictures that are shown beside the scene."""
+
+    def png(self, width: int = 640, height: int = 400) -> bytes:
+        """A still picture."""
+
+
+class ScenePanel(Panel):
+    """The base of `viewer` and `world_view`. A subclass sets `stage`, then calls `stream`."""
+
+    stage: Any
+    """A SceneStage."""
+
+    def stream(self) -> None:
+        """From now on pages may draw."""
+        self._stream = Stream(self)
+
+    def png(self, width: int = 640, height: int = 400) -> bytes:
+        """A still picture of what is shown now."""
+        self.stage.update()
+        return bytes(self.stage.png(width, height))
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**options)
+        data = forms_of(bundle)
+        if data is not None:
+            data["image/png"] = b64encode(self.png()).decode()
+        return bundle
+
+    def on_library(self, _message: dict[str, Any]) -> None:
+        """The page has no MeshCat yet."""
+        import meshcat
+
+        code = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
+        self.send({"type": "library"}, buffers=[code.read_bytes()])
+
+    def on_open(self, _message: dict[str, Any]) -> None:
+        """A page is ready to draw."""
+        self._stream.open()
+
+    def on_drawn(self, message: dict[str, Any]) -> None:
+        """A page has drawn."""
+        self._stream.drawn(int(message.get("n", 0)))
+
+    def leave(self) -> None:
+        """Send no more."""
+        self._stream.close()
+
+
+__all__ = ["ScenePanel", "SceneStage"]

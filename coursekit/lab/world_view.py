@@ -1,0 +1,241 @@
+"""The simulated world in a notebook: in 3D, with the simulator's clock and hands to move things, as in Gazebo's window."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from coursekit.geometry.plane import Pose2D
+from coursekit.nodes.gazebo.assembly import Assembly
+from coursekit.nodes.gazebo.simulators import Simulator, simulators
+from coursekit.processes.session import current
+from coursekit.sim import Prism, Thing, WorldError
+from coursekit.view.world_scene import WorldScene
+
+from .errors import BadArgument
+from .panel import static
+from .scene_panel import ScenePanel
+
+NOTHING = "No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py &"
+STEP_S = 0.05
+"""What the button Step lets pass [s]."""
+SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
+BOX_M, BOX_KG = 0.4, 2.0
+"""Edge and mass of a box that is added."""
+
+
+class WorldView(ScenePanel):
+    """See `world_view`."""
+
+    _esm = static("world.js", "scene.js")
+    _css = static("world.css", "scene.css")
+
+    def __init__(self, height: int = 420) -> None:
+        super().__init__()
+        self.height_px = height
+        self.stage = WorldScene(self._newest)
+        self._said = ""
+        self._held = "", Pose2D()
+        """What was clicked last, and where it was then."""
+        self._boxes = 0
+        self._measured: tuple[int, int] | None = None
+        self._factor = 1.0
+        self.stream()
+
+    def _newest(self) -> Simulator | None:
+        running = simulators.running(self.session)
+        return running[-1] if running else None
+
+    def _simulator(self) -> Simulator:
+        found = self._newest()
+        if found is None:
+            raise BadArgument(NOTHING)
+        return found
+
+    # -- from code
+
+    def pause(self) -> None:
+        """The world stands still."""
+        self._soon("pause", True)
+
+    def play(self) -> None:
+        """The world goes on."""
+        self._soon("pause", False)
+
+    def step(self, seconds: float = STEP_S) -> None:
+        """Let a little time pass in a world that stands still [s]."""
+        self._soon("step", seconds)
+
+    def reset(self) -> None:
+        """Everything back to where it began, and the simulated time to 0."""
+        self._soon("restart", True)
+
+    def speed(self, times: float) -> None:
+        """Let the world go so many times as fast as the clock."""
+        if not (isinstance(times, (int, float)) and 0.0 < times <= 100.0):
+            raise BadArgument(f"speed() takes a number above 0, up to 100; not {times!r}")
+        found = self._simulator()
+        found.soon(found.time.go_at, float(times))
+
+    def move(self, name: str, x: float, y: float, yaw: float | None = None) -> None:
+        """Put a robot or thing elsewhere [m, m, rad]; LookupError names near ones."""
+        simulation = self._simulator().simulation
+        heading = simulation.pose_of(name).theta if yaw is None else yaw
+        simulation.put(name, Pose2D(float(x), float(y), float(heading)))
+
+    def add_box(self, x: float, y: float, size: float = BOX_M) -> str:
+        """Put a box that can be pushed into the world [m]; its name."""
+        found = self._simulator()
+        name = self._free_name({*found.simulation.names(), *found.assemblies})
+        half = size / 2
+        corners = ((-half, -half), (half, -half), (half, half), (-half, half))
+        place = Pose2D(float(x), float(y), 0.0)
+        box = Thing(name, (Prism(corners, 0.0, size),), place, BOX_KG, texture="crates", model=name)
+        found.soon(found.put, Assembly(name, things=[box], place=place))
+        return name
+
+    def _free_name(self, taken: set[str]) -> str:
+        """Of a box; none that this view has given before, as a box may not have arrived yet."""
+        while True:
+            self._boxes += 1
+            if (name := f"box_{self._boxes}") not in taken:
+                return name
+
+    def remove(self, name: str) -> None:
+        """Take a robot or thing out of the world; LookupError names near ones."""
+        found = self._simulator()
+        found.simulation.pose_of(name)
+        found.soon(found.delete, name)
+
+    def _soon(self, what: str, value: Any) -> None:
+        found = self._simulator()
+        found.soon(getattr(found, what), value)
+
+    # -- without the browser
+
+    def text(self) -> str:
+        """The world in lines: its time, robots, what can be pushed, how much stands."""
+        found = self._newest()
+        if found is None:
+            return f"world view: {NOTHING}"
+        simulation = found.simulation
+        with simulation.busy:
+            state = "stands still" if found.time.paused else "runs"
+            lines = [f"world '{simulation.world.name}': {simulation.now_ns * 1e-9:.2f} s, {state}"]
+            lines += [_robot_line(name, robot) for name, robot in simulation.robots.items()]
+            lines += [f"  {name}: can be pushed, at {_at(simulation.pose_of(name))}" for name in simulation.things]
+            count = len(simulation.fixed_things())
+        return "\n".join([*lines, f"  {count} thing{'s stand' if count != 1 else ' stands'} fast"])
+
+    # -- with the browser
+
+    def shown(self) -> dict[str, Any]:
+        """What stands above and below the picture."""
+        found = self._newest()
+        if found is None:
+            return {"height": self.height_px, "there": False, "told": NOTHING}
+        return {
+            "height": self.height_px, "there": True, "told": self._said,
+            "time": round(found.simulation.now_ns * 1e-9, 1), "paused": found.time.paused,
+            "speed": found.time.speed, "speeds": SPEEDS, "factor": self._real_time_factor(found),
+            "lasers": self.stage.lasers, "names": self.stage.names(),
+        }  # fmt: skip
+
+    def _real_time_factor(self, found: Simulator) -> float:
+        """Simulated seconds in a second, over about the last one."""
+        here = found.simulation.now_ns, self.session.clock.steady()
+        before = self._measured
+        if before is None or here[0] < before[0] or here[1] - before[1] > 3_000_000_000:
+            self._measured = here
+        elif here[1] - before[1] >= 1_000_000_000:
+            self._factor = round((here[0] - before[0]) / (here[1] - before[1]), 2)
+            self._measured = here
+        return self._factor
+
+    def on_press(self, message: dict[str, Any]) -> None:
+        """A button was pressed."""
+        known = {"play": self.play, "pause": self.pause, "step": self.step, "reset": self.reset}
+        does = known.get(str(message.get("button")))
+        if does is not None and self._newest() is not None:
+            does()
+
+    def on_speed(self, message: dict[str, Any]) -> None:
+        """A speed was chosen."""
+        if self._newest() is not None and message.get("speed") in SPEEDS:
+            self.speed(message["speed"])
+
+    def on_lasers(self, message: dict[str, Any]) -> None:
+        """The box of the beams was ticked."""
+        self.stage.lasers = bool(message.get("on"))
+
+    def on_pick(self, message: dict[str, Any]) -> None:
+        """Something was clicked."""
+        self._try(lambda: self._pick(str(message.get("name"))))
+
+    def _pick(self, name: str) -> None:
+        self._held = name, self._simulator().simulation.pose_of(name)
+        self._say(f"{name} at {_at(self._held[1])} m")
+
+    def on_drag(self, message: dict[str, Any]) -> None:
+        """What was clicked is dragged so far [m]."""
+        self._try(lambda: self._drag(*_floor(message)))
+
+    def _drag(self, x: float, y: float) -> None:
+        name, place = self._held
+        self.move(name, place.x + x, place.y + y)
+        self._say(f"{name} at {_at(self._simulator().simulation.pose_of(name))} m")
+
+    def on_box(self, message: dict[str, Any]) -> None:
+        """A box is wanted there."""
+        self._try(lambda: self.add_box(*_floor(message)))
+
+    def on_remove(self, message: dict[str, Any]) -> None:
+        """What was clicked is to go."""
+        self._try(lambda: self.remove(str(message.get("name"))))
+
+    def _try(self, does: Any) -> None:
+        try:
+            does()
+        except (LookupError, WorldError, BadArgument, ValueError) as error:
+            self._say(str(error.args[0]))
+
+    def _say(self, text: str) -> None:
+        self._said = text
+
+
+
+def _floor(message: dict[str, Any]) -> tuple[float, float]:
+    x, y = message.get("x"), message.get("y")
+    if not all(isinstance(one, (int, float)) and abs(one) < 1e4 for one in (x, y)):
+        raise BadArgument("That is too far away.")
+    return float(x), float(y)  # type: ignore[arg-type]
+
+
+def _at(place: Pose2D) -> str:
+    return f"({_short(place.x)}, {_short(place.y)})"
+
+
+def _short(number: float) -> str:
+    return f"{round(number, 2) + 0.0:.2f}"  # adding 0 takes the sign of -0.00
+
+
+def _robot_line(name: str, robot: Any) -> str:
+    ahead, _, turn = robot.velocity
+    line = f"  {name}: robot, at {_at(robot.place)}, heading {round(math.degrees(robot.place.theta))} deg"
+    line += f", {_short(ahead)} m/s, {_short(turn)} rad/s"
+    return line + (f", touches {', '.join(sorted(robot.contacts))}" if robot.contacts else "")
+
+
+def world_view(height: int = 420) -> WorldView:
+    """The simulated world as it truly is, in 3D: pause, step and reset it, drag robots and things, add boxes.
+
+    It shows the newest simulator of this notebook. From code: `world_view().pause()`, `.step(0.5)`, `.speed(2)`,
+    `.move("box_1", 1.0, 0.5)`, `.add_box(1.0, 0.0)`.
+
+    In ROS 2: `gzclient`, Gazebo's window.
+    """
+    current()
+    return WorldView(height)
+
+
+__all__ = ["WorldView", "world_view"]

@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 import datetime
 import os
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coursekit.grade.tables import FORMS
 from coursekit.grade.variants import Variants, secret_file
 
 from .course_arguments import MORE, ROSTER, chapters_of, notebooks_of, variants_of
@@ -49,9 +49,10 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     add("--roster", type=Path, metavar="FILE", help=ROSTER)
     add("--variants", type=Path, metavar="NAMES", help="the roster that copies with numbers of their own were made for")
     add("--again", nargs="*", metavar="STUDENT", help="mark these again, or all, even where a result is kept")
-    add("--due", type=datetime.datetime.fromisoformat, help="when it was due, as 2026-11-30T23:59")
+    add("--due", type=_due, help="when it was due, as 2026-11-30T23:59 (goes before that of --policy)")
     add("--count", choices=("newest", "in-time"), help="which version counts: the newest, or the last before the deadline")
     add("--policy", type=Path, metavar="FILE", help="grace, percent per day and extensions (docs/teachers.md)")
+    add("--csv", choices=tuple(FORMS), help="tables as your spreadsheet opens them: 1.5,2 or 1,5;2 (default: as the list)")
     add("--for", dest="platform", choices=("moodle", "canvas", "blackboard"), help="write that platform's own columns, too")
     add("--review", action="store_true", help="then mark by hand and write comments, in the browser")
     add("--anonymous", action="store_true", help="codes in place of names; the key is in a file of its own")
@@ -146,16 +147,24 @@ def _class(args: argparse.Namespace) -> Class:
         personal=args.variants is not None,
         chapters=chapters,
         anonymous=args.anonymous,
+        form=FORMS[args.csv] if args.csv else None,
     )
+
+
+def _due(text: str) -> datetime.datetime:
+    from coursekit.grade.lateness import due_time
+
+    try:
+        return due_time(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
     from coursekit.grade.lateness import Policy, read_policy
 
     made = read_policy(args.policy, roster) if args.policy else Policy()
-    if args.due is not None:
-        made = replace(made, due=args.due.timestamp())
-    return replace(made, count=args.count) if args.count else made
+    return made.instead(None if args.due is None else args.due.timestamp(), args.count, args.policy)
 
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
@@ -175,7 +184,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
     print(f"{outcome.line()}; {average(outcome.records)}; run in the sandbox {tiers}: {args.out}")
     if args.platform:
-        for file in hand_back(args.platform, outcome.records, group.roster, group.out):
+        for file in hand_back(args.platform, outcome.records, group.roster, group.out, group.form):
             print(f"To hand back: {file}")
         missing = left_out(outcome.records, group.roster) if args.platform == "moodle" else ""
         for said in filter(None, (unlike_the_platform_s(outcome.records, group.roster), missing)):

@@ -20,6 +20,7 @@ from .mark import Marked
 from .pieces import Entry, Piece
 from .record import Record
 from .roster import Person
+from .tables import COMMA, Form
 from .verdict import Verdict
 
 _ASKED = re.compile(r"whose '(.+?)' is")
@@ -28,8 +29,9 @@ _ASKED = re.compile(r"whose '(.+?)' is")
 class Anonymity:
     """Gives the same code to the same person in every run of this account."""
 
-    def __init__(self, names: Path) -> None:
+    def __init__(self, names: Path, form: Form = COMMA) -> None:
         self.names = names
+        self._form = form
         self._key = own_key("codes.key")
 
     def code(self, person: Person) -> str:
@@ -46,7 +48,7 @@ class Anonymity:
         others = self._everybody(records)
         hidden = [self._hidden(one, others) for one in records]
         made = io.StringIO()
-        table = csv.writer(made)
+        table = csv.writer(made, delimiter=self._form.separator)
         table.writerow(["code", "name", "id", "email"])
         for one in records:
             person = one.handed.person

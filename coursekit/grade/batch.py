@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import glob
 import json
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -33,6 +34,7 @@ from .roster import Roster
 from .sandbox import Limits
 from .similar import write_similar
 from .statistics import write_statistics
+from .tables import COMMA, Form, read_table
 from .variants import Variants
 from .verdict import Verdict
 
@@ -54,6 +56,7 @@ class Class:
         personal: bool = False,
         chapters: Sequence[str] = (),
         anonymous: bool = False,
+        form: Form | None = None,
     ) -> None:
         self.place = place
         self.out = out
@@ -67,9 +70,10 @@ class Class:
         self.chapters = list(chapters)
         self.limits = Limits()
         self.results = Results(self.kept / "results")
-        self.table = MarksTable(out, self.kept / "results")
+        self.form = form or _form_of(out, self.roster)
+        self.table = MarksTable(out, self.kept / "results", self.form)
         self.dice = variants.dice() if variants else self.results.dice()
-        self._codes = Anonymity(out.with_name(f"{out.stem}.names.csv"))
+        self._codes = Anonymity(out.with_name(f"{out.stem}.names.csv"), self.form)
         self.anonymity = self._codes if anonymous else None
 
     @contextlib.contextmanager
@@ -93,7 +97,8 @@ class Class:
             if again is not None:
                 self.results.forget(_asked(records, again), chapters)
             outcome = Outcome(records, collection)
-            outcome.told += [*collection.told, *by_hand.told, *_told_others(others), *_told_bonus(records)]
+            outcome.told += [*self.policy.told, *collection.told, *by_hand.told]
+            outcome.told += [*_told_others(others), *_told_bonus(records)]
             try:
                 for name in chapters if any(one.chapters() for one in records) else ():
                     said = expect_sound(self._reference(name, Path(scratch)), self.results, _announced(mark, name, say))
@@ -117,9 +122,14 @@ class Class:
         collector = Collector(
             self.sources, scratch, roster=self.roster, copies=marks, policy=self.policy, answers=answers
         )
-        found = collector.collect(self.place, leave=[self.kept, self.out])
-        write_questions(asked, found.questions, answers)
+        found = collector.collect(self.place, leave=self._written())
+        write_questions(asked, found.questions, answers, self.form)
         return found
+
+    def _written(self) -> list[Path]:
+        """What earlier runs wrote, which may lie beside what was handed in."""
+        beside = self.out.parent.glob(f"{glob.escape(self.out.stem)}.*")
+        return [self.kept, self.out, self.out.with_name(QUESTIONS), *beside]
 
     def _wanted(self, collection: Collection) -> tuple[list[str], dict[str, list[str]]]:
         if self.chapters:
@@ -194,10 +204,10 @@ class Class:
         self.kept.mkdir(parents=True, exist_ok=True)
         marks = [one.marked() for one in shown if one.counts()]
         write_reports(self.kept, shown)
-        write_similar(self.kept / "similar.csv", marks)
+        write_similar(self.kept / "similar.csv", marks, self.form)
         write_statistics(self.kept, shown, outcome.statuses())
         write_overview(self.kept, shown, outcome)
-        write_gradebook(self.kept / "gradebook.csv", shown, records, self.results)
+        write_gradebook(self.kept / "gradebook.csv", shown, records, self.results, self.form)
 
     def shown(self, records: Sequence[Record]) -> list[Record]:
         """As they are shown: with codes for names where marking is anonymous."""
@@ -263,6 +273,13 @@ def _announced(mark: Callable[..., Marked], chapter: str, say: Callable[[str], N
         return mark(*facts)
 
     return first
+
+
+def _form_of(out: Path, roster: Roster | None) -> Form:
+    """The form of tables that the teacher's spreadsheet opens: that of the marks as they lie there, else of the list."""
+    if out.is_file() and out.stat().st_size:
+        return read_table(out).form
+    return roster.form if roster is not None else COMMA
 
 
 def _sources(notebooks: Path) -> dict[str, Any]:

@@ -102,7 +102,8 @@ def _question(chapter: str, left: Sequence[Piece], who: str) -> Question:
 def _places(pieces: Sequence[Piece]) -> list[str]:
     """Where each lay; with the hand-in that it lay in where two would be called the same."""
     wheres = [one.where for one in pieces]
-    return [one.where if wheres.count(one.where) == 1 else f"{shown(one.entry)}/{one.where}" for one in pieces]
+    told = [one.where if wheres.count(one.where) == 1 else f"{shown(one.entry)}/{one.where}" for one in pieces]
+    return [one if told.count(one) == 1 else f"{one} (number {told[: at + 1].count(one)})" for at, one in enumerate(told)]
 
 
 def _why(best: Piece, pieces: Sequence[Piece], how: str) -> str:

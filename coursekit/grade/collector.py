@@ -5,6 +5,7 @@ Everything goes one way: entries of a folder or zip, the people whose they are, 
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -15,7 +16,7 @@ from .choosing import choose
 from .entries import entries_of_folder, entries_of_zip
 from .handed import Handed
 from .harmless import counted, identity_of, shown, unique
-from .identifying import SURE, Identified, Identifier
+from .identifying import SURE, Identified, Identifier, without_ending
 from .lateness import Policy, platform_time
 from .parting import Part, parts_of, whole
 from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw
@@ -67,10 +68,11 @@ class Collector:
         for person in self._roster.people if self._roster else []:
             self._of(person)
         for name, loose, files in self._entries(place, leave):
-            if loose and not self._is_somebody_s(name):
+            entry = self._gathered(name, files)
+            if loose and not entry.pieces and not self._is_somebody_s(name):
                 self._made.told.append(f"'{shown(name)}' is no notebook, zip or folder: left out.")
             else:
-                self._put(self._gathered(name, files))
+                self._put(entry)
         for handed in self._people.values():
             self._choose(handed)
             self._look_for_other_s_copies(handed)
@@ -141,7 +143,7 @@ class Collector:
 
     def _without_list(self, entry: Entry) -> Person | None:
         """The person that an entry's name or content says."""
-        stem = re.sub(r"\.(ipynb|zip)$", "", entry.name, flags=re.I)
+        stem = without_ending(entry.name)
         told = platform_name(entry.name)
         if told is not None and (told.name or told.logins):
             name = shown(told.name or told.logins[0])
@@ -149,7 +151,8 @@ class Collector:
         for student in unique(entry.students):
             if plain(stem).startswith(plain(student_word(student))):
                 return Person(student, id=identity_of(student))
-        chapter = self._recogniser.by_name(stem + ".ipynb") if entry.name.casefold().endswith(".ipynb") else ""
+        loose = ".ipynb" in entry.name.casefold() or entry.name.casefold().endswith((".json", ".txt"))
+        chapter = self._recogniser.by_name(stem + ".ipynb") if loose else ""
         if chapter:
             before = re.split(re.escape(Path(chapter).stem), stem, maxsplit=1, flags=re.I)[0].strip(" _-.")
             return Person(shown(before), id=identity_of(before)) if identity_of(before) else None
@@ -180,9 +183,11 @@ class Collector:
                 by_chapter.setdefault(one.chapter, []).append(one)
             handed.notes += entry.faults
             handed.concerns += entry.concerns
+        self._take_apart(handed, by_chapter)
         others = [name for entry in handed.entries for name in entry.others]
-        if others and not by_chapter:
-            handed.notes.append(f"no notebook was handed in, only {', '.join(others[:5])}")
+        if handed.entries and not by_chapter and not handed.notes:
+            only = f", only {', '.join(others[:5])}" if others else ""
+            handed.notes.append(f"no notebook was handed in{only}")
         nameless = [self._chapter_of(one, handed, bool(by_chapter)) for one in by_chapter.pop("", ())]
         for one in (one for one in nameless if one.chapter):
             by_chapter.setdefault(one.chapter, []).append(one)
@@ -201,6 +206,22 @@ class Collector:
                 handed.notes += [choice.why] if choice.why else []
                 if choice.piece.known.level == 0:
                     handed.concerns.append(f"{choice.piece.where}: nothing was written in it")
+
+    def _take_apart(self, handed: Handed, by_chapter: dict[str, list[Piece]]) -> None:
+        """A notebook that holds exercises of two chapters is both, unless the other one has a notebook of its own."""
+        own = set(by_chapter)
+        for entry in handed.entries:
+            for piece in list(entry.pieces):
+                for known in piece.also:
+                    stem = Path(known.chapter).stem
+                    if known.chapter in own:
+                        said = f"exercises of {stem} are in it, too: they do not count beside a notebook of that chapter"
+                    else:
+                        said = f"exercises of {stem} are in it, too: they count as that chapter"
+                        part = replace(piece, chapter=known.chapter, known=known, also=())
+                        entry.pieces.append(part)
+                        by_chapter.setdefault(known.chapter, []).append(part)
+                    handed.concerns.append(f"{piece.where}: {said}")
 
     def _chapter_of(self, piece: Piece, handed: Handed, others: bool) -> Piece:
         """A notebook whose content and name say no chapter: asked about where the person handed in nothing else."""
@@ -223,14 +244,28 @@ class Collector:
         return piece
 
     def _look_alike(self) -> None:
-        """Without a list two spellings of a name, or a name and `name (1)`, may be one person: that is told."""
+        """Without a list two spellings of a name may be one person, and one folder a whole class: that is told."""
         if self._roster is not None:
             return
+        if len(self._made.handed) == 1:
+            self._look_for_a_class(self._made.handed[0])
         seen: dict[str, str] = {}
         for one in self._made.handed:
             other = seen.setdefault(plain(re.sub(r" ?\(\d+\)$", "", one.label)), one.label)
             if other != one.label:
                 self._made.told.append(f"'{other}' and '{one.label}' look like one name: give the class with --roster.")
+
+
+    def _look_for_a_class(self, only: Handed) -> None:
+        """Whoever gives the folder above that of the class has one student with everybody's work."""
+        for name, pieces in itertools.groupby(sorted(only.pieces(), key=lambda one: one.chapter), lambda one: one.chapter):
+            folders = unique(str(Path(one.where).parent) for one in pieces)
+            if name and len(folders) > 1:
+                stem, many = Path(name).stem, len(folders)
+                said = f"'{only.label}' is taken as one student, and {stem} lies in {many} folders of it"
+                cure = f"If these are students, give '{only.label}' itself, or the class with --roster."
+                self._made.told.append(f"{said}. {cure}")
+                return
 
 
 def _listed(piece: Piece, when: float) -> Piece:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import shutil
 import subprocess
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,6 +18,7 @@ from pathlib import Path
 from coursekit.systems import which
 
 from .container_image import Image
+from .time_zone import posix_zone
 
 ENGINES = ("podman", "docker")
 """What runs containers, in the order in which it is looked for."""
@@ -27,7 +29,7 @@ _SECURITY = ("seccomp=unconfined", "apparmor=unconfined", "label=disable")
 _FILES = ("folder", "notebooks", "roster", "variants", "policy")
 """Words of `coursekit grade` that name something to be read."""
 _FLAGS = ("anonymous",)
-_VALUES = ("jobs", "count", "platform")
+_VALUES = ("jobs", "count", "csv", "platform")
 _LISTS = ("chapters", "again")
 
 
@@ -73,6 +75,8 @@ class Marking:
     def _walls(self) -> Iterator[str]:
         yield from ("--network", "none", "--cap-drop", "ALL", "--read-only", "--tmpfs", "/tmp:exec")
         yield from ("--workdir", "/tmp", "--env", "HOME=/tmp")
+        due = self.args.due
+        yield from ("--env", f"TZ={posix_zone(time.time() if due is None else due.timestamp())}")
         for option in (*_SECURITY, _OPEN_PROC[self.kind]):
             yield from ("--security-opt", option)
 

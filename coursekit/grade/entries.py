@@ -9,7 +9,7 @@ from typing import BinaryIO
 
 from .archives import OF_A_CLASS, Archive, Member
 from .harmless import shown
-from .pieces import FILE, SYSTEM, ZIPPED, Raw
+from .pieces import FILE, SYSTEM, WORKSPACE, ZIPPED, Raw
 from .walking import Walked, walk
 
 
@@ -20,7 +20,7 @@ def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tupl
     """
     left = {one.resolve() for one in leave}
     for place in sorted(folder.iterdir()):
-        if not place.name.startswith(".") and place.name not in SYSTEM and place.absolute() not in left:
+        if not place.name.startswith(".") and place.name not in (*SYSTEM, WORKSPACE) and place.absolute() not in left:
             yield place.name, place.is_file() and is_loose(place.name), map(_of_walked, walk(place))
 
 

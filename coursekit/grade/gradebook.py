@@ -6,13 +6,15 @@ from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from .harmless import cell, number
+from .harmless import cell
 from .record import Record
 from .results import Results
-from .tables import write_table
+from .tables import COMMA, Form, write_table
 
 
-def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Record], results: Results) -> None:
+def write_gradebook(
+    file: Path, shown: Sequence[Record], records: Sequence[Record], results: Results, form: Form = COMMA
+) -> None:
     """Write it: the chapters of this run, and those of earlier ones as they are kept.
 
     Somebody without a mark in this run has no total either.
@@ -28,10 +30,11 @@ def write_gradebook(file: Path, shown: Sequence[Record], records: Sequence[Recor
         person = one.handed.person
         rows.append([
             cell(one.label), cell(person.id) if person.row >= 0 else "", cell(person.email),
-            *(number(points[name]) if name in points else "" for name in columns),
-            "" if one.total() is None else number(round(sum(points.values()), 2)), one.key,
+            *(form.number(points[name]) if name in points else "" for name in columns),
+            "" if one.total() is None else form.number(round(sum(points.values()), 2)), one.key,
         ])  # fmt: skip
-    write_table(file, ["student", "id", "email", *(PurePosixPath(name).stem for name in columns), "total", "key"], rows)
+    headings = ["student", "id", "email", *(PurePosixPath(name).stem for name in columns), "total", "key"]
+    write_table(file, headings, rows, form)
 
 
 def _of_run(one: Record) -> dict[str, float]:

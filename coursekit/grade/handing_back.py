@@ -14,19 +14,26 @@ from .platform_names import moodle_folder, platform_name
 from .record import Record
 from .report import page
 from .roster import Person, Roster
-from .tables import Table, write_table
+from .tables import COMMA, Form, Table, write_table
 
 
-def hand_back(platform: str, records: Sequence[Record], roster: Roster | None, out: Path) -> list[Path]:
-    """Write the platform's table, and the zip of pages where it is Moodle and its numbers are known; what was written."""
+def hand_back(
+    platform: str, records: Sequence[Record], roster: Roster | None, out: Path, form: Form = COMMA
+) -> list[Path]:
+    """Write the platform's table, and the zip of pages where it is Moodle and its numbers are known; what was written.
+
+    A list of the platform's comes back in its own form. Of tables that have to be made, Moodle takes every form.
+    """
     table = out.with_name(f"{out.stem}.{platform}.csv")
     title = _title(records)
     rows = roster.table if roster is not None and roster.layout is not None and roster.layout.platform == platform else None
     if roster is not None and rows is not None:
+        form = rows.form
         headings, filled = _in_list(platform, records, roster, title)
     else:
-        headings, filled = _of_own(platform, records, title)
-    write_table(table, headings, filled, rows.separator if rows is not None else ",")
+        form = form if platform == "moodle" else COMMA
+        headings, filled = _of_own(platform, records, title, form)
+    write_table(table, headings, filled, form)
     feedback = _feedback(records, roster, out.with_name(f"{out.stem}.feedback.zip")) if platform == "moodle" else []
     return [table, *feedback]
 
@@ -36,10 +43,10 @@ def _title(records: Sequence[Record]) -> str:
     return "coursekit " + " ".join(PurePosixPath(name).stem.partition("_")[0] for name in chapters)
 
 
-def _mark(one: Record) -> str:
+def _mark(one: Record, form: Form) -> str:
     """Nothing is written for whom there is no mark yet: the platform keeps what it has."""
     total = one.total()
-    return "" if total is None else number(total)
+    return "" if total is None else form.number(total)
 
 
 def _said(one: Record) -> str:
@@ -52,7 +59,7 @@ def _said(one: Record) -> str:
 def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:
     """The platform's own list with the marks put in: rows and columns stay."""
     assert roster.table is not None
-    headings = list(roster.table.headings)
+    form, headings = roster.table.form, list(roster.table.headings)
     column, comment = _columns(platform, roster.table, headings, title)
     by_row = {one.handed.person.row: one for one in records}
     of = records[0].of() if records else 0.0
@@ -60,11 +67,11 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
     for at, row in enumerate(roster.table.rows):
         made = [*row, *[""] * len(headings)][: len(headings)]
         if at in by_row:
-            made[column] = _mark(by_row[at]) or made[column]
+            made[column] = _mark(by_row[at], form) or made[column]
             if comment is not None:
                 made[comment] = _said(by_row[at])
         elif any("points possible" in one.casefold() for one in row[:3]):
-            made[column] = number(of)
+            made[column] = form.number(of)
         rows.append([_kept(one) for one in made])
     return headings, rows
 
@@ -117,7 +124,9 @@ def _columns(platform: str, table: Table, headings: list[str], title: str) -> tu
     return len(headings) - 2, len(headings) - 1
 
 
-def _of_own(platform: str, records: Sequence[Record], title: str) -> tuple[list[str], list[list[str]]]:
+def _of_own(
+    platform: str, records: Sequence[Record], title: str, form: Form
+) -> tuple[list[str], list[list[str]]]:
     """The columns by which the platform knows people, where its own list was not given."""
     known: dict[str, tuple[list[str], Callable[[Person], list[str]]]] = {
         "moodle": (["ID number", "Email address", "First name", "Last name"], lambda p: [p.id, p.email, p.given, p.family]),
@@ -127,7 +136,7 @@ def _of_own(platform: str, records: Sequence[Record], title: str) -> tuple[list[
                        lambda p: [p.family, p.given or p.name, p.login or p.email.partition("@")[0], p.id]),
     }  # fmt: skip
     headings, of = known[platform]
-    rows = [[*(cell(text) for text in of(one.handed.person)), _mark(one), cell(_said(one))] for one in records]
+    rows = [[*(cell(text) for text in of(one.handed.person)), _mark(one, form), cell(_said(one))] for one in records]
     if platform == "canvas":
         return [*headings, title], [["    Points Possible", "", "", "", "", number(records[0].of() if records else 0)],
                                     *(row[:-1] for row in rows)]  # fmt: skip

@@ -9,18 +9,18 @@ from pathlib import Path
 from .harmless import cell, shown
 from .platform_names import moodle_folder
 from .roster import Person, Roster
-from .tables import write_table
+from .tables import COMMA, Form, write_table
 
 LIST, FOR_MOODLE = "copies.csv", "moodle.zip"
 
 
-def write_list(out: Path, archives: Mapping[Person, Path]) -> Path:
+def write_list(out: Path, archives: Mapping[Person, Path], form: Form = COMMA) -> Path:
     """copies.csv: whose is which zip, with the columns that a mail merge needs."""
     rows = [
         [cell(one.name), cell(one.given or one.name), cell(one.email), cell(one.id), archive.name]
         for one, archive in archives.items()
     ]
-    write_table(out / LIST, ["name", "given name", "email", "id", "file"], rows)
+    write_table(out / LIST, ["name", "given name", "email", "id", "file"], rows, form)
     return out / LIST
 
 

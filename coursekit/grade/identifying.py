@@ -19,7 +19,7 @@ from .roster import Person, Roster, plain
 COPY_AND_NAME = "the mark of the copy and a name"
 SURE = ("the exact name", "the platform's name for it", "the name that hand_in gives its files", COPY_AND_NAME)
 """Ways that are not told each time."""
-_ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx")
+_ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx", ".json")
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class Identifier:
     def by_name(self, name: str) -> Identified:
         """Whose it is by its name alone."""
         given = platform_name(name)
-        stem = _without_ending(name)
+        stem = without_ending(name)
         for how, found in (
             ("the exact name", self._exactly([stem, *(given.logins if given else ())], name_only=given is None)),
             ("the platform's name for it", self._of_platform(given)),
@@ -98,7 +98,7 @@ class Identifier:
         >>> [one.name for one in Identifier(Roster(["Ana García", "Luz García", "Ben Ito"])).maybe("garcia.ipynb")]
         ['Ana García', 'Luz García']
         """
-        words = {plain(one) for one in re.split(r"[\W_]+", _without_ending(name))} - {""}
+        words = {plain(one) for one in re.split(r"[\W_]+", without_ending(name))} - {""}
         parts = {one: {plain(part) for text in one.names() for part in text.split()} for one in self.roster.people}
         return tuple(one for one, own in parts.items() if words & own)
 
@@ -171,5 +171,12 @@ def _words(name: str) -> str:
     return " ".join(found) if len(found) > 1 else ""
 
 
-def _without_ending(name: str) -> str:
-    return Path(name).stem if Path(name).suffix.casefold() in _ENDINGS else name
+def without_ending(name: str) -> str:
+    """A name without what tells its kind of file.
+
+    >>> without_ending("Ann Lee.ipynb.txt"), without_ending("Dr. Lee")
+    ('Ann Lee', 'Dr. Lee')
+    """
+    while Path(name).suffix.casefold() in _ENDINGS:
+        name = Path(name).stem
+    return name

@@ -27,6 +27,9 @@ SLOWNESS = 2.0
 """How much more real time than computing time may pass."""
 
 
+CANNOT_BE_TOLD = "it raised something that cannot be told"
+
+
 class TookTooLong(KeyboardInterrupt):
     """Ends a cell that goes on for ever."""
 
@@ -209,10 +212,11 @@ def main() -> int:
     runner = Runner()
     for line in questions:
         try:
-            answer = runner.ask(json.loads(line))
-        except Exception as error:
-            answer = {"error": f"{type(error).__name__}: {error}"[:500]}
-        answers.write(json.dumps(answer) + "\n")
+            answer = json.dumps(runner.ask(json.loads(line)))
+        except BaseException as error:  # also of exceptions whose own text raises one
+            late = isinstance(error, TookTooLong)
+            answer = json.dumps({"error": f"RuntimeError: {CANNOT_BE_TOLD}", "timed_out": late})
+        answers.write(answer + "\n")
         answers.flush()
     os._exit(0)
 

@@ -1,7 +1,7 @@
 """When it was due, for whom, and what being late costs: a small file that the teacher writes.
 
 ```toml
-due = 2026-11-30T23:59:00     # --due on the command line goes before it
+due = 2026-11-30T23:59:00     # --due on the command line goes before it, and the run says so
 grace_minutes = 10
 percent_per_day = 10          # of the points; each day that has begun
 floor_percent = 50            # what is left of the points however late it is
@@ -17,7 +17,9 @@ from __future__ import annotations
 
 import datetime
 import math
+import re
 import sys
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -29,6 +31,8 @@ from .tables import decoded, read_table
 
 DAY_S = 86400.0
 _KNOWN = ("due", "grace_minutes", "percent_per_day", "floor_percent", "extensions", "count")
+_MINUTES = re.compile(r"(=[ \t]*\d{4}-\d\d-\d\d[T ]\d\d:\d\d)(?=[ \t]*(?:#.*)?$)", re.M)
+"""A time without seconds, which TOML takes from its version 1.1 on."""
 _FORMS = (
     "%A, %d %B %Y, %I:%M %p", "%A, %d %B %Y, %H:%M", "%d %B %Y, %I:%M %p", "%d/%m/%Y %H:%M", "%Y-%m-%d %H:%M:%S %z",
     "%Y-%m-%d %H:%M:%S UTC", "%b %d, %Y, %I:%M %p", "%B %d, %Y %I:%M %p",
@@ -48,6 +52,22 @@ class Policy:
     """Deadlines of their own, by identity, in seconds since 1970."""
     days_more: Mapping[str, float] = field(default_factory=dict)
     count: str = "newest"
+    told: tuple[str, ...] = ()
+    """What the command line set in the place of the file's."""
+
+    def instead(self, due: float | None, count: str | None, file: Path | None) -> Policy:
+        """With what the command line says; what the file said otherwise is told."""
+        made, told = self, []
+        if due is not None and due != self.due:
+            if self.due is not None:
+                said = f"The deadline {_told(due)} of --due counts; not that of {file}, {_told(self.due)}."
+                told.append(f"{said} Its other lines hold.")
+            made = replace(made, due=due)
+        if count is not None and count != self.count:
+            if file is not None:
+                told.append(f"'{count}' of --count counts; not '{self.count}' of {file}.")
+            made = replace(made, count=count)
+        return replace(made, told=tuple(told))
 
     def own_due(self, person: Person) -> float | None:
         """When it was due for a person, without grace."""
@@ -94,7 +114,7 @@ def read_policy(file: Path, roster: Roster | None) -> Policy:
     else:
         import tomli as tomllib
     try:
-        said = tomllib.loads(decoded(file.read_bytes()))
+        said = tomllib.loads(_MINUTES.sub(r"\1:00", decoded(file.read_bytes())))
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{file}: {error}") from None
     unknown = set(said) - set(_KNOWN)
@@ -103,8 +123,10 @@ def read_policy(file: Path, roster: Roster | None) -> Policy:
     due = said.pop("due", None)
     extensions = said.pop("extensions", {})
     for name, value in said.items():
-        if name != "count" and (isinstance(value, bool) or not isinstance(value, (int, float)) or value < 0):
-            raise ValueError(f"{file}: {name} has to be a number, 0 or more, not {value!r}.")
+        most = 100.0 if name.endswith(("_percent", "percent_per_day")) else 1e9
+        if name != "count" and not (type(value) in (int, float) and 0 <= value <= most):
+            to = " to 100" if most == 100 else " or more"
+            raise ValueError(f"{file}: {name} has to be a number, 0{to}, not {value!r}.")
     if said.get("count", "newest") not in ("newest", "in-time"):
         raise ValueError(f"{file}: count is 'newest' or 'in-time', not {said['count']!r}.")
     policy = replace(Policy(), due=None if due is None else _seconds(due, file), **said)
@@ -117,19 +139,41 @@ def _extended(policy: Policy, said: Mapping[str, Any], roster: Roster | None, fi
         person = roster.of(name) if roster else Person(name, id=identity_of(name))
         if person is None:
             raise ValueError(f"{file}: '{name}' is no student in the list, or more than one. Give the id.")
-        if isinstance(value, (int, float)) or str(value).replace(".", "", 1).isdigit():
-            days[person.identity] = float(value)
+        if type(value) in (int, float) or str(value).replace(".", "", 1).isdecimal():
+            days[person.identity] = _days(float(value), name, file)
         else:
             times[person.identity] = _seconds(value, file)
     return replace(policy, extensions=times, days_more=days)
 
 
+def _days(value: float, name: str, file: Path) -> float:
+    if not abs(value) < 10_000:
+        raise ValueError(f"{file}: '{name}' cannot have {value} days more.")
+    return value
+
+
 def _seconds(value: Any, file: Path) -> float:
     try:
-        found = value if isinstance(value, datetime.datetime) else datetime.datetime.fromisoformat(str(value).strip())
+        return (value if isinstance(value, datetime.datetime) else due_time(str(value))).timestamp()
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"{file}: {error}") from None
+
+
+def due_time(text: str) -> datetime.datetime:
+    """When something is due; of a day without a time the end counts.
+
+    Raises:
+        ValueError: when that is no time.
+
+    >>> due_time("2026-11-30").isoformat(), due_time("2026-11-30T12:00").isoformat()
+    ('2026-11-30T23:59:59', '2026-11-30T12:00:00')
+    """
+    try:
+        found = datetime.datetime.fromisoformat(text.strip())
+        day = re.fullmatch(r"\d{4}-\d\d-\d\d", text.strip()) is not None
     except ValueError:
-        raise ValueError(f"{file}: '{value}' is no time. Write it as 2026-11-30T23:59.") from None
-    return found.timestamp()
+        raise ValueError(f"'{text}' is no time. Write it as 2026-11-30T23:59.") from None
+    return found.replace(hour=23, minute=59, second=59) if day else found
 
 
 def platform_time(text: str) -> float:
@@ -149,6 +193,10 @@ def platform_time(text: str) -> float:
             continue
         return (found.replace(tzinfo=datetime.timezone.utc) if form.endswith("UTC") else found).timestamp()
     return 0.0
+
+
+def _told(when: float) -> str:
+    return time.strftime("%Y-%m-%d %H:%M", time.localtime(when))
 
 
 def late_by(minutes: float) -> str:

@@ -12,7 +12,7 @@ from coursekit.files import write_whole
 
 from .harmless import cell, number, shown
 from .record import COMMENT, Record
-from .tables import read_table, write_table
+from .tables import COMMA, Form, read_table, write_table
 
 _BEFORE = ("key", "student", "id", "email")
 """The key comes first: a mark of the encoding, which spreadsheets need before a table, sticks to the first heading only."""
@@ -57,8 +57,9 @@ def _is_total(name: str) -> bool:
 class MarksTable:
     """The table, and beside the results what it was when it was written last."""
 
-    def __init__(self, file: Path, folder: Path) -> None:
+    def __init__(self, file: Path, folder: Path, form: Form = COMMA) -> None:
         self.file = file
+        self._form = form
         self._snapshot = folder / "table.json"
         self._kept = folder / "by_hand.json"
         self.by_hand = ByHand()
@@ -116,8 +117,8 @@ class MarksTable:
         exercises = [one.name for verdicts in (records[0].wanted.values() if records else ()) for one in verdicts]
         extra = list(dict.fromkeys(name for one in records for name in one.extra if name not in (*_AFTER, *_BEFORE)))
         headings = [*_BEFORE, *exercises, *_AFTER, *extra]
-        rows = [{**_row(one), **{name: cell(text) for name, text in one.extra.items()}} for one in records]
-        write_table(self.file, headings, rows)
+        rows = [{**_row(one, self._form), **{name: cell(text) for name, text in one.extra.items()}} for one in records]
+        write_table(self.file, headings, rows, self._form)
         before = _json(self._snapshot)
         chapters = {"chapters": total_of(records[0].wanted) if records else ""}
         before.update({row["key"]: {name: row.get(name, "") for name in headings} | chapters for row in rows})
@@ -130,27 +131,27 @@ class MarksTable:
         return ByHand(said.get("points", {}), said.get("extra", {}))
 
 
-def _row(one: Record) -> dict[str, str]:
+def _row(one: Record, form: Form) -> dict[str, str]:
     marked, total = one.marked(), one.total()
     by_hand = [f"{name}: {number(points)} by hand" for name, points in one.by_hand.items()]
     asked = [f"question: {text}" for text in one.handed.open]
     known = one.handed.person.row >= 0
     off = max((late.percent_off for late in one.late.values()), default=0.0)
     open_ = one.status() in ("question", "not marked")
-    points = {v.name: number(v.points) if not open_ or v.name in one.by_hand else "" for v in marked.verdicts}
+    points = {v.name: form.number(v.points) if not open_ or v.name in one.by_hand else "" for v in marked.verdicts}
     return {
         "key": one.key,
         "student": cell(one.label),
         "id": cell(one.handed.person.id) if known else "",
         "email": cell(one.handed.person.email),
         **points,
-        "points": "" if open_ else number(marked.total()),
-        "percent_off": number(off),
-        "total": "" if total is None else number(total),
-        "of": number(one.of()),
+        "points": "" if open_ else form.number(marked.total()),
+        "percent_off": form.number(off),
+        "total": "" if total is None else form.number(total),
+        "of": form.number(one.of()),
         "status": one.status(),
         "tier": marked.tier,
-        "minutes_late": number(marked.minutes_late),
+        "minutes_late": form.number(marked.minutes_late),
         "time_from": one.time_from(),
         "attempts": cell(" | ".join(one.handed.attempts()[-20:])),
         "notes": cell("; ".join([*asked, *by_hand, *marked.concerns, *marked.notes])),
@@ -158,9 +159,14 @@ def _row(one: Record) -> dict[str, str]:
 
 
 def _same(text: str, was: str) -> bool:
-    """Whether a cell says what was written into it, however a spreadsheet saved that: `1,5` for 1.5."""
+    """Whether a cell says what was written into it, however a spreadsheet saved that: `1,5` for 1.5, `?` for a letter."""
     points = _points(text)
-    return text.strip("' ") == was.strip("' ") or (points is not None and points == _points(was))
+    return _plain(text) == _plain(was) or (points is not None and points == _points(was))
+
+
+def _plain(text: str) -> str:
+    """What every encoding of a spreadsheet keeps of a text: Windows and macOS save other letters each in their way."""
+    return "".join(one for one in text.strip("' ") if one.isascii() and one != "?")
 
 
 def _points(text: str) -> float | None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import html
+import re
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -90,7 +92,11 @@ def _hardest(records: Sequence[Record]) -> str:
     share = shares(records)
     rows = []
     for name in sorted(share, key=lambda each: (share[each], each)):
-        wrong = Counter(shown(said, 160) for one in verdicts[name] if not one.passed and (said := one.gave or one.got))
+        wrong = Counter(
+            as_typed(shown(one.gave, 160)) or shown(one.got, 160)
+            for one in verdicts[name]
+            if not one.passed and (one.gave or one.got)
+        )
         said = "<br>".join(f"{times} × {html.escape(text)}" for text, times in wrong.most_common(3))
         title = html.escape(verdicts[name][0].title)
         what = f"<td>{html.escape(name)} {title}</td><td>{100 * share[name]:.0f} %</td>"
@@ -98,6 +104,28 @@ def _hardest(records: Sequence[Record]) -> str:
     heading = "<tr><th>exercise</th><th>share of the points</th><th class='words'>most frequent wrong answers</th></tr>"
     said = "<p>Shares are before lateness, of the students that the average is of.</p>"
     return f"<h2>Exercises, the hardest first</h2>{said}<table class='wrap'>{heading}{''.join(rows)}</table>" if rows else ""
+
+
+def as_typed(answer: str) -> str:
+    """A value as its student typed it: texts without the signs that Python puts around them, lists as their parts.
+
+    >>> as_typed("['topic list', 'node info /talker']"), as_typed("'/scan'"), as_typed("(1, 2.5)"), as_typed("a list: [3]")
+    ('topic list | node info /talker', '/scan', '(1, 2.5)', 'a list: 3')
+    >>> as_typed("['topic list', 'node inf…")
+    'topic list | …'
+    """
+    kind, colon, said = answer.partition(": ")
+    if colon and re.fullmatch(r"an? \w+", kind):
+        return f"{kind}: {as_typed(said)}"
+    whole = re.sub(r",[^,]*…$", "]", answer) if answer.startswith("[") else answer
+    try:
+        value = ast.literal_eval(whole)
+    except (ValueError, SyntaxError, MemoryError, RecursionError):
+        return answer
+    if isinstance(value, list) and value:
+        parts = [one if isinstance(one, str) else repr(one) for one in value]
+        return " | ".join(parts if whole == answer else [*parts, "…"])
+    return value if isinstance(value, str) and value.strip() else answer
 
 
 def _row(record: Record, questions: Sequence[str]) -> str:

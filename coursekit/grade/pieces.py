@@ -27,8 +27,12 @@ SEALED, PLATFORM, LISTED, ZIPPED, FILE = (
     "the file's time",
 )
 """What a time was taken from; the first that there is counts."""
-SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", "ros2_ws", ".git")
+SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", ".git")
 """What computers add, and what is no notebook's."""
+WORKSPACE = "ros2_ws"
+"""A folder of which only notebooks are looked at."""
+_MAYBE = (".json", ".txt", ".ipynb~")
+"""What browsers and editors make of a notebook's ending."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +55,8 @@ class Piece:
     """Where it lay, to be shown."""
     chapter: str = ""
     known: Known = field(default_factory=lambda: Known(""))
+    also: tuple[Known, ...] = ()
+    """What it is besides, if exercises of other chapters were done in it, too."""
     file: Path | None = None
     """A plain copy of it."""
     digest: str = ""
@@ -99,7 +105,7 @@ class Gatherer:
         """Read all that lies in an entry; what is wrong with a file is told and stops nothing."""
         made = Entry(name)
         for raw in files:
-            if any(one in SYSTEM for one in raw.parts) or raw.parts[-1].startswith("._"):
+            if _is_left_out(raw.parts):
                 continue
             where = shown("/".join(raw.parts))
             if raw.fault:
@@ -115,15 +121,19 @@ class Gatherer:
         return made
 
     def _file(self, made: Entry, raw: Raw, where: str, nested: int, bundle: _Bundle | None = None) -> None:
-        name = raw.parts[-1].casefold()
-        if name.endswith(".zip"):
+        name, begin = raw.parts[-1].casefold(), _beginning(raw)
+        packed = begin.startswith(b"PK\x03\x04") if begin[:1] in b"P{" else name.endswith(".zip")
+        if packed and name.endswith((".zip", ".ipynb")):
             self._zip(made, raw, where, nested)
-        elif name.endswith(".ipynb") or ".ipynb." in name:
+        elif name.endswith((".zip", ".ipynb")) or ".ipynb." in name:
             piece = self._notebook(raw, where, made.name, bundle)
-            if name.endswith(".ipynb") or piece.chapter:
+            if name.endswith((".zip", ".ipynb")) or piece.chapter:
                 made.pieces.append(piece)
         elif bundle is None:
             made.others.append(where)
+            if begin[:1] == b"{" and (name.endswith(_MAYBE) or "." not in name):
+                piece = self._notebook(raw, where, made.name, bundle)
+                made.pieces += [piece] if piece.known.chapter else []
 
     def _notebook(self, raw: Raw, where: str, entry: str, bundle: _Bundle | None) -> Piece:
         chapter = self._recogniser.by_name(raw.parts[-1])
@@ -136,10 +146,12 @@ class Gatherer:
         try:
             data = _read(raw, LARGEST)
             kept = replace(kept, file=self._keep(data, ".ipynb"), digest=hashlib.sha256(data).hexdigest())
-            known = self._recogniser.recognise(parse_notebook(data, "it"))
+            notebook = parse_notebook(data, "it")
+            known = self._recogniser.recognise(notebook)
         except (ValueError, OSError) as error:
             return replace(kept, fault=shown(str(error)))
-        return replace(kept, chapter=known.chapter or chapter, known=known)
+        also = self._recogniser.others(notebook, known.chapter) if known.chapter else ()
+        return replace(kept, chapter=known.chapter or chapter, known=known, also=also)
 
     def _zip(self, made: Entry, raw: Raw, where: str, nested: int) -> None:
         if nested > 1:
@@ -154,7 +166,7 @@ class Gatherer:
             bundle = self._bundle(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
             for member in members:
                 inner = _of_member(opened, member, raw)
-                if any(one in SYSTEM for one in member.parts) or member.parts[-1].startswith("._"):
+                if _is_left_out(member.parts):
                     continue
                 inside = shown(f"{where}/{'/'.join(member.parts)}", 300)
                 try:
@@ -197,6 +209,20 @@ def sealed_time(manifest: dict[str, Any]) -> float:
         return max(0.0, datetime.strptime(str(manifest.get("time")), "%Y-%m-%d %H:%M:%S %z").timestamp())
     except (ValueError, OverflowError):
         return 0.0
+
+
+def _is_left_out(parts: tuple[str, ...]) -> bool:
+    """Whether a file is none that a student meant to hand in."""
+    workspace = WORKSPACE in parts and not parts[-1].casefold().endswith(".ipynb")
+    return workspace or parts[-1].startswith("._") or any(one in SYSTEM for one in parts)
+
+
+def _beginning(raw: Raw) -> bytes:
+    """The first bytes of a file, by which it is known whatever its name; none where that is not looked at."""
+    if raw.open is None or raw.size > LARGEST:
+        return b""
+    with raw.open() as data:
+        return data.read(64).lstrip(b"\xef\xbb\xbf \t\r\n")
 
 
 def _of_platform(piece: Piece, when: float, late: bool) -> Piece:

@@ -14,11 +14,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
+from .interruptions import Gone, TimeOver
 from .own_checks import is_own
 from .verdict import Wrong
+from .wire import Described
 
 T = TypeVar("T")
 _OURS = str(Path(__file__).resolve().parents[1])
+_UNFINISHED = ("coroutine", "generator", "async_generator")
 MOST = 100
 """Letters of a value that a verdict shows."""
 
@@ -89,6 +92,8 @@ def _why_no_number(value: Any) -> str:
         return "Is there a `return` in every case?"
     if type(value) is float:
         return "Is something divided by zero, or is it beyond what a float holds?"
+    if (value.kind if type(value) is Described else type(value).__name__) in _UNFINISHED:
+        return "Such a function gives no value: is there an `async` or a `yield` too many?"
     return ""
 
 
@@ -167,8 +172,11 @@ def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
     """What a student's function makes of its arguments; Wrong with its own exception and line when it raises one."""
     try:
         return function(*given)
-    except NotImplementedError:
+    except (NotImplementedError, Gone):
         raise
+    except TimeOver as late:
+        cause = "Is there a loop that never ends?"
+        raise Wrong(f"an answer from {told}", f"{late}", cause, timed_out=True) from None
     except NameError as error:
         cause = "Is it spelled so? After a restart, the cells above that make it have to be run again."
         raise Wrong(f"an answer from {told}", error_of(error), cause) from None

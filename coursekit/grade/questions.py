@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .harmless import cell
-from .tables import read_table, write_table
+from .tables import COMMA, Form, read_table, write_table
 
 NAME = "questions.csv"
 NOBODY = "nobody"
@@ -55,7 +55,9 @@ def read_answers(file: Path) -> dict[str, str]:
     return {number: answer for number, answer in found.items() if number and answer}
 
 
-def write_questions(file: Path, asked: Iterable[Question], answers: Mapping[str, str]) -> None:
+def write_questions(
+    file: Path, asked: Iterable[Question], answers: Mapping[str, str], form: Form = COMMA
+) -> None:
     """Write what was asked, answered or not; earlier answers stay. A table without any row is taken away."""
     rows = {
         one.number: [one.number, cell(one.text), cell(one.about), cell(" | ".join(one.choices)),
@@ -66,6 +68,6 @@ def write_questions(file: Path, asked: Iterable[Question], answers: Mapping[str,
         if row.get("number") and row.get("answer"):
             rows.setdefault(row["number"], [cell(row.get(one, "")) for one in HEADINGS])
     if rows:
-        write_table(file, HEADINGS, rows.values())
+        write_table(file, HEADINGS, rows.values(), form)
     else:
         file.unlink(missing_ok=True)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -34,30 +35,43 @@ def parse_notebook(data: bytes, name: str) -> dict[str, Any]:
     if data.count(b"[") + data.count(b"{") + data.count(b",") > _MOST_PARTS:
         raise ValueError(f"{name} has more parts than a notebook has")
     try:
-        found = json.loads(data.decode("utf-8-sig"))
+        found = json.loads(_decoded(data))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name} is no notebook: {_why_none(data, error)}") from None
+    if isinstance(found, dict) and "doc_id" in found:
+        raise ValueError(f"{name} is only a link to a file in Google Drive: download that as .ipynb")
     if not isinstance(found, dict) or not isinstance(found.get("cells"), list):
         raise ValueError(f"{name} is no notebook of format 4: it has no list of cells")
     return found
 
 
+def _decoded(data: bytes) -> str:
+    """The text of a notebook: UTF-8, or what its first bytes say; Windows' Notepad saves UTF-16."""
+    kind = json.detect_encoding(data)
+    return data.decode("utf-8-sig" if kind.startswith("utf-8") else kind).lstrip("\ufeff")
+
+
 def _why_none(data: bytes, error: Exception) -> str:
     """Why bytes are no JSON, in words for a student."""
-    begin = shown(data.lstrip()[:40].decode("utf-8", "replace"), 30)
+    begin = data.lstrip()[:40].decode("utf-8", "replace")
     if not data.strip():
         return "the file is empty"
+    if isinstance(error, UnicodeError) or not begin.rstrip("\ufffd").replace("\n", " ").isprintable():
+        return "it is not text in UTF-8"
+    if b"\n<<<<<<< " in data:
+        return "it holds both sides of a conflict of git's: choose one, and save it in the lab"
     if data.lstrip()[:1] != b"{":
-        return f"it begins with {begin!r}"
+        return f"it begins with {shown(begin, 30)!r}"
     if isinstance(error, json.JSONDecodeError):
         return f"it breaks off, or is not whole, in line {error.lineno}"
-    return "it is nested too deeply" if isinstance(error, RecursionError) else "it is not text in UTF-8"
+    return "it is nested too deeply" if isinstance(error, RecursionError) else "it cannot be read"
 
 
 def text_of(cell: Any) -> str:
-    """The source of a cell, whatever it is."""
+    r"""The source of a cell, whatever it is; its lines end with `\n`, whatever the editor."""
     source = cell.get("source", "") if isinstance(cell, dict) else ""
-    return source if isinstance(source, str) else "".join(str(line) for line in source) if isinstance(source, list) else ""
+    text = "".join(str(line) for line in source) if isinstance(source, list) else source
+    return text.replace("\r\n", "\n").replace("\r", "\n") if isinstance(text, str) else ""
 
 
 def grade_id(cell: Any) -> str:
@@ -132,8 +146,8 @@ class Chapter:
         code: dict[str, str] = {}
         begun: list[str] = []
         work: list[str] = []
-        for cell in notebook["cells"]:
-            name, text = grade_id(cell), text_of(cell)
+        for cell, name in self._named(notebook["cells"]):
+            text = text_of(cell)
             if name in self.stubs:
                 exercise = ".".join(name.split("-")[:2])
                 code[exercise] = (code.get(exercise, "") + "\n\n" + text)[-_CODE:].strip("\n")
@@ -146,6 +160,18 @@ class Chapter:
         digest = hashlib.sha256("\0".join(work).encode("utf-8", "replace")).hexdigest()
         copy = mark if isinstance(mark, str) else ""
         return Known(self.name, tuple(dict.fromkeys(begun)), bool(work), copy, code, digest)
+
+    def _named(self, cells: Sequence[Any]) -> Iterator[tuple[Any, str]]:
+        """Each cell with its name; one that lost it is the student's last cell above the check of its exercise."""
+        names = [grade_id(cell) for cell in cells]
+        checks = [CHECK.search(text_of(cell)) for cell in cells]
+        own = [at for at, cell in enumerate(cells) if checks[at] or (text_of(cell).strip() and self._is_own(text_of(cell)))]
+        for at, below in itertools.pairwise(own):
+            check = checks[below]
+            lost = check["name"].replace(".", "-") if check is not None and checks[at] is None else ""
+            if lost in self.stubs and lost not in names and not names[at]:
+                names[at] = lost
+        return zip(cells, names, strict=True)
 
     def _is_own(self, text: str) -> bool:
         """Whether a cell without a name is one that the student added."""
@@ -184,7 +210,16 @@ class Recogniser:
         mark = facts.get("copy")
         if isinstance(named, str) and named in self.chapters:
             return self.chapters[named].known(notebook)
+        several = [known for name in fitting if best and (known := self.chapters[name].known(notebook)).begun]
+        if several:
+            return max(several, key=lambda one: len(one.begun))
         return Known("", touched=True, copy=mark if isinstance(mark, str) else "", work=_digest(notebook))
+
+    def others(self, notebook: Mapping[str, Any], chapter: str) -> tuple[Known, ...]:
+        """The same for the other chapters whose exercises were done in it, too."""
+        marks = _marks(notebook)
+        named = (one for name, one in self.chapters.items() if name != chapter and marks & one.marks)
+        return tuple(known for one in named if (known := one.known(notebook)).begun)
 
     def by_name(self, file: str) -> str:
         """The chapter whose name stands in that of a file: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""

@@ -81,7 +81,7 @@ def release(
     written = []
     if variants:
         archives = {one: _copy_of(one, variants, sources, out, personal) for one in variants.roster.people}
-        written = [*archives.values(), write_list(out, archives)]
+        written = [*archives.values(), write_list(out, archives, variants.roster.form)]
         written += [write_for_moodle(out, archives)] if moodle else []
     else:
         files = _written(sources, out, out.name)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Container, Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 from .copy import without_solution
+from .harmless import shown, unique
+from .recognising import text_of
 from .variants import CHECK
 
 LIVE = "live"
@@ -22,6 +25,8 @@ class Step:
     exercise: str = ""
     solution: bool = False
     """Whether the student wrote it."""
+    given: str = ""
+    """What stood there when it was handed out."""
 
 
 @dataclass
@@ -34,15 +39,15 @@ class Repaired:
     """Whether anything was written into the cells of an exercise; stubs as they were handed out earn nothing."""
 
     def answers(self) -> list[str]:
-        """What the student wrote into solution cells."""
-        return [step.source for step in self.steps if step.solution]
+        """What the student wrote into solution cells, without the lines that stood there when they were handed out."""
+        return [_own_lines(step.source, step.given) for step in self.steps if step.solution]
 
 
 def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
     """Put the student's answers, and cells of their own, into the course's notebook."""
     made = Repaired()
     theirs = [cell for cell in submitted.get("cells", []) if isinstance(cell, dict)]
-    by_id = _by_id(theirs, made.notes)
+    by_id = _by_id(theirs, {_id(cell) for cell in source["cells"]}, made.notes)
     own = _own_cells(source, theirs)
     known = {"".join(cell["source"]).strip() for cell in source["cells"]}
     unknown = [cell for cell in theirs if CHECK.search(_text(cell)) or _text(cell).strip() not in known]
@@ -56,7 +61,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
             answer = _answer(name, text, by_id, unknown, made.notes)
             added = own.pop(name, [])
             made.steps += [Step(one, solution=True) for one in added]
-            made.steps.append(Step(answer, solution=True))
+            made.steps.append(Step(answer, solution=True, given=without_solution(text)))
             exercise = ".".join(name.split("-")[:2])
             as_given = answer.strip() == without_solution(text).strip() and "YOUR CODE HERE" in answer
             written = bool(added or own.get("")) or not as_given
@@ -65,7 +70,23 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         found = CHECK.search(text)
         made.steps.append(Step("" if found else text, found["name"] if found else ""))
     made.steps = [Step(one, solution=True) for left in own.values() for one in left] + made.steps
+    made.notes = unique(made.notes)
     return made
+
+
+def _own_lines(answer: str, given: str) -> str:
+    """The lines of an answer that are not those given, each as often as it was given.
+
+    >>> _own_lines("import math\\ndef f(x):\\n    return x\\n    return x", "import math\\ndef f(x):\\n    return x")
+    '    return x'
+    """
+    left = Counter(line.strip() for line in given.splitlines())
+    kept = []
+    for line in answer.splitlines():
+        left[line.strip()] -= 1
+        if left[line.strip()] < 0:
+            kept.append(line)
+    return "\n".join(kept)
 
 
 def _id(cell: dict[str, Any]) -> str:
@@ -74,19 +95,19 @@ def _id(cell: dict[str, Any]) -> str:
 
 
 def _text(cell: dict[str, Any]) -> str:
-    source = cell.get("source", "")
-    return source if isinstance(source, str) else "".join(str(line) for line in source)
+    return text_of(cell)
 
 
-def _by_id(cells: Iterable[dict[str, Any]], notes: list[str]) -> dict[str, str]:
-    """The text of each named cell: of two with one name the one that was worked on, else the later."""
+def _by_id(cells: Iterable[dict[str, Any]], known: Container[str], notes: list[str]) -> dict[str, str]:
+    """The text of each cell that has a name of the course's: of two with one the one that was worked on, else the later."""
     found: dict[str, str] = {}
     for cell in cells:
         name, text = _id(cell), _text(cell)
-        if not name:
+        if not name or name not in known:
             continue
         if cell.get("cell_type") != "code":
-            notes.append(f"{name}: the cell had been turned into {cell.get('cell_type')}; it was read as code")
+            kind = shown(str(cell.get("cell_type")), 30)
+            notes.append(f"{name}: the cell had been turned into {kind}; it was read as code")
         if name in found:
             notes.append(f"{name}: there were two such cells; the one that was worked on counts")
             if "NotImplementedError" in text and "NotImplementedError" not in found[name]:

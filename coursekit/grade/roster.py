@@ -12,7 +12,7 @@ from pathlib import Path
 from .harmless import counted, shown
 from .moodle_sheet import participants
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
-from .tables import Table, decoded, read_table
+from .tables import COMMA, Form, Table, decoded, read_table
 
 
 def student_word(student: str) -> str:
@@ -96,6 +96,11 @@ class Roster:
     def students(self) -> list[str]:
         """What each is called in this class: the name, with the id where two have the same."""
         return list(self._labels.values())
+
+    @property
+    def form(self) -> Form:
+        """The form of its table, which the spreadsheet that it comes from opens."""
+        return COMMA if self.table is None else self.table.form
 
     def label(self, person: Person) -> str:
         """What a person is called in this class."""

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .harmless import cell, number
-from .tables import write_table
+from .harmless import cell
+from .tables import COMMA, Form, write_table
 
 if TYPE_CHECKING:
     from .mark import Marked
@@ -40,7 +40,7 @@ def shingles(answers: Sequence[str]) -> set[tuple[str, ...]]:
 
 def _tokens(text: str) -> list[str]:
     kept = []
-    code = "\n".join(line for line in text.splitlines() if not line.startswith("%"))
+    code = "\n".join(line.lstrip() for line in text.splitlines() if not line.startswith("%"))  # lines may stand alone
     try:
         for token in tokenize.generate_tokens(io.StringIO(code).readline):
             if token.type == tokenize.NAME:
@@ -69,7 +69,7 @@ def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
     return sorted(pairs, key=lambda pair: (-pair[2], pair[:2]))
 
 
-def write_similar(file: Path, marks: Sequence[Marked]) -> None:
+def write_similar(file: Path, marks: Sequence[Marked], form: Form = COMMA) -> None:
     """The pairs as a table: where to look, not a verdict."""
-    rows = [(cell(one), cell(other), number(likeness)) for one, other, likeness in similar(marks)]
-    write_table(file, ["student", "other", "likeness"], rows)
+    rows = [(cell(one), cell(other), form.number(likeness)) for one, other, likeness in similar(marks)]
+    write_table(file, ["student", "other", "likeness"], rows, form)

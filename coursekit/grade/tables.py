@@ -4,14 +4,38 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from coursekit.files import write_whole
 
+from .harmless import number
+
 LARGEST = 32 << 20
 """Bytes of a table."""
+
+
+@dataclass(frozen=True)
+class Form:
+    """How a spreadsheet writes tables: most of Europe and South America with semicolons and decimal commas.
+
+    >>> SEMICOLON.number(1.5)
+    '1,5'
+    """
+
+    separator: str = ","
+    decimal: str = "."
+
+    def number(self, value: float) -> str:
+        """Points as they stand in a table of this form."""
+        return number(value).replace(".", self.decimal)
+
+
+COMMA, SEMICOLON = Form(), Form(";", ",")
+FORMS = {"comma": COMMA, "semicolon": SEMICOLON}
+_DECIMALS = re.compile(r"-?\d+([.,])\d+")
 
 
 @dataclass
@@ -25,6 +49,18 @@ class Table:
     def dicts(self) -> list[dict[str, str]]:
         """The rows by heading; what is missing is ''."""
         return [dict(zip(self.headings, [*row, *[""] * len(self.headings)], strict=False)) for row in self.rows]
+
+    @property
+    def form(self) -> Form:
+        """Its form: decimals as most of its numbers have them; where none has any, semicolons go with commas.
+
+        >>> Table(["mark"], [["7"]], ";").form.decimal, Table(["mark"], [["7.50"]], ";").form.decimal
+        (',', '.')
+        """
+        found = [match[1] for row in self.rows for one in row if (match := _DECIMALS.fullmatch(one))]
+        commas, points = found.count(","), found.count(".")
+        usual = "," if self.separator == ";" else "."
+        return Form(self.separator, usual if commas == points else "," if commas > points else ".")
 
 
 def decoded(data: bytes) -> str:
@@ -88,11 +124,11 @@ def read_table(file: Path) -> Table:
 
 
 def write_table(
-    file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]], separator: str = ","
+    file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]], form: Form = COMMA
 ) -> None:
-    """Write a table, whole or not at all. The caller has made its cells harmless."""
+    """Write a table, whole or not at all. The caller has made its cells harmless, and its numbers of this form."""
     made = io.StringIO()
-    table = csv.writer(made, delimiter=separator)
+    table = csv.writer(made, delimiter=form.separator)
     table.writerow(headings)
     for row in rows:
         table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)

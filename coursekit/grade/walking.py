@@ -5,7 +5,6 @@ A name that is read is opened in the folder that it was read from: what is excha
 
 from __future__ import annotations
 
-import contextlib
 import os
 import stat
 from collections.abc import Callable, Iterator
@@ -101,8 +100,10 @@ def _through(place: Path) -> Iterator[Walked]:
             elif found and len(levels) >= DEEPEST:
                 yield Walked((*level.parts, name), fault=f"lies deeper than {DEEPEST} folders")
             elif found:
-                with contextlib.suppress(OSError):  # gone, or a link by now
+                try:
                     levels.append(_entered(level.place / name, (*level.parts, name), level.number))
+                except OSError as error:  # gone, a link by now, or another's
+                    yield Walked((*level.parts, name), fault=f"cannot be read: {error.strerror}")
     finally:
         for level in levels:
             _left(level)

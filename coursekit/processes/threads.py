@@ -45,13 +45,26 @@ def _waiting_session() -> Any:
     session = virtual_session_here()
     if session is None or not session.embedded or current_process() is not None:
         return session
-    frame = sys._getframe(1)
+    return None if _caller() in _OF_THE_KERNEL else session
+
+
+def _starting_session() -> Any:
+    """The virtual session on whose clock a thread runs; None for one in which IPython waits for a program of the system."""
+    session = virtual_session_here()
+    if session is None or not session.embedded or current_process() is not None:
+        return session
+    return None if _caller() == "IPython" else session
+
+
+def _caller() -> str:
+    """The library that called, past those of Python and our own."""
+    frame: Any = sys._getframe(2)
     while frame is not None:
-        top = frame.f_globals.get("__name__", "").partition(".")[0]
+        top = str(frame.f_globals.get("__name__", "")).partition(".")[0]
         if top not in _OF_PYTHON:
-            return None if top in _OF_THE_KERNEL else session
-        frame = frame.f_back  # type: ignore[assignment]
-    return session
+            return top
+        frame = frame.f_back
+    return ""
 
 
 def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], None]:
@@ -76,7 +89,7 @@ def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], N
 def start(self: threading.Thread) -> None:
     """`Thread.start`, for processes and the virtual clock."""
     process = current_process()
-    session = virtual_session_here()
+    session = _starting_session()
     if process is None and session is None:
         _start(self)
         return

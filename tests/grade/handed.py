@@ -93,14 +93,14 @@ def grade(folder, *words, out=None):
 
 def rows(table):
     """The rows of a table by student."""
-    with open(table, newline="", encoding="utf-8-sig") as file:
-        return {row["student"]: row for row in csv.DictReader(file)}
+    head, *found = lines(table)
+    return {row["student"]: row for row in (dict(zip(head, one, strict=True)) for one in found)}
 
 
 def answer(table, **answers):
     """Answer the questions of a table: what is asked about begins so."""
-    with open(table, newline="", encoding="utf-8-sig") as file:
-        asked = list(csv.DictReader(file))
+    head, *found = lines(table)
+    asked = [dict(zip(head, one, strict=True)) for one in found]
     for row in asked:
         for begin, said in answers.items():
             if begin in row["about"] or begin in row["question"]:
@@ -119,9 +119,11 @@ def points_of(*done, chapter=TOPICS):
 
 
 def lines(file):
-    """The rows of a table, headings included."""
+    """The rows of a table, headings included, whatever parts its cells."""
     with open(file, newline="", encoding="utf-8-sig") as table:
-        return list(csv.reader(table))
+        head = table.readline()
+        table.seek(0)
+        return list(csv.reader(table, delimiter=max(",;\t", key=head.count)))
 
 
 def edited(table, **cells):

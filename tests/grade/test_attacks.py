@@ -93,6 +93,54 @@ class Odd(metaclass=Nameless):
 def full_name(*_): return [Lying(), Odd()]
 """
 
+UNNAMED = "import builtins\nfor name in ('callable', 'repr', 'type', 'len'): delattr(builtins, name)\n"
+OTHER_OS = """
+import os
+for name in [one for one in dir(os) if callable(getattr(os, one)) and not one.startswith("_")]:
+    setattr(os, name, lambda *_, **__: 1 / 0)
+"""
+REPLACED_RUNNER = """
+import gc
+for one in gc.get_objects():
+    if type(one).__name__ == "Runner":
+        type(one).ask = lambda self, question: {"value": "/scan", "points": 1, "passed": True}
+def full_name(*_): return "x"
+"""
+OUTLIVING = """
+import atexit, threading
+def spin():
+    while True: pass
+atexit.register(spin)
+threading.Thread(target=spin).start()
+"""
+WRITES_LATER = """
+import os, time
+if os.fork() == 0:
+    for _ in range(3000):
+        for number in range(3, 12):
+            try: os.write(number, b'{"value": "/scan"}\\n')
+            except OSError: pass
+    os._exit(0)
+def full_name(*_): return "x"
+"""
+FULL_TMP = """
+try:
+    with open("/tmp/full", "wb") as file:
+        while True: file.write(bytes(1_000_000))
+except OSError: pass
+"""
+NAMELESS = """
+class E(BaseException):
+    def __str__(self): raise SystemExit
+def full_name(*_): raise E
+"""
+FINDS_NOTHING = """
+import sys
+class Finder:
+    def find_spec(self, *_): raise ImportError("no")
+sys.meta_path.insert(0, Finder())
+"""
+
 DESERVE = {
     "right": (RIGHT, 1),
     "a stub": ("raise NotImplementedError()", 0),
@@ -122,6 +170,33 @@ DESERVE = {
     "objects that lie about themselves": (LIES, 0),
     "input()": ("input('name?')\n", 0),
     "waiting for a file that never comes": ("open('/dev/stdin').read()\n", 0),
+    "the names of Python deleted": (RIGHT + UNNAMED, 0),
+    "every module gone": (RIGHT + "import sys\nsys.modules.clear()\n", 1),
+    "every function of os replaced": (RIGHT + OTHER_OS, 1),
+    "the time stands still": (RIGHT + "import time\ntime.time = time.monotonic = time.sleep = lambda *_: 0\n", 1),
+    "the streams closed": (RIGHT + "import sys\nsys.stdout.close()\nsys.stdout = sys.stderr = None\n", 1),
+    "JSON replaced": ("import json\njson.dumps = lambda *_, **__: '{\"value\": \"/scan\", \"points\": 1}'\n" + RIGHT, 0),
+    "the runner's own object found and replaced": (REPLACED_RUNNER, 0),
+    "a thread, and an end, that never end": (RIGHT + OUTLIVING, 1),
+    "a child that writes answers later": (WRITES_LATER, 0),
+    "a child that answers, too": (RIGHT + "import os\nos.fork()\n", 0),
+    "a tracer that raises": (RIGHT + "import sys\nsys.settrace(lambda *_: 1 / 0)\nsys.setprofile(lambda *_: 1 / 0)\n", 1),
+    "signals to everybody": (RIGHT + "import os\nos.kill(-1, 9)\nos.kill(os.getppid(), 9)\n", 1),
+    "what starts it is stopped": (RIGHT + "import os, signal\nos.kill(os.getppid(), 19)\nos.kill(0, 19)\n", 0),
+    "a crash of the interpreter": ("import ctypes\nctypes.string_at(0)\n", 0),
+    "no depth of calls": ("import sys\nsys.setrecursionlimit(10**9)\ndef f(): f()\nf()\n", 0),
+    "the judge's questions eaten": ("import os\nos.closerange(3, 64)\n" + RIGHT, 0),
+    "all of /tmp, and no name left": (FULL_TMP + RIGHT, 1),
+    "a repr without end": ("class R:\n def __repr__(self):\n  while True: pass\ndef full_name(*_): return R()\n", 0),
+    "an exception whose text ends the program": (NAMELESS, 0),
+    "an answer in the text of numpy": ("import numpy as np\ndef full_name(*_): return np.str_('/scan')\n", 0),
+    "an answer to be awaited": ("async " + RIGHT.lstrip(), 0),
+    "a page instead of an answer": ("def full_name(*_): return '</td><script>alert(1)</script>'\n", 0),
+    "a finder that finds nothing": (RIGHT + FINDS_NOTHING, 1),
+    "a folder that is gone": ("import os\nos.mkdir('d')\nos.chdir('d')\nos.rmdir('../d')\n" + RIGHT, 1),
+    "names taken back": ("%reset -f\n" + RIGHT, 1),
+    "a program of the shell": ("get_ipython().run_cell_magic('bash', '', 'echo hi')\n" + RIGHT, 1),
+    "its own check": ("def check(*_, **__): return True\ndef full_name(*_): return 'x'\n", 0),
 }
 NEEDS_BUBBLEWRAP = {"reading the hidden tests", "the network", "a fork bomb", "a thread bomb"}
 
@@ -177,6 +252,20 @@ def test_what_is_written_to_the_host_is_not_there(tmp_path):
     marked = grade(tmp_path / "student", ESCAPE)
     assert marked.status == "graded" and marked.verdicts[0].points in (0, 1)
     assert not (NOTEBOOKS.parent / "escaped").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
+def test_what_cannot_be_told_of_one_answer_leaves_the_others_alone(tmp_path):
+    """The words are a student's, not those of our own classes."""
+    verdict = grade(tmp_path / "nameless", NAMELESS).verdicts[0]
+    assert verdict.got.startswith("RuntimeError: it raised something that cannot be told"), verdict.text()
+    verdict = grade(tmp_path / "gone", "import os\ndef full_name(*_): os._exit(0)\n").verdicts[0]
+    assert "Gone" not in verdict.text() and "ended while it ran" in verdict.got, verdict.text()
+    verdict = grade(tmp_path / "late", "def full_name(*_):\n    while True: pass\n").verdicts[0]
+    assert verdict.timed_out and "TimeOver" not in verdict.text() and "loop" in verdict.cause, verdict.text()
+    verdict = grade(tmp_path / "awaited", "async " + RIGHT.lstrip()).verdicts[0]
+    assert "`async`" in verdict.cause, verdict.text()
 
 
 def test_broken_notebooks_are_told_and_cost_nobody_else_anything(tmp_path):

@@ -13,13 +13,13 @@ def test_points_and_comments_by_hand_are_kept_and_told(folder, capsys):
     for _ in range(2):
         capsys.readouterr()
         row = grade(folder, *words, "--again")[1]["Ben Ito"]
-        assert (row["ch02.q2"], row["total"], row["comment"], row["oral"]) == ("1.5", "2.5", "Well tried;' =see me".replace(
+        assert (row["ch02.q2"], row["total"], row["comment"], row["oral"]) == ("1,5", "2,5", "Well tried;' =see me".replace(
             ";' =", "; '="), "2")  # fmt: skip
         assert "ch02.q2: 1.5 by hand" in row["notes"]
     page = (folder.parent / "grades" / f"{row['key']}.html").read_text()
     assert "Well tried" in page and "given by hand" in page
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", "q3"), NOON + 60)
-    assert grade(folder, *words)[1]["Ben Ito"]["total"] == "4.5"
+    assert grade(folder, *words)[1]["Ben Ito"]["total"] == "4,5"
     edited(folder.parent / "grades.csv", student="Ben Ito", **{"ch02.q2": ""})
     capsys.readouterr()
     assert grade(folder, *words)[1]["Ben Ito"]["total"] == "3" and before["total"] == "1"

@@ -110,12 +110,37 @@ def test_grace_percent_floor_and_extensions(folder, tmp_path):
     ("policy", "told"),
     [("graze = 3", "'graze' is not known. There are: due, grace_minutes"), ("percent_per_day = '10'", "has to be a number"),
      ("[extensions]\nZoe = 3", "'Zoe' is no student"), ("due = 'soon'", "no time. Write it as"), ("due = ", "policy.toml"),
-     ("count = 'best'", "'newest' or 'in-time'"), ("grace_minutes = -1", "0 or more")],
+     ("count = 'best'", "'newest' or 'in-time'"), ("grace_minutes = -1", "0 or more"), ("grace_minutes = nan", "0 or more"),
+     ("percent_per_day = nan", "0 to 100"), ("floor_percent = 150", "0 to 100"), ("grace_minutes = true", "0 or more"),
+     ("[extensions]\nAnn = nan", "'Ann' cannot have nan days more"), ("[extensions]\nAnn = '²'", "'²' is no time")],
 )  # fmt: skip
 def test_a_policy_that_is_not_understood_is_refused(tmp_path, policy, told):
     (tmp_path / "policy.toml").write_text(policy)
     with pytest.raises(ValueError, match=told):
         read_policy(tmp_path / "policy.toml", Roster(["Ann"]))
+
+
+def test_which_deadline_counts_is_told_where_two_are_given(folder, tmp_path, capsys):
+    policy = write(tmp_path / "policy.toml", "due = 2026-11-20T12:00\ncount = 'in-time'\n[extensions]\nAnn = 1\n")
+    words = ("--policy", policy, "--due", "2026-11-22T12:00", "--count", "newest")
+    write(folder / "Ann.ipynb", text("q1"), NOON)
+    assert grade(folder, *words)[1]["Ann"]["minutes_late"] == "0"
+    said = capsys.readouterr().out
+    assert f"! The deadline 2026-11-22 12:00 of --due counts; not that of {policy}, 2026-11-20 12:00. Its other" in said
+    assert f"! 'newest' of --count counts; not 'in-time' of {policy}." in said
+    for alone in (words[:2], words[2:]):
+        grade(folder, *alone)
+        assert " counts" not in capsys.readouterr().out.replace(str(tmp_path), "")
+
+
+def test_a_day_without_a_time_ends_at_midnight_not_before(folder, tmp_path, capsys):
+    write(folder / "Ann.ipynb", text("q1"), NOON)
+    policy = write(tmp_path / "policy.toml", "due = 2026-11-23\n")
+    for words in (("--due", "2026-11-23"), ("--policy", policy)):
+        assert grade(folder, *words)[1]["Ann"]["status"] == "graded"
+    with pytest.raises(SystemExit):
+        grade(folder, "--due", "Monday")
+    assert "'Monday' is no time. Write it as 2026-11-30T23:59." in capsys.readouterr().err
 
 
 def test_extensions_can_be_a_table(tmp_path):

@@ -57,6 +57,14 @@ def test_the_hardest_exercise_and_the_most_frequent_wrong_answer_come_first():
     assert hardest.index("ch02.q1") < hardest.index("ch02.q2") and hardest.index("3 × no node") < hardest.index("1 × a [2Jb")
 
 
+def test_wrong_answers_stand_there_as_they_were_typed():
+    gave = ["['topic list', 'a < b']", "'/scan'", "a list: [(1, 'x')]", "[" * 150, "9" * 159, "['ab', 'c…", "[…", "\\"]
+    page = overview([record(f"s{n}", Verdict("ch02.q1", "Names", 0, 2, gave=one)) for n, one in enumerate(gave)])
+    for one in gave[3:]:
+        overview([record("s", Verdict("ch02.q1", "Names", 0, 2, gave=one))])
+    assert "1 × topic list | a &lt; b" in page and "1 × /scan" in page and "1 × a list: (1, &#x27;x&#x27;)" in page
+
+
 def test_who_needs_a_look_says_which_exercise_took_too_long_or_has_a_faulty_check():
     over = Verdict("ch02.q1", "Names", 0, 2, got="x", timed_out=True)
     faulty = Verdict("ch02.q1", "Names", 0, 2, fault="TypeError: no")

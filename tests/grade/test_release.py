@@ -89,7 +89,7 @@ def test_a_list_says_whose_is_which_copy(tmp_path):
     write(tmp_path / "roster.csv", LISTS["plain.csv"])
     assert main(["release", "02", "--roster", str(tmp_path / "roster.csv"), "--out", str(tmp_path / "week2")]) == 0
     with open(tmp_path / "week2" / "copies.csv", newline="", encoding="utf-8-sig") as file:
-        found = list(csv.DictReader(file))
+        found = list(csv.DictReader(file, delimiter=";"))  # as the list
     assert [(one["email"], one["id"], one["file"]) for one in found] == [
         ("ana@uni.example", "a01", "AnaGarcíaLópez.zip"), ("ben@uni.example", "a02", "BenIto.zip"),
     ]  # fmt: skip

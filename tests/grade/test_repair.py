@@ -7,8 +7,9 @@ import pytest
 from coursekit.grade import sandbox
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.exercise import all_exercises
-from coursekit.grade.mark import mark
+from coursekit.grade.mark import Marked, mark
 from coursekit.grade.repair import repair
+from coursekit.grade.similar import shingles, similar
 from coursekit.grade.submissions import Submission
 from tests.grade.solutions import NOTEBOOKS
 
@@ -69,3 +70,34 @@ def test_a_notebook_as_it_was_handed_out_earns_nothing(tmp_path):
     marked = mark(Submission("ana", tmp_path / "ana"), {"00_start_here.ipynb": SOURCE}, exercises, sandbox.Limits())
     assert marked.total() == 0
     assert {verdict.got for verdict in marked.verdicts} == {"the cell as it was handed out"}
+
+
+def _marked(name, *cells):
+    """Somebody whose first exercises of chapter 6 are these, and the others as they were handed out."""
+    source = json.loads((NOTEBOOKS / "06_urdf_and_robot_states.ipynb").read_text(encoding="utf-8"))
+    theirs = student_notebook(source)
+    own = iter(cells)
+    for cell in theirs["cells"]:
+        if cell["metadata"].get("nbgrader", {}).get("solution"):
+            cell["source"] = next(own, cell["source"])
+    return Marked(name, "", answers=repair(source, theirs).answers())
+
+
+def test_what_was_given_is_no_work_that_is_alike():
+    """Two who did little, each in their way, have hundreds of words of the course's stubs in common."""
+    marks = [_marked("ann", "parts = ['base_link', 'wheel']"), _marked("ben", "parts = list('abc')\nprint(parts)")]
+    assert similar(marks) == [] and not shingles(_marked("cem").answers)
+    long = "\n".join(f"def f{n}(a, b):\n    return a + b * {n} - {n + 1}" for n in range(9))
+    copied = long.replace("(a, b)", "(one, other)").replace("a + b", "one + other")
+    assert [pair[:2] for pair in similar([_marked("ann", long), _marked("ben", copied)])] == [("ann", "ben")]
+
+
+def test_however_many_cells_have_one_name_the_notes_stay_short():
+    """Thousands of doubled cells once made more notes than an examination may tell: there was no mark at all."""
+    theirs = student_notebook(SOURCE)
+    named = {"nbgrader": {"grade_id": "x" * 500}}
+    doubled = [cell for cell in theirs["cells"] if cell["metadata"].get("nbgrader", {}).get("solution")]
+    theirs["cells"] += [{"cell_type": "code", "metadata": named, "source": "1"}] * 9000 + doubled * 3000
+    theirs["cells"].append({**doubled[0], "cell_type": "y" * 9000})
+    notes = repair(SOURCE, theirs).notes
+    assert 1 < len(notes) < 9 and max(map(len, notes)) < 200

@@ -26,6 +26,7 @@ from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled import (
     actions,
     bags,
+    calibrations,
     entities,
     executing,
     graph,
@@ -33,6 +34,7 @@ from coursekit.nodes.compiled import (
     parameters,
     plugins,
     program,
+    robots,
     topics,
     transforms,
     vision,
@@ -74,6 +76,7 @@ _ERRORS = {
 }
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags, plugins,
+    robots, calibrations,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 

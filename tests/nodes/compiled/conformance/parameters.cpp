@@ -106,6 +106,7 @@ int main(int argc, char ** argv)
   auto nobody = std::make_shared<rclcpp::SyncParametersClient>(asker, "nobody");
   check("in vain", nobody->describe_parameters({"count"}, 20ms).empty() && nobody->get_parameter_types({"count"}, 20ms).empty());
   std::ofstream("given.yaml") << "/**:\n  ros__parameters:\n    count: 44\nparameters:\n  ros__parameters:\n    wheel: {left: 7}\n";
+  equal("a map is loaded", client->load_parameters(rclcpp::ParameterMap{{"/any", {rclcpp::Parameter("given", 1)}}}).size(), 1u);
   equal("a file is loaded", client->load_parameters("given.yaml").size(), 2u);
   equal("for all nodes", node->get_parameter("count").as_int(), 44);
   equal("and for this one", node->get_parameter("wheel.left").as_int(), 7);

@@ -16,6 +16,12 @@ int main(int argc, char ** argv)
   equal("declared bool", node->declare_parameter<bool>("on", true), true);
   equal("declared list", node->declare_parameter("list", std::vector<double>{1, 2}).size(), 2u);
   equal("declared texts", node->declare_parameter("texts", std::vector<std::string>{"a", "b", "c"}).at(2), "c");
+  check("an empty list", node->declare_parameter<std::vector<std::string>>("none", std::vector<std::string>{}).empty());
+  check("is of its type", node->get_parameter("none").get_type() == rclcpp::PARAMETER_STRING_ARRAY);
+  ParameterDescriptor kept;
+  kept.read_only = true;
+  check("also where it is read only", node->declare_parameter("no_numbers", std::vector<int64_t>{}, kept).empty());
+  check("and takes no other", !node->set_parameter(rclcpp::Parameter("none", std::vector<double>{1})).successful);
   equal("as_int", node->get_parameter("count").as_int(), 3);
   equal("as_double", node->get_parameter("speed").as_double(), 1.5);
   equal("as_string", node->get_parameter("name").as_string(), "x");

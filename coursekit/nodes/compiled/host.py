@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from rclpy.context import Context
+from rclpy.exceptions import ParameterException
 from rclpy.signals import shutdown_all
 from rclpy.utilities import get_default_context
 
@@ -250,7 +251,8 @@ class Host:
     def refusal(self, error: Exception) -> tuple[str, str]:
         """The name of rclcpp's exception for one of rclpy's, and its text."""
         name = type(error).__name__
-        return _ERRORS.get(name, name), str(error)
+        text = parameters.told(error) if isinstance(error, ParameterException) else str(error)
+        return _ERRORS.get(name, name), text
 
     def context_called(self, number: int) -> Context:
         """The program's context of that number; 0 is the default one."""

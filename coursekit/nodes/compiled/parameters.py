@@ -7,7 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 from rcl_interfaces.msg import Parameter as ParameterMessage
-from rclpy.exceptions import InvalidParameterValueException
+from rclpy.exceptions import (
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.parameter_service import is_listed
 
@@ -37,6 +43,23 @@ def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         default = Parameter.from_parameter_msg(ParameterMessage(name=name, value=value)).value
         descriptor.dynamic_typing = descriptor.dynamic_typing or value.type == 0
     return packed(node.declare_parameter(name, default, descriptor, ignore).get_parameter_value())
+
+
+def told(error: ParameterException) -> str:
+    """What rclcpp says in place of rclpy's tuple.
+
+    >>> told(ParameterUninitializedException("speed"))
+    "parameter 'speed' is not initialized"
+    """
+    text, names = error.args[:2]
+    name = names if isinstance(names, str) else ", ".join(names)
+    if isinstance(error, ParameterUninitializedException):
+        return f"parameter '{name}' is not initialized"
+    if isinstance(error, ParameterAlreadyDeclaredException):
+        return f"parameter '{name}' has already been declared"
+    if isinstance(error, InvalidParameterValueException):
+        return f"parameter '{name}' could not be set: {text.partition('Reason: ')[2]}"
+    return name if isinstance(error, ParameterNotDeclaredException) else str(text)
 
 
 def _declare_empty(node: Any, given: Parameter, descriptor: ParameterDescriptor, ignore: bool) -> bytes:

@@ -36,6 +36,18 @@ int main(int argc, char ** argv)
   check("has", node->has_parameter("count") && !node->has_parameter("nothing"));
   throws<errors::ParameterNotDeclaredException>("get throws", [&] {node->get_parameter("nothing");});
   throws<errors::ParameterAlreadyDeclaredException>("declared twice", [&] {node->declare_parameter("count", 1);});
+  auto said = [](auto what) {
+      try {
+        what();
+      } catch (const std::exception & error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+  equal("words of what is declared twice", said([&] {node->declare_parameter("count", 1);}), "parameter 'count' has already been declared");
+  equal("words of what is not declared", said([&] {node->get_parameter("nothing");}), "nothing");
+  node->declare_parameter("later", rclcpp::PARAMETER_DOUBLE);
+  equal("words of what has no value", said([&] {node->get_parameter("later");}), "parameter 'later' is not initialized");
   throws<errors::InvalidParametersException>("no name", [&] {node->declare_parameter("", 1);});
   throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").as_string();});
   throws<errors::ParameterNotDeclaredException>("set what is not declared", [&] {node->set_parameter({"nothing", 1});});

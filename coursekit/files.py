@@ -10,7 +10,7 @@ import tempfile
 import time
 from collections.abc import Iterable
 from pathlib import Path, PurePath
-from typing import TypeVar
+from typing import BinaryIO, TypeVar
 
 AnyPath = TypeVar("AnyPath", bound=PurePath)
 
@@ -20,6 +20,8 @@ PAUSES = (0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8)
 """How long Windows is given between two tries to replace a file [s]."""
 TEXT, DATA = 16 << 20, 256 << 20
 """The largest text, and the largest other file, that is read [bytes]."""
+_PIECE = 1 << 18
+"""How much is read at once [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
 
@@ -51,10 +53,19 @@ def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
         if not stat.S_ISREG(kind.st_mode):
             raise OSError(errno.EINVAL, "It is a device or a pipe, not a file", os.fspath(path))
-        data = file.read(most + 1) if kind.st_size <= most else b""
+        data = _read(file, most + 1) if kind.st_size <= most else b""
     if kind.st_size > most or len(data) > most:
         raise OSError(errno.EFBIG, f"It is larger than {most >> 20} MB", os.fspath(path))
     return data
+
+
+def _read(file: BinaryIO, most: int) -> bytes:
+    """At most so many bytes, piece by piece: Python takes the memory for all that it is asked to read, whatever comes."""
+    pieces = []
+    while piece := file.read(min(most, _PIECE)):
+        pieces.append(piece)
+        most -= len(piece)
+    return b"".join(pieces)
 
 
 def read_text(path: str | os.PathLike[str], *, errors: str = "strict", most: int = TEXT) -> str:

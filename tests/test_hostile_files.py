@@ -1,12 +1,14 @@
 """Whatever a stranger's file is or holds, each reader says so in its own words, at once, and with nothing else."""
 
 import os
+import tracemalloc
 from itertools import pairwise
 
 import pytest
 
 from coursekit.bag.errors import BagError
 from coursekit.bag.reader import BagReader
+from coursekit.files import read_bytes
 from coursekit.interfaces import InterfaceError, UnknownInterface, find_definition, parse_file
 from coursekit.nav.map_error import MapError
 from coursekit.nav.map_file import load_map
@@ -133,3 +135,13 @@ def test_a_bag_of_odd_files_is_told(tmp_path):
         make(folder / "metadata.yaml")
         with pytest.raises((BagError, OSError)):
             BagReader(folder)
+
+
+def test_a_small_file_takes_no_memory_for_the_largest_one(tmp_path):
+    (tmp_path / "small").write_bytes(b"few bytes")
+    tracemalloc.start()
+    try:
+        assert read_bytes(tmp_path / "small") == b"few bytes"
+        assert tracemalloc.get_traced_memory()[1] < 2 << 20  # for Windows it is memory that is really there
+    finally:
+        tracemalloc.stop()

@@ -30,13 +30,14 @@ PACKAGES = (
     "ament_lint_auto", "ament_lint_common", "ament_cmake_copyright", "ament_cmake_cppcheck",
     "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake", "ament_cmake_pep257",
     "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
+    "camera_calibration_parsers", "camera_info_manager", "interactive_markers",
+    "urdf", "urdf_parser_plugin", "urdfdom", "urdfdom_headers",
     "python_cmake_module", "eigen3_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
     "rosidl_typesupport_cpp",
 )  # fmt: skip
 """What packages find here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
-    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "image_geometry", "nav2_util", "tf2_kdl",
-    "urdf",
+    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util", "tf2_kdl",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 FORWARDED = {

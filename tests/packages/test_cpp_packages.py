@@ -111,6 +111,34 @@ def test_a_package_that_names_rosbag2_cpp_records_what_is_published(tmp_path):
     assert "Count: 0" not in said.stdout
 
 
+HELPERS = """
+#include "camera_info_manager/camera_info_manager.hpp"
+#include "diagnostic_updater/publisher.hpp"
+#include "image_geometry/pinhole_camera_model.h"
+#include "interactive_markers/menu_handler.hpp"
+#include "message_filters/time_sequencer.h"
+#include "urdf/model.h"
+int main()
+{
+  urdf::Model model;
+  return model.initString("<robot name='ball'><link name='base_link'/></robot>") && model.getRoot() ? 0 : 1;
+}
+"""
+
+
+def test_packages_that_robots_nodes_are_made_of_are_found(tmp_path):
+    needs = "rclcpp camera_info_manager diagnostic_updater image_geometry interactive_markers message_filters urdf"
+    package = created(tmp_path, "k_helpers", f"--dependencies {needs}")
+    (package / "src" / "helped.cpp").write_text(HELPERS, encoding="utf-8")
+    rules = (package / "CMakeLists.txt").read_text(encoding="utf-8")
+    own = f"add_executable(helped src/helped.cpp)\nament_target_dependencies(helped {needs})\n"
+    own += "install(TARGETS helped DESTINATION lib/${PROJECT_NAME})\n"
+    (package / "CMakeLists.txt").write_text(rules.replace("ament_package()", f"{own}ament_package()"), encoding="utf-8")
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 0 and "skip" not in built.stdout + built.stderr, built.stdout + built.stderr
+    assert sourced(tmp_path, "ros2 run k_helpers helped && echo good").stdout == "good\n"
+
+
 def test_a_mistake_is_shown_by_the_compiler_with_a_hint(tmp_path):
     package = copied(tmp_path, "k_geometry")
     (package / "CMakeLists.txt").write_text(

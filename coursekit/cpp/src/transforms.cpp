@@ -110,6 +110,42 @@ bool Buffer::canTransform(
 {
   return can(Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
 }
+TransformStampedFuture Buffer::waitForTransform(
+  const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
+  TransformReadyCallback callback)
+{
+  if (!timers_) {
+    throw CreateTimerInterfaceException("timer interface not set before call to waitForTransform");
+  }
+  auto promise = std::make_shared<std::promise<geometry_msgs::msg::TransformStamped>>();
+  TransformStampedFuture future = promise->get_future().share();
+  int64_t end = coursekit::steady_now() + timeout.count();
+  auto settled = [this, target, source, time, end, promise, future, callback] {
+      if (canTransform(target, source, time)) {
+        promise->set_value(lookupTransform(target, source, time, tf2::Duration::zero()));
+      } else if (coursekit::steady_now() >= end) {
+        promise->set_exception(
+          std::make_exception_ptr(tf2::TimeoutException(std::string("Timed out waiting for transform from ") +
+          source + " to " + target)));
+      } else {
+        return false;
+      }
+      callback(future);
+      return true;
+    };
+  if (settled()) {
+    return future;
+  }
+  auto look = [settled](rclcpp::TimerBase & timer) {
+      if (settled()) {
+        timer.cancel();
+      }
+    };
+  std::lock_guard<std::mutex> hold(lock_);
+  waiting_.remove_if([](auto & timer) {return timer->is_canceled();});
+  waiting_.push_back(rclcpp::detail::timer(*timers_->base, std::chrono::milliseconds(10), look, timers_->group, nullptr));
+  return future;
+}
 void TransformListener::listen(tf2::BufferCore & buffer, bool static_only)
 {
   id = asked("tf_listener", Packer{}.i(buffer.id).i(static_only)).i();

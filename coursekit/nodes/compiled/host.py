@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from rclpy.context import Context
+from rclpy.exceptions import ParameterException
 from rclpy.signals import shutdown_all
 from rclpy.utilities import get_default_context
 
@@ -26,6 +27,7 @@ from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled import (
     actions,
     bags,
+    calibrations,
     entities,
     executing,
     graph,
@@ -33,6 +35,7 @@ from coursekit.nodes.compiled import (
     parameters,
     plugins,
     program,
+    robots,
     topics,
     transforms,
     vision,
@@ -74,6 +77,7 @@ _ERRORS = {
 }
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags, plugins,
+    robots, calibrations,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 
@@ -247,7 +251,8 @@ class Host:
     def refusal(self, error: Exception) -> tuple[str, str]:
         """The name of rclcpp's exception for one of rclpy's, and its text."""
         name = type(error).__name__
-        return _ERRORS.get(name, name), str(error)
+        text = parameters.told(error) if isinstance(error, ParameterException) else str(error)
+        return _ERRORS.get(name, name), text
 
     def context_called(self, number: int) -> Context:
         """The program's context of that number; 0 is the default one."""

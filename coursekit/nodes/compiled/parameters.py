@@ -7,6 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 from rcl_interfaces.msg import Parameter as ParameterMessage
+from rclpy.exceptions import (
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.parameter_service import is_listed
 
@@ -18,16 +25,54 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
+_ARRAYS = {
+    5: "byte_array_value", 6: "bool_array_value", 7: "integer_array_value", 8: "double_array_value", 9: "string_array_value",
+}  # fmt: skip
+"""The fields of a ParameterValue that hold arrays, by their types."""
+
+
 def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Declare a parameter, with a value or with a type alone; its value."""
     node, name, kind = host.things[frame.integer()], frame.text(), frame.integer()
     value, descriptor = frame.message(ParameterValue), frame.message(ParameterDescriptor)
     ignore = bool(frame.integer())
     default: Any = Parameter.Type(kind)
+    if not kind and value.type in _ARRAYS and not len(getattr(value, _ARRAYS[value.type])):
+        return _declare_empty(node, Parameter(name, Parameter.Type(value.type), []), descriptor, ignore)
     if not kind:
         default = Parameter.from_parameter_msg(ParameterMessage(name=name, value=value)).value
         descriptor.dynamic_typing = descriptor.dynamic_typing or value.type == 0
     return packed(node.declare_parameter(name, default, descriptor, ignore).get_parameter_value())
+
+
+def told(error: ParameterException) -> str:
+    """What rclcpp says in place of rclpy's tuple.
+
+    >>> told(ParameterUninitializedException("speed"))
+    "parameter 'speed' is not initialized"
+    """
+    text, names = error.args[:2]
+    name = names if isinstance(names, str) else ", ".join(names)
+    if isinstance(error, ParameterUninitializedException):
+        return f"parameter '{name}' is not initialized"
+    if isinstance(error, ParameterAlreadyDeclaredException):
+        return f"parameter '{name}' has already been declared"
+    if isinstance(error, InvalidParameterValueException):
+        return f"parameter '{name}' could not be set: {text.partition('Reason: ')[2]}"
+    return name if isinstance(error, ParameterNotDeclaredException) else str(text)
+
+
+def _declare_empty(node: Any, given: Parameter, descriptor: ParameterDescriptor, ignore: bool) -> bytes:
+    """Declare an array without elements: of what it is an array its value cannot tell in Python."""
+    kind = None if descriptor.dynamic_typing else given.type_
+    declared = node.declare_parameter(given.name, kind, descriptor, ignore)
+    if declared.type_ == Parameter.Type.NOT_SET:
+        result = node._apply([given], declares=True)
+        if not result.successful:
+            node._parameters.pop(given.name)
+            raise InvalidParameterValueException(given.name, given.value, result.reason)
+        declared = node.get_parameter(given.name)
+    return packed(declared.get_parameter_value())
 
 
 def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

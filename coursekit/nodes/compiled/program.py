@@ -116,8 +116,10 @@ def do_thread(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_join(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Wait for the end of a thread."""
-    host.threads[frame.integer()].ended.wait()
+    """Wait for the end of a thread: Ctrl-C does not end that, and the thread may only end when it is asked."""
+    ended = host.threads[frame.integer()].ended
+    while not ended.wait():
+        pass
 
 
 def do_block(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -20,6 +20,10 @@ default_camera_info_url = "file://${ROS_HOME}/camera_info/${NAME}.yaml"
 _MATRICES = {"camera_matrix": ("k", 3, 3), "rectification_matrix": ("r", 3, 3), "projection_matrix": ("p", 3, 4)}
 
 
+UNREADABLE = (ValueError, RecursionError, yaml.YAMLError, LookupError, TypeError, AttributeError, AssertionError)
+"""What a text that holds no calibration raises."""
+
+
 class CameraInfoError(Exception):
     """What calibrations raise."""
 
@@ -57,10 +61,15 @@ def loadCalibrationFile(filename: str, cname: str) -> CameraInfo:
     if not path.is_file():
         return CameraInfo()
     try:
-        told = yaml.safe_load(read_text(path))
-        return _info_of(told) if told else CameraInfo()
-    except (OSError, ValueError, RecursionError, yaml.YAMLError, LookupError, TypeError, AssertionError) as fault:
+        return calibration_of(read_text(path))[1]
+    except (OSError, *UNREADABLE) as fault:
         raise CameraInfoError(f"{filename} holds no calibration of '{cname}': {type(fault).__name__}: {fault}") from fault
+
+
+def calibration_of(text: str) -> tuple[str, CameraInfo]:
+    """The camera's name and the calibration that a calibrator's YAML holds; one of UNREADABLE where it holds none."""
+    told = yaml.safe_load(text)
+    return (str(told.get("camera_name", "")), _info_of(told)) if told else ("", CameraInfo())
 
 
 def _info_of(told: dict[str, Any]) -> CameraInfo:
@@ -72,16 +81,21 @@ def _info_of(told: dict[str, Any]) -> CameraInfo:
     return info
 
 
-def saveCalibrationFile(ci: CameraInfo, filename: str, cname: str) -> bool:
-    """Write a calibration as the calibrator does; whether that was possible."""
+def calibration_text(ci: CameraInfo, cname: str) -> str:
+    """A calibration as the calibrator writes it."""
     told: dict[str, Any] = {"image_width": ci.width, "image_height": ci.height, "camera_name": cname}
     told["distortion_model"] = ci.distortion_model
     told["distortion_coefficients"] = {"data": [float(one) for one in ci.d], "rows": 1, "cols": len(ci.d)}
     for name, (field, rows, columns) in _MATRICES.items():
         told[name] = {"data": [float(one) for one in getattr(ci, field)], "rows": rows, "cols": columns}
+    return yaml.safe_dump(told, sort_keys=False)  # type: ignore[no-any-return]
+
+
+def saveCalibrationFile(ci: CameraInfo, filename: str, cname: str) -> bool:
+    """Write a calibration into a file; whether that was possible."""
     try:
         Path(filename).parent.mkdir(parents=True, exist_ok=True)
-        write_whole(filename, yaml.safe_dump(told, sort_keys=False))
+        write_whole(filename, calibration_text(ci, cname))
     except OSError:
         return False
     return True

@@ -49,6 +49,7 @@ def test_lines_of_loggers_are_those_of_humble(build):
         *("skipped first 1", "expression 1", "skipped first 2"),
         "function",
         "by name",
+        "by name 2",
     ]
 
 

@@ -34,6 +34,12 @@ def test_messages_are_put_together_by_equal_and_by_close_stamps(start):
     ]
 
 
+def test_filters_stand_in_a_row_and_messages_are_put_in_order(start):
+    process = start("chains")
+    assert process.wait(20.0) == 0, process.output
+    assert process.output.splitlines() == ["01112", "0 in time", "1 in time", "2 in time"]  # one that is late is lost
+
+
 def test_a_program_waits_by_itself_and_messages_go_as_bytes(session, start):
     process = start("waits")
     session.clock.sleep(2.0)

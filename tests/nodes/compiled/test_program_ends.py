@@ -67,6 +67,21 @@ int main(int argc, char ** argv)
   std::cout << (after.tv_sec - before.tv_sec < 10) << std::endl;
 }
 """
+JOINING = """
+#include <future>
+#include <thread>
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(rclcpp::Node::make_shared("idle"));
+  std::promise<void> never;
+  std::thread spinner([&] {executor.spin_until_future_complete(never.get_future());});
+  spinner.join();
+  std::cout << "joined" << std::endl;
+}
+"""
 
 
 def run(build, name, text, virtual=True):
@@ -90,3 +105,13 @@ def test_a_loop_that_only_spins_some_lets_time_pass(build):
 
 def test_the_cpu_s_clock_of_a_thread_is_no_virtual_one(build):
     assert run(build, "burner", CPU_CLOCK) == (0, ["1"])
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_ctrl_c_ends_a_spin_in_a_thread_that_the_first_thread_waits_for(build, virtual):
+    with (session := Session(virtual=virtual)).use():
+        process = session.launch(make_process(session, build("joining", JOINING), name="joining"))
+        session.clock.sleep(1.0)
+        process.interrupt()
+        assert process.wait(10.0) == 0
+        assert process.output.splitlines()[-1] == "joined"

@@ -35,4 +35,19 @@ TimerBase::SharedPtr create_wall_timer(
   auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(period);
   return detail::timer(*base_of(node), nanoseconds, std::move(callback), group, nullptr);
 }
+template<class S, class F>
+typename Service<S>::SharedPtr create_service(
+  node_interfaces::NodeBaseInterface::SharedPtr base, node_interfaces::NodeServicesInterface::SharedPtr,
+  const std::string & name, F && callback, const rmw_qos_profile_t & profile, CallbackGroup::SharedPtr group)
+{
+  return detail::service<S>(*base, name, std::forward<F>(callback), QoS(QoSInitialization::from_rmw(profile), profile), group);
+}
+template<class S>
+typename Client<S>::SharedPtr create_client(
+  node_interfaces::NodeBaseInterface::SharedPtr base, node_interfaces::NodeGraphInterface::SharedPtr,
+  node_interfaces::NodeServicesInterface::SharedPtr, const std::string & name,
+  const rmw_qos_profile_t & profile = rmw_qos_profile_services_default, CallbackGroup::SharedPtr group = nullptr)
+{
+  return detail::client<S>(*base, name, QoS(QoSInitialization::from_rmw(profile), profile), group);
+}
 }  // namespace rclcpp

@@ -112,8 +112,9 @@ public:
   /// Set what a file says of the node that this is a client of.
   Future<Results> load_parameters(const std::string & yaml_filename)
   {
-    return set_parameters(parameters_from_map(detail::parameter_file(yaml_filename, remote_)));
+    return load_parameters(detail::parameter_file(yaml_filename, remote_));
   }
+  Future<Results> load_parameters(const ParameterMap & map) {return set_parameters(parameters_from_map(map));}
 
   /// Hear of changes of all nodes' parameters; the node is that of this client, or the one that is given.
   template<class F>
@@ -250,6 +251,12 @@ public:
     const std::string & yaml_filename, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
     return wait(client_.load_parameters(yaml_filename), timeout);
+  }
+  template<class Rep = int64_t, class Period = std::milli>
+  AsyncParametersClient::Results load_parameters(
+    const ParameterMap & map, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    return wait(client_.load_parameters(map), timeout);
   }
   template<class Rep = int64_t, class Period = std::milli>
   AsyncParametersClient::Descriptors describe_parameters(

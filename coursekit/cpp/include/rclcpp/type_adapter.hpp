@@ -45,10 +45,10 @@ template<class T>
 using MessageOf = typename Adapter<T>::ros_message_type;
 template<class T>
 constexpr bool is_adapted = !std::is_same_v<CustomOf<T>, MessageOf<T>>;
-template<class C, class R>
+template<class C>
 struct adapt_type
 {
-  template<class...>
+  template<class R>
   using as = TypeAdapter<C, R>;
 };
 

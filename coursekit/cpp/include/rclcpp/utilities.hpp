@@ -19,5 +19,7 @@ bool uninstall_signal_handlers();
 bool ok(Context::SharedPtr context = nullptr);
 bool shutdown(Context::SharedPtr context = nullptr, const std::string & reason = "user called rclcpp::shutdown()");
 void on_shutdown(std::function<void ()> callback, Context::SharedPtr context = nullptr);
+inline const char * get_c_string(const char * text) {return text;}
+inline const char * get_c_string(const std::string & text) {return text.c_str();}
 bool sleep_for(const std::chrono::nanoseconds & duration, Context::SharedPtr context = nullptr);
 }  // namespace rclcpp

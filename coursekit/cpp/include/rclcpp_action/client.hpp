@@ -233,6 +233,6 @@ typename Client<A>::SharedPtr create_client(
   B node, G, L, W, const std::string & name, rclcpp::CallbackGroup::SharedPtr group = nullptr,
   const rcl_action_client_options_t & options = {})
 {
-  return create_client<A>(node, name, group, options);
+  return rclcpp_action::create_client<A>(node, name, group, options);
 }
 }  // namespace rclcpp_action

@@ -110,6 +110,6 @@ typename Server<A>::SharedPtr create_server(
   const rcl_action_server_options_t & options = rcl_action_server_get_default_options(),
   rclcpp::CallbackGroup::SharedPtr group = nullptr)
 {
-  return create_server<A>(node, name, handle_goal, handle_cancel, handle_accepted, options, group);
+  return rclcpp_action::create_server<A>(node, name, handle_goal, handle_cancel, handle_accepted, options, group);
 }
 }  // namespace rclcpp_action

@@ -1,10 +1,29 @@
 // Transforms of the last seconds, waited for.
 #pragma once
+#include <future>
+#include <list>
+
 #include "tf2/buffer_core.h"
 #include "tf2_ros/buffer_interface.h"
 
 namespace tf2_ros
 {
+using TransformStampedFuture = std::shared_future<geometry_msgs::msg::TransformStamped>;
+using TransformReadyCallback = std::function<void (const TransformStampedFuture &)>;
+
+/// Whose timers look whether a transform has come that is waited for.
+struct CreateTimerInterface
+{
+  using SharedPtr = std::shared_ptr<CreateTimerInterface>;
+  rclcpp::node_interfaces::NodeBaseInterface::SharedPtr base;
+  rclcpp::CallbackGroup::SharedPtr group;
+};
+class CreateTimerInterfaceException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 class Buffer : public BufferInterface, public tf2::BufferCore
 {
 public:
@@ -43,7 +62,21 @@ public:
     return canTransform(target, source, fromRclcpp(time), fromRclcpp(timeout), why_not);
   }
 
-  template<class T>
-  void setCreateTimerInterface(const T &) {}
+  void setCreateTimerInterface(CreateTimerInterface::SharedPtr timers) {timers_ = timers;}
+  /// Have a function called when there is a transform; its future throws tf2::TimeoutException where none came in time.
+  TransformStampedFuture waitForTransform(
+    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
+    TransformReadyCallback callback);
+  TransformStampedFuture waitForTransform(
+    const std::string & target, const std::string & source, const rclcpp::Time & time, const rclcpp::Duration & timeout,
+    TransformReadyCallback callback)
+  {
+    return waitForTransform(target, source, fromRclcpp(time), fromRclcpp(timeout), std::move(callback));
+  }
+
+private:
+  CreateTimerInterface::SharedPtr timers_;
+  std::list<rclcpp::TimerBase::SharedPtr> waiting_;
+  std::mutex lock_;
 };
 }  // namespace tf2_ros

@@ -3,11 +3,13 @@
 
 namespace tf2_ros
 {
-/// What upstream's buffer waits with; here it waits at the session.
-class CreateTimerROS
+/// What a buffer makes its timers with: a node's.
+class CreateTimerROS : public CreateTimerInterface
 {
 public:
-  template<class ... Interfaces>
-  explicit CreateTimerROS(const Interfaces & ...) {}
+  CreateTimerROS(
+    rclcpp::node_interfaces::NodeBaseInterface::SharedPtr base, rclcpp::node_interfaces::NodeTimersInterface::SharedPtr,
+    rclcpp::CallbackGroup::SharedPtr group = nullptr)
+  : CreateTimerInterface{base, group} {}
 };
 }  // namespace tf2_ros

@@ -105,6 +105,12 @@ inline void warpPerspective(
 {
   dst.assign(call("warpPerspective", src, m, size, kw("flags", flags), kw("borderMode", border), kw("borderValue", value)));
 }
+inline void remap(
+  InputArray src, OutputArray dst, InputArray map1, InputArray map2, int interpolation, int border = BORDER_CONSTANT,
+  const Scalar & value = Scalar())
+{
+  dst.assign(call("remap", src, map1, map2, interpolation, kw("borderMode", border), kw("borderValue", value)));
+}
 inline Mat getRotationMatrix2D(Point2f center, double angle, double scale)
 {
   return call("getRotationMatrix2D", center, angle, scale).mat;

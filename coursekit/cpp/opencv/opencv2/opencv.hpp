@@ -1,5 +1,6 @@
 // All of OpenCV that is here.
 #pragma once
+#include "opencv2/calib3d.hpp"
 #include "opencv2/core.hpp"
 #include "opencv2/highgui.hpp"
 #include "opencv2/imgcodecs.hpp"

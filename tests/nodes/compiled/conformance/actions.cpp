@@ -100,6 +100,10 @@ int main(int argc, char ** argv)
   check("a goal's number as text", !rclcpp_action::to_string(handle->get_goal_id()).empty());
   std::unordered_map<rclcpp_action::GoalUUID, int> numbers{{handle->get_goal_id(), 1}};
   equal("a goal's number as key", numbers.at(handle->get_goal_id()), 1);
+  auto of_interfaces = rclcpp_action::create_client<Fibonacci>(
+    node->get_node_base_interface(), node->get_node_graph_interface(), node->get_node_logging_interface(),
+    node->get_node_waitables_interface(), "count");
+  check("a client of a node's interfaces", of_interfaces->wait_for_action_server(1s));
   enough = true;
   for (auto & thread : threads) {
     thread.join();

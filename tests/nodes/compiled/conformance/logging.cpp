@@ -48,5 +48,7 @@ int main(int argc, char ** argv)
   std::string other = node->get_logger().get_child("a_name_of_another_logger").get_name();
   equal("a logger's name outlives its copies", std::string(name), std::string("logging"));
   RCUTILS_LOG_WARN_NAMED("named", "LINE by name");
+  RCUTILS_LOG_WARN_EXPRESSION_NAMED(1 + 1 == 2, "named", "LINE by name %d", 2);
+  RCUTILS_LOG_WARN_EXPRESSION(1 + 1 == 3, "LINE never");
   rclcpp::shutdown();
 }

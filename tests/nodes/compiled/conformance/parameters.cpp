@@ -16,6 +16,12 @@ int main(int argc, char ** argv)
   equal("declared bool", node->declare_parameter<bool>("on", true), true);
   equal("declared list", node->declare_parameter("list", std::vector<double>{1, 2}).size(), 2u);
   equal("declared texts", node->declare_parameter("texts", std::vector<std::string>{"a", "b", "c"}).at(2), "c");
+  check("an empty list", node->declare_parameter<std::vector<std::string>>("none", std::vector<std::string>{}).empty());
+  check("is of its type", node->get_parameter("none").get_type() == rclcpp::PARAMETER_STRING_ARRAY);
+  ParameterDescriptor kept;
+  kept.read_only = true;
+  check("also where it is read only", node->declare_parameter("no_numbers", std::vector<int64_t>{}, kept).empty());
+  check("and takes no other", !node->set_parameter(rclcpp::Parameter("none", std::vector<double>{1})).successful);
   equal("as_int", node->get_parameter("count").as_int(), 3);
   equal("as_double", node->get_parameter("speed").as_double(), 1.5);
   equal("as_string", node->get_parameter("name").as_string(), "x");
@@ -30,6 +36,18 @@ int main(int argc, char ** argv)
   check("has", node->has_parameter("count") && !node->has_parameter("nothing"));
   throws<errors::ParameterNotDeclaredException>("get throws", [&] {node->get_parameter("nothing");});
   throws<errors::ParameterAlreadyDeclaredException>("declared twice", [&] {node->declare_parameter("count", 1);});
+  auto said = [](auto what) {
+      try {
+        what();
+      } catch (const std::exception & error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+  equal("words of what is declared twice", said([&] {node->declare_parameter("count", 1);}), "parameter 'count' has already been declared");
+  equal("words of what is not declared", said([&] {node->get_parameter("nothing");}), "nothing");
+  node->declare_parameter("later", rclcpp::PARAMETER_DOUBLE);
+  equal("words of what has no value", said([&] {node->get_parameter("later");}), "parameter 'later' is not initialized");
   throws<errors::InvalidParametersException>("no name", [&] {node->declare_parameter("", 1);});
   throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").as_string();});
   throws<errors::ParameterNotDeclaredException>("set what is not declared", [&] {node->set_parameter({"nothing", 1});});
@@ -106,6 +124,7 @@ int main(int argc, char ** argv)
   auto nobody = std::make_shared<rclcpp::SyncParametersClient>(asker, "nobody");
   check("in vain", nobody->describe_parameters({"count"}, 20ms).empty() && nobody->get_parameter_types({"count"}, 20ms).empty());
   std::ofstream("given.yaml") << "/**:\n  ros__parameters:\n    count: 44\nparameters:\n  ros__parameters:\n    wheel: {left: 7}\n";
+  equal("a map is loaded", client->load_parameters(rclcpp::ParameterMap{{"/any", {rclcpp::Parameter("given", 1)}}}).size(), 1u);
   equal("a file is loaded", client->load_parameters("given.yaml").size(), 2u);
   equal("for all nodes", node->get_parameter("count").as_int(), 44);
   equal("and for this one", node->get_parameter("wheel.left").as_int(), 7);

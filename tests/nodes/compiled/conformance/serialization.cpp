@@ -63,6 +63,7 @@ int main(int argc, char ** argv)
   // adapted types
   auto node = rclcpp::Node::make_shared("adapted");
   using Adapted = rclcpp::TypeAdapter<Word, String>;
+  check("an adapter in words", std::is_same_v<rclcpp::adapt_type<Word>::as<String>, Adapted>);
   std::vector<std::string> heard;
   auto plain = node->create_subscription<String>("word", 10, [&](const String & m) {heard.push_back("plain " + m.data);});
   auto custom = node->create_subscription<Adapted>("word", 10, [&](const Word & m) {heard.push_back("custom " + m.text);});

@@ -88,6 +88,16 @@ int main(int argc, char ** argv)
   server.reset();
   check("a service that is gone", !client->service_is_ready());
 
+  // with the interfaces of a node, one by one
+  auto far = rclcpp::create_service<AddTwoInts>(
+    node->get_node_base_interface(), node->get_node_services_interface(), "far", [](Request q, Response r) {r->sum = q->a;},
+    rmw_qos_profile_services_default, nullptr);
+  auto from_far = rclcpp::create_client<AddTwoInts>(
+    node->get_node_base_interface(), node->get_node_graph_interface(), node->get_node_services_interface(), "far");
+  auto said = from_far->async_send_request(request);
+  check("a server and a client of interfaces", rclcpp::spin_until_future_complete(node, said) == rclcpp::FutureReturnCode::SUCCESS);
+  equal("who answer each other", said.get()->sum, request->a);
+
   // from a callback, with another group and two threads
   auto group = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
   auto quick = node->create_service<AddTwoInts>("quick", [](Request q, Response r) {r->sum = q->a + q->b;},

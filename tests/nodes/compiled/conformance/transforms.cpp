@@ -6,6 +6,7 @@
 #include "tf2/LinearMath/Transform.h"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
 #include "tf2_ros/buffer.h"
+#include "tf2_ros/create_timer_ros.h"
 #include "tf2_ros/message_filter.h"
 #include "tf2_ros/static_transform_broadcaster.h"
 #include "tf2_ros/transform_broadcaster.h"
@@ -89,6 +90,28 @@ int main(int argc, char ** argv)
   throws<tf2::ExtrapolationException>("too far ahead", [&] {
       buffer.lookupTransform("map", "base", node->now() + rclcpp::Duration(60s));
     });
+  // a function is called when a transform has come
+  std::string came;
+  auto told = [&](const tf2_ros::TransformStampedFuture & future) {
+      try {
+        came = future.get().child_frame_id;
+      } catch (const tf2::TimeoutException &) {
+        came = "too late";
+      }
+    };
+  throws<tf2_ros::CreateTimerInterfaceException>("it needs timers", [&] {
+      buffer.waitForTransform("base", "hand", tf2::TimePointZero, 1s, told);
+    });
+  buffer.setCreateTimerInterface(
+    std::make_shared<tf2_ros::CreateTimerROS>(node->get_node_base_interface(), node->get_node_timers_interface()));
+  auto hand = buffer.waitForTransform("base", "hand", tf2::TimePointZero, 5s, told);
+  check("not before it is there", !spin_until(node, [&] {return !came.empty();}, 100ms));
+  transform.header.frame_id = "base";
+  transform.child_frame_id = "hand";
+  broadcaster.sendTransform(transform);
+  check("but then", spin_until(node, [&] {return came == "hand";}) && hand.get().child_frame_id == "hand");
+  buffer.waitForTransform("base", "foot", tf2::TimePointZero, 100ms, told);
+  check("or when the time is over", spin_until(node, [&] {return came == "too late";}));
   check("in one go", near(buffer.lookupTransform("map", "lidar", tf2::TimePointZero).transform.translation.x, 1));
   rclcpp::shutdown();
 }

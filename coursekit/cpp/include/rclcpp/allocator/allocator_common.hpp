@@ -1,6 +1,7 @@
 // Messages made by a program's own allocator.
 #pragma once
 #include <memory>
+#include <stdexcept>
 
 namespace rclcpp::allocator
 {

@@ -29,6 +29,9 @@ public:
   {
     value_ = Scalar(v);
   }
+  template<class T, int m, int n>
+  _InputArray(const Matx<T, m, n> & small)  // NOLINT
+  : mat_(small) {}
   _InputArray(double value)  // NOLINT
   : scalar_(true), value_(value) {}
   Mat getMat(int i = -1) const {return i < 0 ? mat_ : all_.at(static_cast<size_t>(i));}

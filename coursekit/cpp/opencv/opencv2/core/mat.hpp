@@ -7,6 +7,7 @@
 
 #include "opencv2/core/constants.hpp"
 #include "opencv2/core/exception.hpp"
+#include "opencv2/core/matx.hpp"
 #include "opencv2/core/types.hpp"
 
 namespace cv
@@ -54,6 +55,10 @@ public:
       *this = clone();
     }
   }
+
+  template<class T, int m, int n>
+  explicit Mat(const Matx<T, m, n> & small, bool = true)
+  : Mat(m, n, DataType<T>::type) {std::memcpy(data, small.val, sizeof(small.val));}
 
   static Mat zeros(int rows, int cols, int type) {return Mat(rows, cols, type, Scalar::all(0));}
   static Mat zeros(Size size, int type) {return Mat(size, type, Scalar::all(0));}

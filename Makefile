@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class conformance docs notebooks wheel windows clean
+.PHONY: lab test check bench class conformance docs web notebooks wheel windows clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) start.py setup
@@ -46,6 +46,10 @@ docs: $(VENV)/.test
 	$(BIN)/python -m pip install -q --disable-pip-version-check -c requirements.lock -e ".[docs]"
 	$(BIN)/python -m sphinx -q -W --keep-going docs build/docs
 	@echo "Open build/docs/index.html"
+
+web: $(VENV)/.test
+	$(BIN)/python -m pip install -q --disable-pip-version-check -c requirements.lock -e ".[docs]"
+	$(BIN)/python -m coursekit.building.web build/web
 
 clean:
 	rm -rf $(VENV) .venv-ros build dist

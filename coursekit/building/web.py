@@ -1,0 +1,127 @@
+"""The course to read, as static pages with a search: `python -m coursekit.building.web FOLDER` (or `make web`).
+
+Nothing runs there. Solutions and what they print are left out; pictures stand for panels. English is at the top of the
+folder, each other language in one of its own.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from coursekit.grade.copy import student_notebook
+from coursekit.grade.editions import ENGLISH, chapters, languages, notebooks_folder, read
+
+WIDGET = "application/vnd.jupyter.widget-view+json"
+CONF = """project = "coursekit"
+language = {language!r}
+extensions = ["myst_nb"]
+html_theme = "furo"
+html_title = {title!r}
+html_show_sourcelink = html_show_copyright = False
+nb_execution_mode = "off"
+myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 3
+suppress_warnings = ["misc.highlighting_failure"]
+"""
+SHORT = 8
+"""Letters that a line has at least which gives a solution away."""
+WORDS = {
+    "en": ("ROS 2 in notebooks", "The chapters to read and to search. To run them, install coursekit: `make lab`."),
+    "es": ("ROS 2 en cuadernos", "Los capítulos para leer y buscar. Para ejecutarlos instala coursekit: `make lab`."),
+}
+"""By language: the title of the pages, and the sentence below it."""
+NAMES = {"en": "English", "es": "Español"}
+
+
+def web_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
+    """A chapter to read: stubs for solutions; outputs as stored, but for those of answers and checks, or that show one.
+
+    >>> cell = {"cell_type": "code", "source": ["1 + 1"], "metadata": {}, "outputs": [{"output_type": "stream"}]}
+    >>> len(web_notebook({"cells": [cell], "metadata": {}})["cells"][0]["outputs"])
+    1
+    """
+    made = student_notebook(notebook)
+    secret = _lines(notebook) - _lines(made)
+    for cell, stored in zip(made["cells"], notebook["cells"], strict=True):
+        if cell["cell_type"] == "code" and not cell.get("metadata", {}).get("nbgrader"):
+            outputs = [_still(output) for output in stored.get("outputs", [])]
+            cell["outputs"] = [output for output in outputs if not secret & _words(output)]
+    made["metadata"] = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    return made
+
+
+def _lines(notebook: dict[str, Any]) -> set[str]:
+    """The lines of all cells that say something."""
+    return {line for cell in notebook["cells"] for line in _telling("".join(cell["source"]))}
+
+
+def _words(output: dict[str, Any]) -> set[str]:
+    """The lines of an output that say something."""
+    texts = [output.get("text", ""), output.get("data", {}).get("text/plain", "")]
+    return {line for text in texts for line in _telling("".join(text))}
+
+
+def _telling(text: str) -> Iterator[str]:
+    return (line.strip() for line in text.splitlines() if len(line.strip()) >= SHORT)
+
+
+def _still(output: dict[str, Any]) -> dict[str, Any]:
+    """An output without its widget: the picture or text beside it stays."""
+    if WIDGET not in output.get("data", {}):
+        return output
+    return {**output, "data": {kind: data for kind, data in output["data"].items() if kind != WIDGET}}
+
+
+def write_sources(folder: Path, language: str, others: Sequence[str]) -> None:
+    """Write what the pages of one language are made from; the first page names the `others`."""
+    title, sentence = WORDS.get(language, WORDS[ENGLISH])
+    names = []
+    for chapter in chapters(notebooks_folder(), language):
+        (folder / chapter.name).write_text(json.dumps(web_notebook(read(chapter, language))), encoding="utf-8")
+        names.append(chapter.stem)
+    top = "" if language == ENGLISH else "../"
+    elsewhere = [_link(one, f"{top}{'' if one == ENGLISH else one + '/'}index.html") for one in others]
+    tree = "\n".join(["```{toctree}", ":maxdepth: 1", "", *names, "```"])
+    (folder / "index.md").write_text(f"# {title}\n\n{sentence}\n\n{' '.join(elsewhere)}\n\n{tree}\n", encoding="utf-8")
+    (folder / "conf.py").write_text(CONF.format(language=language, title=title), encoding="utf-8")
+
+
+def _link(language: str, address: str) -> str:
+    return f'<a href="{address}" lang="{language}">{NAMES.get(language, language)}</a>'
+
+
+def build(out: Path) -> int:
+    """Make the pages of every language; Sphinx's exit code where one fails, 2 without Sphinx."""
+    try:
+        from sphinx.cmd.build import main as sphinx
+    except ImportError:
+        print('The pages are made by Sphinx: pip install "coursekit[docs]"', file=sys.stderr)
+        return 2
+    known = languages(notebooks_folder())
+    for language in known:
+        where = out if language == ENGLISH else out / language
+        with tempfile.TemporaryDirectory() as folder:
+            write_sources(Path(folder), language, [one for one in known if one != language])
+            code = int(sphinx(["-q", "-W", "--keep-going", "-d", f"{folder}/.trees", folder, str(where)]))
+        if code:
+            return code
+    print(f"Open {out / 'index.html'}")
+    return 0
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Build into the folder that is named; 2 where none is."""
+    named = list(sys.argv[1:] if words is None else words)
+    if len(named) != 1:
+        print("Name a folder: python -m coursekit.building.web build/web", file=sys.stderr)
+        return 2
+    return build(Path(named[0]))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,6 +1,6 @@
 // A node's parameters: a control each; a refused value goes back, with the node's reason beside it.
 function control(row, set) {
-  const locked = { disabled: row.locked };
+  const locked = { disabled: row.locked, "aria-label": row.name };
   if (row.control === "check")
     return [make("input", { type: "checkbox", checked: row.value, ...locked, onchange: (e) => set(e.target.checked) })];
   const ranged = row.least !== undefined;

@@ -1,5 +1,5 @@
 // JupyterLab says "Error displaying widget: model not found" for every view of a notebook that is opened anew. The output holds
-// more than that view: its picture or its text, which this shows instead, and says what to do.
+// more than that view: its picture or its text, which this shows instead, and says what to do. It also gives pictures their texts.
 (() => {
   const WIDGET = "application/vnd.jupyter.widget-view+json";
   const FAILED = /^Error displaying widget/;
@@ -15,6 +15,8 @@
     return null;
   }
 
+  const textOf = (data) => [data["text/plain"] ?? ""].flat().join("");
+
   function figure(data) {
     const box = document.createElement("div");
     box.className = "ck-still";
@@ -25,7 +27,7 @@
     box.append(note);
     const kind = ["image/png", "image/jpeg"].find((one) => data[one]);
     const shown = document.createElement(kind ? "img" : "pre");
-    const text = [data["text/plain"] ?? ""].flat().join("");
+    const text = textOf(data);
     if (kind) {
       Object.assign(shown, { src: `data:${kind};base64,${[data[kind]].flat().join("").trim()}`, alt: text });
       shown.style.cssText = "display: block; max-width: 100%; opacity: 0.8;";
@@ -37,7 +39,15 @@
     return box;
   }
 
+  // A picture's text, for those who cannot see it: the output has one beside it.
+  function describe(app, node) {
+    const picture = node.querySelector("img:not([alt])");
+    const data = picture && outputOf(app, node)?.data;
+    if (data) picture.alt = textOf(data) || "a picture";
+  }
+
   function mend(app, node) {
+    describe(app, node);
     if (!FAILED.test(node.textContent) || node.querySelector(".ck-still")) return;
     const data = outputOf(app, node)?.data;
     if (data?.[WIDGET]) node.replaceChildren(figure(data));

@@ -1,0 +1,53 @@
+"""The panels pass axe's audit: contrast, names of controls, roles; in the light and in the dark."""
+
+import pytest
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
+
+LAB = "from coursekit.lab import *"
+START = """%ros2 run turtlesim turtlesim_node &
+%ros2 launch gazebo_ros gazebo.launch.py world:=office &"""
+PANELS = {
+    "viewer": "viewer(displays=['Grid', 'TF', 'LaserScan /nothing'])",
+    "world": "world_view()",
+    "pad": "pad()",
+    "turtle": "turtlesim_window()",
+    "graph": "graph()",
+    "topics": "topic_panel()",
+    "services": "service_caller()",
+    "parameters": "parameter_panel('turtlesim')",
+    "log": "log_console()",
+    "frames": "frames()",
+}
+THEME = "(name) => jupyterapp.commands.execute('apputils:change-theme', { theme: name })"
+RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}}
+
+
+@pytest.fixture
+def opened(notebook):
+    made = notebook(LAB, START, *PANELS.values(), width=1366, height=6000)
+    made.run()
+    made.page.wait_for_selector(".ck-world[data-messages]")
+    return made
+
+
+def faults_of(axe, page):
+    """What axe says against what stands below the cells, a line for each element."""
+    found = axe.run(page, context={"include": [[".jp-OutputArea-output"]]}, options=RULES).response
+    assert len(found["passes"]) > 5, "it looked at something"
+    return [
+        f"{one['id']}: {node['html'][:120]} {' '.join(node['failureSummary'].split())[:240]}"
+        for one in found["violations"]
+        for node in one["nodes"]
+    ]
+
+
+def test_panels_have_no_fault(opened, picture):
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
+    page = opened.page
+    for theme, light in (("JupyterLab Light", "true"), ("JupyterLab Dark", "false")):
+        page.evaluate(THEME, theme)
+        page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
+        picture(page, f"accessible-{light}")
+        faults = faults_of(axe, page)
+        assert not faults, "\n".join([theme, *faults])

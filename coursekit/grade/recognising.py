@@ -203,6 +203,8 @@ class Recogniser:
         counts = {name: len(marks & one.marks) for name, one in self.chapters.items()}
         best = max(counts.values(), default=0)
         fitting = [name for name, count in counts.items() if count == best]
+        whole = [name for name in fitting if self.chapters[name].marks <= marks]
+        fitting = whole if len(whole) == 1 else fitting
         if best and len(fitting) == 1:
             return self.chapters[fitting[0]].known(notebook)
         facts = facts_of(notebook)

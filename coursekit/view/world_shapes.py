@@ -18,6 +18,7 @@ ROUND = 32
 def body_of(part: Part) -> Body:
     """Vertices (n, 3) [m] and faces (m, 3) of a part.
 
+    >>> from coursekit.sim.parts import Prism
     >>> vertices, faces = body_of(Prism(((0, 0), (1, 0), (1, 1), (0, 1)), 0.0, 2.0))
     >>> vertices.max(axis=0).tolist(), len(faces)
     ([1.0, 1.0, 2.0], 12)

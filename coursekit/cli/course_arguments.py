@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -21,13 +22,16 @@ def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
 
 
 def notebooks_of(args: argparse.Namespace) -> Path:
-    """The folder of the notebooks; the checks beside them are read."""
+    """The folder of the notebooks; the checks beside them are read, and what of them fits no notebook is told."""
     from coursekit.grade.editions import notebooks_folder
     from coursekit.grade.own_checks import OWN, BadChecks, read_checks
+    from coursekit.grade.partners import expect_partners
 
     folder: Path = args.notebooks or notebooks_folder()
     try:
         read_checks(folder / OWN)
+        for note in expect_partners(folder):
+            print(note, file=sys.stderr)
     except BadChecks as error:
         raise SystemExit(str(error)) from None
     return folder

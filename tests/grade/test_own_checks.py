@@ -176,3 +176,42 @@ def test_the_notebook_runs_in_a_kernel_that_is_not_ours(tmp_path):
     done = subprocess.run([sys.executable, "-c", PLAIN_SHELL], cwd=tmp_path, env=env | {"COURSEKIT_TIME": "virtual"},
                           capture_output=True, encoding="utf-8")  # fmt: skip
     assert done.returncode == 0 and "2 of 2 points" in done.stdout, done.stdout + done.stderr
+
+
+def changed(folder, before, after):
+    """The teacher's notebook with another text."""
+    file = folder / "gripper.ipynb"
+    text = file.read_text()
+    assert before in text
+    file.write_text(text.replace(before, after))
+
+
+@pytest.fixture
+def own(tmp_path):
+    assert main(["new", "gripper", "--folder", str(tmp_path / "my_course")]) == 0
+    return tmp_path / "my_course"
+
+
+def released(own):
+    return main(["release", "--notebooks", str(own), "--out", str(own.parent / "week2")])
+
+
+def test_a_check_without_its_exercise_is_not_released(own):
+    changed(own, "gripper.q1", "gripper.q7")
+    with pytest.raises(SystemExit, match=r'gripper.ipynb has check\("gripper.q7"\), and there is no @exercise'):
+        released(own)
+
+
+def test_an_exercise_that_nobody_is_asked_for_is_told(own, capsys):
+    file = own / "checks" / "gripper.py"
+    file.write_text(file.read_text() + NAIVE.replace("grip_drill.q1", "gripper.q9"))
+    assert released(own) == 0
+    assert 'no notebook has check("gripper.q9")' in capsys.readouterr().err
+
+
+def test_two_cells_of_one_name_are_not_released(own):
+    made = json.loads((own / "gripper.ipynb").read_text())
+    made["cells"].append(dict(next(cell for cell in made["cells"] if "solution" in cell["metadata"].get("nbgrader", {}))))
+    (own / "gripper.ipynb").write_text(json.dumps(made))
+    with pytest.raises(SystemExit, match="2 cells are called gripper-q1"):
+        released(own)

@@ -1,7 +1,7 @@
 """The executables of the underlay: what `ros2 run PACKAGE EXECUTABLE` starts.
 
-Each becomes a program in `coursekit/lib/PACKAGE` when coursekit is built or installed. A new one is a line here; then
-`python3 -m coursekit.building.underlay` writes it, as every installation does.
+Each becomes a program in `coursekit/lib/PACKAGE` when coursekit is built or installed. A new one is a line here, and
+`python3 start.py setup` writes it. A new package also needs an entry in `share/ament_index` (tests/building/test_index.py).
 """
 
 EXECUTABLES: dict[str, dict[str, str]] = {

@@ -13,8 +13,9 @@ from coursekit.nodes.gazebo.devices import RayDevice
 from coursekit.nodes.gazebo.simulators import Simulator
 from coursekit.sim.lidar import Lidar
 from coursekit.sim.robot import Robot
+from coursekit.sim.world import Thing
 
-from .scene import Scene
+from .scene import Pose, Scene
 from .scene_camera import Camera, camera_of
 from .scene_shapes import Lines, Triangles
 from .scene_still import Still
@@ -45,6 +46,9 @@ class WorldScene:
         self._simulator: Simulator | None = None
         self._changes = -1
         self._robots: dict[str, RobotShape] = {}
+        self._looks: dict[str, Any] = {}
+        self._all_there: list[str] = []
+        """The names of what was there when the floor was laid."""
         self._swept = -LASER_NS
 
     @property
@@ -59,7 +63,8 @@ class WorldScene:
             if found is not self._simulator:
                 for display in (FLOOR, THINGS, ROBOTS, LASER):
                     self.scene.clear(display)
-                self._simulator, self._changes, self._robots, self._swept = found, -1, {}, -LASER_NS
+                self._simulator, self._changes, self._swept = found, -1, -LASER_NS
+                self._robots, self._looks, self._all_there = {}, {}, []
             if found is not None:
                 with found.simulation.busy:
                     self._draw(found)
@@ -76,7 +81,7 @@ class WorldScene:
             self._robots[robot.name].place(self.scene, robot)
         if not self.lasers:
             self.scene.clear(LASER)
-        elif abs(simulation.now_ns - self._swept) >= LASER_NS or not self._swept_all(simulator):
+        elif abs(simulation.now_ns - self._swept) >= LASER_NS or not self._all_swept(simulator):
             self._swept = simulation.now_ns
             self._sweep(simulator)
 
@@ -87,18 +92,26 @@ class WorldScene:
         there = [*simulation.fixed_things(), *(thing for thing, _ in simulation.things.values())]
         self.scene.keep_only(THINGS, {thing.name for thing in there})
         for thing in there:
-            pose = upright(simulation.pose_of(thing.name))
-            if thing.parts and self.scene.has(THINGS, thing.name):
-                self.scene.place(THINGS, thing.name, pose)
-            elif thing.parts:
-                self.scene.put(THINGS, thing.name, thing_shape(thing), pose=pose)
+            if thing.parts:
+                self._show(thing, upright(simulation.pose_of(thing.name)))
         for name in [name for name in self._robots if name not in simulation.robots]:
             self._robots.pop(name).forget(self.scene)
         for robot in simulation.robots.values():
             known = self._robots.get(robot.name)
             if known is None or known.robot is not robot:
                 self._robots[robot.name] = RobotShape(self.scene, robot, simulator.assemblies.get(robot.name))
-        self._lay_floor()
+        if self._all_there != (now_there := [thing.name for thing in there] + list(self._robots)):
+            self._all_there = now_there
+            self._lay_floor()
+
+    def _show(self, thing: Thing, pose: Pose) -> None:
+        """Put a thing where it is; its shape is made anew where another one has taken its name."""
+        look = (thing.parts, thing.texture, thing.colour)
+        if self.scene.has(THINGS, thing.name) and self._looks.get(thing.name) == look:
+            self.scene.place(THINGS, thing.name, pose)
+            return
+        self._looks[thing.name] = look
+        self.scene.put(THINGS, thing.name, thing_shape(thing), pose=pose)
 
     def _lay_floor(self) -> None:
         bounds = self.scene.bounds([THINGS, ROBOTS])
@@ -115,7 +128,7 @@ class WorldScene:
 
     # -- what is seen
 
-    def _swept_all(self, simulator: Simulator) -> bool:
+    def _all_swept(self, simulator: Simulator) -> bool:
         return all(self.scene.has(LASER, name) for name in lidars(simulator))
 
     def _sweep(self, simulator: Simulator) -> None:

@@ -12,7 +12,7 @@ from coursekit.lab.world_windows import world_view
 from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.processes.executables import find
 from coursekit.processes.session import Session
-from coursekit.sim import Thing
+from coursekit.sim import Disc, Thing
 from coursekit.view.scene_shapes import Label
 from coursekit.view.world_scene import LASER, ROBOTS, THINGS
 from tests.urdf.oracle import ROBOTS as FILES
@@ -137,6 +137,15 @@ def test_boxes_are_models_of_the_world(session, world):
     assert "box_1" not in world.text() and "box_1" not in world.stage.simulator.around.models()
     with pytest.raises(LookupError, match="there is no 'box_1'"):
         world.remove("box_1")
+
+
+def test_another_thing_under_an_old_name_is_drawn_anew(world):
+    simulation = world.stage.simulator.simulation
+    before = world.stage.update().things[THINGS, "crate"].shapes[0].vertices
+    simulation.remove("crate")
+    simulation.add(Thing("crate", (Disc(0.0, 0.0, 0.5, 0.0, 1.0),)))
+    after = world.stage.update().things[THINGS, "crate"].shapes[0].vertices
+    assert (abs(before).max(), abs(after).max()) == pytest.approx((0.4, 1.0))
 
 
 def test_what_a_robot_touches_is_written_over_it(session, world):

@@ -51,8 +51,10 @@ def _mark(one: Record, form: Form) -> str:
 
 def _said(one: Record) -> str:
     """A sentence for the student."""
-    late = one.marked().minutes_late
-    words = [f"{number(v.points)} of {number(v.of)} for {v.name}" for v in one.marked().verdicts]
+    marked = one.marked()
+    late = marked.minutes_late
+    words = marked.notes[-1:] if one.handed.entries and not one.handed.chosen else []  # why none of it could be marked
+    words += [f"{number(v.points)} of {number(v.of)} for {v.name}" for v in marked.verdicts]
     return "; ".join([*words, *([f"{late_by(late)} late"] if late else []), *one.comments().values()])
 
 

@@ -85,7 +85,8 @@ def mark(
     finally:
         folders.remove(scratch)
     judged = {verdict.name for verdict in made.verdicts}
-    made.verdicts += [unjudged(one, "nothing was handed in") for name, one in exercises.items() if name not in judged]
+    missing = "what was handed in could not be read" if made.status == "unreadable" else "nothing was handed in"
+    made.verdicts += [unjudged(one, missing) for name, one in exercises.items() if name not in judged]
     made.verdicts.sort(key=lambda verdict: verdict.name)
     for bundle in bundles:
         _compare(bundle, made)

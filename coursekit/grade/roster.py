@@ -166,6 +166,8 @@ class Roster:
         >>> group.of("ito").name, group.of("Ann")
         ('Ann Ito', None)
         """
+        if not label.strip():
+            return None  # whoever has no id, e-mail or login is not meant
         exact = [one for one in self.people if label in (self.label(one), one.id, one.email, one.login)]
         named = exact or [one for one in self.people if plain(label) in {plain(name) for name in one.names()}]
         wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}

@@ -121,6 +121,16 @@ def test_names_are_hidden_and_who_is_who_lies_apart(folder):
         main(["grade", "--allow-root", str(folder), "--anonymous", "--for", "moodle"])
 
 
+def test_what_could_not_be_read_is_told_with_its_reason(folder):
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, "")
+    sheet = folder.parent / "sheet.csv"
+    heads = "Identifier,Full name,Email address,Grade,Feedback comments"
+    sheet.write_text(f"{heads}\nParticipant 102,Ben Ito,ben@uni.example,,\n", encoding="utf-8")
+    grade(folder, "--roster", sheet, "--for", "moodle")
+    (row,) = [row for row in lines(folder.parent / "grades.moodle.csv") if "Ben Ito" in row]
+    assert "the file is empty; 0 of 1 for ch02.q1" in row[-1], row
+
+
 def test_table_page_and_closing_line_count_the_same(folder, capsys):
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, "<html>")
     write(folder / "Nobody Known.zip", zipped({TOPICS: text("q1")}))

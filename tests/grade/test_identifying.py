@@ -247,3 +247,14 @@ def test_the_table_of_a_list_has_no_formula(group):
     grade(group / "class", "--roster", group / "roster.csv")
     with open(group / "grades.csv", newline="", encoding="utf-8-sig") as file:
         assert [row["student"] for row in csv.DictReader(file)] == ["'=1+1", "Ben;'=cmd()"]
+
+
+@pytest.mark.parametrize("more", ["", "Eva Lee,eva@uni.example\n"])
+def test_whoever_has_no_e_mail_does_not_get_what_is_nobody_s(tmp_path, more):
+    """No answer to the question whose it is was taken for the one person whose e-mail is empty."""
+    (tmp_path / "list.csv").write_text(f"Full name,Email address\nBen Ito,\n{more}", encoding="utf-8")
+    write(tmp_path / "class" / "García López Ana_101_assignsubmission_file_" / TOPICS, text("q1", "q2"))
+    roster = Roster.read(tmp_path / "list.csv")
+    found = collected(tmp_path / "class", tmp_path / "scratch", roster=roster)
+    assert not by_name(found)["Ben Ito"].entries and "Whose is this?" in found.questions[0].text
+    assert roster.of("") is None and roster.of("  ") is None

@@ -53,7 +53,7 @@ def _alarm(seconds: float) -> Iterator[list[TookTooLong]]:
     timers = ((signal.ITIMER_PROF, signal.SIGPROF, seconds), (signal.ITIMER_REAL, signal.SIGALRM, SLOWNESS * seconds))
     for timer, number, limit in timers:
         signal.signal(number, ring)
-        signal.setitimer(timer, limit)
+        signal.setitimer(timer, limit, limit)  # again: the first may fall into something that swallows it
     try:
         yield rung
     finally:

@@ -43,3 +43,27 @@ def test_a_cell_for_another_program_ends_as_it_does_in_the_notebook(tmp_path, ce
 def test_what_such_a_program_fails_with_is_told_and_the_cells_below_run(tmp_path):
     errors, said = run(tmp_path, "%%bash\nexit 3", "said = 'after'")
     assert "exit status 3" in errors[0] and (errors[1], said) == ("", "after")
+
+
+STUBBORN = """
+import time
+for _ in range(4):
+    try:
+        while True:
+            time.monotonic()
+    except BaseException:
+        pass
+while True:
+    time.monotonic()
+"""
+
+
+def test_what_swallows_the_end_is_ended_again(tmp_path):
+    surroundings = {"COURSEKIT_COURSE": ".", "COURSEKIT_WORKSPACE": "ros2_ws", "HOME": str(tmp_path)}
+    (tmp_path / "ros2_ws" / "src").mkdir(parents=True)
+    program = PROGRAM.replace("runner.run(cell, 5.0)", "runner.run(cell, 0.2)")
+    ours = [sys.executable, "-c", program, json.dumps([STUBBORN])]
+    env = {**os.environ, **surroundings}
+    done = subprocess.run(ours, env=env, capture_output=True, cwd=tmp_path, check=True, timeout=40)
+    ((answer,), _) = json.loads(done.stdout.splitlines()[-1])
+    assert answer["timed_out"] and "took too long" in answer["error"]

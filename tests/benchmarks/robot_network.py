@@ -30,7 +30,7 @@ def cells() -> list[nbformat.NotebookNode]:
     """The chapter's cells that build and start the network and show it."""
     chapter = nbformat.read(next(NOTEBOOKS.glob("07_*.ipynb")), as_version=4)
     sources = [cell.source for cell in chapter.cells if cell.cell_type == "code"]
-    shown = next(number for number, source in enumerate(sources) if source.endswith("\nhall"))
+    shown = next(number for number, source in enumerate(sources) if source.endswith("\ndesk(hall)"))
     wanted = [source for source in sources[: shown + 1] if not any(word in source for word in SKIP)]
     return [nbformat.v4.new_code_cell(source) for source in (*wanted, MEASURE)]
 

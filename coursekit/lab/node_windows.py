@@ -6,19 +6,37 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.processes.live_things import LiveThings
+
 
 class NodeWindows:
     """The windows of one kind. A panel takes a moment to make: what is no longer wanted by then does not appear.
 
-    Owners are what opens windows: they have a `session`, and are told apart by identity.
+    Owners are what opens windows: they have a `session`, say whether they are `running`, and are told apart by identity.
     """
 
-    def __init__(self, make: Callable[[Any], Any]) -> None:
+    def __init__(self, owners: LiveThings[Any], make: Callable[[Any], Any]) -> None:
+        self._owners = owners
         self._make = make
         self._lock = threading.Lock()
         self._known: set[int] = set()
         self._wanted: set[int] = set()
         self._panels: dict[int, Any] = {}
+
+    def watch(self) -> None:
+        """Have the owners of this notebook's session show their windows in it."""
+        self._owners.unwatch(self.hear)
+        self._owners.watch(self.hear)
+
+    def hear(self, owner: Any) -> bool:
+        """An owner has started, changed or ended; whether its window is this notebook's to draw."""
+        session = owner.session
+        if session.embedded and not session.clock.virtual:
+            if owner.running:
+                self.show(owner)
+            else:
+                session.spawn(self.forget, owner)
+        return bool(session.embedded)
 
     def show(self, owner: Any) -> None:
         """Have a window appear, once; it is made beside the caller."""

@@ -66,25 +66,12 @@ _KINDS: dict[str, Callable[[RqtWindow], Any]] = {
     "rqt_plot": lambda window: PlotPicture(window.picture),
     "rqt_gui": lambda _: RqtTabs(),
 }
-_windows = NodeWindows(lambda window: _KINDS[window.kind](window))
+_windows = NodeWindows(windows, lambda window: _KINDS[window.kind](window))
 
 
 def show_rqt_windows() -> None:
     """Have rqt's windows appear in this notebook."""
-    windows.unwatch(_hear)
-    windows.watch(_hear)
-
-
-def _hear(window: RqtWindow) -> bool:
-    session = window.session
-    if not session.embedded:
-        return False
-    if not session.clock.virtual:
-        if window.running:
-            _windows.show(window)
-        else:
-            session.spawn(_windows.forget, window)
-    return True
+    _windows.watch()
 
 
 __all__ = ["RqtTabs", "show_rqt_windows"]

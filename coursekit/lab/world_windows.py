@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from coursekit.nodes.gazebo.gzclient import WorldWindow, windows
+from coursekit.nodes.gazebo.gzclient import windows
 
 from .node_windows import NodeWindows
 
@@ -28,25 +28,12 @@ def world_view(height: int = 420) -> WorldView:
     return WorldView(height)
 
 
-_windows = NodeWindows(lambda _window: world_view())
+_windows = NodeWindows(windows, lambda _window: world_view())
 
 
 def show_world_windows() -> None:
     """Have gzclient show its window in this notebook."""
-    windows.unwatch(_hear)
-    windows.watch(_hear)
-
-
-def _hear(window: WorldWindow) -> bool:
-    session = window.session
-    if not session.embedded:
-        return False
-    if not session.clock.virtual:
-        if window.running:
-            _windows.show(window)
-        else:
-            session.spawn(_windows.forget, window)
-    return True
+    _windows.watch()
 
 
 __all__ = ["show_world_windows", "world_view"]

@@ -32,6 +32,6 @@ def test_each_has_its_panels_until_it_ends(session, kind):
 
 def test_on_the_virtual_clock_none_appears_and_it_is_drawn_all_the_same(session):
     session.embedded = True
-    assert rqt_windows._hear(RqtWindow("rqt_graph", session)) and open_panels() == []
+    assert rqt_windows._windows.hear(RqtWindow("rqt_graph", session)) and open_panels() == []
     session.embedded = False
-    assert not rqt_windows._hear(RqtWindow("rqt_graph", session)), "a session without a notebook draws nothing"
+    assert not rqt_windows._windows.hear(RqtWindow("rqt_graph", session)), "a session without a notebook draws nothing"

@@ -158,3 +158,38 @@ function wheelIsThePages(stage) {
     timer = setTimeout(() => note.classList.remove("ck-seen"), 1500);
   }, { capture: true });
 }
+
+// Draws what Python streams; two buttons lead the camera. `ready(scene, library)` is called once MeshCat is there, `pictures` with
+// what is shown beside the scene. Gives the function that ends it.
+function drawScene(model, { panel, pane, labels, corner, ready, pictures = () => {} }) {
+  const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
+  corner.append(home, top);
+  const early = [];
+  let scene = null, view = null, closed = false;
+  const bytes = (buffer) => new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength);
+  const hear = (message, buffers) => {
+    if (message.type !== "scene") return;
+    if (!scene) { early.push([message, buffers]); return; }
+    const count = buffers.length - message.images.length;
+    scene.apply(message, new Float64Array(bytes(buffers[0]).slice().buffer), buffers.slice(1, count).map(bytes));
+    pictures(message.images, buffers.slice(count));
+    if (message.view) { view = message.view; if (!scene.touched) scene.look(view); }
+    panel.dataset.messages = message.n;
+    requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
+  };
+  model.on("msg:custom", hear);
+  meshcat(model).then((library) => {
+    if (closed) return;
+    panel.viewer = scene = new Scene(library, pane, labels);
+    ready(scene, library);
+    home.addEventListener("click", () => { scene.touched = false; if (view) scene.look(view); });
+    top.addEventListener("click", () => { scene.touched = true; if (view) scene.look({ ...view, pitch: Math.PI / 2, yaw: -Math.PI / 2 }); });
+    for (const [message, buffers] of early.splice(0)) hear(message, buffers);
+    model.send({ type: "open" });
+  });
+  return () => {
+    closed = true;
+    model.off("msg:custom", hear);
+    scene?.close();
+  };
+}

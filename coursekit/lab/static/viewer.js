@@ -79,20 +79,18 @@ export default {
     };
     const sizes = new ResizeObserver(() => folded(panel.clientWidth));
     sizes.observe(panel);
-    const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
     head.append(fold, make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons));
     const list = make("div", { className: "ck-list" }), pane = make("div", { className: "ck-pane" });
     const labels = make("div", { className: "ck-labels" }), pictures = make("div", { className: "ck-pictures" });
     const aim = make("div", { className: "ck-aim" });
     aim.innerHTML = '<svg width="100%" height="100%"><defs><marker id="ck-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs><line style="display:none" marker-end="url(#ck-tip)"/></svg>';
     const told = make("div", { className: "ck-told" });
-    const corner = make("div", { className: "ck-corner" }, home, top);
+    const corner = make("div", { className: "ck-corner" });
     const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, aim, pictures, told, corner);
     body.append(list, stage);
     wheelIsThePages(stage);
     const images = new Map();
-    const early = [];
-    let scene = null, view = null, rows = "";
+    let rows = "";
 
     const showImages = (names, buffers) => names.forEach((name, index) => {
       let shown = images.get(name);
@@ -105,57 +103,36 @@ export default {
       if (shown.address) URL.revokeObjectURL(shown.address);
       shown.image.src = shown.address = URL.createObjectURL(new Blob([buffers[index]], { type: "image/jpeg" }));
     });
-    const bytes = (buffer) => new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength);
-    const hear = (message, buffers) => {
-      if (message.type === "shown") {
-        stage.style.height = list.style.maxHeight = `${message.height}px`;
-        const frames = message.frames.includes(message.fixed) ? message.frames : [message.fixed, ...message.frames];
-        if (fixed.dataset.frames !== frames.join()) {
-          fixed.replaceChildren(...frames.map((name) => make("option", { value: name, textContent: name })));
-          fixed.dataset.frames = frames.join();
-        }
-        fixed.value = message.fixed;
-        told.textContent = message.told;
-        const text = JSON.stringify([message.rows, message.level, message.remark, message.skipped]);
-        if (text === rows || list.contains(document.activeElement) && document.activeElement.matches(".ck-topic")) return;
-        rows = text;
-        const levels = [message.level, ...message.rows.filter((row) => row.on).map((row) => row.level)];
-        worst.className = `ck-dot ck-${levels.reduce((one, other) => LEVELS.indexOf(other) > LEVELS.indexOf(one) ? other : one, "Ok")}`;
-        const wrong = message.remark ? [make("div", { className: `ck-say ck-${message.level}`, textContent: message.remark })] : [];
-        const skipped = message.skipped.map((name) => make("div", { className: "ck-say", textContent: `not known here: ${name}` }));
-        list.replaceChildren(...wrong, ...message.rows.map((row) => rowOf(row, model)), ...skipped);
-        const on = new Set(message.rows.filter((row) => row.on).map((row) => row.name));
-        for (const [name, { card }] of images) card.hidden = !on.has(name);
-      } else if (message.type === "scene") {
-        if (!scene) { early.push([message, buffers]); return; }
-        const data = bytes(buffers[0]).slice().buffer;
-        const count = buffers.length - message.images.length;
-        scene.apply(message, new Float64Array(data), buffers.slice(1, count).map(bytes));
-        showImages(message.images, buffers.slice(count));
-        if (message.view) { view = message.view; if (!scene.touched) scene.look(view); }
-        panel.dataset.messages = message.n;
-        requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
+    const show = (message) => {
+      stage.style.height = list.style.maxHeight = `${message.height}px`;
+      const frames = message.frames.includes(message.fixed) ? message.frames : [message.fixed, ...message.frames];
+      if (fixed.dataset.frames !== frames.join()) {
+        fixed.replaceChildren(...frames.map((name) => make("option", { value: name, textContent: name })));
+        fixed.dataset.frames = frames.join();
       }
+      fixed.value = message.fixed;
+      told.textContent = message.told;
+      const text = JSON.stringify([message.rows, message.level, message.remark, message.skipped]);
+      if (text === rows || list.contains(document.activeElement) && document.activeElement.matches(".ck-topic")) return;
+      rows = text;
+      const levels = [message.level, ...message.rows.filter((row) => row.on).map((row) => row.level)];
+      worst.className = `ck-dot ck-${levels.reduce((one, other) => LEVELS.indexOf(other) > LEVELS.indexOf(one) ? other : one, "Ok")}`;
+      const wrong = message.remark ? [make("div", { className: `ck-say ck-${message.level}`, textContent: message.remark })] : [];
+      const skipped = message.skipped.map((name) => make("div", { className: "ck-say", textContent: `not known here: ${name}` }));
+      list.replaceChildren(...wrong, ...message.rows.map((row) => rowOf(row, model)), ...skipped);
+      const on = new Set(message.rows.filter((row) => row.on).map((row) => row.name));
+      for (const [name, { card }] of images) card.hidden = !on.has(name);
     };
-    model.on("msg:custom", hear);
-    model.send({ type: "ready" });
-    let closed = false;
-    meshcat(model).then((library) => {
-      if (closed) return;
-      scene = new Scene(library, pane, labels);
-      panel.viewer = scene;
+    const ready = (scene) => {
       const choose = useTools(stage, scene, buttons, model);
       for (const name of Object.keys(buttons)) buttons[name].addEventListener("click", () => choose(name));
-      home.addEventListener("click", () => { scene.touched = false; if (view) scene.look(view); });
-      top.addEventListener("click", () => { scene.touched = true; if (view) scene.look({ ...view, pitch: Math.PI / 2, yaw: -Math.PI / 2 }); });
-      for (const [message, buffers] of early.splice(0)) hear(message, buffers);
-      model.send({ type: "open" });
-    });
+    };
+    const end = drawScene(model, { panel, pane, labels, corner, ready, pictures: showImages });
+    const deaf = listen(model, { shown: show });
     return () => {
-      closed = true;
       sizes.disconnect();
-      model.off("msg:custom", hear);
-      scene?.close();
+      deaf();
+      end();
       for (const { address } of images.values()) URL.revokeObjectURL(address);
     };
   },

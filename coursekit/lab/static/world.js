@@ -63,8 +63,8 @@ export default {
       make("label", { className: "ck-dim" }, lasers, "Laser"), remove, time);
     const pane = make("div", { className: "ck-pane" }), labels = make("div", { className: "ck-labels" });
     const told = make("div", { className: "ck-told" }), nothing = make("div", { className: "ck-nothing", hidden: true });
-    const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
-    const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, told, make("div", { className: "ck-corner" }, home, top), nothing);
+    const corner = make("div", { className: "ck-corner" });
+    const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, told, corner, nothing);
     body.append(stage);
     wheelIsThePages(stage);
     const state = {
@@ -82,8 +82,6 @@ export default {
       },
     };
     panel.world = state;
-    const early = [];
-    let scene = null, view = null;
     const show = (message) => {
       stage.style.height = `${message.height}px`;
       nothing.hidden = message.there;
@@ -102,34 +100,12 @@ export default {
       if (document.activeElement !== speed) speed.value = message.speed;
       time.textContent = `${message.time.toFixed(1)} s` + (message.paused ? ", stands still" : `, ${message.factor.toFixed(2)} x real time`);
     };
-    const bytes = (buffer) => new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.byteLength);
-    const hear = (message, buffers) => {
-      if (message.type === "shown") show(message);
-      if (message.type !== "scene") return;
-      if (!scene) { early.push([message, buffers]); return; }
-      scene.apply(message, new Float64Array(bytes(buffers[0]).slice().buffer), buffers.slice(1).map(bytes));
-      if (message.view) { view = message.view; if (!scene.touched) scene.look(view); }
-      panel.dataset.messages = message.n;
-      requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
-    };
-    model.on("msg:custom", hear);
-    model.send({ type: "ready" });
-    let closed = false;
-    meshcat(model).then((library) => {
-      if (closed) return;
-      scene = new Scene(library, pane, labels);
-      scene.daylight(library.THREE);
-      panel.viewer = scene;
+    const ready = (scene, { THREE }) => {
+      scene.daylight(THREE);
       useHands(stage, scene, model, state);
-      home.addEventListener("click", () => { scene.touched = false; if (view) scene.look(view); });
-      top.addEventListener("click", () => { scene.touched = true; if (view) scene.look({ ...view, pitch: Math.PI / 2, yaw: -Math.PI / 2 }); });
-      for (const [message, buffers] of early.splice(0)) hear(message, buffers);
-      model.send({ type: "open" });
-    });
-    return () => {
-      closed = true;
-      model.off("msg:custom", hear);
-      scene?.close();
     };
+    const end = drawScene(model, { panel, pane, labels, corner, ready });
+    const deaf = listen(model, { shown: show });
+    return () => { deaf(); end(); };
   },
 };

@@ -36,12 +36,29 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run_lab(args: argparse.Namespace) -> int:
     """Bring the student's copy up to date, and go on as the server that the hub expects."""
     folder, env, options = prepare_lab(args)
+    for sentence in fetch_releases(folder):
+        print(f"  {sentence}")
     env.setdefault("JUPYTERHUB_DEFAULT_URL", first_page(folder))
     take_compiled(env)
     words = list(args.words)
     if words and not words[0].startswith("-"):  # Binder says which server it wants
         return become([shutil.which(words[0]) or words[0], *words[1:], *options], env)
     return become([sys.executable, "-m", "jupyterhub.singleuser", *options, *words], env)
+
+
+def fetch_releases(folder: Path) -> list[str]:
+    """Bring what teachers have handed out through the server's exchange into the student's copy; what was done."""
+    from coursekit.grade.copy import Course
+    from coursekit.grade.exchange import VARIABLE, releases
+
+    exchange = os.environ.get(VARIABLE)
+    said = []
+    for released in releases(Path(exchange)) if exchange else []:
+        try:
+            said += Course(folder).take(released)
+        except OSError as error:
+            said.append(f"{released.name} could not be fetched ({error.strerror}: '{error.filename}')")
+    return said
 
 
 def take_compiled(env: dict[str, str]) -> None:

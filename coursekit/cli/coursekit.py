@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 
 from coursekit.cli import cpp, grading, hub, lab, networking, slam
+from coursekit.cli.doctor import run_doctor
 from coursekit.systems.streams import reader_has_gone, use_utf8
 
 
@@ -37,24 +38,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     return status
-
-
-def run_doctor(args: argparse.Namespace) -> int:
-    """Print every check, and the cure for each fault."""
-    from coursekit.grade.harmless import counted
-
-    from .checks import run_all
-
-    faults = 0
-    for check in run_all():
-        mark = "✔" if not check.fault else "!" if check.only_warning else "✘"
-        print(f"{mark} {check.name:<11} {check.fault or check.finding}")
-        if check.fault:
-            print(f"  → {check.cure}")
-            faults += not check.only_warning
-    cure = "follow the lines with arrows, then run this again."
-    print(f"{counted(faults, 'fault')}: {cure}" if faults else "All is well.")
-    return 1 if faults else 0
 
 
 def show_progress(args: argparse.Namespace) -> int:

@@ -12,7 +12,7 @@ from pathlib import Path
 from coursekit.cpp.runtime import SHARED
 from coursekit.cpp.toolchain import NoToolchain, cache_folder, find_toolchain
 
-from . import compile_ahead
+from . import compile_ahead, hub_check
 from .lab import become, first_page, prepare_lab
 
 FOLDER = "~/course"
@@ -31,10 +31,15 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     prepare = commands.add_parser("hub-prepare", help="compile once, for all students of a server, what each would compile")
     prepare.add_argument("folder", type=Path, help="where students can read, such as /srv/coursekit")
     prepare.set_defaults(main=run_prepare)
+    check = commands.add_parser("hub-check", help="is this server ready for a class, and how many students does it carry?")
+    check.add_argument("--students", type=int, default=0, help="how many will work at the same time")
+    check.set_defaults(main=hub_check.run)
 
 
 def run_lab(args: argparse.Namespace) -> int:
     """Bring the student's copy up to date, and go on as the server that the hub expects."""
+    if args.words[:1] == ["coursekit"]:  # an image's entry point and a hub's command may both say it
+        return become([sys.executable, "-m", "coursekit.cli.coursekit", *args.words[1:]], dict(os.environ))
     folder, env, options = prepare_lab(args)
     for sentence in fetch_releases(folder):
         print(f"  {sentence}")

@@ -11,6 +11,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from coursekit.cli.coursekit import main
+from coursekit.grade.roster import Person, Roster
+from tests.grade.handed import collected
 from tests.notebooks.running import chapters, code_cells, read
 
 from .server import Hub, missing
@@ -34,14 +37,17 @@ _ = own.create_publisher(String, "only_{name}", 10)
 
 @pytest.fixture(scope="module")
 def hub(tmp_path_factory):
-    hub = Hub(tmp_path_factory.mktemp("hub"))
+    folder = tmp_path_factory.mktemp("hub")
+    exchange = folder / "exchange"
+    assert main(["release", "02", "--exchange", str(exchange), "--out", str(folder / "week2")]) == 0
+    hub = Hub(folder, COURSEKIT_EXCHANGE=str(exchange))
+    hub.wait_until_ready()
     yield hub
     hub.close()
 
 
 @pytest.fixture(scope="module")
 def students(hub):
-    hub.wait_until_ready()
     students = [Student(hub, f"student{number:02}") for number in range(COUNT)]
     with ThreadPoolExecutor(COUNT) as pool:
         list(pool.map(Student.start, students))
@@ -59,6 +65,20 @@ def test_each_student_has_a_copy_of_the_course(students):
         assert {"00_start_here.ipynb", "01_first_nodes.ipynb", "08_maps_and_slam.ipynb"} <= there
         notebook = student.ask("GET", "contents/01_first_nodes.ipynb")["content"]
         assert "BEGIN SOLUTION" not in json.dumps(notebook)
+        released = student.ask("GET", "contents/02_topics.ipynb")["content"]
+        assert released["metadata"]["coursekit"]["handed_out"] == "week2"
+    took = sorted(one.started_in for one in students)
+    print(f"a server starts in {took[0]:.1f} to {took[-1]:.1f} s")
+
+
+def test_what_a_student_hands_in_is_collected_under_the_hub_s_name(hub, students, tmp_path):
+    student = students[0]
+    student.open_kernel()
+    assert "Handed in: VeraCourse_02_topics.zip" in student.run('print(hand_in("02_topics.ipynb", by="Vera Course"))')
+    student.close_kernel()
+    roster = Roster([Person("Vera Course", id=student.name)])
+    (handed,) = collected(hub.folder / "exchange" / "inbound", tmp_path / "scratch", roster=roster).handed
+    assert set(handed.chosen) == {"02_topics.ipynb"}
 
 
 def take(student, all_are_there):

@@ -31,9 +31,19 @@ class Student:
         """Ask for a server, as the browser does after logging in, and wait until it answers."""
         began = time.monotonic()
         self.hub.request("POST", f"/hub/api/users/{self.name}")
-        self.hub.request("POST", f"/hub/api/users/{self.name}/server")
+        while not self._is_accepted():
+            time.sleep(1)  # as a browser does that is told to come again: the hub starts a few servers at a time
         self._wait_until_ready()
         self.started_in = time.monotonic() - began
+
+    def _is_accepted(self) -> bool:
+        try:
+            self.hub.request("POST", f"/hub/api/users/{self.name}/server")
+        except urllib.error.HTTPError as error:
+            if error.code != 429:
+                raise
+            return False
+        return True
 
     def _wait_until_ready(self) -> None:
         """The hub tells the progress of a start as a stream of events, which ends with the start."""

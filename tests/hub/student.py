@@ -59,6 +59,10 @@ class Student:
     def open_kernel(self) -> None:
         """Start a kernel, and listen to it."""
         self._kernel = self.ask("POST", "kernels", {"name": "python3"})["id"]
+        self.listen()
+
+    def listen(self) -> None:
+        """Listen to the kernel anew: who does not answer for two minutes is cut off, and only a cell that runs answers."""
         address = f"{self.hub.url.replace('http', 'ws')}/user/{self.name}/api/kernels/{self._kernel}/channels"
         self._socket = create_connection(address, timeout=CELL_S, header=[f"Authorization: token {self.hub.token}"])
 

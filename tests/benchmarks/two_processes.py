@@ -1,6 +1,6 @@
 """`two_processes.py PYTHON [ours]`: a String and an image from one process to another; prints JSON (µs, median).
 
-Ours join a router on loopback, as two notebooks do. The real ones have no network but loopback; Fast DDS takes shared memory.
+Ours join a router on loopback, as two notebooks do. The real ones have no network but loopback; Fast DDS shares memory.
 """
 
 import json

@@ -21,6 +21,7 @@ from .messages import echo
 from .network_panel import network_panel
 from .pad import pad
 from .parameter_panel import parameter_panel
+from .plot_panel import plot
 from .practice_robot import practice_robot, weak_link
 from .rqt_windows import show_rqt_windows
 from .service_panel import service_caller
@@ -52,6 +53,7 @@ __all__ = [
     "network_panel",
     "pad",
     "parameter_panel",
+    "plot",
     "practice_robot",
     "progress",
     "reset",

@@ -19,6 +19,7 @@ PANELS = {
     "log": "log_console()",
     "frames": "frames()",
     "network": "network_panel()",
+    "plot": "plot('/turtle1/pose.x:y')",
 }
 THEME = "(name) => jupyterapp.commands.execute('apputils:change-theme', { theme: name })"
 RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}}
@@ -26,7 +27,7 @@ RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "
 
 @pytest.fixture
 def opened(notebook):
-    made = notebook(LAB, START, *PANELS.values(), width=1366, height=6000)
+    made = notebook(LAB, START, *PANELS.values(), width=1366, height=6400)
     made.run()
     made.page.wait_for_selector(".ck-world[data-messages]")
     return made

@@ -1,0 +1,113 @@
+"""Numbers of topics over time: which fields of a message a path means, and the curves that its messages make."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
+from typing import Any
+
+KEPT = 9000
+"""Points of a curve that are remembered: five minutes at 30 Hz."""
+
+
+def paths(words: Sequence[str]) -> list[str]:
+    """What is to be plotted, one path each.
+
+    >>> paths(["/turtle1/pose/x:y", "/speed/data"])
+    ['/turtle1/pose/x', '/turtle1/pose/y', '/speed/data']
+    >>> paths(["/odom.twist.twist.linear.x:y"])
+    ['/odom.twist.twist.linear.x', '/odom.twist.twist.linear.y']
+    """
+    found = []
+    for word in (one for one in words if one.strip(";")):
+        first, *others = word.strip(";").split(":")
+        before = first[: max(first.rfind("/"), first.rfind(".")) + 1]
+        found += [first, *(f"{before}{one}" for one in others)]
+    return [one if one.startswith("/") else f"/{one}" for one in found]
+
+
+def topic_of(path: str, topics: Iterable[str]) -> str:
+    """The topic that a path begins with, the longest if there are several; '' where there is none.
+
+    >>> topic_of("/odom.twist.twist.linear.x", ["/odom", "/od"])
+    '/odom'
+    """
+    fitting = [one for one in topics if path == one or (path.startswith(one) and path[len(one)] in "/.[")]
+    return max(fitting, key=len, default="")
+
+
+def numbers(value: Any, name: str) -> Iterator[tuple[str, float]]:
+    """The numbers of a message's field; of a message all that it has at the top."""
+    if isinstance(value, (bool, int, float)):
+        yield name, float(value)
+    elif hasattr(value, "get_fields_and_field_types"):
+        for field in value.get_fields_and_field_types():
+            inner = getattr(value, field)
+            if isinstance(inner, (bool, int, float)):
+                yield f"{name}/{field}", float(inner)
+
+
+def part(message: Any, fields: str) -> Any:
+    """A part of a message, such as `pose/x`, `pose.x` or `ranges[3]`; None when it has none such."""
+    found = message
+    for word in filter(None, re.split(r"[/.]", fields)):
+        name, _, index = word.rstrip("]").partition("[")
+        found = getattr(found, name, None) if name else found
+        if index:
+            found = found[int(index)] if found is not None and index.isdigit() and int(index) < len(found) else None
+    return found
+
+
+class Curve:
+    """The values that one path had, and when [s]; the oldest are forgotten."""
+
+    def __init__(self) -> None:
+        self.times: deque[float] = deque(maxlen=KEPT)
+        self.values: deque[float] = deque(maxlen=KEPT)
+        self.total = 0
+        """How many there have been, those that are forgotten included."""
+
+    def add(self, time: float, value: float) -> None:
+        """One more; times never go back but with a clock that does, and then all begins anew."""
+        if self.times and time < self.times[-1]:
+            self.times.clear()
+            self.values.clear()
+        self.times.append(time)
+        self.values.append(value)
+        self.total += 1
+
+    def newer(self, than: int) -> list[tuple[float, float]]:
+        """What has come after the first `than` values, as far as it is remembered."""
+        count = min(self.total - than, len(self.times))
+        begin = len(self.times) - count
+        return list(zip(islice(self.times, begin, None), islice(self.values, begin, None), strict=True))
+
+    def between(self, start: float, end: float) -> tuple[list[float], list[float]]:
+        """Times and values from `start` to `end` [s]."""
+        times, values = list(self.times), list(self.values)
+        window = slice(bisect_left(times, start), bisect_right(times, end))
+        return times[window], values[window]
+
+
+class Curves:
+    """The curves of some paths, by name."""
+
+    def __init__(self, wanted: Sequence[str]) -> None:
+        self.wanted = paths(wanted)
+        self.curves: dict[str, Curve] = {}
+
+    def take(self, path: str, topic: str, message: Any, time: float) -> None:
+        """A message of a topic came: what the path means in it is a point of its curve, or of several."""
+        for name, number in numbers(part(message, path[len(topic) :]), path):
+            self.curves.setdefault(name, Curve()).add(time, number)
+
+    def span(self) -> tuple[float, float]:
+        """From when to when there are values [s]."""
+        ends = [(one.times[0], one.times[-1]) for one in self.curves.values() if one.times]
+        return (min(start for start, _ in ends), max(end for _, end in ends)) if ends else (0.0, 0.0)
+
+
+__all__ = ["KEPT", "Curve", "Curves", "numbers", "part", "paths", "topic_of"]

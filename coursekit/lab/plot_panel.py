@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.cli.ask import full_name
-from coursekit.view.curves import Curves, topic_of
+from coursekit.nodes.rqt.curves import Curves, topic_of
 
 from .errors import BadArgument, NotThere
 from .messages import known_type, listen

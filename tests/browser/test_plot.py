@@ -11,6 +11,7 @@ CELLS = (
     "wait(8)",
 )
 PATIENCE_MS = 60_000
+MANY = "() => Number(document.querySelector('.ck-plot canvas')?.dataset.points) > 900"
 
 
 def test_a_plot_is_live_goes_back_and_is_live_again(notebook, picture):
@@ -18,7 +19,7 @@ def test_a_plot_is_live_goes_back_and_is_live_again(notebook, picture):
     opened.run()
     page = opened.page
     panel = page.locator(".ck-plot")
-    page.wait_for_function("() => Number(document.querySelector('.ck-plot canvas')?.dataset.points) > 900", timeout=PATIENCE_MS)
+    page.wait_for_function(MANY, timeout=PATIENCE_MS)
     panel.scroll_into_view_if_needed()
     picture(page, "plot-live")
     assert "now" in panel.locator(".ck-when").inner_text()

@@ -7,10 +7,10 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 from turtlesim.msg import Pose
 
+from coursekit.nodes.rqt.curves import numbers, part, paths
 from coursekit.nodes.rqt.plot import Plot
 from coursekit.nodes.rqt.windows import windows
 from coursekit.view import highgui
-from coursekit.view.curves import numbers, part, paths
 from coursekit.view.graph_facts import take
 
 

@@ -14,8 +14,8 @@ from rclpy.utilities import remove_ros_args
 
 from coursekit.interfaces import load
 from coursekit.nodes.running import spin_to_the_end
-from coursekit.view.curves import Curves, paths, topic_of
 
+from .curves import Curves, paths, topic_of
 from .rqt import Rqt, name_of_process
 
 SECONDS = 20.0

@@ -14,6 +14,7 @@ import threading
 import time
 import traceback
 from collections.abc import Callable
+from concurrent.futures import thread as pools
 from typing import Any
 
 from coursekit.core.clock import waited_ns
@@ -95,6 +96,7 @@ def start(self: threading.Thread) -> None:
         return
     if process is not None and not self.daemon:
         process.threads.append(self)
+        _end_pool_with(process, self)
     run = _run_of(self, process)
     if session is None:
         self.run = run  # type: ignore[method-assign]
@@ -116,6 +118,19 @@ def start(self: threading.Thread) -> None:
     session.clock.spawn(lane_main, self.name)
 
 
+def _end_pool_with(process: Process, thread: threading.Thread) -> None:
+    """Let a pool do what it was given and end when main has, as Python does at its exit: a session's Python goes on."""
+    if getattr(thread, "_target", None) is not pools._worker:  # type: ignore[attr-defined]
+        return
+    reference = thread._args[0]  # type: ignore[attr-defined]
+
+    def end() -> None:
+        if (pool := reference()) is not None:
+            pool.shutdown(wait=False)
+
+    process.before_join.append(end)
+
+
 class _EndedHandle:
     """What a thread has from Python 3.13 on to ask the system whether it has ended."""
 
@@ -130,10 +145,11 @@ class _EndedHandle:
 
 def _tell_python_of_end(thread: threading.Thread) -> None:
     """Let Python's own `is_alive` and `join` know that a greenlet has ended: ours are taken back with the session."""
-    if hasattr(thread, "_handle"):
-        thread._handle = _EndedHandle()
-    else:
-        thread._is_stopped = True  # type: ignore[attr-defined]
+    for name in ("_os_thread_handle", "_handle"):  # Python 3.14's, and 3.13's
+        if hasattr(thread, name):
+            setattr(thread, name, _EndedHandle())
+            return
+    thread._is_stopped = True  # type: ignore[attr-defined]
 
 
 def join(self: threading.Thread, timeout: float | None = None) -> None:

@@ -7,6 +7,7 @@ import queue
 import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -101,3 +102,19 @@ def test_a_lock_that_one_may_take_twice_says_whether_it_is_taken_as_python_3_14_
     with lock, lock:
         assert lock.locked()
     assert not lock.locked()
+
+
+@pytest.mark.timeout(30)
+@pytest.mark.parametrize("virtual", [True, False], ids=["virtual", "wall"])
+def test_a_pool_that_is_never_shut_down_does_its_work_and_ends_with_its_program(virtual: bool) -> None:
+    """As at the exit of Python; somebody may still refer to it, and its threads wait for more."""
+    kept: list[Any] = []
+
+    def main() -> None:
+        kept.append(ThreadPoolExecutor(1))
+        kept[0].submit(time.sleep, 0.1)
+        kept[0].submit(print, "done")
+
+    with Session(virtual=virtual).use() as session:
+        process = session.start(main, name="pool")
+        assert process.wait(5) == 0 and process.output == "done\n"

@@ -16,7 +16,7 @@ CHAPTERS = ("0", "1", "2", "5", "8")
 """The chapters that a student begins with, and the one with maps."""
 CELL_SECONDS = "600"
 """For one cell: the first one that maps or plans waits for Numba's compiler, which takes minutes in Wine."""
-EVERY_CHAPTER = tuple("0123456789ABCD")
+EVERY_CHAPTER = (*map(str, range(11)), *"ABCD")
 NOT_IN_WINE = ("browser", "windows")
 """They begin outside: with Chromium, or with Wine itself."""
 

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from tests.windows import pieces, results
+from tests.windows import pieces, results, wine
 
 TESTS = """
 import pytest
@@ -48,6 +48,12 @@ def test_every_chapter_and_every_folder_of_tests_is_a_piece():
     wanted = {"chapter 0", "chapter 9", "chapter D", "JupyterLab", "core", "cli, slow", "docstrings", "files"}
     assert wanted <= set(names)
     assert not {"benchmarks", "browser", "fixtures"} & set(names)
+
+
+def test_each_notebook_is_a_chapter_by_its_number_or_letter():
+    files = {path for name in pieces.EVERY_CHAPTER for path in pieces.chapter(name).paths}
+    assert files == {f"notebooks/{one.name}" for one in (wine.ROOT / "notebooks").glob("*.ipynb")}
+    assert [piece.name for piece in pieces.named(["chapter 10", "chapter 1"])] == ["chapter 10", "chapter 1"]
 
 
 def test_a_piece_that_there_is_not_is_told_with_those_that_there_are():

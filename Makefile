@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class conformance docs web notebooks wheel windows clean
+.PHONY: lab test check bench class hub conformance docs web notebooks wheel windows clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) start.py setup
@@ -31,6 +31,12 @@ bench: $(VENV)/.test
 
 class: $(VENV)/.test
 	$(BIN)/python -m tests.grade
+
+hub: $(VENV)/.test
+	$(BIN)/python -m pip install -q --disable-pip-version-check -c requirements.lock -e ".[hub]"
+	npm install --no-fund --no-audit --prefix $(VENV) configurable-http-proxy
+	COURSEKIT_HUB_STUDENTS=$${COURSEKIT_HUB_STUDENTS:-20} COURSEKIT_HUB_CHAPTERS="$${COURSEKIT_HUB_CHAPTERS:-01 08}" \
+		$(BIN)/python -m pytest -rs -s tests/hub
 
 windows: $(VENV)/.test
 	$(BIN)/python -m tests.windows

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import datetime
 import os
 from pathlib import Path
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from coursekit.grade.lateness import Policy
     from coursekit.grade.outcome import Outcome
     from coursekit.grade.roster import Roster
+    from coursekit.grade.workers import Workers
 
 SEAL = "A seal shows what was changed after it was made. It does not prove who made it, or when."
 
@@ -41,6 +43,7 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
     add = grade.add_argument
     add("folder", type=Path, help="a folder with a folder, notebook or zip for each student, or the platform's zip of it")
     add("--jobs", type=int, default=os.cpu_count() or 1, help="submissions at the same time")
+    add("--scheduler", metavar="ADDRESS", help="mark on other computers: where dask's scheduler is (docs/teachers.md)")
     add("--out", type=Path, default=Path("grades.csv"), help="the table (default: grades.csv)")
     add("--allow-root", action="store_true", help="mark as root: only where there is no other user, as in a container")
     add("--unsafe", action="store_true", help="mark without walls: only work that you trust as your own")
@@ -83,9 +86,9 @@ def run_grade(args: argparse.Namespace) -> int:
     from coursekit.grade.reference import GraderBroken
     from coursekit.grade.sandbox import refusal
 
-    if container.is_needed() and (why := container.refusal(args.unsafe)):
+    if not args.scheduler and container.is_needed() and (why := container.refusal(args.unsafe)):
         return container.mark(args, otherwise=why)
-    if why := refusal(allow_root=args.allow_root, unsafe=args.unsafe):
+    if not args.scheduler and (why := refusal(allow_root=args.allow_root, unsafe=args.unsafe)):
         raise SystemExit(why)
     if not args.folder.is_dir() and not (args.folder.suffix.casefold() == ".zip" and args.folder.is_file()):
         raise SystemExit(f"'{args.folder}' is not a folder, nor a zip of one. Give the one with what students handed in.")
@@ -97,9 +100,10 @@ def run_grade(args: argparse.Namespace) -> int:
     if args.platform and args.anonymous:
         raise SystemExit("--for needs the names that --anonymous hides. Mark with --anonymous; hand back without it.")
     try:
-        group = _class(args)
-        bar = Bar()
-        with group.graded(args.jobs, bar, args.again, bar.say) as outcome:
+        bar, workers = Bar(), _workers(args)
+        group = _class(args, workers)
+        jobs = workers.jobs if workers else args.jobs
+        with workers or contextlib.nullcontext(), group.graded(jobs, bar, args.again, bar.say) as outcome:
             if args.review and not outcome.interrupted:
                 _review(group, outcome)
             _tell(group, outcome, args)
@@ -127,7 +131,15 @@ def _review(group: Class, outcome: Outcome) -> None:
     serve(Marks(group, outcome), ready)
 
 
-def _class(args: argparse.Namespace) -> Class:
+def _workers(args: argparse.Namespace) -> Workers | None:
+    if not args.scheduler:
+        return None
+    from coursekit.grade.workers import Workers
+
+    return Workers(args.scheduler, allow_root=args.allow_root, unsafe=args.unsafe)
+
+
+def _class(args: argparse.Namespace, workers: Workers | None) -> Class:
     from coursekit.grade.batch import Class
     from coursekit.grade.roster import Roster
 
@@ -148,6 +160,7 @@ def _class(args: argparse.Namespace) -> Class:
         chapters=chapters,
         anonymous=args.anonymous,
         form=FORMS[args.csv] if args.csv else None,
+        workers=workers,
     )
 
 

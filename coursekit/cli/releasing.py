@@ -24,6 +24,8 @@ def add_release(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     release.add_argument("--variants", type=Path, metavar="NAMES", help=_NAMES)
     how = "put the copies into a zip that Moodle gives to each student (docs/teachers.md)"
     release.add_argument("--for", dest="platform", choices=("moodle",), help=how)
+    through = "a folder that a server's students can read: put the chapters there (docs/hub.md)"
+    release.add_argument("--exchange", type=Path, metavar="FOLDER", help=through)
     release.set_defaults(main=run_release)
     new = commands.add_parser("new", help="begin a chapter of your own: a notebook with an exercise, and its check")
     new.add_argument("name", help="the name of its exercises, such as gripper")
@@ -43,6 +45,8 @@ def run_release(args: argparse.Namespace) -> int:
         raise SystemExit(str(error)) from None
     chosen = chapters_of(known, args.chapters)
     names = args.variants or args.roster
+    if args.exchange and names:
+        raise SystemExit("Through an exchange everybody gets the same: leave --roster and --variants out, or --exchange.")
     variants = variants_of(names, new=True)
     out, moodle = args.out.resolve(), args.platform is not None
     if moodle:
@@ -50,7 +54,9 @@ def run_release(args: argparse.Namespace) -> int:
     personal, wheel = args.variants is not None, args.wheel or WHEEL
     for written in release(chosen, out, variants, personal=personal, wheel=wheel, moodle=moodle, language=args.language):
         print((args.out / written.relative_to(out)).as_posix())
-    if args.wheel is None:
+    if args.exchange:
+        print(_hand_out(args.exchange, out))
+    elif args.wheel is None:
         print("page.html has a gap where students find what to install: say it with --wheel ADDRESS (docs/teachers.md).")
     if variants is not None and names is not None:
         print(variants.roster.told())
@@ -58,6 +64,18 @@ def run_release(args: argparse.Namespace) -> int:
         print("How each student gets their zip: docs/teachers.md, 'A zip for each student'; copies.csv lists the owners.")
     print(MORE)
     return 0
+
+
+def _hand_out(exchange: Path, out: Path) -> str:
+    """Put the release into the exchange; a sentence that says where."""
+    from coursekit.grade.exchange import hand_out
+
+    files = [one for one in out.rglob("*") if one.is_file() and one.suffix in (".ipynb", ".py")]
+    try:
+        place = hand_out(exchange, out.name, files, out)
+    except OSError as error:
+        raise SystemExit(f"'{exchange}' cannot be written ({error.strerror}: '{error.filename}').") from None
+    return f"{place}: students have it when their server starts next."
 
 
 def _expect_numbers(variants: Variants | None) -> None:

@@ -57,16 +57,22 @@ FORWARDED = {
     ),
 }
 """Headers whose names are Humble's: by the header that has what is in them."""
+SHARED = "COURSEKIT_SHARED"
 _CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay.cmake")\n'
 
 
 def runtime_folder(tools: Toolchain) -> Path:
-    """Where the runtime for these tools is, or will be: one for each compiler and each version of what it is made of."""
+    """Where the runtime for these tools is, or will be: one for each compiler and each version of what it is made of.
+
+    On a server it may stand ready for all students in the folder that COURSEKIT_SHARED names.
+    """
     seen = hashlib.sha256(version_of(tools.cxx).encode())
     for path in in_order([*_files(ROOM), UNDERLAY / "interfaces" / "cpp_source.py", *UNDERLAY.glob("share/*/*/*")]):
         if path.suffix in (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py"):
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
-    return cache_folder() / "cpp" / seen.hexdigest()[:16]
+    name = Path("cpp", seen.hexdigest()[:16])
+    shared = Path(os.environ.get(SHARED) or cache_folder())
+    return shared / name if (shared / name).is_dir() else cache_folder() / name
 
 
 def _files(folder: Path) -> list[Path]:

@@ -37,6 +37,7 @@ from .statistics import write_statistics
 from .tables import COMMA, Form, read_table
 from .variants import Variants
 from .verdict import Verdict
+from .workers import Workers
 
 Tell = Callable[[int, int, str], None]
 
@@ -57,6 +58,7 @@ class Class:
         chapters: Sequence[str] = (),
         anonymous: bool = False,
         form: Form | None = None,
+        workers: Workers | None = None,
     ) -> None:
         self.place = place
         self.out = out
@@ -69,6 +71,8 @@ class Class:
         self.sources = _sources(notebooks)
         self.chapters = list(chapters)
         self.limits = Limits()
+        self._marker = workers.mark if workers else mark
+        self._tier = workers.tier if workers else sandbox.tier()
         self.results = Results(self.kept / "results")
         self.form = form or _form_of(out, self.roster)
         self.table = MarksTable(out, self.kept / "results", self.form)
@@ -101,7 +105,8 @@ class Class:
             outcome.told += [*_told_others(others), *_told_bonus(records)]
             try:
                 for name in chapters if any(one.chapters() for one in records) else ():
-                    said = expect_sound(self._reference(name, Path(scratch)), self.results, _announced(mark, name, say))
+                    marker = _announced(self._marker, name, say)
+                    said = expect_sound(self._reference(name, Path(scratch)), self.results, marker)
                     outcome.told += [said] if said else []
                 self._mark(records, jobs, tell)
             except KeyboardInterrupt:
@@ -138,7 +143,7 @@ class Class:
         return found or sorted(self.sources), others
 
     def _record(self, handed: Handed, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
-        made = Record(handed, wanted, tier=sandbox.tier())
+        made = Record(handed, wanted, tier=self._tier)
         for chapter in [one for one in handed.chosen if one not in wanted]:
             handed.concerns.append(f"{chapter} was handed in too; it is not marked here")
         made.late = lateness_of(handed, list(wanted), self.policy)
@@ -158,12 +163,12 @@ class Class:
             for one in records:
                 for chapter in one.chapters():
                     task = self._task(one, chapter)
-                    depends = key_of(task[0].digest(), task[1][chapter], task[2], sandbox.tier(), self.dice)
+                    depends = key_of(task[0].digest(), task[1][chapter], task[2], self._tier, self.dice)
                     kept = self.results.read(one.key, chapter, depends)
                     if kept is not None:
                         one.marks[chapter] = replace(kept, student=one.label)
                     else:
-                        waiting[pool.submit(mark, *task, self.limits, self.dice)] = (one, chapter, depends)
+                        waiting[pool.submit(self._marker, *task, self.limits, self.dice)] = (one, chapter, depends)
             for number, future in enumerate(as_completed(waiting), 1):
                 self._take(future, *waiting[future])
                 self.table.write(self.shown(records))

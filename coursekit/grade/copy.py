@@ -113,9 +113,21 @@ class Course:
             if sentence:
                 said.append(sentence)
         for extra in sorted(path for path in notebooks.glob("*") if path.is_dir() and path.name == "images"):
-            self._copy_pictures(extra)
+            self._copy_beside(extra)
         self._manifest.parent.mkdir(parents=True, exist_ok=True)
         write_whole(self._manifest, json.dumps(given, indent=1, sort_keys=True))
+        return said
+
+    def take(self, released: Path) -> list[str]:
+        """Bring in what a teacher released in a folder; what a student has changed is never written over."""
+        given = self._read_manifest()
+        said = []
+        for source in sorted(released.glob("*.ipynb")):
+            sentence = self._bring(source.name, source.read_text(encoding="utf-8"), given, released=True)
+            said += [sentence] if sentence else []
+        for extra in sorted(path for path in released.iterdir() if path.is_dir()):
+            self._copy_beside(extra)
+        write_whole(self._manifest, json.dumps(given, indent=1, sort_keys=True), parents=True)
         return said
 
     def first(self) -> str:
@@ -126,18 +138,19 @@ class Course:
         """The notebooks of a folder that was never filled with the course."""
         return [] if self._manifest.exists() else sorted(one.name for one in self.folder.glob("*.ipynb"))
 
-    def _bring(self, name: str, text: str, given: dict[str, str]) -> str:
+    def _bring(self, name: str, text: str, given: dict[str, str], *, released: bool = False) -> str:
         target = self.folder / name
         edition = edition_of(text)
-        if target.exists() and _handed_out(target):
+        if target.exists() and _handed_out(target) and not released:
             return ""
         if not target.exists():
             write_whole(target, text)
             given[name] = edition
             return f"{name}: new"
-        if given.get(name) == edition:
+        same, untouched = given.get(name) == edition, edition_of(target.read_text(encoding="utf-8")) == given.get(name)
+        if same and not (released and untouched and not _handed_out(target)):
             return ""
-        if edition_of(target.read_text(encoding="utf-8")) == given.get(name):
+        if untouched:
             write_whole(target, text)
             given[name] = edition
             return f"{name}: updated (you had not changed it)"
@@ -146,12 +159,12 @@ class Course:
         given[name] = edition
         return f"{name}: you have worked on it, so it stays; the new edition is {beside.name}"
 
-    def _copy_pictures(self, source: Path) -> None:
+    def _copy_beside(self, source: Path) -> None:
         target = self.folder / source.name
         target.mkdir(exist_ok=True)
-        for picture in source.iterdir():
-            if not (target / picture.name).exists():
-                (target / picture.name).write_bytes(picture.read_bytes())
+        for file in source.iterdir():
+            if not (target / file.name).exists():
+                (target / file.name).write_bytes(file.read_bytes())
 
     def _read_manifest(self) -> dict[str, str]:
         try:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from .archives import OF_A_CLASS, Archive, Member
+from .exchange import false_owner
 from .harmless import shown
 from .pieces import FILE, SYSTEM, WORKSPACE, ZIPPED, Raw
 from .walking import Walked, walk
@@ -21,7 +22,9 @@ def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tupl
     left = {one.resolve() for one in leave}
     for place in sorted(folder.iterdir()):
         if not place.name.startswith(".") and place.name not in (*SYSTEM, WORKSPACE) and place.absolute() not in left:
-            yield place.name, place.is_file() and is_loose(place.name), map(_of_walked, walk(place))
+            fault = false_owner(place)
+            files = iter([Raw((place.name,), fault=fault)]) if fault else map(_of_walked, walk(place))
+            yield place.name, place.is_file() and is_loose(place.name), files
 
 
 def _of_walked(found: Walked) -> Raw:

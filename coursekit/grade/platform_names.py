@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import calendar
 import re
 import time
 from dataclasses import dataclass
@@ -10,6 +11,9 @@ _MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(?:file|on
 _CANVAS = re.compile(r"(?P<name>[^_]+)(?:_(?P<late>LATE))?_(?P<number>\d+)_(?P<attempt>\d+)_(?P<file>.+)", re.S)
 _BLACKBOARD = re.compile(
     r"(?P<before>.+?)_attempt_(?P<when>\d{4}-\d\d-\d\d-\d\d-\d\d-\d\d)(?:_(?P<file>.+)|\.txt)?", re.S
+)
+_NBGRADER = re.compile(
+    r"(?P<login>[^+]+)\+(?P<release>[^+]+)\+(?P<when>\d{4}-\d\d-\d\d \d\d:\d\d:\d\d)(?:\.\d+)? (?P<zone>\w+)(?:\+.*)?", re.S
 )
 _CLASSROOM = re.compile(r"(?P<name>.+?) - (?P<file>.+)", re.S)
 
@@ -40,9 +44,14 @@ def platform_name(text: str) -> PlatformName | None:
     '101'
     >>> found = platform_name("itoben_LATE_12_13_02_topics.ipynb"); found.name, found.late, found.file
     ('itoben', True, '02_topics.ipynb')
+    >>> platform_name("ben+week2+2026-11-22 23:59:00.000001 UTC+Xy").when
+    1795391940.0
     >>> platform_name("Ann_Lee") is None
     True
     """
+    if found := _NBGRADER.fullmatch(text):
+        name = found["login"].strip()
+        return PlatformName("nbgrader", name, "", (name,), found["release"], _time(found["when"], found["zone"]))
     if found := _MOODLE.fullmatch(text):
         return PlatformName("moodle", found["name"].strip(), found["number"], file=found["file"] or "")
     if found := _BLACKBOARD.fullmatch(text):
@@ -65,8 +74,9 @@ def moodle_folder(name: str, number: str) -> str:
     return f"{name.replace('_', ' ')}_{number}_assignsubmission_file_"
 
 
-def _time(text: str) -> float:
+def _time(text: str, zone: str = "") -> float:
     try:
-        return time.mktime(time.strptime(text, "%Y-%m-%d-%H-%M-%S"))
+        read = time.strptime(text.replace(" ", "-").replace(":", "-"), "%Y-%m-%d-%H-%M-%S")
+        return float(calendar.timegm(read)) if zone == "UTC" else time.mktime(read)
     except (ValueError, OverflowError):
         return 0.0

@@ -18,6 +18,7 @@ from .log_console import log_console
 from .magics import edit, terminal, terminals, workspace, workspace_environment
 from .map_view import map_view
 from .messages import echo
+from .network_panel import network_panel
 from .pad import pad
 from .parameter_panel import parameter_panel
 from .practice_robot import practice_robot, weak_link
@@ -48,6 +49,7 @@ __all__ = [
     "joint_sliders",
     "log_console",
     "map_view",
+    "network_panel",
     "pad",
     "parameter_panel",
     "practice_robot",

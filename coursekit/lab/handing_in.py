@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import getpass
 import html
 import json
 import os
 import re
+import time
 from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
-from coursekit.grade import events
+from coursekit.grade import events, exchange
 from coursekit.grade.bundle import EVENTS, digest_of
+from coursekit.grade.copy import HANDED_OUT
 from coursekit.grade.handing_in import make_bundle, who_and_where
 from coursekit.grade.mark import Marked
 from coursekit.grade.roster import student_word
@@ -84,15 +87,17 @@ def evidence(name: str, *things: Any, by: str = "") -> Evidence | None:
 
 
 class HandedIn:
-    """The file to hand in and the mark of the clean run; shows itself."""
+    """The file to hand in, or that was handed in at a time, and the mark of the clean run; shows itself."""
 
-    def __init__(self, file: Path, marked: Marked) -> None:
+    def __init__(self, file: Path, marked: Marked, at: str = "") -> None:
         self.file = file
         self.marked = marked
+        self.at = at
 
     def _head(self) -> str:
         of = sum(one.of for one in self.marked.verdicts)
-        return f"Hand in: {self.file.name} ({self.marked.total():g} of {of:g} points in a clean run)"
+        points = f"{self.marked.total():g} of {of:g} points in a clean run"
+        return f"Handed in: {self.file.name}, {self.at} ({points})" if self.at else f"Hand in: {self.file.name} ({points})"
 
     def __repr__(self) -> str:
         return "\n".join([self._head(), *self.marked.notes, *(one.text() for one in self.marked.verdicts)])
@@ -105,7 +110,8 @@ class HandedIn:
 def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
     """Run the saved notebook afresh, show its mark, and write the one file that is handed in.
 
-    `notebook` need not be said in JupyterLab. Raises an error when what was run is not what is saved.
+    `notebook` need not be said in JupyterLab. On a server whose teachers collect there, the file is handed in, too.
+    Raises an error when what was run is not what is saved.
     """
     if os.environ.get("COURSEKIT_GRADING"):
         return None  # this is the clean run
@@ -115,7 +121,22 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
         made, marked = make_bundle(file, course_folder(), who, course_folder())
     except ValueError as error:
         raise BadArgument(str(error)) from None
-    return HandedIn(made, marked)
+    return HandedIn(made, marked, _put_into_exchange(file, made))
+
+
+def _put_into_exchange(notebook: Path, made: Path) -> str:
+    """Hand a file in where the server has a folder for that; when, or ''."""
+    folder = os.environ.get(exchange.VARIABLE)
+    if not folder:
+        return ""
+    facts = read_notebook(notebook).get("metadata", {}).get("coursekit", {})
+    name = facts.get(HANDED_OUT) or notebook.stem
+    user = os.environ.get("JUPYTERHUB_USER") or getpass.getuser()
+    try:
+        exchange.hand_in(Path(folder), user, name, [made])
+    except OSError as error:
+        raise NotNow(f"{made.name} was made, but not handed in: '{folder}' cannot be written ({error.strerror}).") from None
+    return time.strftime("%Y-%m-%d %H:%M")
 
 
 def _notebook(given: str | Path) -> Path:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from coursekit.core.topic import Publisher
 from coursekit.interfaces.errors import InterfaceError
@@ -14,36 +15,63 @@ from .traffic import Traffic
 NOT_JOINED = "No network: messages stay in this notebook. Join one: %network ADDRESS (for example %network tcp/robot:7447)."
 
 
+@dataclass(frozen=True)
+class Report:
+    """What a link is and does now."""
+
+    address: str
+    domain_id: int
+    is_up: bool
+    listen_only: bool
+    others: dict[str, list[str]]
+    """The names of nodes, by the session that has them."""
+    heard: list[list[str]]
+    """A row for each publisher: topic, how often, how many, how long on the way, whose it is, type."""
+    sent: list[list[str]]
+    notes: list[str]
+    """What is amiss, and the cure."""
+
+    def head(self) -> str:
+        """Where it is, in one line."""
+        state = "joined" if self.is_up else "THE LINK IS GONE; it is tried again until %network off"
+        return f"Network {self.address}, domain {self.domain_id}: {state}{', you only listen' if self.listen_only else ''}"
+
+    def lines(self) -> Iterator[str]:
+        """All of it."""
+        yield self.head()
+        yield f"Others: {len(self.others) or 'nobody yet'}"
+        yield from (f"  {name}  {', '.join(nodes) or '(no nodes)'}" for name, nodes in self.others.items())
+        for title, rows in (("Heard", self.heard), ("Sent", self.sent)):
+            if rows:
+                yield f"{title}:"
+                yield from (f"  {line}" for line in _aligned(rows))
+        yield from self.notes
+
+
 def report(link: Link | None) -> str:
     """What a link is and does, in lines."""
     if link is None or link.closed:
         return NOT_JOINED
-    return "\n".join([_head(link), *_others(link), *_carried(link), *_unknown(link), *_same_names(link)])
+    return "\n".join(report_of(link).lines())
 
 
-def _head(link: Link) -> str:
-    state = "joined" if link.is_up else "THE LINK IS GONE; it is tried again until %network off"
-    only = ", you only listen" if link.listen_only else ""
-    return f"Network {link.place.address}, domain {link.place.domain_id}: {state}{only}"
-
-
-def _others(link: Link) -> Iterator[str]:
-    sessions = {name: tokens for name, tokens in sorted(link.visitors.sessions.items()) if tokens}
-    yield f"Others: {len(sessions) or 'nobody yet'}"
-    for name, tokens in sessions.items():
-        nodes = sorted({token.full_node_name for token in tokens if not token.node_name.startswith("_")})
-        yield f"  {name[:8]}  {', '.join(nodes) or '(no nodes)'}"
-
-
-def _carried(link: Link) -> Iterator[str]:
+def report_of(link: Link) -> Report:
+    """What a link is and does."""
     now = link.place.graph.clock.now()
-    heard = [(one, one.traffic) for one in link.visitors.publishers if one.traffic.total]
-    sent = [(one.publisher, one.traffic) for one in link.announcer.senders if one.traffic.total]
-    for title, group in (("Heard", heard), ("Sent", sent)):
-        if group:
-            yield f"{title}:"
-            rows = [_row(end, traffic, now, with_delay=title == "Heard") for end, traffic in group]
-            yield from (f"  {line}" for line in _aligned(sorted(rows)))
+    heard = [_row(one, one.traffic, now, with_delay=True) for one in link.visitors.publishers if one.traffic.total]
+    sent = [_row(one.publisher, one.traffic, now, with_delay=False) for one in link.announcer.senders if one.traffic.total]
+    sessions = {name[:8]: tokens for name, tokens in sorted(link.visitors.sessions.items()) if tokens}
+    return Report(
+        link.place.address,
+        link.place.domain_id,
+        link.is_up,
+        link.listen_only,
+        {name: sorted({one.full_node_name for one in tokens if not one.node_name.startswith("_")})
+         for name, tokens in sessions.items()},
+        sorted(heard),
+        sorted(sent),
+        [*_unknown(link), *_same_names(link)],
+    )  # fmt: skip
 
 
 def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> list[str]:
@@ -92,4 +120,4 @@ def _same_names(link: Link) -> Iterator[str]:
 
 
 
-__all__ = ["is_known", "report"]
+__all__ = ["NOT_JOINED", "Report", "is_known", "report", "report_of"]

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.conformance.loopback import alone
 from tests.slam.data import MISSING, folder
 
 HERE = Path(__file__).parent
@@ -126,6 +127,17 @@ def cpp() -> None:
         print(f"| {what} | {one['came']:.0f} | {times} | {one['core']:.0%} | {goal} |")
 
 
+def between_processes() -> None:
+    """Print the rows of two processes: ours over Zenoh, the real rclpy over Fast DDS with nothing but loopback."""
+    ours = json.loads(measure(sys.executable, "two_processes.py", sys.executable, "ours"))
+    there = alone([sys.executable, str(HERE / "two_processes.py"), str(PEER)]) if PEER.exists() else None
+    peer = json.loads(subprocess.run(there, capture_output=True, encoding="utf-8", check=True).stdout) if there else {}
+    head = "from one process to another | coursekit, two kernels on a router | real rclpy | ratio | goal"
+    print(f"\n| {head} |\n|---|---|---|---|---|")
+    row("String", ours["string"], peer.get("string"), "ahead")
+    row("640×480×3 image", ours["image"], peer.get("image"), "ahead")
+
+
 def main() -> None:
     """Measure ours and the real rclpy in turn and print both."""
     ours = json.loads(measure(sys.executable, "latency.py", "3000"))
@@ -137,10 +149,11 @@ def main() -> None:
     row("640×480×3 image, publish → callback", ours["image"], peer.get("image"), "≤ 50 µs")
     speed = float(measure(sys.executable, "virtual_nodes.py"))
     print(f"| twelve nodes at 30 Hz, virtual clock | {speed:.0f} × real time | has none | | ≥ 100 × |")
-    viewed, alone = json.loads(measure(sys.executable, "robot_network.py"))
+    viewed, unseen = json.loads(measure(sys.executable, "robot_network.py"))
     print(f"| four-robot network of chapter 7, virtual clock, with viewer | {viewed:.0f} × real time | | | ≥ 100 × |")
-    print(f"| the same without viewer | {alone:.0f} × real time | | | |")
+    print(f"| the same without viewer | {unseen:.0f} × real time | | | |")
     cpp()
+    between_processes()
     lidar()
     link_poses()
     transforms()

@@ -18,6 +18,7 @@ PANELS = {
     "parameters": "parameter_panel('turtlesim')",
     "log": "log_console()",
     "frames": "frames()",
+    "network": "network_panel()",
 }
 THEME = "(name) => jupyterapp.commands.execute('apputils:change-theme', { theme: name })"
 RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}}

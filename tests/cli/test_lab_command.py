@@ -9,9 +9,9 @@ from coursekit.cli.coursekit import main
 
 BECOMES = """
 import os, sys
-from coursekit.cli.coursekit import _become
+from coursekit.cli.lab import become
 print(os.getpid())
-_become([sys.executable, "-c", "import os; print(os.getpid())"], dict(os.environ))
+become([sys.executable, "-c", "import os; print(os.getpid())"], dict(os.environ))
 """
 
 
@@ -34,7 +34,7 @@ def test_where_the_course_cannot_be_written_it_says_so_in_a_sentence(tmp_path) -
 def opened(monkeypatch):
     """Runs `coursekit lab --folder FOLDER`; the address that JupyterLab would open, and the folder's notebooks."""
     commands: list[list[str]] = []
-    monkeypatch.setattr("coursekit.cli.coursekit._become", lambda command, env: commands.append(command) or 0)
+    monkeypatch.setattr("coursekit.cli.lab.become", lambda command, env: commands.append(command) or 0)
     monkeypatch.setattr("coursekit.cli.compile_ahead.start_in_background", lambda env: None)
 
     def run(folder):

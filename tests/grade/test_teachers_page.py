@@ -41,7 +41,8 @@ def test_every_word_of_a_command_that_it_shows_is_one(capsys):
         with pytest.raises(SystemExit):
             main([command, "--help"])
     known = set(re.findall(r"--[a-z][a-z-]*", capsys.readouterr().out))
-    assert set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", TEXT)) <= known
+    own = "\n".join(line for line in TEXT.splitlines() if not line.startswith("dask "))
+    assert set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", own)) <= known
 
 
 def test_a_table_without_an_ending_is_refused(tmp_path):

@@ -7,7 +7,9 @@ from IPython.core.interactiveshell import InteractiveShell
 from coursekit.core.qos import Qos
 from coursekit.lab.errors import BadArgument
 from coursekit.lab.network import NetworkMagics
+from coursekit.lab.network_panel import network_panel
 from coursekit.lab.pad import pad
+from coursekit.net.report import NOT_JOINED
 from coursekit.processes import current_session
 from coursekit.processes.session import Session
 from coursekit.view.graph import GraphPicture
@@ -64,6 +66,20 @@ def test_a_network_is_joined_shown_and_left(magic, side, session):
     assert "/r1/base (network)" in GraphPicture(session.graph(0)).text()
     assert ">network<" in GraphPicture(session.graph(0)).svg()
     assert magic("off") == "Left the network.\n" and session.graph(0).nodes == []
+
+
+def test_the_panel_shows_the_network_and_leaves_it(magic, side, session):
+    panel = network_panel()
+    assert (panel.shown()["joined"], str(panel)) == (False, NOT_JOINED)
+    robot_of(side)
+    magic(side.address)
+    shown = panel.shown()
+    assert (shown["joined"], shown["up"], shown["address"], shown["domain"]) == (True, True, side.address, 0)
+    assert "/r1/base" in [node for one in shown["others"] for node in one["nodes"]]
+    assert str(panel).startswith(f"Network {side.address}, domain 0: joined")
+    panel.on_leave({})
+    assert not panel.shown()["joined"]
+    panel.close()
 
 
 def test_what_is_wrong_is_said_without_a_traceback(magic):

@@ -12,7 +12,8 @@ from typing import Any
 import pytest
 from jupyter_client.manager import KernelManager
 
-from coursekit.cli.coursekit import lab_environment, main
+from coursekit.cli.coursekit import main
+from coursekit.cli.lab import lab_environment
 from coursekit.cli.terminal_settings import terminal_settings
 from tests.grade.test_attacks import RIGHT, cells
 from tests.paths import workspace

@@ -1,0 +1,31 @@
+"""`coursekit doctor`: what is wrong with the set-up, and what cures it."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable
+
+from .check import Check
+
+
+def run_doctor(args: argparse.Namespace) -> int:
+    """Print every check, and the cure for each fault."""
+    from .checks import run_all
+
+    return tell(run_all())
+
+
+def tell(checks: Iterable[Check]) -> int:
+    """Print checks, with the cure for each fault; 1 where there is one that is more than a warning."""
+    from coursekit.grade.harmless import counted
+
+    faults = 0
+    for check in checks:
+        mark = "✔" if not check.fault else "!" if check.only_warning else "✘"
+        print(f"{mark} {check.name:<11} {check.fault or check.finding}")
+        if check.fault:
+            print(f"  → {check.cure}")
+            faults += not check.only_warning
+    cure = "follow the lines with arrows, then run this again."
+    print(f"{counted(faults, 'fault')}: {cure}" if faults else "All is well.")
+    return 1 if faults else 0

@@ -1,0 +1,114 @@
+"""`coursekit hub-check`: is this server ready for a class, and how many students does it carry?"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.metadata
+import importlib.util
+import os
+import shutil
+import stat
+from collections.abc import Callable
+from pathlib import Path
+
+from coursekit.cpp.runtime import SHARED, runtime_folder
+from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+
+from .check import Check
+
+KEPT_FREE = 0.2
+"""The share of the memory that the system and the hub itself need."""
+HOME_MB = 300
+"""What a student's home grows to in the course: builds, bags, maps."""
+
+
+def hub_package() -> Check:
+    """What a student's server is: it has to be in the same environment as the course."""
+    if importlib.util.find_spec("jupyterhub") is None:
+        cure = 'Run, with the same Python: pip install "coursekit[hub]"'
+        return Check("jupyterhub", "missing", "jupyterhub is not installed beside coursekit", cure)
+    found = importlib.metadata.version("jupyterhub")
+    return Check("jupyterhub", f"{found} (the hub itself has to have the same first number)")
+
+
+def compiled_ahead() -> Check:
+    """What `coursekit hub-prepare` has made."""
+    folder = os.environ.get(SHARED)
+    if not folder:
+        fault = "nothing is compiled ahead: each student's first map and first C++ build take a minute of one core more"
+        cure = f"Run: sudo coursekit hub-prepare /srv/coursekit; then {SHARED}=/srv/coursekit coursekit hub-check"
+        return Check("compiled", "nothing", fault, cure, only_warning=True)
+    missing = [name for name, there in _parts(Path(folder)).items() if not there]
+    if not missing:
+        return Check("compiled", f"SLAM, the simulator and C++, in {folder}")
+    cure = f"Run again: sudo coursekit hub-prepare {folder}"
+    return Check("compiled", folder, f"not compiled for this version: {', '.join(missing)}", cure, only_warning=True)
+
+
+def _parts(folder: Path) -> dict[str, bool]:
+    there = {"SLAM": any((folder / "numba").glob("*/*.nbi"))}
+    try:
+        there["C++"] = runtime_folder(find_toolchain()).is_relative_to(folder)
+    except NoToolchain:
+        pass  # then nobody writes C++ here
+    return there
+
+
+def exchange_folder() -> Check:
+    """Through which teachers and students give each other files."""
+    from coursekit.grade.exchange import INBOUND, OUTBOUND, VARIABLE
+
+    told = os.environ.get(VARIABLE)
+    if not told:
+        return Check("exchange", "none: students download what they hand in (docs/hub.md says how to have one)")
+    folder = Path(told)
+    wrong = [name for name in (OUTBOUND, INBOUND) if not (folder / name).is_dir()]
+    if wrong:
+        cure = f"Hand something out: coursekit release 00 --exchange {told}"
+        return Check("exchange", told, f"it has no folder {' and no '.join(wrong)}", cure, only_warning=True)
+    mode = (folder / INBOUND).stat().st_mode
+    if mode & stat.S_IROTH or not mode & stat.S_IWOTH:
+        what = "see what others handed in" if mode & stat.S_IROTH else "hand nothing in"
+        return Check("exchange", told, f"students can {what}", f"Run: chmod 2733 {folder / INBOUND}")
+    return Check("exchange", told)
+
+
+def homes() -> Check:
+    """Room for students' homes, where this user's is."""
+    free = shutil.disk_usage(Path.home()).free / 1e6
+    return Check("homes", f"{free / 1000:.0f} GB free: {free / HOME_MB:.0f} students of {HOME_MB} MB each")
+
+
+CHECKS: tuple[Callable[[], Check], ...] = (hub_package, compiled_ahead, exchange_folder, homes)
+
+
+def load(students: int) -> list[Check]:
+    """What one student costs, measured; with a number of students, whether they fit."""
+    import psutil
+
+    from .hub_load import MB, NotMeasured, measure
+
+    try:
+        found = measure()
+    except NotMeasured as error:
+        return [Check("load", "not measured", str(error), "Run: coursekit doctor")]
+    memory = psutil.virtual_memory().total / MB
+    fit = int(memory * (1 - KEPT_FREE) / found.student_mb())
+    parts = f"{found.server_mb:.0f} server, {found.kernel_mb:.0f} to {found.busy_mb:.0f} kernel"
+    told = f"{found.student_mb():.0f} MB a student with a simulation ({parts}): {fit} fit into {memory / 1024:.0f} GB"
+    need = found.student_mb() * students / (1 - KEPT_FREE) / 1024
+    fault = f"{students} students need {need:.0f} GB" if students > fit else ""
+    carried = (os.cpu_count() or 1) / max(found.cores, 0.01)
+    cores = f"{found.cores:.2f} of a core a student with a simulation: {os.cpu_count()} carry {carried:.0f} at full speed"
+    return [
+        Check("start", f"server {found.server_s:.1f} s, kernel {found.kernel_s:.1f} s"),
+        Check("memory", told, fault, "Take a larger server, or let students come in two groups."),
+        Check("processor", f"{cores}; with more, simulated time passes more slowly, and all is as right"),
+    ]
+
+
+def run(args: argparse.Namespace) -> int:
+    """Print each check, and the cure for each fault; 1 where there are faults."""
+    from .doctor import tell
+
+    return tell([*(check() for check in CHECKS), *load(args.students)])

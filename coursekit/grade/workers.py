@@ -1,0 +1,164 @@
+"""Marking on several computers: dask.distributed hands each submission to a worker, which marks it in a sandbox as here.
+
+Only texts travel: the notebooks that were handed in and the course's own there, the mark back. Who can reach the scheduler
+can run programs on the workers: let it listen to this computer only, or use TLS (docs/teachers.md).
+"""
+
+from __future__ import annotations
+
+import atexit
+import base64
+import dataclasses
+import functools
+import getpass
+import json
+import shutil
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from coursekit.systems import rights
+
+from . import sandbox
+from .exercise import Exercise, exercises_in
+from .mark import Marked, mark
+from .own_checks import own_files, read_checks
+from .results import coursekit_version, judges_digest
+from .sandbox import Limits
+from .submissions import Submission
+
+CONNECT_S = 20
+"""How long a scheduler may take to answer."""
+RETRIES = 3
+"""How often a submission is tried whose worker has died: one of them may have taken the worker with it."""
+
+
+class NoWorkers(ValueError):
+    """Why nothing can be marked there, in words for the teacher."""
+
+
+class Workers:
+    """The workers of a scheduler at an address such as `tcp://127.0.0.1:8786`; a context that ends what they still do.
+
+    Raises:
+        NoWorkers: when there is none, or one of them would not give the marks that this computer gives.
+    """
+
+    def __init__(self, address: str, *, allow_root: bool = False, unsafe: bool = False) -> None:
+        try:
+            from distributed import Client
+        except ImportError:
+            raise NoWorkers('--scheduler needs dask: pip install "coursekit[scheduler]"') from None
+        try:
+            self._client = Client(address, timeout=CONNECT_S, name=f"coursekit-{getpass.getuser()}")
+        except (OSError, ValueError) as error:
+            cure = "Start one: dask scheduler --host 127.0.0.1"
+            raise NoWorkers(f"No scheduler answers at {address} ({error}). {cure}") from None
+        try:
+            found = self._client.run(facts)
+            self.tier = expect_alike(found, address, allow_root=allow_root, unsafe=unsafe)
+            self.jobs = sum(self._client.nthreads().values())
+        except NoWorkers:
+            self._client.close()
+            raise
+
+    def __enter__(self) -> Workers:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._client.close()
+
+    def mark(
+        self,
+        submission: Submission,
+        sources: Mapping[str, dict[str, Any]],
+        exercises: Mapping[str, Exercise],
+        limits: Limits,
+        secret: bytes = b"",
+    ) -> Marked:
+        """As `mark.mark`, by whichever worker is free; another one does it again when that one dies."""
+        task = json.dumps(packed(submission, sources, exercises, limits, secret))
+        future = self._client.submit(mark_packed, task, pure=False, retries=RETRIES)
+        return Marked.of_json(json.loads(future.result()))
+
+
+def facts() -> dict[str, Any]:
+    """What a worker's marks depend on, beside what it is sent."""
+    return {"judges": judges_digest(), "version": coursekit_version(), "tier": sandbox.tier(), "root": rights.is_root()}
+
+
+def packed(
+    submission: Submission,
+    sources: Mapping[str, dict[str, Any]],
+    exercises: Mapping[str, Exercise],
+    limits: Limits,
+    secret: bytes,
+) -> dict[str, Any]:
+    """A submission, and all that marking it needs, as plain values."""
+    return {
+        "submission": submission.as_json(),
+        "chosen": {name: _text(file) for name, file in submission.chosen.items()},
+        "bundles": [_text(file) for file in submission.bundle_files],
+        "sources": dict(sources),
+        "checks": {file.name: file.read_text(encoding="utf-8") for file in own_files(exercises.values())},
+        "limits": dataclasses.asdict(limits),
+        "secret": secret.hex(),
+    }
+
+
+def mark_packed(task: str) -> str:
+    """On the worker: unpack a submission into a folder that is removed again, mark it, and give the mark as text."""
+    said = json.loads(task)
+    with tempfile.TemporaryDirectory(prefix="coursekit-") as name:
+        folder = Path(name)
+        given = enumerate(said["chosen"].items())
+        chosen = {chapter: _file(folder / str(at) / chapter, data) for at, (chapter, data) in given}
+        bundles = [_file(folder / f"bundle{at}.zip", data) for at, data in enumerate(said["bundles"])]
+        submission = dataclasses.replace(
+            Submission.of_json(said["submission"]), place=folder, chosen=chosen, bundle_files=bundles
+        )
+        read_checks(_folder_of_checks(tuple(said["checks"].items())))
+        sources, limits, secret = said["sources"], Limits(**said["limits"]), bytes.fromhex(said["secret"])
+        return json.dumps(mark(submission, sources, exercises_in(*sources.values()), limits, secret).as_json())
+
+
+@functools.cache
+def _folder_of_checks(checks: tuple[tuple[str, str], ...]) -> Path:
+    """A teacher's own checks as files, one folder for as long as the worker lives: what they register is used again."""
+    folder = Path(tempfile.mkdtemp(prefix="coursekit-checks-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    for name, text in checks:
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+def expect_alike(found: Mapping[str, dict[str, Any]], address: str, *, allow_root: bool, unsafe: bool) -> str:
+    """The sandbox of all workers; NoWorkers where there is none, or they are not as this computer."""
+    if not found:
+        raise NoWorkers(f"The scheduler at {address} has no workers yet. Start some: dask worker {address} --nthreads 1")
+    own = facts()
+    for worker, said in found.items():
+        if (said["judges"], said["version"]) != (own["judges"], own["version"]):
+            raise NoWorkers(f"The worker {worker} has another coursekit ({said['version']}): install the same one there.")
+        if said["tier"] != "bubblewrap" and not unsafe:
+            raise NoWorkers(f"The worker {worker} has no sandbox: apt install bubblewrap there. (--unsafe marks without.)")
+        if said["root"] and not allow_root:
+            raise NoWorkers(f"The worker {worker} runs as root: start it as another user. (In a container: --allow-root.)")
+    tiers = sorted({str(said["tier"]) for said in found.values()})
+    if len(tiers) > 1:
+        raise NoWorkers(f"The workers have different sandboxes ({', '.join(tiers)}): their marks would not be comparable.")
+    return tiers[0]
+
+
+def _text(file: Path) -> str:
+    return base64.b64encode(file.read_bytes()).decode("ascii")
+
+
+def _file(place: Path, data: str) -> Path:
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_bytes(base64.b64decode(data))
+    return place
+
+
+__all__ = ["NoWorkers", "Workers", "expect_alike", "facts", "mark_packed", "packed"]

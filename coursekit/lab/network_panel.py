@@ -1,0 +1,88 @@
+"""The network that this notebook has joined: who is there, what is heard and sent, how often and how long it takes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from coursekit.cli.attach import domain_id
+
+from .panel import Panel, static
+
+if TYPE_CHECKING:
+    from coursekit.net.report import Report
+
+LOOK_AGAIN_S = 1.0
+"""Rates fall to nothing when others fall silent: somebody has to look."""
+HOW_TO_JOIN = "%network ADDRESS"
+
+
+class NetworkPanel(Panel):
+    """See `network_panel`."""
+
+    _esm = static("network.js")
+    _css = static("network.css")
+
+    def __init__(self) -> None:
+        super().__init__("network_panel")
+        self._follow_up: Any = None
+        self.hidden.graph.watch(self.changed)
+
+    def _report(self) -> Report | None:
+        from coursekit.net.joining import link_of
+        from coursekit.net.report import report_of
+
+        link = link_of(self.session, domain_id())
+        return None if link is None or link.closed else report_of(link)
+
+    # -- what is shown
+
+    def shown(self) -> dict[str, Any]:
+        """The state, and the rows of the tables."""
+        self._follow_up = self.session.clock.call_at(
+            self.session.clock.steady() + round(LOOK_AGAIN_S * 1e9), self.changed
+        )
+        found = self._report()
+        if found is None:
+            return {"joined": False, "how": HOW_TO_JOIN}
+        return {
+            "joined": True,
+            "address": found.address,
+            "domain": found.domain_id,
+            "up": found.is_up,
+            "listenOnly": found.listen_only,
+            "others": [{"name": name, "nodes": nodes} for name, nodes in found.others.items()],
+            "heard": found.heard,
+            "sent": found.sent,
+            "notes": found.notes,
+        }
+
+    def text(self) -> str:
+        """The lines of `%network`."""
+        from coursekit.net.report import NOT_JOINED
+
+        found = self._report()
+        return NOT_JOINED if found is None else "\n".join(found.lines())
+
+    def on_leave(self, _message: dict[str, Any]) -> None:
+        """The button was pressed."""
+        from coursekit.net.joining import leave
+
+        leave(self.session, domain_id())
+        self.changed()
+
+    def leave(self) -> None:
+        """Look no more."""
+        self.hidden.graph.unwatch(self.changed)
+        if self._follow_up is not None:
+            self._follow_up.cancel()
+
+
+def network_panel() -> NetworkPanel:
+    """The network that `%network ADDRESS` has joined, live: who is there, what is heard and sent; and a button to leave it.
+
+    In ROS 2: `ros2 node list`, `ros2 topic hz` and `ros2 topic delay`.
+    """
+    return NetworkPanel()
+
+
+__all__ = ["NetworkPanel", "network_panel"]

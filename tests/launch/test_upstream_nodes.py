@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import io
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -110,6 +112,11 @@ def test_a_launch_on_a_loop_of_ones_own_ends_by_a_task_of_its_shutdown() -> None
     loop.run_until_complete(asyncio.sleep(0.01))
     loop.create_task(service.shutdown())
     assert loop.run_until_complete(task) == 0
+
+
+def test_who_has_imported_launch_reaches_the_loop_through_osrf_pycommon_alone() -> None:
+    program = "import launch, osrf_pycommon; osrf_pycommon.process_utils.get_loop().close()"
+    subprocess.run([sys.executable, "-c", program], check=True, timeout=60)
 
 
 @pytest.mark.parametrize("package", ["launch", "launch_ros", "launch_xml", "launch_yaml", "rclpy"])

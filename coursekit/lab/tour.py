@@ -25,6 +25,8 @@ PATIENCE_SECONDS = 6.0
 """Without coming nearer for so long, something is in the way."""
 TURNING_SECONDS = 60.0
 """Nor does anybody turn for so long."""
+SLAM_SECONDS = 30.0
+"""So long SLAM is given for its first scan."""
 TURN = 1.5
 """The fastest turn [rad/s]."""
 _BELIEFS = {"odometry": "odom", "SLAM": "map"}
@@ -112,6 +114,7 @@ def drive_along(
         buffer = Buffer()
         listener = TransformListener(buffer, hidden.node)
         current().clock.sleep(BEAT_SECONDS)
+        _wait_for_slam(hidden, buffer, base)
         places = list(points)
         with Working("Driving") as bar:
             for number, (x, y) in enumerate(places):
@@ -126,6 +129,16 @@ def drive_along(
         driver.leave()
         hidden.close()
     return tour
+
+
+def _wait_for_slam(hidden: HiddenNode, buffer: Any, base: str) -> None:
+    """Where somebody makes a map, drive when it has its first scan: on a busy computer that takes a while."""
+    clock = current().clock
+    give_up = clock.steady() + round(SLAM_SECONDS * 1e9)
+    while hidden.node.count_publishers("/map") and math.isnan(_belief(buffer, _BELIEFS["SLAM"], base)[0]):
+        if clock.steady() > give_up:
+            return
+        clock.sleep(BEAT_SECONDS)
 
 
 def _go(tour: Tour, driver: Driver, buffer: Any, x: float, y: float) -> None:

@@ -5,8 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import OccupancyGrid
+from tf2_ros import StaticTransformBroadcaster
 
 from coursekit.cli.parser import run as run_cli
+from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.map_view import map_view
 from coursekit.lab.tour import drive_along
 from coursekit.nav.map_file import GridMap, save_map
@@ -49,6 +53,21 @@ def test_a_tour_reaches_its_points_and_knows_who_was_how_wrong(session, cart):
     shown = map_view(truth=True, tour=tour)
     assert shown.comparison is not None and shown.comparison.false < 0.05 and shown.comparison.iou > 0.6
     assert "free" in repr(shown) and shown.png().startswith(b"\x89PNG")
+
+
+def test_it_waits_for_the_first_scan_of_who_makes_a_map(session):
+    start(session, "gazebo_ros", "gzserver", "robot_world")
+    start(session, "robot_state_publisher", "robot_state_publisher", str(CART), "--ros-args", "-p", "use_sim_time:=true")
+    start(session, "gazebo_ros", "spawn_entity.py", "-entity", "cart", "-file", str(CART), "-x", "0.5").wait(20.0)
+    hidden = HiddenNode("slow_slam")
+    hidden.node.create_publisher(OccupancyGrid, "/map", 1)
+    broadcaster = StaticTransformBroadcaster(hidden.node)
+    found = TransformStamped(child_frame_id="odom")
+    found.header.frame_id, found.transform.rotation.w = "map", 1.0
+    hidden.node.create_timer(4.0, lambda: broadcaster.sendTransform(found))
+    tour = drive_along([(2.2, 0.3)], speed=0.5)
+    assert not np.isnan(tour.errors("SLAM")).any()
+    hidden.close()
 
 
 def test_a_wall_in_the_way_is_told(session, cart):

@@ -27,6 +27,7 @@ def test_messages_are_put_together_by_equal_and_by_close_stamps(start):
         "30+31 ",  # 40 and 41 wait: what comes next could be closer
         "121+120 203+200 ",
         "|100+101 ",
+        "110+106 120+125 146+150 |20+23 ",  # 110 and 106 first: 114 came later
         *("equal 100 100", "close 100 100", "close 200 205", "equal 300 300", "close 300 300", "equal 400 400"),
         "close 400 400",
         "300400231200400",

@@ -24,6 +24,9 @@ struct PolicyBase
   template<class ... A>
   using SignalOf = Signal<A...>;
 
+  PolicyBase() = default;
+  PolicyBase(const PolicyBase &) {}  // a copy of a policy calls nobody: each synchronizer has callbacks of its own
+
   void signal(const std::vector<Stamped> & set) {signal(set, std::index_sequence_for<M...>());}
   Connection add_callback(Callback callback) {return signal_.add(std::move(callback));}
 

@@ -5,6 +5,7 @@
 #include "message_filters/cache.h"
 #include "message_filters/pass_through.h"
 #include "message_filters/subscriber.h"
+#include "message_filters/sync_policies/approximate_epsilon_time.h"
 #include "message_filters/sync_policies/approximate_time.h"
 #include "message_filters/synchronizer.h"
 #include "message_filters/time_synchronizer.h"
@@ -13,6 +14,7 @@
 #include "sensor_msgs/msg/range.hpp"
 using sensor_msgs::msg::Imu;
 using sensor_msgs::msg::Range;
+using Within = message_filters::sync_policies::ApproximateEpsilonTime<Imu, Range>;
 using Close = message_filters::sync_policies::ApproximateTime<Imu, Range>;
 
 template<class M>
@@ -26,10 +28,11 @@ template<class M>
 int64_t ms(const M & message) {return rclcpp::Time(message->header.stamp).nanoseconds() / 1000000;}
 
 /// Which pairs an approximate synchronizer finds in "i10 r12 ...": the stamps as they come.
-std::string pairs(const std::string & came, Close policy)
+template<class Policy>
+std::string pairs(const std::string & came, Policy policy)
 {
   std::ostringstream found;
-  message_filters::Synchronizer<Close> sync(policy);
+  message_filters::Synchronizer<Policy> sync(policy);
   sync.registerCallback(
     [&](const Imu::ConstSharedPtr & imu, const Range::ConstSharedPtr & range) {
       found << ms(imu) << "+" << ms(range) << " ";
@@ -38,9 +41,9 @@ std::string pairs(const std::string & came, Close policy)
   for (std::string word; words >> word; ) {
     int stamp = std::stoi(word.substr(1));
     if (word[0] == 'i') {
-      sync.add<0>(at<Imu>(stamp));
+      sync.template add<0>(at<Imu>(stamp));
     } else {
-      sync.add<1>(at<Range>(stamp));
+      sync.template add<1>(at<Range>(stamp));
     }
   }
   return found.str();
@@ -86,6 +89,9 @@ int main(int argc, char ** argv)
   spaced.setInterMessageLowerBound(0, rclcpp::Duration::from_seconds(0.09));
   spaced.setInterMessageLowerBound(1, rclcpp::Duration::from_seconds(0.09));
   std::cout << pairs("i100 r101", Close(10)) << "|" << pairs("i100 r101", spaced) << std::endl;
+  Within within(3, rclcpp::Duration::from_seconds(0.005));
+  std::cout << pairs("i100 r106 i110 r114 i120 r125 i131 r140 r150 i146", within) << "|" <<
+    pairs("i1 i20 i40 i60 r23", within) << std::endl;
 
   auto node = std::make_shared<Fusion>();
   auto imu = node->create_publisher<Imu>("imu", 10);

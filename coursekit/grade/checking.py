@@ -17,7 +17,7 @@ from .outputs import DIED, exception_in
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
-from .verdict import CheckFailed, Verdict, Wrong
+from .verdict import NO_HINT, CheckFailed, Verdict, Wrong
 from .work import Work
 
 
@@ -86,7 +86,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
 
 def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
     """From the second try on the hint that fits the fault; where the judge cannot tell, with each try the next one."""
-    if not hints or tries < 2:
+    if not hints or tries < 2 or wrong.hint == NO_HINT:
         return ""
     return hints[min(tries - 2 if wrong.hint is None else wrong.hint, len(hints) - 1)]
 

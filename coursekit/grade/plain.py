@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 from .interruptions import Gone, TimeOver
 from .own_checks import is_own
-from .verdict import Wrong
+from .verdict import NO_HINT, Wrong
 from .wire import Described
 
 T = TypeVar("T")
@@ -83,7 +83,7 @@ def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
 def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> float:
     """The value as a float; Wrong, which says what was `expected`, when it is no plain finite number."""
     if not is_number(value):
-        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share)
+        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share, hint=NO_HINT)
     return float(value)
 
 
@@ -100,7 +100,7 @@ def _why_no_number(value: Any) -> str:
 def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> int:
     """The value as an int; Wrong when it is none: a bool and 2.0 are none."""
     if not is_number(value) or type(value) is float or float(value) != int(value):
-        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share)
+        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share, hint=NO_HINT)
     return int(value)
 
 
@@ -109,7 +109,7 @@ def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[flo
     array = _array(value)
     parts = items(value, expected, cause) if array is None else array.ravel().tolist()
     if len(parts) != count:
-        raise Wrong(expected, gave=shown(value), cause=cause)
+        raise Wrong(expected, gave=shown(value), cause=cause, hint=NO_HINT)
     return tuple(number(one, expected, cause) for one in parts)
 
 
@@ -119,7 +119,7 @@ def items(value: Any, expected: str, cause: str = "") -> list[Any]:
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
         return list(array.tolist())
-    raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value))
+    raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), hint=NO_HINT)
 
 
 def _array(value: Any) -> Any:
@@ -133,14 +133,14 @@ def _array(value: Any) -> Any:
 def text(value: Any, expected: str, cause: str = "") -> str:
     """The value as a str; Wrong when it is none."""
     if type(value) is not str:
-        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value))
+        raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), hint=NO_HINT)
     return value
 
 
 def texts(value: Any, expected: str, cause: str = "") -> list[str]:
     """The texts in a list or a tuple; Wrong when there is something else."""
     if type(value) not in (list, tuple):
-        raise Wrong(expected, gave=shown(value), cause=cause)
+        raise Wrong(expected, gave=shown(value), cause=cause, hint=NO_HINT)
     return [text(one, expected, cause) for one in value]
 
 

@@ -10,6 +10,10 @@ _OURS = ("expected", "likely cause", "hint")
 """The rows that are a check's own words; the others are the student's, and shown as they are."""
 
 
+NO_HINT = -1
+"""Of an answer whose form is wrong, such as a text for a number: what was expected says it, and no hint is about that."""
+
+
 class CheckFailed(Exception):
     """Ends a check cell that is not solved yet; the verdict above it says why."""
 
@@ -42,7 +46,7 @@ class Wrong(Exception):
         self.gave = gave
         """The student's own answer: the value of a variable, what a function returned."""
         self.hint = hint
-        """Which of the exercise's hints fits this fault, from 0; None where that cannot be told."""
+        """Which of the exercise's hints fits this fault, from 0; NO_HINT if none does; None where that cannot be told."""
         self.timed_out = timed_out
         """Whether a program or function was ended because its time was over."""
 

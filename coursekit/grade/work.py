@@ -14,7 +14,7 @@ from coursekit.systems.words import split_words
 
 from . import reading
 from .trial import Plan, Seen, TrialFailed, try_out
-from .verdict import Wrong
+from .verdict import NO_HINT, Wrong
 
 if TYPE_CHECKING:
     from coursekit.interfaces.model import Message
@@ -65,7 +65,7 @@ class Work:
             raise Wrong(f"a variable named `{name}`", NOTHING, "Was the cell above run, and is the name right?")
         found = self.variables[name]
         if type(found) is not kind:
-            raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(found).__name__)}: {found!r:.80}")
+            raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(found).__name__)}: {found!r:.80}", hint=NO_HINT)
         return found
 
     def function(self, name: str) -> Any:
@@ -75,7 +75,8 @@ class Work:
             cause = "Was the cell above run?"
             if name not in self.variables:
                 raise Wrong(f"a function named `{name}`", NOTHING, cause)
-            raise Wrong(f"a function named `{name}`", cause=cause, gave=f"{_a(type(found).__name__)}: {found!r:.80}")
+            gave = f"{_a(type(found).__name__)}: {found!r:.80}"
+            raise Wrong(f"a function named `{name}`", cause=cause, gave=gave, hint=NO_HINT)
         return found
 
     # -- the workspace
@@ -155,7 +156,7 @@ def _words(command: str) -> list[str]:
     try:
         return split_words(command)
     except ValueError:
-        raise Wrong("a command line whose quotes come in pairs", command[:120]) from None
+        raise Wrong("a command line whose quotes come in pairs", command[:120], hint=NO_HINT) from None
 
 
 def _a(noun: str) -> str:

@@ -171,3 +171,26 @@ def test_a_lone_tilde_that_is_the_node_earns_all():
 def test_what_else_is_wrong_comes_before_the_lone_tilde():
     verdict = named("return name")
     assert verdict.points == 0 and "~" not in verdict.expected, verdict.text()
+
+
+@pytest.mark.parametrize(
+    ("name", "variable", "answer"),
+    [
+        ("ch00.q2", "presses", [("forward", 1.0)]),
+        ("ch00.q2", "presses", [("up", "1.0")]),
+        ("ch01.q1", "rosout_publishers", "2"),
+        ("ch01.q2", "moves", [(1, 2)]),
+        ("ch01.q4", "dance", [1, 2]),
+        ("ch01.q4", "dance", [(1.0, 2.0, 90.0)]),
+    ],
+)
+def test_an_answer_of_the_wrong_form_gets_no_hint_about_something_else(name, variable, answer):
+    variables = {"presses": [], "rosout_publishers": 2, "rosout_type": "a/msg/B", "moves": [], "dance": []} | {variable: answer}
+    said = judge_work(find(name), Work(variables, None), 4)
+    assert said.expected and said.gave
+    assert said.hint == ""
+
+
+def test_of_many_times_those_are_shown_that_are_wrong():
+    said = judge_work(find("ch01.q4"), Work({"dance": [(at, 2, 1) for at in range(23)]}, None))
+    assert (said.expected, said.gave) == ("times from 0 to 20 seconds", "[21.0, 22.0]")

@@ -9,7 +9,7 @@ from typing import Any
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import way_of
 from coursekit.grade.plain import is_number, shown
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 TURTLESIM = "run turtlesim turtlesim_node"
@@ -46,11 +46,11 @@ def keys(work: Work) -> None:
         plan += [(now + seconds * step / steps, CMD_VEL, TWIST, command) for step in range(steps)]
         now += seconds
     if now > 120:
-        raise Wrong("presses of two minutes at most in all", gave=f"{now:.0f} s")
+        raise Wrong("presses of two minutes at most in all", gave=f"{now:.0f} s", hint=NO_HINT)
     plan.append((now, CMD_VEL, TWIST, {}))
     seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
     if any("hit the wall" in one for one in seen.beside):
-        raise Wrong("no wall on the way", "it hit one", "Press for a shorter time.", share=0.25)
+        raise Wrong("no wall on the way", "it hit one", "Press for a shorter time.", share=0.25, hint=NO_HINT)
     places = way_of(seen, POSE)
     driven = sum(math.dist(one[:2], other[:2]) for one, other in pairwise(places))
     if not driven >= 3:
@@ -63,10 +63,10 @@ def keys(work: Work) -> None:
 def _press(press: Any) -> tuple[tuple[float, float], float]:
     """How fast forward and how fast to turn while these keys are pressed, and for how long."""
     if type(press) not in (tuple, list) or len(press) != 2 or type(press[0]) is not str:
-        raise Wrong('a list of (keys, seconds), such as ("up", 1.0)', gave=shown(press))
+        raise Wrong('a list of (keys, seconds), such as ("up", 1.0)', gave=shown(press), hint=NO_HINT)
     names = press[0].split("+")
     if any(name not in KEYS for name in names) or not is_number(press[1]) or not 0 < press[1] <= 20:
-        raise Wrong(f"keys out of {', '.join(KEYS)} and 0 to 20 seconds", gave=shown(press))
+        raise Wrong(f"keys out of {', '.join(KEYS)} and 0 to 20 seconds", gave=shown(press), hint=NO_HINT)
     forward, turn = (sum(KEYS[name][part] for name in set(names)) for part in (0, 1))
     return (forward, turn), float(press[1])
 

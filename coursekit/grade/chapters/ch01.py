@@ -9,7 +9,7 @@ from typing import Any
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import course_said, exit_code, last_words, said, way_of
 from coursekit.grade.plain import close, numbers, shown, texts
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 TURTLESIM = "run turtlesim turtlesim_node"
@@ -58,7 +58,8 @@ def corner(work: Work) -> None:
     for forward, turn, seconds in _triples(work, "moves"):
         _expect_radians(turn)
         if not 0 < seconds <= 30 or now > 120:
-            raise Wrong("moves of more than 0 and at most 30 seconds, of two minutes in all", gave=f"{seconds:g} s")
+            wanted = "moves of more than 0 and at most 30 seconds, of two minutes in all"
+            raise Wrong(wanted, gave=f"{seconds:g} s", hint=NO_HINT)
         steps = max(1, math.ceil(seconds / 0.5))
         plan += [(now + seconds * step / steps, CMD_VEL, TWIST, _twist(forward, turn)) for step in range(steps)]
         now += seconds
@@ -85,7 +86,7 @@ def stage(work: Work) -> None:
     name, where = work.variant("turtle", "bob"), (work.variant("x", 2.5), work.variant("y", 3.5))
     commands = texts(work.value("commands", list), "a list of texts in `commands`")
     if any(one.split()[:1] == ["ros2"] for one in commands):
-        raise Wrong("command lines without the word ros2", gave=shown(commands))
+        raise Wrong("command lines without the word ros2", gave=shown(commands), hint=NO_HINT)
     looks = [(6.5, "/spawn", "turtlesim/srv/Spawn", {"x": 6.0, "y": _beside(off), "name": _look(off)}) for off in ASIDE]
     colours = {off: f"/{_look(off)}/color_sensor" for off in ASIDE}
     seen = work.try_out(
@@ -159,8 +160,8 @@ def _pen_cause(commands: list[str]) -> str:
 def dance(work: Work) -> None:
     """A line of 8 m with a full turn and no wall."""
     steps = _triples(work, "dance")
-    if any(not 0 <= when <= 20 for when, _, _ in steps):
-        raise Wrong("times from 0 to 20 seconds", gave=shown([when for when, _, _ in steps][:8]))
+    if other := [when for when, _, _ in steps if not 0 <= when <= 20]:
+        raise Wrong("times from 0 to 20 seconds", gave=shown(other[:8]), hint=NO_HINT)
     for _, _, turn in steps:
         _expect_radians(turn)
     plan = [(when, CMD_VEL, TWIST, _twist(forward, turn)) for when, forward, turn in steps]
@@ -180,14 +181,14 @@ def _triples(work: Work, name: str) -> list[tuple[float, ...]]:
     wanted = f"`{name}`, a list of three finite numbers each"
     triples = [numbers(one, 3, wanted) for one in found[:1000]]
     if any(not abs(one) <= 1000 for triple in triples for one in triple) or len(found) > 1000:
-        raise Wrong(wanted, gave=shown(found))
+        raise Wrong(wanted, gave=shown(found), hint=NO_HINT)
     return triples
 
 
 def _expect_radians(turn: float) -> None:
     if not abs(turn) <= math.tau:
         cause = "Are these degrees? Turn rates are in radians a second: 45° is 0.785."
-        raise Wrong("turns of no more than a whole one, 6.28 rad, in a second", gave=f"{turn:g}", cause=cause)
+        raise Wrong("turns of no more than a whole one, 6.28 rad, in a second", gave=f"{turn:g}", cause=cause, hint=NO_HINT)
 
 
 def _twist(forward: float, turn: float) -> dict[str, Any]:
@@ -197,4 +198,5 @@ def _twist(forward: float, turn: float) -> dict[str, Any]:
 def _no_wall(seen: Any) -> None:
     told = "\n".join(seen.beside)
     if "Oh no! I hit the wall!" in told:
-        raise Wrong("no wall on the way", told.strip().splitlines()[-1], "Shorter, or turn earlier.", share=0.25)
+        last = told.strip().splitlines()[-1]
+        raise Wrong("no wall on the way", last, "Shorter, or turn earlier.", share=0.25, hint=NO_HINT)

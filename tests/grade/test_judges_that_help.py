@@ -185,8 +185,8 @@ def test_what_else_is_wrong_comes_before_the_lone_tilde():
     ],
 )
 def test_an_answer_of_the_wrong_form_gets_no_hint_about_something_else(name, variable, answer):
-    variables = {"presses": [], "rosout_publishers": 2, "rosout_type": "a/msg/B", "moves": [], "dance": []} | {variable: answer}
-    said = judge_work(find(name), Work(variables, None), 4)
+    others = {"presses": [], "rosout_publishers": 2, "rosout_type": "a/msg/B", "moves": [], "dance": []}
+    said = judge_work(find(name), Work(others | {variable: answer}, None), 4)
     assert said.expected and said.gave
     assert said.hint == ""
 

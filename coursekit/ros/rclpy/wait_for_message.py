@@ -12,7 +12,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 
 
 def wait_for_message(
-    msg_type: Any, node: Any, topic: str, *, qos_profile: Any = 1, time_to_wait: float | int = -1
+    msg_type: Any, node: Any, topic: str, time_to_wait: float | int = -1, *, qos_profile: Any = 1
 ) -> tuple[bool, Any]:
     """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds, -1 for no end."""
     received = Future()

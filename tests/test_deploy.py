@@ -33,6 +33,11 @@ def test_binder_and_codespaces_build_the_one_image():
     assert (ROOT / ".devcontainer" / build["context"]).resolve() == ROOT
 
 
+def test_nothing_of_the_checkout_but_the_wheel_is_in_the_image_s_layers():
+    image = read(DOCKERFILE).rpartition("\nFROM ")[2]
+    assert [line for line in image.splitlines() if line.startswith(("COPY", "ADD"))] == ["COPY --from=wheel /wheels /tmp/wheels"]
+
+
 def test_the_configuration_starts_the_course_and_names_an_exchange_where_there_is_one(monkeypatch):
     monkeypatch.delenv("COURSEKIT_EXCHANGE", raising=False)
     spawner = PyFileConfigLoader(str(DEPLOY / "hub_config.py")).load_config().Spawner
@@ -50,7 +55,7 @@ def test_commands_extras_and_files_that_are_named_exist(file, capsys):
         with pytest.raises(SystemExit, match="0"):
             main([command, "--help"])
     extras = tomllib.loads(read(ROOT / "pyproject.toml"))["project"]["optional-dependencies"]
-    for named in re.findall(r"(?:checkout|\.)\[([\w,]+)\]", text):
+    for named in re.findall(r"(?:\$1|\.)\[([a-z,]+)\]", text):
         assert set(named.split(",")) <= set(extras)
     assert all((ROOT / one).exists() for one in re.findall(r"deploy/[\w.]+", text))
 

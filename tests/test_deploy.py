@@ -35,7 +35,8 @@ def test_binder_and_codespaces_build_the_one_image():
 
 def test_nothing_of_the_checkout_but_the_wheel_is_in_the_image_s_layers():
     image = read(DOCKERFILE).rpartition("\nFROM ")[2]
-    assert [line for line in image.splitlines() if line.startswith(("COPY", "ADD"))] == ["COPY --from=wheel /wheels /tmp/wheels"]
+    brought = [line for line in image.splitlines() if line.startswith(("COPY", "ADD"))]
+    assert brought == ["COPY --from=wheel /wheels /tmp/wheels"]
 
 
 def test_the_configuration_starts_the_course_and_names_an_exchange_where_there_is_one(monkeypatch):

@@ -73,5 +73,5 @@ def pythons_of(requirement: Requirement) -> SpecifierSet | None:
         found = metadata.metadata(requirement.name)
     except metadata.PackageNotFoundError:
         return None
-    wanted = found["Requires-Python"] if found["Version"] in requirement.specifier else None
+    wanted = found.get("Requires-Python") if found["Version"] in requirement.specifier else None
     return SpecifierSet(wanted) if wanted else None

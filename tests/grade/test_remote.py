@@ -137,7 +137,8 @@ def test_waiting_for_what_never_comes_costs_no_real_time(work):
     assert work.run("after = 1", 10) == "" and work.value("after", int) == 1
 
 
-STUBBORN = "while True:\n    try:\n        while True: pass\n    except BaseException: pass"
+STUBBORN = "import signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals())\nwhile True: pass"
+"""A loop that catches all would not do: an alarm that falls between two tries ends it."""
 
 
 def exercise(judge):

@@ -114,7 +114,11 @@ def work_through(student, all_are_there):
 def test_they_run_chapters_at_once_and_nobody_sees_another_s_graph(students):
     all_are_there = threading.Barrier(len(students))
     with ThreadPoolExecutor(len(students)) as pool:
-        took, seen = zip(*pool.map(take, students, [all_are_there] * len(students)), strict=True)
+        takes = [pool.submit(take, student, all_are_there) for student in students]
+    failed = [one.exception() for one in takes if one.exception() is not None]
+    for error in sorted(failed, key=lambda one: isinstance(one, threading.BrokenBarrierError)):
+        raise error  # who fails, before those who would have waited
+    took, seen = zip(*(one.result() for one in takes), strict=True)
     print(f"{len(students)} students, chapters {' '.join(CHAPTERS)}: {min(took):.0f} to {max(took):.0f} s")
     for student, (nodes, same, topics) in zip(students, seen, strict=True):
         assert nodes == same == [f"/{student.name}"]

@@ -24,7 +24,6 @@ class NetworkPanel(Panel):
 
     def __init__(self) -> None:
         super().__init__("network_panel")
-        self._follow_up: Any = None
         self.hidden.graph.watch(self.changed)
 
     def _report(self) -> Report | None:
@@ -38,9 +37,7 @@ class NetworkPanel(Panel):
 
     def shown(self) -> dict[str, Any]:
         """The state, and the rows of the tables."""
-        self._follow_up = self.session.clock.call_at(
-            self.session.clock.steady() + round(LOOK_AGAIN_S * 1e9), self.changed
-        )
+        self.look_again(LOOK_AGAIN_S)
         found = self._report()
         if found is None:
             return {"joined": False, "how": HOW_TO_JOIN}
@@ -73,8 +70,6 @@ class NetworkPanel(Panel):
     def leave(self) -> None:
         """Look no more."""
         self.hidden.graph.unwatch(self.changed)
-        if self._follow_up is not None:
-            self._follow_up.cancel()
 
 
 def network_panel() -> NetworkPanel:

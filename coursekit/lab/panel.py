@@ -75,6 +75,7 @@ class Panel(anywidget.AnyWidget):
         self._farewell: tuple[dict[str, Any], list[bytes]] | None = None
         self._lock = threading.Lock()
         self._alarm: Any = None
+        self._follow_up: Any = None
         self.on_msg(self._hear)
         _open.append(self)
 
@@ -102,6 +103,15 @@ class Panel(anywidget.AnyWidget):
             if self._alarm is None:
                 due = self.session.clock.steady() + round(UPDATE_SECONDS * 1e9)
                 self._alarm = self.session.clock.call_at(due, self._push)
+
+    def look_again(self, seconds: float) -> None:
+        """Tell the browser again after a while, as `changed` does: what falls silent brings no news by itself.
+
+        One such look is planned at a time, however often this is asked for.
+        """
+        if self._follow_up is None or self._follow_up.function is None:
+            due = self.session.clock.steady() + round(seconds * 1e9)
+            self._follow_up = self.session.clock.call_at(due, self.changed)
 
     def tell(self, **message: Any) -> None:
         """Send a message of its own."""
@@ -159,8 +169,9 @@ class Panel(anywidget.AnyWidget):
         self.closed = True
         if self in _open:
             _open.remove(self)
-        if self._alarm is not None:
-            self._alarm.cancel()
+        for planned in (self._alarm, self._follow_up):
+            if planned is not None:
+                planned.cancel()
         self.leave()
         if self._hidden is not None:
             self._hidden.close()

@@ -52,7 +52,6 @@ class TopicPanel(Panel):
     def __init__(self, *topics: str) -> None:
         super().__init__("topic_panel")
         self._watched: dict[str, Watch] = {}
-        self._follow_up: Any = None
         self.hidden.graph.watch(self.changed)
         try:
             for topic in topics:
@@ -109,14 +108,8 @@ class TopicPanel(Panel):
         """The rows of the table."""
         rows = self._rows()
         if any(row.get("rate") for row in rows):
-            self._look_again()
+            self.look_again(1.5)  # a rate falls to nothing when the topic falls silent
         return {"rows": rows}
-
-    def _look_again(self) -> None:
-        """A rate that is shown falls to nothing when the topic falls silent: somebody has to look."""
-        if self._follow_up is None or self._follow_up.function is None:
-            due = self.session.clock.steady() + round(1.5e9)
-            self._follow_up = self.session.clock.call_at(due, self.changed)
 
     def text(self) -> str:
         """A line for each topic; watched ones with rate and last message."""
@@ -141,8 +134,6 @@ class TopicPanel(Panel):
     def leave(self) -> None:
         """Listen no more."""
         self.hidden.graph.unwatch(self.changed)
-        if self._follow_up is not None:
-            self._follow_up.cancel()
 
 
 def topic_panel(*topics: str) -> TopicPanel:

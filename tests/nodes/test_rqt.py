@@ -7,7 +7,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 from turtlesim.msg import Pose
 
-from coursekit.nodes.rqt.curves import numbers, part, paths
+from coursekit.nodes.rqt.curves import Curves, numbers, part, paths
 from coursekit.nodes.rqt.plot import Plot
 from coursekit.nodes.rqt.windows import windows
 from coursekit.view import highgui
@@ -65,11 +65,11 @@ def sources(session):
 
 
 def test_numbers_of_topics_are_kept_by_their_paths(session, sources):
-    plot = Plot(["/speed/data", "/turtle1/pose/x", "turtle1/pose/y", "/turtle1/pose/nothing", "/not/there"])
+    plot = Plot(Curves(["/speed/data", "/turtle1/pose/x", "turtle1/pose/y", "/turtle1/pose/nothing", "/not/there"]))
     session.spawn(rclpy.spin, plot, None)
     session.clock.sleep(3.0)
-    assert set(plot.curves) == {"/speed/data", "/turtle1/pose/x", "/turtle1/pose/y"}
-    for (when, x), (_, y) in zip(*(plot.curves[f"/turtle1/pose/{one}"].newer(0) for one in "xy"), strict=False):
+    assert set(plot.curves.curves) == {"/speed/data", "/turtle1/pose/x", "/turtle1/pose/y"}
+    for (when, x), (_, y) in zip(*(plot.curves.curves[f"/turtle1/pose/{one}"].newer(0) for one in "xy"), strict=False):
         assert y == 2 * x and 0 <= when <= 3.5
     plot.destroy_node()
 

@@ -93,10 +93,10 @@ class Curve:
 
 
 class Curves:
-    """The curves of some paths, by name."""
+    """The curves of some words such as `paths` reads, by name."""
 
-    def __init__(self, wanted: Sequence[str]) -> None:
-        self.wanted = paths(wanted)
+    def __init__(self, words: Sequence[str]) -> None:
+        self.wanted = paths(words)
         self.curves: dict[str, Curve] = {}
 
     def take(self, path: str, topic: str, message: Any, time: float) -> None:

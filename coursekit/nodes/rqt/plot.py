@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from typing import Any
 
 import cv2
@@ -15,7 +14,7 @@ from rclpy.utilities import remove_ros_args
 from coursekit.interfaces import load
 from coursekit.nodes.running import spin_to_the_end
 
-from .curves import Curves, paths, topic_of
+from .curves import Curves, topic_of
 from .rqt import Rqt, name_of_process
 
 SECONDS = 20.0
@@ -25,12 +24,11 @@ SECONDS = 20.0
 class Plot(Rqt):
     """Subscribes to the topics of its paths as soon as they are there, and draws twice a second."""
 
-    def __init__(self, wanted: Sequence[str]) -> None:
+    def __init__(self, curves: Curves) -> None:
         self.title = name_of_process().replace("rqt_gui_py_node", "rqt_plot")
         super().__init__("rqt_plot", self.title)
-        self._curves = Curves(wanted)
-        self.curves = self._curves.curves
-        self._waiting = list(self._curves.wanted)
+        self.curves = curves
+        self._waiting = list(curves.wanted)
         self._began = self.get_clock().now()
         self.create_timer(0.5, self._look)
 
@@ -44,7 +42,7 @@ class Plot(Rqt):
 
     def _listen(self, topic: str, path: str, known: dict[str, str]) -> None:
         def hear(message: Any) -> None:
-            self._curves.take(path, topic, message, (self.get_clock().now() - self._began).nanoseconds * 1e-9)
+            self.curves.take(path, topic, message, (self.get_clock().now() - self._began).nanoseconds * 1e-9)
 
         self.create_subscription(load(known[topic]), topic, hear, qos_profile_sensor_data)
 
@@ -54,12 +52,12 @@ class Plot(Rqt):
 
         figure: Any = Figure(figsize=(7.2, 3.6), dpi=100, layout="constrained")
         axes = figure.subplots()
-        for name, curve in sorted(self.curves.items()):
+        for name, curve in sorted(self.curves.curves.items()):
             axes.plot(list(curve.times), list(curve.values), label=name)
         now = (self.get_clock().now() - self._began).nanoseconds * 1e-9
         axes.set(xlim=(max(0.0, now - SECONDS), max(now, 1.0)), xlabel="seconds")
         axes.grid(alpha=0.3)
-        if self.curves:
+        if self.curves.curves:
             axes.legend(loc="upper left")
         canvas: Any = FigureCanvasAgg(figure)
         canvas.draw()
@@ -74,9 +72,9 @@ class Plot(Rqt):
 
 def main() -> int:
     """Plot until Ctrl-C."""
-    wanted = paths(remove_ros_args(sys.argv)[1:])
-    if not wanted:
+    curves = Curves(remove_ros_args(sys.argv)[1:])
+    if not curves.wanted:
         print("Say what to plot, as in: ros2 run rqt_plot rqt_plot /turtle1/pose/x:y", file=sys.stderr)
         return 1
     rclpy.init()
-    return spin_to_the_end(Plot(wanted))
+    return spin_to_the_end(Plot(curves))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +14,7 @@ from coursekit.view.working import Working
 from . import events
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace, TimeOver
-from .outputs import DIED, exception_in
+from .outputs import cause_of, exception_in
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
@@ -69,7 +70,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
     """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died and died not in got:
-        got, cause, hint = f"your program raised {died}" + (f"; {got}" if got else ""), DIED, ""
+        got, cause, hint = f"your program raised {died}" + (f"; {got}" if got else ""), cause_of(died), ""
     return Verdict(
         exercise.name,
         exercise.title,
@@ -85,8 +86,11 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
 
 
 def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
-    """From the second try on the hint that fits the fault; where the judge cannot tell, with each try the next one."""
-    if not hints or tries < 2 or wrong.hint == NO_HINT:
+    """From the second try on the hint that fits the fault; where the judge cannot tell, with each try the next one.
+
+    A likely cause that names no hint is what there is to say: a hint beside it could only be about something else.
+    """
+    if not hints or tries < 2 or wrong.hint == NO_HINT or (wrong.cause and wrong.hint is None):
         return ""
     return hints[min(tries - 2 if wrong.hint is None else wrong.hint, len(hints) - 1)]
 
@@ -142,6 +146,7 @@ def check(name: str, **variants: Any) -> None:
     exercise = find(name)
     with Working(f"Trying out {name}"):
         verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
+    verdict = _with_cell_before(verdict, _fault_before())
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict)
@@ -161,11 +166,32 @@ def hint(name: str) -> str:
     return f"Hint {shown} of {len(exercise.hints)}: {exercise.hints[shown - 1]}"
 
 
-def _variables() -> Mapping[str, Any]:
-    import sys
+def _with_cell_before(verdict: Verdict, fault: str) -> Verdict:
+    """Where the cell before the check stopped with an error, an older answer was judged: that is told first."""
+    if verdict.passed or verdict.fault or not fault:
+        return verdict
+    cause = f"The cell before this check stopped with {fault}. What was judged is older: mend that cell and run it."
+    return replace(verdict, cause=cause, hint="")
 
+
+def _fault_before() -> str:
+    """The error of the cell that was run before this one, empty where it ran to its end or was a check."""
+    before = getattr(_shell(), "last_execution_result", None)
+    error = before and (before.error_before_exec or before.error_in_exec)
+    if not isinstance(error, Exception) or isinstance(error, CheckFailed):
+        return ""
+    line = f" in its line {error.lineno}" if isinstance(error, SyntaxError) and error.lineno else ""
+    return f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"[:200] + line
+
+
+def _shell() -> Any:
+    """IPython's shell, None outside of a notebook."""
     ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython is not None else None
+    return ipython.get_ipython() if ipython is not None else None
+
+
+def _variables() -> Mapping[str, Any]:
+    shell = _shell()
     return shell.user_ns if shell is not None else vars(sys.modules["__main__"])
 
 
@@ -183,10 +209,9 @@ class _Shown:
 
 
 def _show(verdict: Verdict) -> None:
-    from IPython import get_ipython
-    from IPython.display import display
-
-    if get_ipython() is None:
+    if _shell() is None:
         print(verdict.text())
     else:
+        from IPython.display import display
+
         display(_Shown(verdict))

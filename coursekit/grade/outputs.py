@@ -7,12 +7,16 @@ from pathlib import Path
 from typing import Any
 
 from .plain import fields, is_number
-from .verdict import Wrong
+from .verdict import NO_HINT, Wrong
 
 _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ")
 _FRAME = re.compile(r'^ +File "(?P<file>[^"]+)", line (?P<line>\d+)')
 _OURS = str(Path(__file__).resolve().parents[1])
 DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
+_CALL = re.compile(
+    r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
+)
+"""A method that was defined without `self`, or without the message: Python tells it where it was called."""
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
 """What a program may end with when Ctrl-C is pressed at the end of a trial."""
@@ -32,6 +36,21 @@ def exception_in(output: str) -> str:
         if found and not found.startswith(_NO_FAULT):
             return found
     return ""
+
+
+def cause_of(died: str) -> str:
+    """What to do about the exception that ended a program.
+
+    >>> cause_of("TypeError: Ear.heard() takes 1 positional argument but 2 were given (line 9 of ear.py: rclpy.spin(node))")
+    '`heard` gets two values, the object itself and what it is called with: begin it with `def heard(self, msg):`.'
+    """
+    call = _CALL.match(died)
+    if call is None:
+        return DIED
+    name = call["name"]
+    if call["given"] == "1":
+        return f"`{name}` gets one value, the object itself: begin it with `def {name}(self):`."
+    return f"`{name}` gets two values, the object itself and what it is called with: begin it with `def {name}(self, msg):`."
 
 
 def _told(lines: list[str]) -> str:
@@ -66,7 +85,7 @@ def expect_node(seen: Any, name: str, program: int = 0) -> None:
         raise Wrong(
             f"a node named {name}",
             f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last_words(said(seen, program))}",
-            DIED if exception_in(said(seen, program)) else _UNKNOWN,
+            cause_of(died) if (died := exception_in(said(seen, program))) else _UNKNOWN,
         )
 
 
@@ -92,7 +111,7 @@ def way_of(seen: Any, topic: str) -> list[tuple[float, ...]]:
     """Where turtlesim says that a turtle was, as x, y and theta, in order; Wrong when it says nothing."""
     found = [fields(pose, ("x", "y", "theta"), topic) for _, pose in course_said(seen, topic)]
     if not found:
-        raise Wrong(f"poses on {topic}", "there are none")
+        raise Wrong(f"poses on {topic}", "there are none", hint=NO_HINT)
     return found
 
 

@@ -16,7 +16,7 @@ from coursekit.interfaces.model import Message
 from coursekit.suggestions import similar
 
 from .facts import BuildFacts, RobotFacts, facts_of
-from .verdict import Wrong
+from .verdict import NO_HINT, Wrong
 
 LONGEST = 1 << 20
 """Bytes of a file of text."""
@@ -53,7 +53,7 @@ def robot(workspace: Path, path: str) -> RobotFacts:
         place = f"{file.name}:{error.line}" if error.line else file.name
         raise Wrong("a description that ROS takes", f"{place}: {error.what}", error.cure.split("\n")[0]) from None
     except ValueError as error:
-        raise Wrong("a description that can be judged", str(error)) from None
+        raise Wrong("a description that can be judged", str(error), hint=NO_HINT) from None
 
 
 def message(workspace: Path, path: str) -> Message:
@@ -66,9 +66,9 @@ def message(workspace: Path, path: str) -> Message:
     try:
         found = parse_file(file.parent.parent.name, file)
     except InterfaceError as error:
-        raise Wrong(f"{file.name} that can be read", str(error).replace(str(workspace), "~/ros2_ws")) from None
+        raise Wrong(f"{file.name} that can be read", str(error).replace(str(workspace), "~/ros2_ws"), hint=NO_HINT) from None
     if not isinstance(found, Message):
-        raise Wrong("a message definition", file.name)
+        raise Wrong("a message definition", file.name, hint=NO_HINT)
     return found
 
 
@@ -117,13 +117,13 @@ def _bytes(file: Path) -> bytes:
     try:
         descriptor = os.open(file, _OPEN)
     except OSError as error:
-        raise Wrong(f"{file.name} that can be read", error.strerror or "it cannot be opened") from None
+        raise Wrong(f"{file.name} that can be read", error.strerror or "it cannot be opened", hint=NO_HINT) from None
     with os.fdopen(descriptor, "rb") as opened:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise Wrong(f"{file.name} as a file", "it is something else")
+            raise Wrong(f"{file.name} as a file", "it is something else", hint=NO_HINT)
         data = opened.read(LONGEST + 1)
     if len(data) > LONGEST:
-        raise Wrong(f"{file.name} of at most {LONGEST >> 20} MB", "it is larger")
+        raise Wrong(f"{file.name} of at most {LONGEST >> 20} MB", "it is larger", hint=NO_HINT)
     return data
 
 

@@ -25,7 +25,7 @@ from .interruptions import Gone, NeedsWorkspace, TimeOver
 from .reading import KINDS
 from .trial import GIVES_WAY, PROGRAMS, WATCHER, Plan, Seen, TrialFailed, answered, question
 from .variants import Values
-from .verdict import Wrong
+from .verdict import NO_HINT, Wrong
 from .wire import pack, refresh, unpack
 from .work import NOTHING, Work
 
@@ -199,7 +199,7 @@ class RemoteWork(Work):
             self._reader.running.end()
             self._reader = None
             late = isinstance(error, Gone) and error.timed_out
-            raise Wrong("files that can be read", f"{error}"[:300], timed_out=late) from None
+            raise Wrong("files that can be read", f"{error}"[:300], timed_out=late, hint=NO_HINT) from None
 
     def _need(self) -> None:
         if not self.complete:
@@ -238,7 +238,7 @@ def _unpacked(answer: dict[str, Any]) -> Any:
     try:
         return unpack(answer.get("value"))
     except Exception:
-        raise Wrong("a value that can be told", "something else") from None
+        raise Wrong("a value that can be told", "something else", hint=NO_HINT) from None
 
 
 def _error_of(text: str) -> Exception:

@@ -146,7 +146,7 @@ class Work:
         try:
             return self._carry_out(planned)
         except TrialFailed as failure:
-            raise Wrong("programs that run", str(failure), timed_out=failure.timed_out) from None
+            raise Wrong("programs that run", str(failure), timed_out=failure.timed_out, hint=NO_HINT) from None
 
     def _carry_out(self, plan: Plan) -> Seen:
         return try_out(plan, {**os.environ, "COURSEKIT_WORKSPACE": str(self.workspace)}, str(self.workspace))

@@ -1,12 +1,19 @@
 """What a check says: the fault in the student's own words and lines, the hint that fits, and nothing that confuses."""
 
+import ast
 import math
+import os
+import subprocess
+import sys
 from dataclasses import asdict
+from pathlib import Path
 
 import pytest
 
+from coursekit.grade import chapters
 from coursekit.grade.checking import check, judge, judge_work
 from coursekit.grade.exercise import Exercise, UnknownExercise, find
+from coursekit.grade.outputs import DIED as OTHERWISE
 from coursekit.grade.outputs import exception_in
 from coursekit.grade.plain import called, error_of, number
 from coursekit.grade.plan import Seen
@@ -194,3 +201,66 @@ def test_an_answer_of_the_wrong_form_gets_no_hint_about_something_else(name, var
 def test_of_many_times_those_are_shown_that_are_wrong():
     said = judge_work(find("ch01.q4"), Work({"dance": [(at, 2, 1) for at in range(23)]}, None))
     assert (said.expected, said.gave) == ("times from 0 to 20 seconds", "[21.0, 22.0]")
+
+
+def test_every_fault_of_the_chapters_names_its_hint_or_its_likely_cause():
+    """A hint that comes with the number of tries is about something else as often as not."""
+    silent = []
+    for file in sorted(Path(chapters.__path__[0]).rglob("*.py")):
+        for call in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "Wrong":
+                named = {keyword.arg for keyword in call.keywords}
+                silent += [f"{file.name}:{call.lineno}"] if not named & {"hint", "cause"} and len(call.args) < 3 else []
+    assert silent == []
+
+
+@pytest.mark.parametrize("tries", [2, 5])
+def test_a_likely_cause_stands_alone_where_no_hint_is_named(tries):
+    said = judge_work(raises("x", "y", "Which topic?"), None, tries)
+    assert (said.cause, said.hint) == ("Which topic?", "")
+
+
+def run_by_an_executor(callback):
+    """What a program says whose executor calls this callback with one value."""
+    return f"""Traceback (most recent call last):
+  File "/ws/install/p/lib/python3.10/site-packages/s2_py_pubsub/ear.py", line 21, in main
+    rclpy.spin(node)
+TypeError: {callback}() takes 1 positional argument but 2 were given
+"""
+
+
+def test_a_callback_without_self_is_told_by_its_name_not_by_the_line_of_spin():
+    def judge(work):
+        work.try_out("run s2_py_pubsub ear_exe")
+        raise Wrong("a line in the log", "none")
+
+    assert "`def heard(self, msg):`" in judge_work(exercise(judge), Tried(run_by_an_executor("Ear.heard"))).cause
+    assert judge_work(exercise(judge), Tried(run_by_an_executor("heard"))).cause == OTHERWISE
+
+
+CELLS = """
+import sys
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+for cell in ("me = 'Vera'\\nfrom coursekit.grade.checking import check", *sys.argv[1:], "check('ch00.q1')"):
+    shell.run_cell(cell)
+"""
+
+
+def checked_after(folder, *cells):
+    own = {"COURSEKIT_WORKSPACE": str(folder / "ros2_ws"), "IPYTHONDIR": str(folder)}
+    done = [sys.executable, "-c", CELLS, *cells]
+    return subprocess.run(done, cwd=folder, env=os.environ | own, capture_output=True, encoding="utf-8", check=True).stdout
+
+
+@pytest.mark.parametrize(
+    ("cell", "told"),
+    [("me = 'Vera Course", "SyntaxError"), ("me = Vera + 'Course'", "NameError: name 'Vera' is not defined")],
+)
+def test_an_answer_that_is_older_than_a_failed_cell_is_told_as_such(tmp_path, cell, told):
+    said = checked_after(tmp_path, cell)
+    assert f"The cell before this check stopped with {told}" in said and "you gave: 'Vera'" in said
+
+
+def test_a_check_that_failed_before_is_no_failed_cell(tmp_path):
+    assert "The cell before" not in checked_after(tmp_path, "check('ch00.q1')")

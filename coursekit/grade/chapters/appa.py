@@ -8,7 +8,7 @@ from itertools import pairwise
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import exit_code, heard, said, way_of
 from coursekit.grade.plain import fields, near, shown, texts
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 TURTLESIM = "run turtlesim turtlesim_node"
@@ -70,7 +70,7 @@ def drive_on(work: Work) -> None:
     speeds = {fields(message, ("linear.x", "angular.z"), CMD_VEL) for _, message in spoken}
     for forward, turn in sorted(speeds):
         if not near(forward, 1.5, 1e-6) or not near(abs(turn), 0.75, 1e-6):
-            raise Wrong("1.5 m/s forward and 0.75 rad/s of turn", f"linear.x = {forward}, angular.z = {turn}")
+            raise Wrong("1.5 m/s forward and 0.75 rad/s of turn", f"linear.x = {forward}, angular.z = {turn}", hint=1)
     gaps = [after - before for (before, _), (after, _) in pairwise(spoken)]
     if len(gaps) < 8 or not all(near(gap, 0.25, 0.01) for gap in gaps):
         raise Wrong(
@@ -97,7 +97,7 @@ def prove(work: Work) -> None:
     """The rate is measured, and what is said differs where the node or its service is missing."""
     commands = work.value("commands", list)
     if len(commands) != 3:
-        raise Wrong("a list of three texts", gave=shown(commands))
+        raise Wrong("a list of three texts", gave=shown(commands), hint=NO_HINT)
     commands = texts(commands, "a list of three texts")
     commands = [_command(one, "commands") for one in commands]
     well = _answers(work, commands, "")
@@ -125,15 +125,15 @@ def _answers(work: Work, commands: list[str], option: str) -> list[str]:
 def _command(text: str, variable: str) -> str:
     words = text.replace("%", " ").split()
     if words[:1] == ["ros2"] or text.lstrip().startswith("%"):
-        raise Wrong(f"`{variable}` without the word ros2", gave=shown(text))
+        raise Wrong(f"`{variable}` without the word ros2", gave=shown(text), hint=NO_HINT)
     if not words or words == ["..."]:
-        raise Wrong(f"a command line in `{variable}`", gave=shown(text))
+        raise Wrong(f"a command line in `{variable}`", gave=shown(text), hint=NO_HINT)
     return text
 
 
 def _understood(command: str, said: str) -> None:
     if said.startswith("usage:"):
-        raise Wrong("a command that ros2 knows", said.strip().splitlines()[-1][:160], gave=shown(command))
+        raise Wrong("a command that ros2 knows", said.strip().splitlines()[-1][:160], gave=shown(command), hint=NO_HINT)
 
 
 def _close(text: str, x: float) -> bool:

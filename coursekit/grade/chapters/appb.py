@@ -11,7 +11,7 @@ from coursekit.grade.chapters.measures.photographs import Flat, judge_views, tol
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 PALLET = (2.0, 1.0, 0.0)
@@ -75,7 +75,7 @@ def _judge_pose(to_pose: Callable[..., Any], x: float, y: float, theta: float) -
     pose = _message(Pose, given, to_pose, Pose2D(x=x, y=y, theta=theta))
     place, turn = _xyz(pose.position, given), _turn_of(pose.orientation, given)
     if not close(place, (x, y, 0.0), 1e-6):
-        raise Wrong(f"the position ({x}, {y}, 0) from {given}", gave=told(place))
+        raise Wrong(f"the position ({x}, {y}, 0) from {given}", gave=told(place), hint=NO_HINT)
     nose, up = rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 0.0, 1.0))
     if not close(up, (0.0, 0.0, 1.0), 1e-6):
         cause = "About which axis does theta turn?"
@@ -95,7 +95,7 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
     flat = _message(Pose2D, f"to_flat of a pose that is {spelt}", to_flat, pose)
     if not close((flat.x, flat.y), (1.5, -0.5), 1e-6):
         wanted = "x and y as they were, 1.5 and -0.5, from to_flat"
-        raise Wrong(wanted, gave=f"{shown(flat.x)}, {shown(flat.y)}", share=0.5)
+        raise Wrong(wanted, gave=f"{shown(flat.x)}, {shown(flat.y)}", share=0.5, hint=NO_HINT)
     wanted = f"theta = {yaw:.3f} from to_flat of a pose that is {spelt}"
     theta = number(flat.theta, wanted, share=0.5)
     if not (abs(theta) < math.pi + 1e-9 and near(math.remainder(theta - yaw, math.tau), 0.0, 1e-6)):
@@ -178,7 +178,7 @@ def the_lookout(work: Work) -> None:
     points = [message for _, message in heard(seen, "/vera/pallet")]
     if len(points) != len(poses):
         got = f"{len(points)}; it said: {last_words(said(seen))}"
-        raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", got)
+        raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", got, hint=NO_HINT)
     frames = {field(one, "header.frame_id", str, "/vera/pallet") for one in points}
     if frames != {"base_link"}:
         raise Wrong("points in base_link", f"frame_id {shown(sorted(frames))}", "In which frame are the numbers?")
@@ -234,9 +234,9 @@ def once_around(work: Work) -> None:
         header = asked.header
         frame, second = shown(header.frame_id), shown(header.stamp.sec)
         if (frame, second) != (repr(outline.header.frame_id), repr(outline.header.stamp.sec)):
-            raise Wrong("the header of the outline", gave=f"frame_id {frame}, stamp {second} s", share=0.25)
+            raise Wrong("the header of the outline", gave=f"frame_id {frame}, stamp {second} s", share=0.25, hint=NO_HINT)
         if not 1 <= len(asked.poses) <= len(corners):
-            raise Wrong(f"1 to {len(corners)} photographs of {name}", gave=str(len(asked.poses)))
+            raise Wrong(f"1 to {len(corners)} photographs of {name}", gave=str(len(asked.poses)), hint=NO_HINT)
         judge_views([_standing(pose, name) for pose in asked.poses], corners, name)
 
 
@@ -251,7 +251,8 @@ def _standing(pose: Any, name: str) -> tuple[Flat, float]:
     up, nose = rotate(turn, (0.0, 0.0, 1.0)), rotate(turn, (1.0, 0.0, 0.0))
     x, y, z = _xyz(pose.position, f"views of {name}")
     if not (near(z, 0.0, 1e-6) and up[2] >= 1.0 - 1e-6):
-        raise Wrong("poses on the floor, upright", gave=f"z = {z:.2f} m, the z axis along {told(up)}", share=0.25)
+        gave = f"z = {z:.2f} m, the z axis along {told(up)}"
+        raise Wrong("poses on the floor, upright", gave=gave, share=0.25, hint=NO_HINT)
     return (x, y), math.atan2(nose[1], nose[0])
 
 
@@ -260,7 +261,7 @@ def _turn_of(q: Any, given: str) -> Quaternion:
     x, y, z, w = (number(part, wanted) for part in (q.x, q.y, q.z, q.w))
     length = math.hypot(x, y, z, w)
     if not near(length, 1.0, 1e-4):
-        raise Wrong(wanted, gave=f"length {length:.3f}: {told((x, y, z, w))}")
+        raise Wrong(wanted, gave=f"length {length:.3f}: {told((x, y, z, w))}", hint=0)
     return x, y, z, w
 
 

@@ -59,8 +59,8 @@ def _expect_value_error(function: Any, given: tuple[str, ...], wanted: str) -> N
     except NotImplementedError:
         raise
     except Exception as error:
-        raise Wrong(wanted, error_of(error), share=0.5) from None
-    raise Wrong(wanted, gave=shown(got), share=0.5)
+        raise Wrong(wanted, error_of(error), share=0.5, hint=0) from None
+    raise Wrong(wanted, gave=shown(got), share=0.5, hint=0)
 
 
 @exercise(
@@ -137,4 +137,4 @@ def _expect(function: Any, given: tuple[str, ...], right: str) -> None:
     wanted = f"{right} for {given[0]}, with root {given[2]} and near {given[3]}"
     got = text(called(function, *given, told=f"portable({given[0]!r}, ...)"), wanted)
     if got != right:
-        raise Wrong(wanted, gave=shown(got))
+        raise Wrong(wanted, gave=shown(got), hint=0)

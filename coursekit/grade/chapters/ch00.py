@@ -24,7 +24,7 @@ def who(work: Work) -> None:
     """A name of at least two words."""
     me = work.value("me", str)
     if len(me.split()) < 2 or not all(word[0].isalpha() for word in me.split()):
-        raise Wrong("a first and a last name", gave=shown(me) if me.strip() else "an empty text")
+        raise Wrong("a first and a last name", gave=shown(me) if me.strip() else "an empty text", hint=0)
 
 
 @exercise(
@@ -54,7 +54,7 @@ def keys(work: Work) -> None:
     places = way_of(seen, POSE)
     driven = sum(math.dist(one[:2], other[:2]) for one, other in pairwise(places))
     if not driven >= 3:
-        raise Wrong("at least 3 m", f"{driven:.1f} m", share=0.25)
+        raise Wrong("at least 3 m", f"{driven:.1f} m", share=0.25, hint=0)
     if not places[-1][0] < 5.5:
         where = f"x = {places[-1][0]:.2f}"
         raise Wrong("an end in the left half, x below 5.5", where, "Where does it look at the start?", share=0.5, hint=0)

@@ -189,7 +189,7 @@ def report(work: Work) -> None:
     types = seen.topics.get("/vera_report", [])
     if types != [f"{TYPES}/msg/Report"]:
         got = f"{', '.join(types) or 'no such topic'}; the program said: {last_words(said(seen))}"
-        raise Wrong("/vera_report with your type", got, share=0.5)
+        raise Wrong("/vera_report with your type", got, share=0.5, hint=1)
     messages = [one for _, one in heard(seen, "/vera_report")]
     if len(messages) < 3:
         raise Wrong("a report at least once a second", f"{len(messages)} in 4 seconds", share=0.5, hint=1)

@@ -58,9 +58,9 @@ def lamp(work: Work) -> None:
         _judge_answer(told, answer, taken)
     late = [colour for when, colour in colours if when > 3.0]
     if set(late) != {"amber"}:
-        raise Wrong("the colour that was set last: amber", ", ".join(sorted(set(late))) or "none", share=0.5)
+        raise Wrong("the colour that was set last: amber", ", ".join(sorted(set(late))) or "none", share=0.5, hint=1)
     if not 9 <= len(late) <= 11:
-        raise Wrong("10 colours in 2 s after lamp.period was set to 0.2", f"{len(late)}", share=0.5)
+        raise Wrong("10 colours in 2 s after lamp.period was set to 0.2", f"{len(late)}", share=0.5, hint=1)
 
 
 _SET = "rcl_interfaces/srv/SetParametersAtomically"

@@ -12,7 +12,7 @@ from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import expect_node, heard
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.trial import Seen
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 if TYPE_CHECKING:
@@ -61,13 +61,13 @@ def _judge_cart_places(robot: Robot) -> None:
     found = poses(robot, {})
     for name, place in wanted.items():
         if name not in found:
-            raise Wrong(f"a link {name}", f"links: {', '.join(found)}")
+            raise Wrong(f"a link {name}", f"links: {', '.join(found)}", hint=NO_HINT)
         if not close(_floats(found[name][:3]), place, 1e-4):
             cause = "The origin of a joint is given in its parent link's frame."
             raise Wrong(f"{name} at {_place(place)}", _place(found[name][:3]), cause, share=0.25)
     size = extent(robot, "base_link", {})
     if not _same_size(size, (0.5, 0.3, 0.1), 0.001):
-        raise Wrong("base_link 0.5 x 0.3 x 0.1 m", _place(size), share=0.25)
+        raise Wrong("base_link 0.5 x 0.3 x 0.1 m", _place(size), share=0.25, hint=0)
 
 
 def _floats(values: Any) -> list[float]:
@@ -96,7 +96,7 @@ def _judge_wheel(robot: Robot, side: str) -> None:
 def _judge_lift(robot: Robot) -> None:
     size = extent(robot, "lift_link", {})
     if not _same_size(size, (0.4, 0.3, 0.02), 0.001):
-        raise Wrong("lift_link 0.4 x 0.3 x 0.02 m", _place(size), share=0.75)
+        raise Wrong("lift_link 0.4 x 0.3 x 0.02 m", _place(size), share=0.75, hint=0)
     limit = robot.joints["lift_joint"].limit
     if limit is None or not near(limit.lower, 0.0, 1e-6) or not near(limit.upper, 0.4, 1e-6):
         got = f"from {limit.lower:g} to {limit.upper:g}" if limit else "no limit"
@@ -168,7 +168,7 @@ def _judge_rolling(seen: Seen, radius: float) -> None:
     frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
     states = [message for _, message in heard(seen, "/joint_states")]
     if len(states) < 40 or len(frames) < 40:
-        raise Wrong("joint states and frames at 30 Hz", f"{len(states)} and {len(frames)} in 1.5 s")
+        raise Wrong("joint states and frames at 30 Hz", f"{len(states)} and {len(frames)} in 1.5 s", hint=NO_HINT)
     steps = min(len(states), len(frames)) - 1
     first, last = _moved(frames[0]), _moved(frames[steps])
     turn = math.remainder(last[2] - first[2], math.tau)
@@ -196,7 +196,7 @@ def _angles(state: Any) -> dict[str, float]:
     names, values = field(state, "name", list), field(state, "position", list)
     found = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
     if not set(found) >= WHEELS:
-        raise Wrong("angles of the four wheels' joints", shown(names))
+        raise Wrong("angles of the four wheels' joints", shown(names), hint=NO_HINT)
     return {name: number(found[name], f"a finite angle of {name}") for name in WHEELS}
 
 
@@ -229,13 +229,13 @@ def own(work: Work) -> None:
     kinds = {joint.type for joint in robot.joints.values()}
     missing = sorted({"fixed", "continuous", "revolute", "prismatic"} - kinds)
     if robot.root != "base_footprint" or len(robot.links) < 6:
-        raise Wrong("base_footprint as the root of six links or more", f"{robot.root}, {len(robot.links)} links")
+        raise Wrong("base_footprint as the root of six links or more", f"{robot.root}, {len(robot.links)} links", hint=0)
     if missing:
-        raise Wrong("joints of all four kinds", f"none is {' or '.join(missing)}", share=0.25)
+        raise Wrong("joints of all four kinds", f"none is {' or '.join(missing)}", share=0.25, hint=NO_HINT)
     for joint in robot.moving_joints():
         limit = joint.limit
         if limit is not None and joint.type != "continuous" and not limit.upper - limit.lower >= 0.05:
-            raise Wrong(f"room to move for {joint.name}", f"{limit.lower:g} to {limit.upper:g}", share=0.25)
+            raise Wrong(f"room to move for {joint.name}", f"{limit.lower:g} to {limit.upper:g}", share=0.25, hint=NO_HINT)
     _judge_masses(robot)
     _judge_standing(robot, work.dice("ch06.q4"))
 

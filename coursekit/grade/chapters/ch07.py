@@ -12,7 +12,7 @@ from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.plain import called, close, field, fields, near, numbers
 from coursekit.grade.trial import Seen
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 CLIENT, MANAGER, MONITOR = "s7_py_client_robot", "s7_py_task_manager", "s7_py_robot_task_monitoring"
@@ -122,24 +122,26 @@ def _judge_stages(seen: Seen) -> None:
         _judge_step(old, new, before, after)
         if new != old:
             if not 0 <= task < min(map(len, goals)):
-                raise Wrong("poses of the manager before work begins", f"stage {old} without them")
+                raise Wrong("poses of the manager before work begins", f"stage {old} without them", hint=NO_HINT)
             _judge_stage(old, told[begun][1], after, goals[old // 3][task], index + 1 - begun)
             begun = index + 1
     if task < 1:
         share = 0.1 * max(0, min(told[-1][0], 6)) if task == 0 else 0.0
-        raise Wrong("a load delivered and new poses within 75 s", f"it is still in stage {told[-1][0]}", share=share)
+        stage = f"it is still in stage {told[-1][0]}"
+        raise Wrong("a load delivered and new poses within 75 s", stage, share=share, hint=NO_HINT)
 
 
 def _judge_step(old: int, new: int, before: Spot, after: Spot) -> None:
     moved, turned = math.dist(before[:2], after[:2]), abs(math.remainder(after[2] - before[2], math.tau))
     if not 0 <= old <= 5 or new not in (old, old + 1):
-        raise Wrong(f"stage {old} or {old + 1} after a step in stage {old}", f"stage {new}")
+        raise Wrong(f"stage {old} or {old + 1} after a step in stage {old}", f"stage {new}", hint=NO_HINT)
     if moved > STEP + 1e-6 or turned > TURN + 1e-6:
-        raise Wrong(f"in stage {old} at most 0.01 m and 1° a step", f"{moved:.4f} m and {math.degrees(turned):.2f}°")
+        raise Wrong(f"in stage {old} at most 0.01 m and 1° a step", f"{moved:.4f} m and {math.degrees(turned):.2f}°", hint=2)
     if old in (1, 4) and turned > 1e-6:
-        raise Wrong(f"in stage {old} the robot moves straight on", f"it turns by {math.degrees(turned):.2f}°", share=0.3)
+        wanted = f"in stage {old} the robot moves straight on"
+        raise Wrong(wanted, f"it turns by {math.degrees(turned):.2f}°", share=0.3, hint=1)
     if old not in (1, 4) and moved > 1e-6:
-        raise Wrong(f"in stage {old} the robot turns on the spot", f"it moves by {moved:.4f} m", share=0.3)
+        raise Wrong(f"in stage {old} the robot turns on the spot", f"it moves by {moved:.4f} m", share=0.3, hint=1)
 
 
 def _judge_stage(stage: int, begin: Spot, end: Spot, goal: Spot, steps: int) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, items, near, number, numbers, shown, whole
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ def _judge_room(model: Any, seed: int) -> None:
     try:
         told = compare(GridMap(cells, CELL, corner), outline_points(cut.edges, cut.circles))
     except ValueError as why:
-        raise Wrong("a map of robot_world that has walls and free cells", str(why), share=0.25) from None
+        raise Wrong("a map of robot_world that has walls and free cells", str(why), share=0.25, hint=0) from None
     if not (told.thickness <= 0.14 and told.false <= 0.05):
         cause = "Walls grow thick when cells well before or behind the end count as wall."
         raise Wrong("walls about a cell or two thick in the map of robot_world", str(told), cause, share=0.5, hint=1)
@@ -269,7 +269,7 @@ def _allowed(world: Any, got: Any, name: str) -> tuple[int, int]:
     wanted = "a cell (row, column) of two integers, or None, from next_goal"
     cell = [whole(one, wanted) for one in items(got, wanted)]
     if len(cell) != 2:
-        raise Wrong(wanted, gave=shown(got))
+        raise Wrong(wanted, gave=shown(got), hint=NO_HINT)
     row, column = cell
     rows, columns = world.cells.shape
     if not (0 <= row < rows and 0 <= column < columns):

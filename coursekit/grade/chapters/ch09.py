@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import course_said, exit_code, last_words, said
 from coursekit.grade.plain import called, fields, items, shown, whole
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 if TYPE_CHECKING:
@@ -115,19 +115,20 @@ def _judge_way(find: Any, costs: np.ndarray, start: Cell, goal: Cell, told: str)
 def _expect_step(costs: np.ndarray, before: Cell, after: Cell, told: str) -> None:
     inside = 0 <= after[0] < costs.shape[0] and 0 <= after[1] < costs.shape[1]
     if abs(before[0] - after[0]) + abs(before[1] - after[1]) != 1 or not inside:
-        raise Wrong(f"steps to one of the four neighbours on {told}", gave=f"{before} to {after}", share=0.1)
+        raise Wrong(f"steps to one of the four neighbours on {told}", gave=f"{before} to {after}", share=0.1, hint=NO_HINT)
     if not costs[after] < 253:
-        raise Wrong(f"no cell of 253 and more on {told}", gave=f"{after}, which costs {costs[after]}", share=0.1)
+        gave = f"{after}, which costs {costs[after]}"
+        raise Wrong(f"no cell of 253 and more on {told}", gave=gave, share=0.1, hint=NO_HINT)
 
 
 def _cells(got: Any, told: str) -> list[Cell]:
     wanted = f"a list of cells (row, column) for {told}"
     found = items(got, wanted)
     if len(found) > 2 * MOST_TICKS:
-        raise Wrong(wanted, gave=f"{len(found)} cells")
+        raise Wrong(wanted, gave=f"{len(found)} cells", hint=NO_HINT)
     pairs = [[whole(part, wanted) for part in items(one, wanted)] for one in found]
     if any(len(pair) != 2 for pair in pairs):
-        raise Wrong(wanted, gave=shown(got, 60))
+        raise Wrong(wanted, gave=shown(got, 60), hint=NO_HINT)
     return [(row, column) for row, column in pairs]
 
 
@@ -170,7 +171,7 @@ def patrol(work: Work) -> None:
     lines = [line for line in said(seen).splitlines() if line.startswith("stop ")]
     if lines != [f"stop {number}: SUCCEEDED" for number in range(1, len(STOPS) + 1)]:
         got = "; ".join(lines)[:300] or "no line that begins with `stop`"
-        raise Wrong("a line for each stop, like `stop 1: SUCCEEDED`", got, share=0.5)
+        raise Wrong("a line for each stop, like `stop 1: SUCCEEDED`", got, share=0.5, hint=NO_HINT)
     if exit_code(seen) != 0:
         raise Wrong("exit status 0 after the last stop", f"{exit_code(seen)}", "Does main end?", share=0.75)
 
@@ -185,7 +186,7 @@ def _course_map() -> str:
 def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
     """Each stop is come to after the one before it, and driven to."""
     if any(not math.dist(one, other) < JUMP for one, other in pairwise(track)):
-        raise Wrong("Vera drives the round", "she was moved without driving")
+        raise Wrong("Vera drives the round", "she was moved without driving", hint=NO_HINT)
     at = 0
     for number, (x, y) in enumerate(STOPS, 1):
         gaps = [math.hypot(one[0] - x, one[1] - y) for one in track[at:]]
@@ -224,7 +225,7 @@ def _judge_plan(manage: Any, number: int, chance: Random) -> tuple[int, int]:
     told = f"warehouse {number}"
     got = called(manage, free.copy(), dict(homes), list(loads), told=f"manage, {told}")
     if type(got) is not dict or any(type(name) is not str for name in got) or set(got) != set(homes):
-        raise Wrong(f"a dictionary with a way for each of {', '.join(homes)}", gave=shown(got, 60))
+        raise Wrong(f"a dictionary with a way for each of {', '.join(homes)}", gave=shown(got, 60), hint=NO_HINT)
     ways = {name: _cells(got[name], f"{name} in {told}") for name in homes}
     for name, way in ways.items():
         _expect_drivable(free, way, homes[name], f"{name} in {told}")
@@ -260,15 +261,15 @@ def _warehouse(number: int, chance: Random) -> tuple[np.ndarray, dict[str, Cell]
 
 def _expect_drivable(free: np.ndarray, way: list[Cell], home: Cell, told: str) -> None:
     if not way or way[0] != home:
-        raise Wrong(f"a way of {told} that begins at its home {home}", gave=f"{way[:3]}")
+        raise Wrong(f"a way of {told} that begins at its home {home}", gave=f"{way[:3]}", hint=NO_HINT)
     if len(way) > MOST_TICKS:
-        raise Wrong(f"at most {MOST_TICKS} ticks for {told}", gave=f"{len(way)}")
+        raise Wrong(f"at most {MOST_TICKS} ticks for {told}", gave=f"{len(way)}", hint=NO_HINT)
     for before, after in pairwise(way):
         if abs(before[0] - after[0]) + abs(before[1] - after[1]) > 1:
-            raise Wrong(f"{told} stays or goes to a neighbour in each tick", gave=f"{before} to {after}")
+            raise Wrong(f"{told} stays or goes to a neighbour in each tick", gave=f"{before} to {after}", hint=NO_HINT)
         inside = 0 <= after[0] < free.shape[0] and 0 <= after[1] < free.shape[1]
         if not inside or not free[after]:
-            raise Wrong(f"{told} on free cells", gave=f"{after}, which is none")
+            raise Wrong(f"{told} on free cells", gave=f"{after}, which is none", hint=NO_HINT)
 
 
 def _at(way: list[Cell], tick: int) -> Cell:
@@ -283,7 +284,7 @@ def _expect_apart(ways: dict[str, list[Cell]], told: str) -> None:
             here, before = _at(way, tick), _at(way, tick - 1)
             other = seen.setdefault(here, name)
             if other != name:
-                raise Wrong(f"one robot to a cell in {told}", f"{other} and {name} both in {here} at tick {tick}")
+                raise Wrong(f"one robot to a cell in {told}", f"{other} and {name} both in {here} at tick {tick}", hint=0)
             if here != before and (here, before) in moves:
                 what = f"{name} and {moves[here, before]} change places at tick {tick}: {before}, {here}"
                 raise Wrong(f"no two robots through each other in {told}", what, "The moves are to be reserved, too.")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,7 +28,7 @@ def solids(robot: Robot, positions: dict[str, float]) -> list[np.ndarray]:
 
     found = [surface.vertices for _, surface in robot_surfaces(robot, positions, collision=True)]
     if not found:
-        raise Wrong("links with <collision>", "there is none")
+        raise Wrong("links with <collision>", "there is none", hint=NO_HINT)
     return found
 
 
@@ -40,7 +40,7 @@ def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float,
 
     parts = [surface.vertices for name, surface in robot_surfaces(robot, positions) if name == link]
     if not parts:
-        raise Wrong(f"{link} with a <visual>", "it has none", share=0.25)
+        raise Wrong(f"{link} with a <visual>", "it has none", share=0.25, hint=1)
     points = np.concatenate(parts)
     return tuple(float(one) for one in points.max(axis=0) - points.min(axis=0))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 
 HALF_VIEW = math.radians(30.0)
 
@@ -19,13 +19,13 @@ def judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str)
     inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
     if inside or not away >= 0.8 - 1e-6:
         got = "one stands in it" if inside else f"one is {away:.2f} m from a side"
-        raise Wrong(f"0.8 m of room around {name}", gave=got, share=0.25)
+        raise Wrong(f"0.8 m of room around {name}", gave=got, share=0.25, hint=NO_HINT)
     for number, side in enumerate(sides, 1):
         faults = [fault for place, yaw in poses if (fault := _fault(place, yaw, *side))]
         if len(faults) == len(poses):
             best = max(faults)[1]
             wanted = f"a photograph of side {number} of {name}, from {told(side[0])} to {told(side[1])}"
-            raise Wrong(wanted, gave=best, share=0.25)
+            raise Wrong(wanted, gave=best, share=0.25, hint=1)
 
 
 def _height(place: Flat, a: Flat, b: Flat) -> float:

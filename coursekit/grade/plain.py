@@ -90,7 +90,9 @@ def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) ->
 def _why_no_number(value: Any) -> str:
     if value is None:
         return "Is there a `return` in every case?"
-    if type(value) is float:
+    if type(value) is str:
+        return "That is a text: leave the quotes, `str` or the f-string out."
+    if type(value) is float and not math.isfinite(value):
         return "Is something divided by zero, or is it beyond what a float holds?"
     if (value.kind if type(value) is Described else type(value).__name__) in _UNFINISHED:
         return "Such a function gives no value: is there an `async` or a `yield` too many?"
@@ -109,7 +111,8 @@ def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[flo
     array = _array(value)
     parts = items(value, expected, cause) if array is None else array.ravel().tolist()
     if len(parts) != count:
-        raise Wrong(expected, gave=shown(value), cause=cause, hint=NO_HINT)
+        why = f"{count} values are asked for, these are {len(parts)}."
+        raise Wrong(expected, gave=shown(value), cause=cause or why, hint=NO_HINT)
     return tuple(number(one, expected, cause) for one in parts)
 
 
@@ -119,7 +122,8 @@ def items(value: Any, expected: str, cause: str = "") -> list[Any]:
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
         return list(array.tolist())
-    raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), hint=NO_HINT)
+    why = _why_no_number(value) or "They belong in a tuple or a list: `a, b`."
+    raise Wrong(expected, gave=shown(value), cause=cause or why, hint=NO_HINT)
 
 
 def _array(value: Any) -> Any:

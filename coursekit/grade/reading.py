@@ -10,13 +10,16 @@ import os
 import stat
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces.model import Message
 from coursekit.suggestions import similar
 
 from .facts import BuildFacts, RobotFacts, facts_of
 from .verdict import NO_HINT, Wrong
+
+if TYPE_CHECKING:
+    from coursekit.urdf import UrdfError
 
 LONGEST = 1 << 20
 """Bytes of a file of text."""
@@ -48,12 +51,22 @@ def robot(workspace: Path, path: str) -> RobotFacts:
 
     file = _file(workspace, path)
     try:
-        return facts_of(load(file))
+        found = load(file)
+        if found.faults:  # ROS drops the rest of such a link and goes on; a judge would not see what it lacks
+            raise found.faults[0]
+        return facts_of(found)
     except UrdfError as error:
-        place = f"{file.name}:{error.line}" if error.line else file.name
-        raise Wrong("a description that ROS takes", f"{place}: {error.what}", error.cure.split("\n")[0]) from None
+        told = f"{_place(file, error)}: {error.what}"
+        raise Wrong("a description that ROS takes", told, error.cure.split("\n")[0]) from None
     except ValueError as error:
         raise Wrong("a description that can be judged", str(error), hint=NO_HINT) from None
+
+
+def _place(file: Path, error: UrdfError) -> str:
+    """Where a fault is; lines are those of the expanded text, so in a xacro file its element says where."""
+    if file.suffix == ".xacro" and error.element:
+        return f"{file.name}, expanded: {error.element}"
+    return f"{file.name}:{error.line}" if error.line else file.name
 
 
 def message(workspace: Path, path: str) -> Message:

@@ -12,6 +12,7 @@ from xml.parsers.expat import ExpatError
 
 from .errors import UrdfError
 
+UNBOUND = 'Declare xacro: <robot name="..." xmlns:xacro="http://www.ros.org/wiki/xacro">.'
 _alone = threading.Lock()
 """xacro keeps its state in module globals."""
 
@@ -32,7 +33,7 @@ def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = N
         try:
             document = xacro.process_file(file, mappings=dict(arguments or {}))
         except ExpatError as error:
-            cure = "A tag, a quote or an & is not closed there."
+            cure = UNBOUND if "unbound prefix" in str(error) else "A tag, a quote or an & is not closed there."
             raise UrdfError(f"XML parser error: {error}", file=file, line=error.lineno, cure=cure) from None
         except (Exception, SystemExit) as error:
             raise _fault(error, file, said.getvalue()) from None

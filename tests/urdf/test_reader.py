@@ -132,6 +132,7 @@ def test_xacro_finds_packages_in_the_index(tmp_path):
         (XACRO.format(link="$(find no_such_package)"), "no_such_package"),
         (XACRO.format(link="$(arg colour)"), "colour"),
         ("<robot><xacro:include", "XML parser error"),
+        ('<robot name="r"><xacro:property name="a" value="1"/></robot>', 'xmlns:xacro="http://www.ros.org/wiki/xacro"'),
         ('<robot xmlns:xacro="x"><xacro:include filename="gone.xacro"/></robot>', "gone.xacro"),
     ],
 )

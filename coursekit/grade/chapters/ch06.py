@@ -7,6 +7,7 @@ import math
 from random import Random
 from typing import TYPE_CHECKING, Any
 
+from coursekit.grade.chapters.measures.arm import arm_tip, why_tip
 from coursekit.grade.chapters.measures.body import FLOOR, extent, inverse, outside, poses, solids, turned
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import expect_node, heard
@@ -14,6 +15,7 @@ from coursekit.grade.plain import called, close, field, fields, near, number, nu
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
+from coursekit.urdf.model import Cylinder
 
 if TYPE_CHECKING:
     from coursekit.urdf import Robot
@@ -82,15 +84,23 @@ def _judge_wheel(robot: Robot, side: str) -> None:
     link = f"{side}_wheel_link"
     across = extent(robot, link, {})
     if not _same_size(across, (0.3, 0.05, 0.3), 0.003):
-        cause = "Does its axle lie along y, in the visual's origin?"
-        raise Wrong(f"{link} 0.3 m long, 0.05 m wide, 0.3 m high", _place(across), cause, share=0.5, hint=0)
+        raise Wrong(f"{link} 0.3 m long, 0.05 m wide, 0.3 m high", _place(across), _why_size(robot, link), share=0.5, hint=0)
     after = poses(robot, {f"{side}_wheel_joint": math.pi / 2})[link]
     before = poses(robot, {})[link]
     forward = turned(after, turned(inverse(before), (0.0, 0.0, 1.0)))
     if not forward[0] > 0.99:
-        what = "backwards" if forward[0] < -0.99 else "not about y"
-        cause = "Which way does the top of the wheel go? See the axis of the joint."
-        raise Wrong(f"{side}_wheel_joint rolls forward", f"a quarter turn goes {what}", cause, share=0.5)
+        what = "a quarter turn rolls backwards" if forward[0] < -0.99 else "it does not turn about y"
+        cause = "Which way does the top of the wheel go? See the joint's <axis>: it is x, where no <axis> is given."
+        raise Wrong(f"{side}_wheel_joint rolls forward", what, cause, share=0.5)
+
+
+def _why_size(robot: Robot, link: str) -> str:
+    visual = robot.links[link].visuals[0]
+    if isinstance(visual.geometry, Cylinder) and (visual.geometry.radius, visual.geometry.length) != (0.15, 0.05):
+        return "A cylinder has a radius, which is half of its diameter, and a length, which is the wheel's width."
+    if max(map(abs, visual.origin.rpy)) > math.tau:
+        return "Angles are in radians: a right angle is 1.5708."
+    return "Does its axle lie along y, in the visual's origin?"
 
 
 def _judge_lift(robot: Robot) -> None:
@@ -124,25 +134,12 @@ def by_hand(work: Work) -> None:
         told = f"tip({shoulder:.2f}, {elbow:.2f}" + (f", {upper:.2f}, {fore:.2f})" if index >= 6 else ")")
         given = (shoulder, elbow) if index < 6 else (shoulder, elbow, upper, fore)
         got = numbers(called(tip, *given, told=told), 2, f"a pair (x, y) of finite numbers from {told}")
-        place = _arm_tip(shoulder, elbow, upper, fore)
+        place = arm_tip(shoulder, elbow, upper, fore)
         if not close(got, place, 1e-6):
-            cause = "Only with other lengths: are they used?" if index >= 6 else "Degrees? Or the elbow's angle alone?"
+            cause = "Only with other lengths: are they used?" if index >= 6 else why_tip(got, shoulder, elbow)
             answer = f"({got[0]:.3f}, {got[1]:.3f})"
             share = 0.5 if index >= 6 else 0.0
             raise Wrong(f"({place[0]:.3f}, {place[1]:.3f}) from {told}", gave=answer, cause=cause, share=share, hint=1)
-
-
-def _arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[float, float]:
-    from coursekit.urdf import parse
-    from coursekit.urdf.kinematics import Kinematics
-
-    links = "".join(f'<link name="l{index}"/>' for index in range(4))
-    joint = '<joint name="j{0}" type="{1}"><origin xyz="{2} 0 0"/><parent link="l{0}"/><child link="l{3}"/>{4}</joint>'
-    axis = '<axis xyz="0 0 1"/>'
-    joints = joint.format(0, "continuous", 0, 1, axis) + joint.format(1, "continuous", upper, 2, axis)
-    joints += joint.format(2, "fixed", fore, 3, "")
-    x, y, *_ = Kinematics(parse(f'<robot name="arm">{links}{joints}</robot>')).poses({"j0": shoulder, "j1": elbow})["l3"]
-    return x, y
 
 
 @exercise(
@@ -176,18 +173,20 @@ def _judge_rolling(seen: Seen, radius: float) -> None:
         raise Wrong(f"a circle of {radius:g} m, 1° a step", "another way", "Is py_state_publisher_node.py as it was given?")
     before, after = _angles(states[0]), _angles(states[steps])
     for name in sorted(WHEELS):
-        way = turn * (radius - (ASIDE if name.startswith("left") else -ASIDE))
-        _judge_wheel_s_way(name, radius, way, WHEEL * (after[name] - before[name]), turn * radius)
+        aside = ASIDE if name.startswith("left") else -ASIDE
+        _judge_wheel_s_way(name, radius, turn, aside, WHEEL * (after[name] - before[name]))
 
 
-def _judge_wheel_s_way(name: str, radius: float, way: float, unrolled: float, middle: float) -> None:
+def _judge_wheel_s_way(name: str, radius: float, turn: float, aside: float, unrolled: float) -> None:
+    way = turn * (radius - aside)
     if not near(unrolled, way, 1e-3 + 0.005 * abs(way)):
+        middle = near(unrolled, turn * radius, 0.01)
         raise Wrong(
             f"on a circle of {radius:g} m, {name} unrolls {way:.3f} m, as its place on the robot goes",
             f"{unrolled:.3f} m",
-            _slip(way, unrolled, middle),
-            share=0.4 if near(unrolled, middle, 0.01) and radius == 1.0 else 0.0,
-            hint=0 if near(unrolled, middle, 0.01) else 1,
+            _slip(radius, turn, aside, unrolled),
+            share=0.4 if middle and radius == 1.0 else 0.0,
+            hint=0 if middle else 1,
         )
 
 
@@ -200,12 +199,20 @@ def _angles(state: Any) -> dict[str, float]:
     return {name: number(found[name], f"a finite angle of {name}") for name in WHEELS}
 
 
-def _slip(way: float, unrolled: float, middle: float) -> str:
-    if abs(unrolled - middle) < 0.01:
-        return "That is the way of the robot's middle: the inner wheels have less to go, the outer ones more."
-    if abs(unrolled + way) < 0.01:
-        return "The right length, but backwards."
-    return "Which wheels are the inner ones? And the floor's length is the angle times the wheel's radius, 0.0375 m."
+def _slip(radius: float, turn: float, aside: float, unrolled: float) -> str:
+    way = turn * (radius - aside)
+    causes = {
+        "That is the way of the robot's middle: the inner wheels have less to go, the outer ones more.": turn * radius,
+        "The right length, but backwards.": -way,
+        "That is the other side's way: to the left, the left wheels are the inner ones.": turn * (radius + aside),
+        "That is right on a circle of 1 m only: is `radius` used?": turn * (1.0 - aside),
+        "An angle is asked for: the length on the floor, divided by the wheel's radius.": WHEEL * way,
+        "Radians are asked for, as `step` is.": math.degrees(way),
+    }
+    for cause, length in causes.items():
+        if near(unrolled, length, 1e-3 + 0.005 * abs(length)):
+            return cause
+    return "The length on the floor is the wheel's angle times its radius, 0.0375 m. Which wheels are the inner ones?"
 
 
 def _moved(frame: Any) -> tuple[float, float, float]:

@@ -69,8 +69,10 @@ def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
 def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:
     """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
+    if died:
+        cause, hint = cause_of(died), ""
     if died and died not in got:
-        got, cause, hint = f"your program raised {died}" + (f"; {got}" if got else ""), cause_of(died), ""
+        got = f"your program raised {died}" + (f"; {got}" if got else "")
     return Verdict(
         exercise.name,
         exercise.title,

@@ -17,6 +17,7 @@ _CALL = re.compile(
     r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
 )
 """A method that was defined without `self`, or without the message: Python tells it where it was called."""
+_UNPACKED = re.compile(r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack")
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
 """What a program may end with when Ctrl-C is pressed at the end of a trial."""
@@ -44,6 +45,10 @@ def cause_of(died: str) -> str:
     >>> cause_of("TypeError: Ear.heard() takes 1 positional argument but 2 were given (line 9 of ear.py: rclpy.spin(node))")
     '`heard` gets two values, the object itself and what it is called with: begin it with `def heard(self, msg):`.'
     """
+    if died.startswith("NotImplementedError"):
+        return "The stub is still there: write your code where that line stands."
+    if _UNPACKED.match(died):
+        return "Another number of values is taken there than came: what should your function return?"
     call = _CALL.match(died)
     if call is None:
         return DIED

@@ -37,6 +37,11 @@ def terminal(name: str) -> Terminal:
         raise NotThere(f"There is no terminal '{name}'. There are: {known}") from None
 
 
+def failed_terminals() -> list[Terminal]:
+    """Those whose programs ended with an error of their own, not by a signal."""
+    return [shown for shown in _terminals.values() if (shown.process.exit_code or 0) > 0]
+
+
 def show_as(name: str, shown: Terminal) -> None:
     """Have `terminal(name)` find a terminal."""
     _terminals[name] = shown

@@ -22,15 +22,22 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
     TimeoutError when none came. `wait(3, until="/map")` waits 3 s, or longer where SLAM takes longer to begin.
     """
     session = current()
-    what = f"Waiting for {until}, which takes a minute the first time" if until else "Waiting"
+    what = f"Waiting for a message on {until}" if until else "Waiting"
     with Working(what, 0.0 if until else seconds):
         if not until:
             session.clock.sleep(seconds)
         elif not _wait_for(session, full_name(until), seconds, timeout_sec):
             raise TimeoutError(
-                f"No message came on {until} within {timeout_sec:g} s. `graph()` shows its publishers; "
+                f"No message came on {until} within {timeout_sec:g} s. {_failed()}`graph()` shows its publishers; "
                 "the terminals show what the programs printed."
             )
+
+
+def _failed() -> str:
+    """The terminals whose programs ended with an error, as a sentence each."""
+    from .magics import failed_terminals
+
+    return "".join(f"{shown.title} ended with {shown.state}. " for shown in failed_terminals())
 
 
 def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:

@@ -1,19 +1,50 @@
 """The likely cause that a check gives is that of the fault at hand, not of the exercise's usual one."""
 
+import cmath
 import math
 
 import pytest
 
-from coursekit.grade.chapters import ch06
-from coursekit.grade.checking import judge
-from coursekit.grade.exercise import find
+from coursekit.grade.chapters import ch06, ch07
+from coursekit.grade.checking import judge, judge_work
+from coursekit.grade.exercise import Exercise, find
+from coursekit.grade.outputs import last_words
+from coursekit.grade.plan import Seen
 from coursekit.grade.verdict import Wrong
+from coursekit.grade.work import Work
 
 
 def told_of(name, variables, workspace):
     verdict = judge(find(name), variables, workspace)
     assert not verdict.passed
     return verdict
+
+
+def trace(error, line):
+    where = '  File "/ws/install/p/lib/python3.10/site-packages/s7_py_client_robot/stages.py", line 4, in next_step'
+    return f"Traceback (most recent call last):\n{where}\n    {line}\n{error}\n"
+
+
+@pytest.mark.parametrize(
+    ("error", "line", "cause"),
+    [
+        ("NotImplementedError", "raise NotImplementedError()", "write your code where that line stands"),
+        ("TypeError: cannot unpack non-iterable float object", "x, y = step()", "what should your function return?"),
+        ("ValueError: not enough values to unpack (expected 4, got 3)", "a, b, c, d = step()", "your function return?"),
+        ("KeyError: 3", "poses[3]", "mend the line that it names"),
+    ],
+)
+def test_what_a_program_died_of_comes_before_the_check_s_guess_also_where_the_check_has_told_it(error, line, cause):
+    class Tried(Work):
+        def try_out(self, *commands, **plan):
+            return Seen(outputs=[trace(error, line)], exit_codes=[1])
+
+    def judge_trial(work):
+        output = work.try_out("run p p_exe").outputs[0]
+        raise Wrong("reports", f"none; it said: {last_words(output)}", "Was it built?", hint=0)
+
+    verdict = judge_work(Exercise("ch99.q1", "Try", 1, ("a hint",), judge_trial), Tried({}, None), 3)
+    assert verdict.got.count(f"{error} (line 4") == 1 and cause in verdict.cause and not verdict.hint
 
 
 # -- chapter 6
@@ -124,4 +155,42 @@ def test_an_arm_s_fault_is_named(tmp_path, tip, cause):
 def test_a_slipping_wheel_s_fault_is_named(radius, factor, cause):
     with pytest.raises(Wrong) as caught:
         ch06._judge_wheel_s_way("left_back_joint", radius, 0.77, 0.094, 0.77 * factor(radius, 0.094))
+    assert cause in caught.value.cause
+
+
+# -- chapter 7
+
+
+def seen_from(me, other, yaw=None, sign=1.0):
+    shift = sign * (complex(*other[:2]) - complex(*me[:2])) * cmath.rect(1.0, -(me[2] if yaw is None else yaw))
+    return shift.real, shift.imag, math.remainder(other[2] - me[2], math.tau)
+
+
+@pytest.mark.parametrize(
+    ("seen", "cause"),
+    [
+        (lambda me, other: seen_from(me, other, yaw=0.0), "My yaw is not used"),
+        (lambda me, other: seen_from(me, other, yaw=-me[2]), "wrong direction"),
+        (lambda me, other: seen_from(me, other, yaw=math.radians(me[2])), "in radians already"),
+        (lambda me, other: seen_from(me, other, sign=-1.0), "The other minus me"),
+        (lambda me, other: seen_from(me, other)[:2], "3 values are asked for, these are 2"),
+    ],
+)
+def test_a_view_s_fault_is_named(tmp_path, seen, cause):
+    assert cause in told_of("ch07.q1", {"seen": seen}, tmp_path).cause
+
+
+@pytest.mark.parametrize(("turned", "cause"), [(1.0, "theta is in radians"), (0.5, "")])
+def test_a_turn_of_a_radian_is_told_as_such(turned, cause):
+    with pytest.raises(Wrong) as caught:
+        ch07._judge_step(0, 0, (0.0, 0.0, 0.0), (0.0, 0.0, turned))
+    assert caught.value.cause.startswith(cause) and bool(caught.value.cause) == bool(cause)
+
+
+@pytest.mark.parametrize(
+    ("end", "steps", "cause"), [(0.1, 10, "too early"), (-0.5, 10, "two poses"), (0.995, 100, "last, shorter step")]
+)
+def test_how_a_stage_ends_wrong_is_told(end, steps, cause):
+    with pytest.raises(Wrong) as caught:
+        ch07._judge_stage(1, (0.0, 0.0, 0.0), (end, 0.0, 0.0), (1.0, 0.0, 0.0), steps)
     assert cause in caught.value.cause

@@ -3,7 +3,8 @@
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
-from coursekit.lab.magics import CourseMagics
+from coursekit.lab.magics import CourseMagics, show_as
+from coursekit.lab.terminal import Terminal
 from coursekit.lab.waiting import wait
 from coursekit.processes.session import Session
 
@@ -53,6 +54,14 @@ def test_without_a_topic_it_is_a_time(session):
 def test_what_never_comes_is_said(session):
     with pytest.raises(TimeoutError, match=r"No message came on /map within 5 s.*graph\(\)"):
         wait(1.0, until="/map", timeout_sec=5.0)
+
+
+def test_a_program_that_ended_with_an_error_is_named_with_what_never_came(session):
+    shown = Terminal(session.start(lambda: 3, name="client_exe"), "client_exe")
+    shown.wait()
+    show_as("client_exe", shown)
+    with pytest.raises(TimeoutError, match=r"within 1 s\. client_exe ended with exit code 3\. `graph"):
+        wait(until="/map", timeout_sec=1.0)
 
 
 def ros2(line):

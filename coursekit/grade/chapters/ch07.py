@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import itertools
 import math
 import re
@@ -75,7 +76,9 @@ def _slip(got: tuple[float, float], me: Sequence[float], other: Sequence[float])
     shift = complex(other[0] - me[0], other[1] - me[1])
     for cause, value in (
         ("My yaw is not used: these are still the common frame's axes.", shift),
-        ("Turned by my yaw, but in the wrong direction.", shift * complex(math.cos(me[2]), math.sin(me[2]))),
+        ("Turned by my yaw, but in the wrong direction.", shift * cmath.rect(1.0, me[2])),
+        ("Yaws are in radians already, as sin and cos take them.", shift * cmath.rect(1.0, -math.radians(me[2]))),
+        ("The other minus me, not me minus the other.", -shift * cmath.rect(1.0, -me[2])),
     ):
         if abs(complex(*got) - value) < 1e-6:
             return cause
@@ -136,7 +139,9 @@ def _judge_step(old: int, new: int, before: Spot, after: Spot) -> None:
     if not 0 <= old <= 5 or new not in (old, old + 1):
         raise Wrong(f"stage {old} or {old + 1} after a step in stage {old}", f"stage {new}", hint=NO_HINT)
     if moved > STEP + 1e-6 or turned > TURN + 1e-6:
-        raise Wrong(f"in stage {old} at most 0.01 m and 1° a step", f"{moved:.4f} m and {math.degrees(turned):.2f}°", hint=2)
+        cause = "theta is in radians: 1° is math.radians(1)." if near(turned, 1.0, 1e-6) else ""
+        seen = f"{moved:.4f} m and {math.degrees(turned):.2f}°"
+        raise Wrong(f"in stage {old} at most 0.01 m and 1° a step", seen, cause, hint=NO_HINT if cause else 2)
     if old in (1, 4) and turned > 1e-6:
         wanted = f"in stage {old} the robot moves straight on"
         raise Wrong(wanted, f"it turns by {math.degrees(turned):.2f}°", share=0.3, hint=1)
@@ -154,6 +159,8 @@ def _judge_stage(stage: int, begin: Spot, end: Spot, goal: Spot, steps: int) -> 
     unit = "m" if what == "place" else "rad"
     if off > 1e-4:
         cause = "The last, shorter step has to end at the goal." if off < TURN * 1.1 else "To which of the two poses?"
+        if steps < whole - 1.5 and near(off / (STEP if what == "place" else TURN), whole - steps, 0.01):
+            cause = "The next stage comes too early: only when nothing is left, this one is over."
         raise Wrong(f"stage {stage} ends exactly at its {what}", f"{off:.3f} {unit} beside it", cause, share=0.4)
     if steps > whole + 2.5:
         cause = "Does it turn the longer way round?" if what == "yaw" else "Are the steps too small?"

@@ -55,6 +55,16 @@ def is_number(value: Any) -> bool:
         return False
 
 
+def is_infinite(value: Any) -> bool:
+    """Whether it is exactly a float's, or a numpy scalar's, positive infinity.
+
+    >>> [is_infinite(one) for one in (math.inf, -math.inf, math.nan, 1.0, "inf")]
+    [True, False, False, False, False]
+    """
+    numpy = sys.modules.get("numpy")
+    return type(value) in (float, *(_scalars(numpy)[:3] if numpy else ())) and bool(value == math.inf)
+
+
 def _scalars(numpy: Any) -> tuple[Any, ...]:
     found: tuple[Any, ...] = numpy.float64, numpy.float32, numpy.float16
     return found + tuple(getattr(numpy, f"{sign}int{bits}") for sign in ("", "u") for bits in (8, 16, 32, 64))

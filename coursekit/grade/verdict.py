@@ -102,9 +102,11 @@ class Verdict:
         """For the notebook."""
         colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         rows = "".join(
-            f"<tr><td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
+            f"<tr style='background:none'>"
+            f"<td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
             f"{label}</td>"
-            f"<td style='text-align:left;white-space:pre-wrap'>{_as_html(label, value)}</td></tr>"
+            f"<td style='padding:1px 0;text-align:left;vertical-align:top;white-space:pre-wrap'>"
+            f"{_as_html(label, value)}</td></tr>"
             for label, value in self._rows()
         )
         number, _, rest = ("not judged", "", "") if self.fault else self.score().partition(" ")

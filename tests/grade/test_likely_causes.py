@@ -3,6 +3,7 @@
 import cmath
 import math
 
+import numpy as np
 import pytest
 
 from coursekit.grade.chapters import ch06, ch07
@@ -194,3 +195,36 @@ def test_how_a_stage_ends_wrong_is_told(end, steps, cause):
     with pytest.raises(Wrong) as caught:
         ch07._judge_stage(1, (0.0, 0.0, 0.0), (end, 0.0, 0.0), (1.0, 0.0, 0.0), steps)
     assert cause in caught.value.cause
+
+
+# -- chapter 8
+
+
+def distance(walls, x, y, angle, range_max=10.0):
+    """As numpy's functions give it."""
+    c, s, found = math.cos(angle), math.sin(angle), [np.float64(math.inf)]
+    for x1, y1, x2, y2 in walls:
+        across = c * (y2 - y1) - s * (x2 - x1)
+        if abs(across) > 1e-12:
+            t = ((x1 - x) * (y2 - y1) - (y1 - y) * (x2 - x1)) / across
+            part = ((x1 - x) * s - (y1 - y) * c) / across
+            found += [np.float64(t)] if 0 <= t <= range_max and 0 <= part <= 1 else []
+    return np.min(found)
+
+
+def test_a_ray_that_ends_nowhere_may_say_so_with_numpys_infinity(tmp_path):
+    assert judge(find("ch08.q2"), {"cast_ray": distance}, tmp_path).passed
+
+
+@pytest.mark.parametrize(
+    ("cast", "cause"),
+    [
+        (lambda walls, x, y, angle, *most: distance(walls, x, y, math.radians(angle), *most), "radians already"),
+        (lambda walls, x, y, angle, range_max=10.0: min(distance(walls, x, y, angle, 99.0), range_max), "`math.inf`"),
+        (lambda walls, x, y, angle, *most: None, "return"),
+        (lambda walls, x, y, angle, range_max=10.0: distance(walls, x, y, angle), "further than range_max"),
+        (lambda walls, x, y, angle, *most: -math.inf, "divided by zero"),
+    ],
+)
+def test_a_ray_s_fault_is_named(tmp_path, cast, cause):
+    assert cause in told_of("ch08.q2", {"cast_ray": cast}, tmp_path).cause

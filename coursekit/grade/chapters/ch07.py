@@ -276,7 +276,7 @@ def _judge_crew(seen: Seen) -> None:
         for cycle, ((_, a), (_, b)) in enumerate(zip(first, second, strict=False)):
             gap = math.dist(a[:2], b[:2])
             if not gap >= APART:
-                where = f"after {cycle / 30:.0f} s robot{one} and robot{two} are {gap:.2f} m apart"
+                where = f"after {cycle / 30:.0f} s robot{one} and robot{two} are {gap:.3f} m apart"
                 cause = "Whole routes count: from the robot's position, over the pickup, to the delivery."
                 raise Wrong(f"always {APART} m between two robots", where, cause, share=0.2, hint=1)
     _judge_deliveries(told)

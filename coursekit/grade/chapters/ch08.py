@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, items, near, number, numbers, shown, whole
+from coursekit.grade.plain import called, is_infinite, items, near, number, numbers, shown, whole
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
@@ -164,15 +164,8 @@ def _judge_single(cast: Any) -> None:
 
 
 def _judge_ray(cast: Any, walls: Any, place: tuple[float, float, float], reach: float) -> None:
-    import numpy as np
-
-    from coursekit.geometry.plane import Pose2D
-    from coursekit.sim import Cut, Lidar
-
     x, y, angle = place
-    lidar = Lidar(beams=1, angle_min=0.0, angle_max=0.0, range_min=0.0, range_max=50.0)
-    truth = float(lidar.look(Cut(np.array(walls), np.zeros((0, 3))), Pose2D(x, y, angle))[0])
-    truth = truth if truth <= reach else math.inf
+    truth = _distance(walls, x, y, angle, reach)
     if abs(truth - reach) > 1e-6:
         told = f"{len(walls)} walls from ({x:.2f}, {y:.2f}) at {angle:.2f} rad"
         _judge_cast(cast, (list(walls), x, y, angle, reach), truth, told, share=0.5)
@@ -182,9 +175,34 @@ def _judge_cast(
     cast: Any, given: tuple[Any, ...], need: float, told: str, cause: str = "", share: float = 0.0, hint: int | None = None
 ) -> None:
     got = called(cast, *given, told=f"cast_ray: {told}")
-    fine = type(got) is float and got == need if math.isinf(need) else near(got, need, 1e-6)
+    wanted = f"{'math.inf' if math.isinf(need) else f'{need:.4g} m'} for {told}"
+    if is_infinite(got):
+        fine = math.isinf(need)
+    else:
+        fine = near(number(got, wanted, share=share), need, 1e-6)
     if not fine:
-        raise Wrong(f"{need:.4g} m for {told}", gave=shown(got, 40), cause=cause, share=share, hint=hint)
+        found = _why_ray(got, need, *given) or cause
+        raise Wrong(wanted, gave=shown(got, 40), cause=found, share=share, hint=None if found != cause else hint)
+
+
+def _why_ray(got: Any, need: float, walls: Any, x: float, y: float, angle: float, reach: float = 10.0) -> str:
+    if abs(angle) > 1e-9 and near(got, _distance(walls, x, y, math.radians(angle), reach), 1e-6):
+        return "The angle is in radians already, as sin and cos take it."
+    if math.isinf(need) and near(got, reach, 1e-9):
+        return "Where there is no wall within `range_max`, `math.inf` is asked for."
+    return "It is further than range_max." if math.isinf(need) and not near(got, 0.0, reach) else ""
+
+
+def _distance(walls: Any, x: float, y: float, angle: float, reach: float) -> float:
+    """What the simulator's LiDAR measures in a direction [m]."""
+    import numpy as np
+
+    from coursekit.geometry.plane import Pose2D
+    from coursekit.sim import Cut, Lidar
+
+    lidar = Lidar(beams=1, angle_min=0.0, angle_max=0.0, range_min=0.0, range_max=50.0)
+    truth = float(lidar.look(Cut(np.array(walls), np.zeros((0, 3))), Pose2D(x, y, angle))[0])
+    return truth if truth <= reach else math.inf
 
 
 @exercise(

@@ -92,6 +92,9 @@ def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
 
 def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> float:
     """The value as a float; Wrong, which says what was `expected`, when it is no plain finite number."""
+    array = _array(value)
+    if array is not None and array.ndim == 0:
+        value = array.item()  # as numpy's functions give one number
     if not is_number(value):
         raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share, hint=NO_HINT)
     return float(value)
@@ -100,6 +103,8 @@ def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) ->
 def _why_no_number(value: Any) -> str:
     if value is None:
         return "Is there a `return` in every case?"
+    if type(value) in (list, tuple, dict, set) or _array(value) is not None:
+        return "One number is asked for, these are several."
     if type(value) is str:
         return "That is a text: leave the quotes, `str` or the f-string out."
     if type(value) is float and not math.isfinite(value):
@@ -132,7 +137,8 @@ def items(value: Any, expected: str, cause: str = "") -> list[Any]:
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
         return list(array.tolist())
-    why = _why_no_number(value) or "They belong in a tuple or a list: `a, b`."
+    several = "They belong in a tuple or a list: `a, b`."
+    why = several if type(value) in (dict, set) else _why_no_number(value) or several
     raise Wrong(expected, gave=shown(value), cause=cause or why, hint=NO_HINT)
 
 

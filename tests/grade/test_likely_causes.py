@@ -228,3 +228,34 @@ def test_a_ray_that_ends_nowhere_may_say_so_with_numpys_infinity(tmp_path):
 )
 def test_a_ray_s_fault_is_named(tmp_path, cast, cause):
     assert cause in told_of("ch08.q2", {"cast_ray": cast}, tmp_path).cause
+
+
+def test_a_ray_along_a_wall_divides_by_nothing(tmp_path):
+    def unguarded(walls, x, y, angle, range_max=10.0):
+        (x1, y1, x2, y2), c, s = walls[0], math.cos(angle), math.sin(angle)
+        t = ((x1 - x) * (y2 - y1) - (y1 - y) * (x2 - x1)) / (c * (y2 - y1) - s * (x2 - x1))
+        part = ((x1 - x) * s - (y1 - y) * c) / (c * (y2 - y1) - s * (x2 - x1))
+        return t if 0 <= t <= range_max and 0 <= part <= 1 else math.inf
+
+    assert "ZeroDivisionError" in told_of("ch08.q2", {"cast_ray": unguarded}, tmp_path).got
+
+
+def model(r, z):
+    return -0.4 if r < z - 0.04 else 0.85 if r < z + 0.04 else 0.0
+
+
+def test_one_number_may_be_numpys_array_of_none_dimensions(tmp_path):
+    assert judge(find("ch08.q1"), {"inverse_sensor_model": lambda r, z: np.array(model(r, z))}, tmp_path).passed
+
+
+@pytest.mark.parametrize(
+    ("wrong", "cause"),
+    [
+        (lambda r, z: 0.85 if r == z else -0.4 if r < z else 0.0, "Walls get lost"),
+        (lambda r, z: (model(r, z), z), "One number is asked for"),
+        (lambda r, z: np.array([model(r, z), z]), "One number is asked for"),
+        (lambda r, z: f"{model(r, z)}", "That is a text"),
+    ],
+)
+def test_a_sensor_model_s_fault_is_named(tmp_path, wrong, cause):
+    assert cause in told_of("ch08.q1", {"inverse_sensor_model": wrong}, tmp_path).cause

@@ -21,6 +21,9 @@ from .progress import Progress
 from .verdict import NO_HINT, CheckFailed, Verdict, Wrong
 from .work import Work
 
+ENDLESS = "That is unusually long. If there may be a loop in your code that never ends, stop it with ■ in the toolbar above."
+"""Said while a check lasts; long ones of the course take half a minute."""
+
 
 def workspace() -> Path:
     """The student's workspace."""
@@ -146,8 +149,11 @@ def check(name: str, **variants: Any) -> None:
     progress = Progress.of_course()
     read_checks(progress.file.parent.parent / OWN)
     exercise = find(name)
-    with Working(f"Trying out {name}"):
-        verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
+    try:
+        with Working(f"Trying out {name}", late=ENDLESS):
+            verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
+    except KeyboardInterrupt:
+        raise CheckFailed(f"{name} was stopped, so it is not judged. Is there a loop that never ends?") from None
     verdict = _with_cell_before(verdict, _fault_before())
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)

@@ -12,6 +12,7 @@ from typing import Any
 PATIENCE_SECONDS = 1.5
 """Shorter work gets no bar [s]."""
 LOOK_SECONDS = 0.3
+LATE_SECONDS = 45.0
 
 
 class Working(AbstractContextManager["Working"]):
@@ -21,8 +22,9 @@ class Working(AbstractContextManager["Working"]):
     ...     bar.share = 0.5
     """
 
-    def __init__(self, what: str, seconds: float = 0.0) -> None:
-        self.what, self.seconds = what, seconds
+    def __init__(self, what: str, seconds: float = 0.0, late: str = "") -> None:
+        self.what, self.seconds, self.late = what, seconds, late
+        """`late` is said below the bar once the block has lasted LATE_SECONDS."""
         self.share: float | None = None
         """How much is done, 0 to 1; None where nobody knows, or where the work lasts `seconds`."""
         self._over = threading.Event()
@@ -56,7 +58,8 @@ class Working(AbstractContextManager["Working"]):
         value = "" if share is None else f' value="{min(max(share, 0.0), 1.0):.3f}"'
         style = "font:13px system-ui,sans-serif;color:#68757d"
         bar = f'<progress max="1"{value} style="width:14rem;vertical-align:middle"></progress>'
-        return f'<div style="{style}">{html.escape(self.what)} {bar} {passed:.0f} s</div>'
+        late = f"<br>{html.escape(self.late)}" if self.late and passed >= LATE_SECONDS else ""
+        return f'<div style="{style}">{html.escape(self.what)} {bar} {passed:.0f} s{late}</div>'
 
 
 def _has_a_page() -> bool:

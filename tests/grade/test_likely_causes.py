@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from coursekit.grade.chapters import ch06, ch07
+from coursekit.grade.chapters import ch06, ch07, ch08
 from coursekit.grade.checking import judge, judge_work
 from coursekit.grade.exercise import Exercise, find
 from coursekit.grade.outputs import last_words
@@ -259,3 +259,17 @@ def test_one_number_may_be_numpys_array_of_none_dimensions(tmp_path):
 )
 def test_a_sensor_model_s_fault_is_named(tmp_path, wrong, cause):
     assert cause in told_of("ch08.q1", {"inverse_sensor_model": wrong}, tmp_path).cause
+
+
+@pytest.mark.parametrize(
+    ("off", "turned", "moved", "cause"),
+    [
+        (0.28, 0.1, 0.0, "where the guess was"),
+        (0.6, 0.1, 0.5, "further off than the guess"),
+        (0.01, 1.2, 0.2, "in radians"),
+        (0.25, 0.1, 0.1, "0.3 m and 0.15 rad around"),
+        (0.05, 0.0, 0.2, "finer steps"),
+    ],
+)
+def test_a_pose_s_fault_is_named(off, turned, moved, cause):
+    assert cause in ch08._why_pose(off, turned, moved)

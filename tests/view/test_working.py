@@ -68,3 +68,11 @@ def test_how_far_it_is():
 def test_without_a_page_there_is_none(kernel, monkeypatch):
     monkeypatch.setattr("IPython.get_ipython", lambda: SimpleNamespace(kernel=kernel))
     assert not working._has_a_page()
+
+
+def test_work_that_lasts_says_what_to_do_once_it_is_late(monkeypatch):
+    bar = Working("Trying out", late="Stop it with <b>")
+    assert "Stop it" not in bar.html()
+    monkeypatch.setattr(working, "LATE_SECONDS", 0.0)
+    assert "Stop it with &lt;b&gt;" in bar.html()
+    assert "<br>" not in Working("Driving").html()

@@ -226,11 +226,23 @@ def scan_matcher(work: Work) -> None:
     ]
     bad = [one for one in found if not (one[0] <= 0.03 and one[1] <= 0.02)]
     if bad:
-        off, turned, told = max(bad)
-        cause = "Does it still stand where the guess was?" if off > 0.15 else "Near, but not there: finer steps at the end?"
+        off, turned, told, moved = max(bad)
         share = 0.0 if len(bad) == len(found) else 0.5
         seen = f"{len(bad)} are not; {told} is {off:.3f} m and {turned:.3f} rad off"
-        raise Wrong("all six scans to 3 cm and 0.02 rad", seen, cause, share=share, hint=0 if off > 0.15 else 1)
+        hint = NO_HINT if off <= 0.03 else 0 if off > 0.15 else 1
+        raise Wrong("all six scans to 3 cm and 0.02 rad", seen, _why_pose(off, turned, moved), share=share, hint=hint)
+
+
+def _why_pose(off: float, turned: float, moved: float) -> str:
+    if moved < 1e-9:
+        return "It still stands where the guess was."
+    if off > 0.35:
+        return "That is further off than the guess: are the points turned by the heading first, and then moved?"
+    if off <= 0.03 and turned > 0.02:
+        return "The place is right, the heading is not: is it in radians, and are finer headings tried at the end?"
+    if off > 0.15:
+        return "Do the tries reach 0.3 m and 0.15 rad around the guess?"
+    return "Near, but not there: finer steps at the end?"
 
 
 def _puzzle(world: Path, chance: Random) -> Puzzle:
@@ -246,11 +258,13 @@ def _puzzle(world: Path, chance: Random) -> Puzzle:
             return puzzle
 
 
-def _try_match(match: Any, puzzle: Any, told: str) -> tuple[float, float, str]:
+def _try_match(match: Any, puzzle: Any, told: str) -> tuple[float, float, str, float]:
+    """How far off the pose is [m, rad], of which scan, and how far it is from the guess [m]."""
     got = called(match, puzzle.points.copy(), puzzle.gap, puzzle.guess, told=f"match, the scan {told}")
     x, y, heading = numbers(got, 3, "three finite numbers (x, y, heading) from match")
     turned = abs(math.remainder(heading - puzzle.truth[2], math.tau))
-    return math.hypot(x - puzzle.truth[0], y - puzzle.truth[1]), turned, told
+    off, moved = (math.hypot(x - one[0], y - one[1]) for one in (puzzle.truth, puzzle.guess))
+    return off, turned, told, moved
 
 
 @exercise(

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 from coursekit.cli.ask import full_name
 from coursekit.processes.session import Session, current
 from coursekit.view.working import Working
 
+from .errors import NotNow
 from .hidden import HiddenNode
 from .messages import listen
 
@@ -19,7 +21,8 @@ PATIENCE_SECONDS = 180.0
 def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SECONDS) -> None:
     """Let the session run: the processes work on, this cell waits, and with `until` until a message came on that topic.
 
-    TimeoutError when none came. `wait(3, until="/map")` waits 3 s, or longer where SLAM takes longer to begin.
+    TimeoutError when none came, NotNow when there is no program from which one could come. `wait(3, until="/map")` waits
+    3 s, or longer where SLAM takes longer to begin.
     """
     session = current()
     what = f"Waiting for a message on {until}" if until else "Waiting"
@@ -27,10 +30,20 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
         if not until:
             session.clock.sleep(seconds)
         elif not _wait_for(session, full_name(until), seconds, timeout_sec):
+            if _nobody_runs(session):
+                raise NotNow(f"Nothing publishes {until}: no program runs. Run the cells above that start them.")
             raise TimeoutError(
                 f"No message came on {until} within {timeout_sec:g} s. {_failed()}`graph()` shows its publishers; "
                 "the terminals show what the programs printed."
             )
+
+
+def _nobody_runs(session: Session) -> bool:
+    """Whether no message can come: no program and no node but those of panels, and no network over which one could."""
+    joining = sys.modules.get("coursekit.net.joining")  # not imported: nobody has joined one
+    joined = joining is not None and any(joining.link_of(session, domain) for domain in session.graphs)
+    nodes = [node for graph in session.graphs.values() for node in graph.nodes if not node.name.startswith("_")]
+    return not session.processes and not nodes and not joined
 
 
 def _failed() -> str:
@@ -48,6 +61,8 @@ def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:
         while (passed := (clock.steady() - begin) * 1e-9) < least or (not heard and passed < most):
             if subscription is None and hidden.node.count_publishers(topic):
                 subscription = listen(hidden, topic, heard.append)
+            if subscription is None and passed >= least and _nobody_runs(session):
+                break
             clock.sleep(min(LOOK_SECONDS, least - passed) if passed < least else LOOK_SECONDS)
     finally:
         hidden.close()

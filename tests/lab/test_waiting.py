@@ -3,6 +3,7 @@
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
+from coursekit.lab.errors import NotNow
 from coursekit.lab.magics import CourseMagics, show_as
 from coursekit.lab.terminal import Terminal
 from coursekit.lab.waiting import wait
@@ -51,7 +52,21 @@ def test_without_a_topic_it_is_a_time(session):
     assert seconds(session, lambda: wait(2.5)) == pytest.approx(2.5)
 
 
+def silent(session):
+    """A program that runs and publishes nothing."""
+    return session.start(lambda: session.clock.sleep(1000.0), name="silent")
+
+
+def test_where_no_program_runs_nothing_is_waited_for(session):
+    def asked():
+        with pytest.raises(NotNow, match="Nothing publishes /map: no program runs"):
+            wait(1.0, until="/map")
+
+    assert seconds(session, asked) < 2
+
+
 def test_what_never_comes_is_said(session):
+    silent(session)
     with pytest.raises(TimeoutError, match=r"No message came on /map within 5 s.*graph\(\)"):
         wait(1.0, until="/map", timeout_sec=5.0)
 
@@ -60,6 +75,7 @@ def test_a_program_that_ended_with_an_error_is_named_with_what_never_came(sessio
     shown = Terminal(session.start(lambda: 3, name="client_exe"), "client_exe")
     shown.wait()
     show_as("client_exe", shown)
+    silent(session)
     with pytest.raises(TimeoutError, match=r"within 1 s\. client_exe ended with exit code 3\. `graph"):
         wait(until="/map", timeout_sec=1.0)
 

@@ -117,6 +117,9 @@ def _why_no_number(value: Any) -> str:
 def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> int:
     """The value as an int; Wrong when it is none: a bool and 2.0 are none."""
     if not is_number(value) or type(value) is float or float(value) != int(value):
+        if is_number(value):
+            cut = float(value) == int(value)
+            cause = "That is a float: `int(...)` makes an integer of it." if cut else cause or "An integer is asked for."
         raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share, hint=NO_HINT)
     return int(value)
 

@@ -273,3 +273,31 @@ def test_a_sensor_model_s_fault_is_named(tmp_path, wrong, cause):
 )
 def test_a_pose_s_fault_is_named(off, turned, moved, cause):
     assert cause in ch08._why_pose(off, turned, moved)
+
+
+# -- chapter 9
+
+
+def cost(distance, inscribed=0.2, scaling=3.0, radius=0.55, start=None):
+    if distance <= inscribed:
+        return 253 if distance > 0 else 254
+    start = inscribed if start is None else start
+    return int(252 * math.exp(-scaling * (distance - start))) if distance <= radius else 0
+
+
+def test_the_costs_themselves_are_taken(tmp_path):
+    assert judge(find("ch09.q1"), {"inflation_cost": cost}, tmp_path).passed
+
+
+@pytest.mark.parametrize(
+    ("wrong", "cause"),
+    [
+        (lambda d, i=0.2, s=3.0, r=0.55: cost(d, i, s, r, start=0.0), "begins to fall at `inscribed`"),
+        (lambda d, i=0.2, s=3.0, r=0.55: cost(d, i, 3.0, r), "`scaling` used"),
+        (lambda d, i=0.2, s=3.0, r=0.55: cost(d, i, s, 0.55), "`radius` used"),
+        (lambda *given: float(cost(*given)), "`int(...)` makes an integer"),
+        (lambda d, i=0.2, s=3.0, r=0.55: round(252 * math.exp(-s * (d - i))) if i < d <= r else cost(d, i, s, r), "Cut off"),
+    ],
+)
+def test_a_cost_s_fault_is_named(tmp_path, wrong, cause):
+    assert cause in told_of("ch09.q1", {"inflation_cost": wrong}, tmp_path).cause

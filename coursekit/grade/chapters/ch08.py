@@ -311,5 +311,9 @@ def _allowed(world: Any, got: Any, name: str) -> tuple[int, int]:
         raise Wrong(told, gave=f"({row}, {column})", cause="Row first, then column.")
     if not world.can_go((row, column)):
         kind = {0: "free, but no free cells lead there", 100: "a wall", -1: "unknown"}[int(world.cells[row, column])]
-        raise Wrong(f"a free cell in {name} that can be reached", gave=f"({row}, {column}), {kind}", share=0.25, hint=0)
+        swapped = column < rows and row < columns and world.can_go((column, row))
+        cause = "Row first, then column." if swapped else ""
+        gave = f"({row}, {column}), {kind}"
+        told = f"a free cell in {name} that can be reached"
+        raise Wrong(told, gave=gave, cause=cause, share=0.25, hint=None if swapped else 0)
     return row, column

@@ -58,8 +58,18 @@ def _judge_cost(cost: Any, given: tuple[float, ...]) -> None:
     if got != need:
         edge = gap in (0.0, inscribed, radius)
         cut = inscribed < gap <= radius and got == round(exact)
-        cause = "It is at the edge of a case." if edge else "Cut off, not rounded." if cut else ""
-        raise Wrong(told, gave=f"{got}", cause=cause, hint=0 if edge else 1 if cut else None)
+        cause = "It is at the edge of a case." if edge else "Cut off, not rounded." if cut else _why_cost(got, *given)
+        raise Wrong(told, gave=f"{got}", cause=cause, hint=0 if edge else 1 if cut else NO_HINT)
+
+
+def _why_cost(got: int, gap: float, inscribed: float = 0.2, scaling: float = 3.0, radius: float = 0.55) -> str:
+    if inscribed < gap <= radius and got == 0:
+        return "Is `radius` used, or the number that it is by default?"
+    if got == int(252 * math.exp(-scaling * gap)):
+        return "The cost begins to fall at `inscribed`, not at the wall: it is the distance beyond that which counts."
+    if got == int(252 * math.exp(-3.0 * (gap - inscribed))):
+        return "Is `scaling` used, or the number that it is by default?"
+    return "Which of the cases is it, and what does its formula give?"
 
 
 @exercise(

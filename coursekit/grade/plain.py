@@ -140,7 +140,8 @@ def items(value: Any, expected: str, cause: str = "") -> list[Any]:
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
         return list(array.tolist())
-    several = "They belong in a tuple or a list: `a, b`."
+    several = "One number came where several are asked for."
+    several = several if is_number(value) else "They belong in a tuple or a list: `a, b`."
     why = several if type(value) in (dict, set) else _why_no_number(value) or several
     raise Wrong(expected, gave=shown(value), cause=cause or why, hint=NO_HINT)
 

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from coursekit.grade.chapters import ch06, ch07, ch08
+from coursekit.grade.chapters import ch06, ch07, ch08, ch09
 from coursekit.grade.checking import judge, judge_work
 from coursekit.grade.exercise import Exercise, find
 from coursekit.grade.outputs import last_words
@@ -301,3 +301,19 @@ def test_the_costs_themselves_are_taken(tmp_path):
 )
 def test_a_cost_s_fault_is_named(tmp_path, wrong, cause):
     assert cause in told_of("ch09.q1", {"inflation_cost": wrong}, tmp_path).cause
+
+
+@pytest.mark.parametrize(
+    ("output", "cause"),
+    [
+        ("[INFO] [1.0] [basic_navigator]: stop 1: SUCCEEDED\n", "`print`"),
+        ("stop 1: TaskResult.SUCCEEDED\n", "`getResult().name`"),
+        ("stop 1: FAILED\n", ""),
+    ],
+)
+def test_lines_that_are_not_as_asked_for_are_told_why(output, cause):
+    assert cause in ch09._why_lines(output) and bool(cause) == bool(ch09._why_lines(output))
+
+
+def test_a_price_is_no_way(tmp_path):
+    assert "One number came" in told_of("ch09.q2", {"find_way": lambda *_: 13.0}, tmp_path).cause

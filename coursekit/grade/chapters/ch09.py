@@ -181,9 +181,16 @@ def patrol(work: Work) -> None:
     lines = [line for line in said(seen).splitlines() if line.startswith("stop ")]
     if lines != [f"stop {number}: SUCCEEDED" for number in range(1, len(STOPS) + 1)]:
         got = "; ".join(lines)[:300] or "no line that begins with `stop`"
-        raise Wrong("a line for each stop, like `stop 1: SUCCEEDED`", got, share=0.5, hint=NO_HINT)
+        wanted = "a line for each stop, like `stop 1: SUCCEEDED`"
+        raise Wrong(wanted, got, _why_lines(said(seen)), share=0.5, hint=NO_HINT)
     if exit_code(seen) != 0:
         raise Wrong("exit status 0 after the last stop", f"{exit_code(seen)}", "Does main end?", share=0.75)
+
+
+def _why_lines(output: str) -> str:
+    if "]: stop " in output:
+        return "The logger writes a stamp and a name in front: the lines are to be printed with `print`."
+    return "The word alone is `getResult().name`." if "TaskResult." in output else ""
 
 
 def _course_map() -> str:

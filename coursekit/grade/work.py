@@ -101,6 +101,8 @@ class Work:
         if not found.there:
             raise Wrong(f"the package {package}, built", "it is not in install/", command)
         if found.fault:
+            if found.fault.startswith("the last build of"):
+                command = f"The build's output says why. Mend that, then {command[0].lower()}{command[1:]}"
             raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or command)
 
     def robot(self, path: str) -> Robot:

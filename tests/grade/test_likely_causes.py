@@ -2,13 +2,16 @@
 
 import cmath
 import math
+import posixpath
 
 import numpy as np
 import pytest
+from ament_index_python.packages import get_package_prefix, get_package_share_directory
 
 from coursekit.grade.chapters import ch06, ch07, ch08, ch09
 from coursekit.grade.checking import judge, judge_work
 from coursekit.grade.exercise import Exercise, find
+from coursekit.grade.facts import BuildFacts
 from coursekit.grade.outputs import last_words
 from coursekit.grade.plan import Seen
 from coursekit.grade.verdict import Wrong
@@ -317,3 +320,44 @@ def test_lines_that_are_not_as_asked_for_are_told_why(output, cause):
 
 def test_a_price_is_no_way(tmp_path):
     assert "One number came" in told_of("ch09.q2", {"find_way": lambda *_: 13.0}, tmp_path).cause
+
+
+# -- appendix C
+
+
+def place_of(uri, find, cut):
+    if not uri.startswith("package://"):
+        raise ValueError
+    name, _, rest = uri.removeprefix("package://").partition("/")
+    return f"{find(name)}/{cut(rest)}"
+
+
+@pytest.mark.parametrize(
+    ("find_folder", "cut", "cause"),
+    [
+        (get_package_prefix, str, "share folder"),
+        (get_package_share_directory, lambda rest: rest.split("/")[-1], "kept whole"),
+    ],
+)
+def test_a_place_s_fault_is_named(tmp_path, find_folder, cut, cause):
+    assert cause in told_of("appc.q1", {"where": lambda uri: place_of(uri, find_folder, cut)}, tmp_path).cause
+
+
+def test_outside_of_the_folder_the_hint_is_about_its_border(tmp_path):
+    def portable(name, package, root, near):
+        path = posixpath.normpath(posixpath.join(near, name.removeprefix("file://")))
+        root = posixpath.normpath(root)
+        return name if name.startswith("package://") else f"package://{package}/{path[len(root) + 1 :]}"
+
+    verdict = judge(find("appc.q3"), {"portable": portable}, tmp_path, tries=2)
+    assert "a ValueError" in verdict.expected and verdict.hint == find("appc.q3").hints[1]
+
+
+def test_after_a_failed_build_its_output_is_named(tmp_path, monkeypatch):
+    class Failed(Work):
+        def _read(self, what, **arguments):
+            return BuildFacts(True, "the last build of p failed, so install/ holds an older one")
+
+    with pytest.raises(Wrong) as caught:
+        Failed({}, tmp_path).built("p")
+    assert caught.value.cause == "The build's output says why. Mend that, then run: %colcon build --packages-select p"

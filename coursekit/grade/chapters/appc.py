@@ -9,7 +9,7 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.plain import called, error_of, shown, text
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 PACKAGE = "c_signs"
@@ -39,7 +39,9 @@ def where(work: Work) -> None:
         got = text(called(function, uri, told=f"where({uri!r})"), f"where({uri!r}) as a str")
         if not _is_file(got, find_file(uri)):
             tail = shown("/".join(got.split("/")[-3:]), 80)
-            raise Wrong(wanted, gave=f"...{tail}, which is not it", cause="The path after NAME is kept whole.", hint=0)
+            whole = "The path after NAME is kept whole."
+            cause = whole if "/share/" in got else "A package's files are in its share folder, not in its prefix."
+            raise Wrong(wanted, gave=f"...{tail}, which is not it", cause=cause, hint=0)
     for uri in ("file:///tmp/tyre.stl", "meshes/package://tyre.stl"):
         _expect_value_error(function, (uri,), f"a ValueError from where({uri!r})")
 
@@ -51,7 +53,7 @@ def _is_file(path: str, right: Path) -> bool:
         return False
 
 
-def _expect_value_error(function: Any, given: tuple[str, ...], wanted: str) -> None:
+def _expect_value_error(function: Any, given: tuple[str, ...], wanted: str, hint: int = NO_HINT) -> None:
     try:
         got = function(*given)
     except ValueError:
@@ -59,8 +61,8 @@ def _expect_value_error(function: Any, given: tuple[str, ...], wanted: str) -> N
     except NotImplementedError:
         raise
     except Exception as error:
-        raise Wrong(wanted, error_of(error), share=0.5, hint=0) from None
-    raise Wrong(wanted, gave=shown(got), share=0.5, hint=0)
+        raise Wrong(wanted, error_of(error), share=0.5, hint=hint) from None
+    raise Wrong(wanted, gave=shown(got), share=0.5, hint=hint)
 
 
 @exercise(
@@ -126,7 +128,7 @@ def travels(work: Work) -> None:
     _expect(function, (other, "vera_description", root, near), other)
     for name in ("../../other/hull.stl", f"{root}s/hull.stl", "file:///tmp/hull.stl", f"{root}/../hull.stl"):
         wanted = f"a ValueError for {name}, as it is outside of {posixpath.basename(root)}/"
-        _expect_value_error(function, (name, "vera_description", root, near), wanted)
+        _expect_value_error(function, (name, "vera_description", root, near), wanted, hint=1)
 
 
 def _package(name: str, rest: str) -> str:

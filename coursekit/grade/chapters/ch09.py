@@ -242,7 +242,9 @@ def _judge_plan(manage: Any, number: int, chance: Random) -> tuple[int, int]:
     told = f"warehouse {number}"
     got = called(manage, free.copy(), dict(homes), list(loads), told=f"manage, {told}")
     if type(got) is not dict or any(type(name) is not str for name in got) or set(got) != set(homes):
-        raise Wrong(f"a dictionary with a way for each of {', '.join(homes)}", gave=shown(got, 60), hint=NO_HINT)
+        cause = "Is there a `return`?" if got is None else ""
+        wanted = f"a dictionary with a way for each of {', '.join(homes)}"
+        raise Wrong(wanted, gave=shown(got, 60), cause=cause, hint=NO_HINT)
     ways = {name: _cells(got[name], f"{name} in {told}") for name in homes}
     for name, way in ways.items():
         _expect_drivable(free, way, homes[name], f"{name} in {told}")

@@ -151,3 +151,4 @@ def test_a_page_without_a_browser_has_a_picture_once_there_is_a_curve(session, d
     assert "image/png" not in forms_of(panel._repr_mimebundle_())
     turn(session, driver, 1.0)
     assert b64decode(forms_of(panel._repr_mimebundle_())["image/png"]).startswith(b"\x89PNG")
+    panel.close()

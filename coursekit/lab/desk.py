@@ -11,6 +11,7 @@ import ipywidgets
 from coursekit.processes.session import current
 
 from .bundle import forms_of
+from .docking import View
 from .errors import BadArgument
 from .kernel import notebook_name, running_variables
 from .panel import open_panels
@@ -50,14 +51,12 @@ class Desk:
         """Open it on the page, unless it is open; a page that is loaded anew opens it by itself."""
         if self._sidecar is not None:
             return
-        from IPython.display import display
         from sidecar import Sidecar
 
         floor = _Floor()
         floor.on_msg(lambda *_: self.close())
         self._sidecar = Sidecar(title=f"Desk: {notebook_name().removesuffix('.ipynb')}", anchor="split-right")
-        with self._sidecar:
-            display(ipywidgets.VBox([self._column, floor]).add_class("ck-room"))
+        self._sidecar.append_display_data(ipywidgets.VBox([self._column, floor]).add_class("ck-room"))
 
     def _still(self) -> dict[str, str]:
         """How it looks where no browser is: the first panel's picture that there is."""
@@ -95,6 +94,15 @@ def desk(*panels: Any) -> Desk:
         _desks.append(Desk())
     _desks[0].put(list(panels) or list[Any](open_panels()))
     return _desks[0]
+
+
+def _put_on_desk(view: View) -> None:
+    """Put a view below those that are on the desk."""
+    others = [one for one in (_desks[0].panels if _desks else []) if one is not view and one.comm is not None]
+    desk(*others, view)._dock()
+
+
+View.put_on_desk = staticmethod(_put_on_desk)
 
 
 def _named(panel: Any) -> str:

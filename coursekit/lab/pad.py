@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
-import anywidget
 import traitlets
 
 from coursekit.cli.attach import domain_id
 from coursekit.processes.session import current
 
 from .bundle import with_text
+from .docking import View
 from .drive import Driver
 from .script import script, style
 
 
-class Pad(anywidget.AnyWidget):
+class Pad(View):
     """A pad for keyboard, finger, mouse and gamepad; made by `pad`. Letting go stops at once."""
 
     _esm = script("steer.js", "pad.js")

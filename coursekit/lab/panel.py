@@ -6,11 +6,10 @@ import threading
 from base64 import b64decode
 from typing import Any
 
-import anywidget
-
 from coursekit.processes.session import current
 
 from .bundle import forms_of, with_text
+from .docking import View
 from .hidden import HiddenNode
 from .script import script, style
 
@@ -54,7 +53,7 @@ def open_panels() -> list[Panel]:
     return list(_open)
 
 
-class Panel(anywidget.AnyWidget):
+class Panel(View):
     """The base of the panels. A subclass gives `shown` (for the browser) and `text` (for everybody else).
 
     What the browser says arrives as messages with a 'type'; 'x' calls the method `on_x`. It may arrive in any thread,

@@ -7,12 +7,12 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-import anywidget
 import cv2
 
 from coursekit.processes.session import current
 
 from .bundle import forms_of
+from .docking import View
 from .script import script, style
 
 PERIOD_SECONDS = 1 / 30
@@ -24,7 +24,7 @@ UNDER_WAY = 3
 QUALITY = 85
 
 
-class Picture(anywidget.AnyWidget):
+class Picture(View):
     """Shows the newest of the images it is given: the browser says when it has drawn one, so that
     none waits in a queue.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+from base64 import b64encode
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 from coursekit.cli.ask import full_name
 from coursekit.nodes.rqt.curves import Curves, topic_of
 
+from .bundle import forms_of
 from .errors import BadArgument, NotThere
 from .messages import known_type, listen
 from .panel import Panel, static
@@ -121,10 +123,18 @@ class PlotPanel(Panel):
         axes.set(xlim=(start, max(end, start + 1e-3)), xlabel="seconds")
         axes.grid(alpha=0.3)
         if self._curves.curves:
-            axes.legend(loc="upper left")
+            figure.legend(loc="outside upper left", ncols=2, frameon=False)
         file = io.BytesIO()
         FigureCanvasAgg(figure).print_png(file)
         return file.getvalue()
+
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**options)
+        data = forms_of(bundle)
+        if data is not None and self._curves.curves:
+            data["image/png"] = b64encode(self.png()).decode()
+        return bundle
 
 
 def _line(name: str, values: list[float]) -> str:

@@ -6,10 +6,10 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-import anywidget
 import traitlets
 
 from .bundle import with_text
+from .docking import View
 from .errors import NotNow
 from .script import script, style
 from .waiting import PATIENCE_SECONDS, until_said
@@ -20,7 +20,7 @@ UPDATE_SECONDS = 0.1
 """Output is sent at most this often, so that a node that logs at 100 Hz does not flood the notebook."""
 
 
-class Terminal(anywidget.AnyWidget):
+class Terminal(View):
     """The panel of one process.
 
     All that the process prints goes here, never into a cell. `text` is what it printed; printing the terminal shows

@@ -6,7 +6,6 @@ import base64
 import threading
 from typing import Any
 
-import anywidget
 import traitlets
 
 from coursekit.nodes.turtlesim.simulators import simulators
@@ -15,6 +14,7 @@ from coursekit.sim.turtle import SIDE
 from coursekit.view.turtle import KINDS, describe, png, shape
 
 from .bundle import forms_of
+from .docking import View
 from .drive import Driver
 from .errors import NotThere
 from .script import script, style
@@ -42,7 +42,7 @@ class Snapshot:
         return self.image
 
 
-class TurtleWindow(anywidget.AnyWidget):
+class TurtleWindow(View):
     """The window of a running turtlesim; made by `turtlesim_window`."""
 
     _esm = script("steer.js", "turtle.js")

@@ -7,6 +7,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 CELLS = ("from coursekit.lab import *", "view = viewer()\ndesk(view, pad())", "'below'")
 TABS = "() => document.querySelectorAll('.lm-DockPanel .lm-TabBar-tabLabel').length"
 NOTEBOOK = "() => [...jupyterapp.shell.widgets('main')].find((one) => one.sessionContext)"
+ON_DESK = "document.querySelectorAll('.jupyterlab-sidecar :is(.ck-graph, .ck-pad)')"
 LIVE = ".jupyterlab-sidecar .ck-viewer[data-messages]"
 
 
@@ -84,3 +85,21 @@ def test_the_wheel_scrolls_the_page_until_the_picture_is_clicked(notebook):
     stage.click()
     opened.page.mouse.wheel(0, 400)
     opened.page.wait_for_function(f"() => ({place})() !== {before}")
+
+
+def test_the_button_of_a_panel_puts_it_on_the_desk(notebook, picture):
+    opened = notebook(CELLS[0], "graph(live=True)", "pad()", "terminals()", width=1366, height=768)
+    opened.run()
+    page = opened.page
+    page.wait_for_selector(".jp-NotebookPanel .ck-pad .ck-to-desk")
+    picture(page, "to-desk")
+    for count, panel in enumerate((".ck-graph", ".ck-pad"), 1):
+        page.locator(f".jp-NotebookPanel {panel} .ck-to-desk").click()
+        page.wait_for_selector(f".jupyterlab-sidecar {panel}")
+        assert page.evaluate(f"() => {ON_DESK}.length") == count
+    assert len(desks(page)) == 1
+    assert not page.locator(".jupyterlab-sidecar .ck-to-desk").first.is_visible()
+    page.locator(".jp-NotebookPanel .ck-graph .ck-to-desk").click()
+    page.wait_for_function(f"() => {ON_DESK}[0]?.classList.contains('ck-pad')")  # what was asked for last is the lowest
+    assert page.evaluate(f"() => {ON_DESK}.length") == 2
+    picture(page, "on-the-desk")

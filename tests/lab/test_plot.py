@@ -1,6 +1,7 @@
 """`plot()`: numbers of topics over time, with the past kept, and those of a bag."""
 
 import json
+from base64 import b64decode
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from std_msgs.msg import Float64
 from coursekit.bag.metadata import TopicMetadata
 from coursekit.bag.storage import Message
 from coursekit.bag.writer import BagWriter, WriteSettings
+from coursekit.lab.bundle import forms_of
 from coursekit.lab.errors import BadArgument, NotThere
 from coursekit.lab.plot_panel import plot
 from coursekit.processes.session import Session
@@ -142,3 +144,11 @@ def test_a_topic_that_the_bag_lacks_and_a_bag_that_is_not_there_are_told(session
         plot("/odom.x", bag=drive)
     with pytest.raises(BadArgument, match="cannot be plotted: there is no bag"):
         plot("/odom.x", bag="nowhere")
+
+
+def test_a_page_without_a_browser_has_a_picture_once_there_is_a_curve(session, driver):
+    panel = plot("/cmd_vel.linear.x")
+    assert "image/png" not in forms_of(panel._repr_mimebundle_())
+    turn(session, driver, 1.0)
+    assert b64decode(forms_of(panel._repr_mimebundle_())["image/png"]).startswith(b"\x89PNG")
+    panel.close()

@@ -3,6 +3,22 @@
 const GONE = new Set(["restarting", "autorestarting", "terminating", "dead"]);
 const AGAIN = "Run its cell again to have it live.";
 
+// A panel in a cell has a button that puts it on the desk, where it stays in sight; on the desk it needs none.
+function offerDesk(model, inner) {
+  const bar = inner.querySelector(".ck-head, .ck-bar");
+  if (!bar || !model.widget_manager?.kernel) return;  // elsewhere than in JupyterLab nothing stands beside a notebook
+  const button = document.createElement("button");
+  button.className = "ck-to-desk";
+  button.textContent = "⇥";
+  button.title = "To the desk, beside the notebook";
+  button.setAttribute("aria-label", button.title);
+  button.style.cssText = "margin-left: auto; order: 99; padding: 0 7px; font-size: 14px; line-height: 20px; cursor: pointer;"
+    + "color: inherit; background: none; border: 1px solid color-mix(in srgb, currentColor 35%, transparent); border-radius: 5px;";
+  button.addEventListener("click", (event) => { event.stopPropagation(); model.send({ type: "desk" }); });
+  bar.append(button);
+  requestAnimationFrame(() => { button.hidden = Boolean(inner.closest(".jupyterlab-sidecar")); });
+}
+
 function veiled(widget) {
   return { ...widget, render(context) {
     const { model, el } = context;
@@ -49,6 +65,7 @@ function veiled(widget) {
     const status = (_kernel, now) => { if (GONE.has(now)) lower("The kernel was restarted."); };
     kernel?.statusChanged?.connect(status);
     const drawn = widget.render({ ...context, el: inner });
+    Promise.resolve(drawn).then(() => offerDesk(model, inner));
     return async () => {
       model.off("msg:custom", hear);
       kernel?.statusChanged?.disconnect(status);

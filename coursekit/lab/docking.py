@@ -1,0 +1,23 @@
+"""What pages show: a view has a button that asks for the desk."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import anywidget
+
+
+class View(anywidget.AnyWidget):
+    """The base of all that stands in a cell and may stand on the desk."""
+
+    put_on_desk: ClassVar[Callable[[View], object]]
+    """What the button asks for; the desk says it when it is imported."""
+
+    def __init__(self, **traits: Any) -> None:
+        super().__init__(**traits)
+        self.on_msg(self._hear_button)
+
+    def _hear_button(self, _view: View, message: dict[str, Any], _buffers: Any) -> None:
+        if message.get("type") == "desk":
+            View.put_on_desk(self)

@@ -20,36 +20,31 @@ from coursekit.systems.words import split_words
 from .cells import adopt
 from .errors import NotThere
 from .expanding import Values
+from .known_terminals import KNOWN
 from .terminal import Terminal, Terminals
 from .waiting import until_said
 from .written import Written
 
-_terminals: dict[str, Terminal] = {}
 _DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
 
 
 def terminal(name: str) -> Terminal:
     """The newest terminal of that name: of the executable, the launch file, or what `--name` gave it."""
     try:
-        return _terminals[name]
+        return KNOWN[name]
     except KeyError:
-        known = ", ".join(_terminals) or "none yet; start one with `%ros2 run PACKAGE EXECUTABLE &`"
+        known = ", ".join(KNOWN) or "none yet; start one with `%ros2 run PACKAGE EXECUTABLE &`"
         raise NotThere(f"There is no terminal '{name}'. There are: {known}") from None
-
-
-def failed_terminals() -> list[Terminal]:
-    """Those whose programs ended with an error of their own, not by a signal."""
-    return [shown for shown in _terminals.values() if (shown.process.exit_code or 0) > 0]
 
 
 def show_as(name: str, shown: Terminal) -> None:
     """Have `terminal(name)` find a terminal."""
-    _terminals[name] = shown
+    KNOWN[name] = shown
 
 
 def terminals(*names: str, columns: int = 2) -> Terminals:
     """Terminals side by side; all of them when no name is given."""
-    return Terminals([terminal(name) for name in names] or list(_terminals.values()), columns)
+    return Terminals([terminal(name) for name in names] or list(KNOWN.values()), columns)
 
 
 def edit(path: str, old: str, new: str) -> None:

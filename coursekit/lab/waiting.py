@@ -11,6 +11,7 @@ from coursekit.view.working import Working
 
 from .errors import NotNow
 from .hidden import HiddenNode
+from .known_terminals import failed
 from .messages import listen
 
 LOOK_SECONDS = 0.05
@@ -48,9 +49,7 @@ def _nobody_runs(session: Session) -> bool:
 
 def _failed() -> str:
     """The terminals whose programs ended with an error, as a sentence each."""
-    from .magics import failed_terminals
-
-    return "".join(f"{shown.title} ended with {shown.state}. " for shown in failed_terminals())
+    return "".join(f"{shown.title} ended with {shown.state}. " for shown in failed())
 
 
 def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:

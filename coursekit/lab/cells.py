@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from coursekit.processes.session import Session
@@ -105,7 +106,10 @@ def give_to(cell: str, process: Any) -> None:
 
 
 def _describe(one: Any) -> str:
-    return f"node {one.full_name}" if hasattr(one, "full_name") else f"process {' '.join(one.argv)}"
+    """A node by its name, a process as it was typed; one that the course started by a path has a name of its own."""
+    if hasattr(one, "full_name"):
+        return f"node {one.full_name}"
+    return f"process {one.name if Path(one.argv[0]).is_absolute() else ' '.join(one.argv)}"
 
 
 def _end_one(one: Any) -> bool:

@@ -46,15 +46,19 @@ FORWARDED = {
         "create_generic_publisher create_generic_subscription create_publisher create_service create_subscription "
         "create_timer executor_options generic_publisher generic_subscription init_options "
         "intra_process_setting is_ros_compatible_type message_info publisher_base "
-        "qos_overriding_options scope_exit subscription_base subscription_options time_source "
+        "qos_overriding_options subscription_base subscription_content_filter_options subscription_options "
+        "subscription_wait_set_mask waitable "
         "topic_statistics_state contexts/default_context executors/multi_threaded_executor "
         "executors/single_threaded_executor executors/static_single_threaded_executor "
         "node_interfaces/node_clock_interface node_interfaces/node_graph_interface "
         "node_interfaces/node_logging_interface node_interfaces/node_parameters_interface "
         "node_interfaces/node_services_interface node_interfaces/node_time_source_interface "
         "node_interfaces/node_timers_interface node_interfaces/node_topics_interface "
-        "node_interfaces/node_waitables_interface"
+        "node_interfaces/node_waitables_interface node_interfaces/get_node_base_interface "
+        "node_interfaces/get_node_timers_interface node_interfaces/get_node_topics_interface"
     ),
+    "rclcpp/exceptions.hpp": "exceptions/exceptions",
+    "rclcpp/memory_strategy.hpp": "memory_strategies strategies/message_pool_memory_strategy",
 }
 """Headers whose names are Humble's: by the header that has what is in them."""
 SHARED = "COURSEKIT_SHARED"

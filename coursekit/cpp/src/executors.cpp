@@ -13,6 +13,11 @@ Executor::~Executor()
   for (auto & node : nodes_) {
     node->in_executor = false;
   }
+  for (auto & weak : added_) {
+    if (auto group = weak.lock()) {
+      group->get_associated_with_executor_atomic() = false;
+    }
+  }
 }
 Executor::Turn::Turn(Executor & executor_)
 : executor(executor_)
@@ -47,11 +52,42 @@ void Executor::remove_node(NodeBase node, bool)
 }
 void Executor::add_callback_group(CallbackGroup::SharedPtr group, NodeBase node, bool)
 {
+  if (group->get_associated_with_executor_atomic().exchange(true)) {
+    throw std::runtime_error("Callback group has already been added to an executor.");
+  }
   ask("add_callback_group", Packer{}.i(id).i(group->id).i(node->id));
+  added_.push_back(group);
 }
 void Executor::remove_callback_group(CallbackGroup::SharedPtr group, bool)
 {
+  auto is_it = [&](const CallbackGroup::WeakPtr & one) {return one.lock() == group;};
+  auto found = std::find_if(added_.begin(), added_.end(), is_it);
+  if (found == added_.end()) {
+    throw std::runtime_error("Callback group needs to be associated with executor.");
+  }
   ask("remove_callback_group", Packer{}.i(id).i(group->id));
+  group->get_associated_with_executor_atomic() = false;
+  added_.erase(found);
+}
+Executor::CallbackGroups Executor::get_manually_added_callback_groups() {return added_;}
+Executor::CallbackGroups Executor::get_automatically_added_callback_groups_from_nodes()
+{
+  CallbackGroups all;
+  for (auto & node : nodes_) {
+    node->for_each_callback_group(
+      [&](CallbackGroup::SharedPtr one) {
+        if (one->automatically_add_to_executor_with_node()) {
+          all.push_back(one);
+        }
+      });
+  }
+  return all;
+}
+Executor::CallbackGroups Executor::get_all_callback_groups()
+{
+  CallbackGroups all = get_automatically_added_callback_groups_from_nodes();
+  all.insert(all.end(), added_.begin(), added_.end());
+  return all;
 }
 void Executor::spin()
 {

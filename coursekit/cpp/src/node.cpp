@@ -3,13 +3,6 @@
 
 namespace rclcpp
 {
-node_interfaces::NodeBaseInterface::~NodeBaseInterface()
-{
-  if (id) {
-    coursekit::note("drop", Packer{}.i(id));
-  }
-}
-
 NodeFace::NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle)
 : base_(std::make_shared<NodeBase>()), options_(options)
 {
@@ -25,6 +18,7 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
   with.i(static_cast<int64_t>(overrides.size()));
   for (auto & parameter : overrides) {
     with.m(parameter.to_parameter_msg());
+    base_->overrides[parameter.get_name()] = parameter.get_parameter_value();
   }
   Unpacker answer = ask("node", with);
   base_->id = answer.i();
@@ -33,17 +27,11 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
   base_->full_name = answer.s();
   base_->logger = Logger(answer.s());
   base_->group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
+  base_->enter(base_->group);
   base_->clock = std::make_shared<Clock>(RCL_ROS_TIME, base_->id);
   base_->topic_statistics = options.enable_topic_statistics();
   base_->intra_process = options.use_intra_process_comms();
 }
-CallbackGroup::SharedPtr NodeFace::create_callback_group(CallbackGroupType type, bool automatic)
-{
-  bool reentrant = type == CallbackGroupType::Reentrant;
-  int64_t number = ask("callback_group", Packer{}.i(base_->id).i(reentrant).i(automatic)).i();
-  return std::make_shared<CallbackGroup>(number, type, automatic);
-}
-
 // -- QoS: events, and policies that parameters override
 
 QoSCheckCompatibleResult qos_check_compatible(const QoS & publisher, const QoS & subscription)
@@ -208,86 +196,6 @@ void detail::make_timer(
   rcl_clock_type_t kind = clock ? clock->get_clock_type() : RCL_STEADY_TIME;
   made->steady = kind == RCL_STEADY_TIME;
   made->id = ask("timer", Packer{}.i(node.id).i(period.count()).i(kind).i(handler).i(number_of(group))).i();
-}
-
-// -- the graph
-
-std::vector<std::string> NodeFace::get_node_names() const
-{
-  Unpacker answer = ask("node_names", Packer{}.i(base_->id));
-  std::vector<std::string> names(static_cast<size_t>(answer.i()));
-  for (auto & name : names) {
-    name = answer.s();
-  }
-  return names;
-}
-std::map<std::string, std::vector<std::string>> NodeFace::names_and_types(const char * what, const Packer & with) const
-{
-  Unpacker answer = ask(what, with);
-  std::map<std::string, std::vector<std::string>> all;
-  for (int64_t count = answer.i(); count > 0; --count) {
-    auto & types = all[answer.s()];
-    for (int64_t k = answer.i(); k > 0; --k) {
-      types.push_back(answer.s());
-    }
-  }
-  return all;
-}
-std::map<std::string, std::vector<std::string>> NodeFace::get_topic_names_and_types() const
-{
-  return names_and_types("topics", Packer{}.i(base_->id));
-}
-std::map<std::string, std::vector<std::string>> NodeFace::get_service_names_and_types() const
-{
-  return names_and_types("services", Packer{}.i(base_->id));
-}
-size_t NodeFace::count_publishers(const std::string & topic) const
-{
-  return static_cast<size_t>(ask("count_publishers", Packer{}.i(base_->id).s(topic)).i());
-}
-size_t NodeFace::count_subscribers(const std::string & topic) const
-{
-  return static_cast<size_t>(ask("count_subscribers", Packer{}.i(base_->id).s(topic)).i());
-}
-std::map<std::string, std::vector<std::string>> NodeFace::get_service_names_and_types_by_node(
-  const std::string & name, const std::string & space) const
-{
-  return names_and_types("services_of", Packer{}.i(base_->id).s(name).s(space));
-}
-std::vector<TopicEndpointInfo> NodeFace::endpoints(const char * what, const std::string & topic, bool no_mangle) const
-{
-  Unpacker answer = ask(what, Packer{}.i(base_->id).s(topic).i(no_mangle));
-  std::vector<TopicEndpointInfo> all;
-  for (int64_t count = answer.i(); count > 0; --count) {
-    all.emplace_back(answer);
-  }
-  return all;
-}
-std::vector<TopicEndpointInfo> NodeFace::get_publishers_info_by_topic(const std::string & topic, bool no_mangle) const
-{
-  return endpoints("publishers_info", topic, no_mangle);
-}
-std::vector<TopicEndpointInfo> NodeFace::get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle) const
-{
-  return endpoints("subscriptions_info", topic, no_mangle);
-}
-Event::SharedPtr NodeFace::get_graph_event()
-{
-  auto event = Event::make_shared();
-  graph_seen_[event.get()] = ask("graph_changes", Packer{}.i(base_->id)).i();
-  return event;
-}
-void NodeFace::wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout)
-{
-  auto seen = graph_seen_.find(event.get());
-  if (seen == graph_seen_.end()) {
-    throw exceptions::EventNotRegisteredError();
-  }
-  int64_t now = ask("wait_for_graph", Packer{}.i(base_->id).i(seen->second).i(timeout.count())).i();
-  if (now != seen->second) {
-    seen->second = now;
-    event->set();
-  }
 }
 
 // -- sub-nodes

@@ -5,22 +5,24 @@
 
 namespace rclcpp
 {
+using node_interfaces::NodeBaseInterface;
+using node_interfaces::OnSetParametersCallbackHandle;
 using rcl_interfaces::msg::ParameterDescriptor;
 using rcl_interfaces::msg::SetParametersResult;
 
-const ParameterValue & NodeFace::declare_parameter(
+const ParameterValue & NodeBaseInterface::declare_parameter(
   const std::string & name, const ParameterValue & default_value, const ParameterDescriptor & descriptor, bool ignore_override)
 {
   if (name.empty()) {
     throw exceptions::InvalidParametersException("parameter name must not be empty");
   }
-  Packer with = Packer{}.i(base_->id).s(name).i(0).m(default_value.to_value_msg()).m(descriptor).i(ignore_override);
+  Packer with = Packer{}.i(id).s(name).i(0).m(default_value.to_value_msg()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
 }
-const ParameterValue & NodeFace::declare_parameter(
+const ParameterValue & NodeBaseInterface::declare_parameter(
   const std::string & name, ParameterType type, const ParameterDescriptor & descriptor, bool ignore_override)
 {
-  Packer with = Packer{}.i(base_->id).s(name).i(type).m(rcl_interfaces::msg::ParameterValue()).m(descriptor).i(ignore_override);
+  Packer with = Packer{}.i(id).s(name).i(type).m(rcl_interfaces::msg::ParameterValue()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
 }
 ParameterMap detail::parameter_file(const std::string & path, const std::string & node)
@@ -35,26 +37,26 @@ ParameterMap detail::parameter_file(const std::string & path, const std::string 
   }
   return map;
 }
-void NodeFace::undeclare_parameter(const std::string & name) {ask("undeclare", Packer{}.i(base_->id).s(name));}
-bool NodeFace::has_parameter(const std::string & name) const
+void NodeBaseInterface::undeclare_parameter(const std::string & name) {ask("undeclare", Packer{}.i(id).s(name));}
+bool NodeBaseInterface::has_parameter(const std::string & name) const
 {
-  return ask("has_parameter", Packer{}.i(base_->id).s(name)).i();
+  return ask("has_parameter", Packer{}.i(id).s(name)).i();
 }
-Parameter NodeFace::get_parameter(const std::string & name) const
+Parameter NodeBaseInterface::get_parameter(const std::string & name) const
 {
   return Parameter::from_parameter_msg(
-    ask("get_parameter", Packer{}.i(base_->id).s(name)).m<rcl_interfaces::msg::Parameter>());
+    ask("get_parameter", Packer{}.i(id).s(name)).m<rcl_interfaces::msg::Parameter>());
 }
-bool NodeFace::get_parameter(const std::string & name, Parameter & parameter) const
+bool NodeBaseInterface::get_parameter(const std::string & name, Parameter & parameter) const
 {
-  Unpacker answer = ask("find_parameter", Packer{}.i(base_->id).s(name));
+  Unpacker answer = ask("find_parameter", Packer{}.i(id).s(name));
   bool known = answer.i();
   if (known) {
     parameter = Parameter::from_parameter_msg(answer.m<rcl_interfaces::msg::Parameter>());
   }
   return known;
 }
-std::vector<Parameter> NodeFace::get_parameters(const std::vector<std::string> & names) const
+std::vector<Parameter> NodeBaseInterface::get_parameters(const std::vector<std::string> & names) const
 {
   std::vector<Parameter> parameters;
   for (auto & name : names) {
@@ -62,18 +64,18 @@ std::vector<Parameter> NodeFace::get_parameters(const std::vector<std::string> &
   }
   return parameters;
 }
-SetParametersResult NodeFace::set_parameter(const Parameter & parameter) {return set({parameter}, false)[0];}
-std::vector<SetParametersResult> NodeFace::set_parameters(const std::vector<Parameter> & parameters)
+SetParametersResult NodeBaseInterface::set_parameter(const Parameter & parameter) {return set({parameter}, false)[0];}
+std::vector<SetParametersResult> NodeBaseInterface::set_parameters(const std::vector<Parameter> & parameters)
 {
   return set(parameters, false);
 }
-SetParametersResult NodeFace::set_parameters_atomically(const std::vector<Parameter> & parameters)
+SetParametersResult NodeBaseInterface::set_parameters_atomically(const std::vector<Parameter> & parameters)
 {
   return set(parameters, true)[0];
 }
-std::vector<SetParametersResult> NodeFace::set(const std::vector<Parameter> & parameters, bool together)
+std::vector<SetParametersResult> NodeBaseInterface::set(const std::vector<Parameter> & parameters, bool together)
 {
-  Packer with = Packer{}.i(base_->id).i(together).i(static_cast<int64_t>(parameters.size()));
+  Packer with = Packer{}.i(id).i(together).i(static_cast<int64_t>(parameters.size()));
   for (auto & parameter : parameters) {
     with.m(parameter.to_parameter_msg());
   }
@@ -84,11 +86,11 @@ std::vector<SetParametersResult> NodeFace::set(const std::vector<Parameter> & pa
   }
   return results;
 }
-ParameterDescriptor NodeFace::describe_parameter(const std::string & name) const
+ParameterDescriptor NodeBaseInterface::describe_parameter(const std::string & name) const
 {
-  return ask("describe_parameter", Packer{}.i(base_->id).s(name)).m<ParameterDescriptor>();
+  return ask("describe_parameter", Packer{}.i(id).s(name)).m<ParameterDescriptor>();
 }
-std::vector<ParameterDescriptor> NodeFace::describe_parameters(const std::vector<std::string> & names) const
+std::vector<ParameterDescriptor> NodeBaseInterface::describe_parameters(const std::vector<std::string> & names) const
 {
   std::vector<ParameterDescriptor> descriptors;
   for (auto & name : names) {
@@ -96,7 +98,7 @@ std::vector<ParameterDescriptor> NodeFace::describe_parameters(const std::vector
   }
   return descriptors;
 }
-std::vector<uint8_t> NodeFace::get_parameter_types(const std::vector<std::string> & names) const
+std::vector<uint8_t> NodeBaseInterface::get_parameter_types(const std::vector<std::string> & names) const
 {
   std::vector<uint8_t> types;
   for (auto & name : names) {
@@ -105,16 +107,16 @@ std::vector<uint8_t> NodeFace::get_parameter_types(const std::vector<std::string
   }
   return types;
 }
-rcl_interfaces::msg::ListParametersResult NodeFace::list_parameters(
+rcl_interfaces::msg::ListParametersResult NodeBaseInterface::list_parameters(
   const std::vector<std::string> & prefixes, uint64_t depth) const
 {
-  Packer with = Packer{}.i(base_->id).i(static_cast<int64_t>(depth)).i(static_cast<int64_t>(prefixes.size()));
+  Packer with = Packer{}.i(id).i(static_cast<int64_t>(depth)).i(static_cast<int64_t>(prefixes.size()));
   for (auto & prefix : prefixes) {
     with.s(prefix);
   }
   return ask("list_parameters", with).m<rcl_interfaces::msg::ListParametersResult>();
 }
-NodeFace::OnSetParametersCallbackHandle::SharedPtr NodeFace::add_on_set_parameters_callback(
+OnSetParametersCallbackHandle::SharedPtr NodeBaseInterface::add_on_set_parameters_callback(
   OnParametersSetCallbackType callback)
 {
   auto made = std::make_shared<OnSetParametersCallbackHandle>();
@@ -126,10 +128,10 @@ NodeFace::OnSetParametersCallbackHandle::SharedPtr NodeFace::add_on_set_paramete
       }
       to.m(callback(parameters));
     });
-  made->id = ask("on_set_parameters", Packer{}.i(base_->id).i(handler)).i();
+  made->id = ask("on_set_parameters", Packer{}.i(id).i(handler)).i();
   return made;
 }
-void NodeFace::remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle)
+void NodeBaseInterface::remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle)
 {
   if (!ask("remove_on_set_parameters", Packer{}.i(handle->id)).i()) {
     throw std::runtime_error("Callback doesn't exist");
@@ -192,6 +194,10 @@ std::ostream & operator<<(std::ostream & stream, const Parameter & parameter)
   return stream << "{\"name\": \"" << parameter.get_name() << "\", \"type\": \"" << parameter.get_type_name() <<
          "\", \"value\": \"" << parameter.value_to_string() << "\"}";
 }
+std::ostream & operator<<(std::ostream & stream, const std::vector<Parameter> & parameters)
+{
+  return stream << std::to_string(parameters);
+}
 std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind)
 {
   switch (kind) {
@@ -205,3 +211,21 @@ std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind)
   }
 }
 }  // namespace rclcpp
+
+std::string std::to_string(const rclcpp::Parameter & parameter)
+{
+  std::ostringstream text;
+  text << parameter;
+  return text.str();
+}
+std::string std::to_string(const std::vector<rclcpp::Parameter> & parameters)
+{
+  std::ostringstream text;
+  text << "{";
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    text << (i ? ", " : "") << '"' << parameters[i].get_name() << "\": {\"type\": \"" << parameters[i].get_type_name() <<
+      "\", \"value\": \"" << parameters[i].value_to_string() << "\"}";
+  }
+  text << "}";
+  return text.str();
+}

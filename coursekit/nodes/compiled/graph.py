@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rclpy.expand_topic_name import expand_topic_name
+from rclpy.validate_full_topic_name import validate_full_topic_name
+from rclpy.validate_namespace import validate_namespace
+from rclpy.validate_node_name import validate_node_name
+from rclpy.validate_topic_name import validate_topic_name
+
 from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
@@ -11,6 +17,26 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
+
+def do_resolve_topic(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """A topic's name in full, as a node uses it; also without its remapping."""
+    return packed(host.things[frame.integer()].resolve_topic_name(frame.text(), only_expand=bool(frame.integer())))
+
+
+def do_resolve_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """A service's name in full, as a node uses it; also without its remapping."""
+    return packed(host.things[frame.integer()].resolve_service_name(frame.text(), only_expand=bool(frame.integer())))
+
+
+def do_expand_name(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The name in full that a topic or service would have in a node of that name and namespace."""
+    name, node, space, is_service = frame.text(), frame.text(), frame.text(), bool(frame.integer())
+    validate_node_name(node)
+    validate_namespace(space)
+    validate_topic_name(name, is_service=is_service)
+    full = expand_topic_name(name, node, space)
+    validate_full_topic_name(full, is_service=is_service)
+    return packed(full)
 
 
 def do_node_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

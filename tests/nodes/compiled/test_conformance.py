@@ -50,6 +50,7 @@ def test_lines_of_loggers_are_those_of_humble(build):
         "function",
         "by name",
         "by name 2",
+        "throttled by name 0",
     ]
 
 

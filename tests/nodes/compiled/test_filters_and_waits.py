@@ -41,6 +41,12 @@ def test_filters_stand_in_a_row_and_messages_are_put_in_order(start):
     assert process.output.splitlines() == ["01112", "0 in time", "1 in time", "2 in time"]  # one that is late is lost
 
 
+def test_the_last_messages_come_with_each_of_the_topic_that_comes_most_often(start):
+    process = start("latest")
+    assert process.wait(20.0) == 0, process.output
+    assert process.output.split() == ["4:5", "4:6", "4:7", "8:9", "8:10", "8:11", "12:13", "12:14", "12:15"]
+
+
 def test_a_program_waits_by_itself_and_messages_go_as_bytes(session, start):
     process = start("waits")
     session.clock.sleep(2.0)

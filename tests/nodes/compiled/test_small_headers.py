@@ -58,3 +58,40 @@ def test_they_do_as_humbles(build):
     command = [build("small", PROGRAM), "-n", "five", "-z"]
     done = subprocess.run(command, env=env, capture_output=True, encoding="utf-8", check=True)
     assert done.stdout == f"{UNDERLAY}/share/std_msgs\nnowhere 0\n0five1\n32 3 4.5 20\n31620\n123-4-4\n"
+
+
+FILES = """
+#include <iostream>
+#include "rcpputils/env.hpp"
+#include "rcpputils/filesystem_helper.hpp"
+#include "rcpputils/thread_safety_annotations.hpp"
+#include "rcpputils/time.hpp"
+namespace fs = rcpputils::fs;
+#include <mutex>
+std::mutex lock;
+int guarded RCPPUTILS_TSA_GUARDED_BY(lock) = 7;
+int main()
+{
+  fs::path folder = fs::create_temp_directory("probe");
+  fs::path deep = folder / "a" / "b.tar.gz";
+  std::cout << fs::create_directories(deep) << deep.exists() << deep.is_directory() << deep.is_regular_file();
+  std::cout << " " << deep.filename().string() << " " << deep.extension().string() << " ";
+  std::cout << fs::remove_extension(deep.filename(), 2).string() << " " << (deep.parent_path() == folder / "a") << std::endl;
+  std::cout << fs::remove_all(folder) << folder.exists() << " ";
+  rcpputils::set_env_var("PROBE", "x");
+  std::cout << rcpputils::get_env_var("PROBE");
+  rcpputils::set_env_var("PROBE", nullptr);
+  std::cout << "[" << rcpputils::get_env_var("PROBE") << "] ";
+  std::cout << rcpputils::convert_to_nanoseconds(std::chrono::milliseconds(3)).count() << " ";
+  try {
+    rcpputils::convert_to_nanoseconds(std::chrono::hours::max());
+  } catch (const std::invalid_argument &) {
+    std::cout << "too long" << std::endl;
+  }
+}
+"""
+
+
+def test_rcpputils_helps_with_files_variables_and_times(build):
+    done = subprocess.run([build("files", FILES)], capture_output=True, encoding="utf-8", check=True)
+    assert done.stdout == "1110 b.tar.gz .gz b 1\n10 x[] 3000000 too long\n"

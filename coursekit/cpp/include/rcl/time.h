@@ -1,5 +1,13 @@
 // Kinds of clocks, and what is told of their jumps.
 #pragma once
+#include "rcutils/time.h"
+
+#define RCL_S_TO_NS RCUTILS_S_TO_NS
+#define RCL_MS_TO_NS RCUTILS_MS_TO_NS
+#define RCL_US_TO_NS RCUTILS_US_TO_NS
+#define RCL_NS_TO_S RCUTILS_NS_TO_S
+#define RCL_NS_TO_MS RCUTILS_NS_TO_MS
+#define RCL_NS_TO_US RCUTILS_NS_TO_US
 #include <stdint.h>
 
 enum rcl_clock_type_t {RCL_CLOCK_UNINITIALIZED, RCL_ROS_TIME, RCL_SYSTEM_TIME, RCL_STEADY_TIME};

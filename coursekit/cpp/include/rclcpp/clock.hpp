@@ -1,5 +1,8 @@
 // Clocks: the system's, a steady one, and ROS time, which follows /clock where a node does.
 #pragma once
+#include <atomic>
+#include <mutex>
+
 #include "coursekit/entity.hpp"
 #include "rclcpp/context.hpp"
 #include "rclcpp/time.hpp"
@@ -44,10 +47,14 @@ public:
   rcl_clock_type_t get_clock_type() const noexcept {return type_;}
   /// The node whose time this is, by its number at the session; 0 for none.
   int64_t node() const {return node_;}
+  void follow(int64_t node) {node_ = node;}
+  /// To be held while a jump callback is made or ends, so that none runs meanwhile.
+  std::mutex & get_clock_mutex() noexcept {return lock_;}
 
 private:
   bool simulated() const;
   rcl_clock_type_t type_;
-  int64_t node_;
+  std::atomic<int64_t> node_;
+  std::mutex lock_;
 };
 }  // namespace rclcpp

@@ -28,6 +28,13 @@ TimerBase::SharedPtr create_timer(
   auto nanoseconds = std::chrono::nanoseconds(period.nanoseconds());
   return detail::timer(*base_of(node), nanoseconds, std::decay_t<F>(std::forward<F>(callback)), group, clock);
 }
+template<class F>
+TimerBase::SharedPtr create_timer(
+  node_interfaces::NodeBaseInterface::SharedPtr base, node_interfaces::NodeTimersInterface::SharedPtr,
+  Clock::SharedPtr clock, Duration period, F && callback, CallbackGroup::SharedPtr group = nullptr)
+{
+  return create_timer(base, clock, period, std::forward<F>(callback), group);
+}
 template<class Rep, class Period, class F, class N>
 TimerBase::SharedPtr create_wall_timer(
   std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group, N && node, ...)

@@ -32,6 +32,10 @@ public:
   void remove_node(std::shared_ptr<N> node, bool notify = true) {remove_node(node->get_node_base_interface(), notify);}
   virtual void add_callback_group(CallbackGroup::SharedPtr group, NodeBase node, bool notify = true);
   virtual void remove_callback_group(CallbackGroup::SharedPtr group, bool notify = true);
+  using CallbackGroups = std::vector<CallbackGroup::WeakPtr>;
+  virtual CallbackGroups get_all_callback_groups();
+  virtual CallbackGroups get_manually_added_callback_groups();
+  virtual CallbackGroups get_automatically_added_callback_groups_from_nodes();
 
   virtual void spin();
   virtual void spin_once(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
@@ -92,6 +96,7 @@ protected:
 private:
   Context::SharedPtr context_;
   std::vector<NodeBase> nodes_;
+  CallbackGroups added_;
   std::atomic<bool> spinning_{false}, cancelled_{false};
 };
 }  // namespace rclcpp

@@ -50,6 +50,13 @@ FutureReturnCode spin_node_until_future_complete(
   executor.remove_node(node);
   return code;
 }
+template<class N, class F, class Rep = int64_t, class Period = std::milli, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+FutureReturnCode spin_node_until_future_complete(
+  Executor & executor, std::shared_ptr<N> node, const F & future,
+  std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+{
+  return spin_node_until_future_complete(executor, node->get_node_base_interface(), future, timeout);
+}
 }  // namespace executors
 using executors::MultiThreadedExecutor;
 using executors::SingleThreadedExecutor;

@@ -1,15 +1,8 @@
 // Node: it lives at the session; here are its callbacks and the types of what it sends and hears.
 #pragma once
-#include <map>
-
-#include "rcl_interfaces/msg/list_parameters_result.hpp"
-#include "rcl_interfaces/msg/parameter_descriptor.hpp"
-#include "rcl_interfaces/msg/set_parameters_result.hpp"
 #include "rclcpp/detail/entities.hpp"
-#include "rclcpp/event.hpp"
 #include "rclcpp/memory_strategy.hpp"
 #include "rclcpp/node_options.hpp"
-#include "rclcpp/topic_endpoint_info.hpp"
 
 namespace rclcpp
 {
@@ -18,6 +11,7 @@ class NodeFace
 {
 public:
   using NodeBase = node_interfaces::NodeBaseInterface;
+  using Descriptor = NodeBase::Descriptor;
   NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle);
   virtual ~NodeFace() = default;
   NodeFace(const NodeFace &) = delete;
@@ -46,8 +40,14 @@ public:
   COURSEKIT_INTERFACE(topics)
   COURSEKIT_INTERFACE(waitables)
 
-  CallbackGroup::SharedPtr create_callback_group(CallbackGroupType type, bool automatically_add_to_executor_with_node = true);
-  void for_each_callback_group(const std::function<void (CallbackGroup::SharedPtr)> & visit) {visit(base_->group);}
+  CallbackGroup::SharedPtr create_callback_group(CallbackGroupType type, bool automatically_add_to_executor_with_node = true)
+  {
+    return base_->create_callback_group(type, automatically_add_to_executor_with_node);
+  }
+  void for_each_callback_group(const std::function<void (CallbackGroup::SharedPtr)> & visit)
+  {
+    base_->for_each_callback_group(visit);
+  }
 
   // -- topics
 
@@ -142,18 +142,20 @@ public:
   // -- parameters
 
   const ParameterValue & declare_parameter(
-    const std::string & name, const ParameterValue & default_value,
-    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
-    bool ignore_override = false);
+    const std::string & name, const ParameterValue & default_value, const Descriptor & descriptor = Descriptor(),
+    bool ignore_override = false)
+  {
+    return base_->declare_parameter(name, default_value, descriptor, ignore_override);
+  }
   const ParameterValue & declare_parameter(
-    const std::string & name, ParameterType type,
-    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
-    bool ignore_override = false);
+    const std::string & name, ParameterType type, const Descriptor & descriptor = Descriptor(), bool ignore_override = false)
+  {
+    return base_->declare_parameter(name, type, descriptor, ignore_override);
+  }
   template<class T>
   auto declare_parameter(
     const std::string & name, const T & default_value,
-    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
-    bool ignore_override = false)
+    const Descriptor & descriptor = Descriptor(), bool ignore_override = false)
   {
     using Value = std::conditional_t<std::is_convertible_v<T, const char *>, std::string, T>;
     return Value(declare_parameter(name, ParameterValue(Value(default_value)), descriptor, ignore_override).template get<Value>());
@@ -161,8 +163,7 @@ public:
   template<class T>
   auto declare_parameter(
     const std::string & name,
-    const rcl_interfaces::msg::ParameterDescriptor & descriptor = rcl_interfaces::msg::ParameterDescriptor(),
-    bool ignore_override = false)
+    const Descriptor & descriptor = Descriptor(), bool ignore_override = false)
   {
     ParameterValue value = declare_parameter(name, detail::ParameterKind<T>::type, descriptor, ignore_override);
     if (value.get_type() == PARAMETER_NOT_SET) {
@@ -177,14 +178,14 @@ public:
   {
     std::vector<T> values;
     for (auto & [key, value] : parameters) {
-      values.push_back(declare_parameter(space.empty() ? key : space + "." + key, value, rcl_interfaces::msg::ParameterDescriptor(), ignore_overrides));
+      values.push_back(declare_parameter(space.empty() ? key : space + "." + key, value, Descriptor(), ignore_overrides));
     }
     return values;
   }
   template<class T>
   std::vector<T> declare_parameters(
     const std::string & space,
-    const std::map<std::string, std::pair<T, rcl_interfaces::msg::ParameterDescriptor>> & parameters,
+    const std::map<std::string, std::pair<T, Descriptor>> & parameters,
     bool ignore_overrides = false)
   {
     std::vector<T> values;
@@ -194,10 +195,10 @@ public:
     }
     return values;
   }
-  void undeclare_parameter(const std::string & name);
-  bool has_parameter(const std::string & name) const;
-  Parameter get_parameter(const std::string & name) const;
-  bool get_parameter(const std::string & name, Parameter & parameter) const;
+  void undeclare_parameter(const std::string & name) {base_->undeclare_parameter(name);}
+  bool has_parameter(const std::string & name) const {return base_->has_parameter(name);}
+  Parameter get_parameter(const std::string & name) const {return base_->get_parameter(name);}
+  bool get_parameter(const std::string & name, Parameter & parameter) const {return base_->get_parameter(name, parameter);}
   template<class T>
   bool get_parameter(const std::string & name, T & value) const
   {
@@ -224,7 +225,7 @@ public:
     get_parameter_or(name, value, alternative);
     return value;
   }
-  std::vector<Parameter> get_parameters(const std::vector<std::string> & names) const;
+  std::vector<Parameter> get_parameters(const std::vector<std::string> & names) const {return base_->get_parameters(names);}
   template<class T>
   bool get_parameters(const std::string & prefix, std::map<std::string, T> & values) const
   {
@@ -238,34 +239,64 @@ public:
     }
     return any;
   }
-  rcl_interfaces::msg::SetParametersResult set_parameter(const Parameter & parameter);
-  std::vector<rcl_interfaces::msg::SetParametersResult> set_parameters(const std::vector<Parameter> & parameters);
-  rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters);
-  rcl_interfaces::msg::ParameterDescriptor describe_parameter(const std::string & name) const;
-  std::vector<rcl_interfaces::msg::ParameterDescriptor> describe_parameters(const std::vector<std::string> & names) const;
-  std::vector<uint8_t> get_parameter_types(const std::vector<std::string> & names) const;
-  rcl_interfaces::msg::ListParametersResult list_parameters(const std::vector<std::string> & prefixes, uint64_t depth) const;
-
+  rcl_interfaces::msg::SetParametersResult set_parameter(const Parameter & parameter) {return base_->set_parameter(parameter);}
+  std::vector<rcl_interfaces::msg::SetParametersResult> set_parameters(const std::vector<Parameter> & parameters)
+  {
+    return base_->set_parameters(parameters);
+  }
+  rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters)
+  {
+    return base_->set_parameters_atomically(parameters);
+  }
+  Descriptor describe_parameter(const std::string & name) const {return base_->describe_parameter(name);}
+  std::vector<Descriptor> describe_parameters(const std::vector<std::string> & names) const
+  {
+    return base_->describe_parameters(names);
+  }
+  std::vector<uint8_t> get_parameter_types(const std::vector<std::string> & names) const
+  {
+    return base_->get_parameter_types(names);
+  }
+  rcl_interfaces::msg::ListParametersResult list_parameters(const std::vector<std::string> & prefixes, uint64_t depth) const
+  {
+    return base_->list_parameters(prefixes, depth);
+  }
   using OnSetParametersCallbackHandle = node_interfaces::OnSetParametersCallbackHandle;
-  using OnParametersSetCallbackType =
-    std::function<rcl_interfaces::msg::SetParametersResult (const std::vector<Parameter> &)>;
-  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(OnParametersSetCallbackType callback);
-  void remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle);
+  using OnParametersSetCallbackType = OnSetParametersCallbackHandle::OnParametersSetCallbackType;
+  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(OnParametersSetCallbackType callback)
+  {
+    return base_->add_on_set_parameters_callback(std::move(callback));
+  }
+  void remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle)
+  {
+    base_->remove_on_set_parameters_callback(handle);
+  }
 
   // -- the graph
 
-  std::vector<std::string> get_node_names() const;
-  std::map<std::string, std::vector<std::string>> get_topic_names_and_types() const;
-  std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
-  size_t count_publishers(const std::string & topic) const;
-  size_t count_subscribers(const std::string & topic) const;
-  std::map<std::string, std::vector<std::string>> get_service_names_and_types_by_node(
-    const std::string & name, const std::string & space) const;
-  std::vector<TopicEndpointInfo> get_publishers_info_by_topic(const std::string & topic, bool no_mangle = false) const;
-  std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle = false) const;
-  /// An event that is set by wait_for_graph_change() when nodes, topics or services have come or gone since.
-  Event::SharedPtr get_graph_event();
-  void wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout);
+  using NamesAndTypes = std::map<std::string, std::vector<std::string>>;
+  std::vector<std::string> get_node_names() const {return base_->get_node_names();}
+  NamesAndTypes get_topic_names_and_types() const {return base_->get_topic_names_and_types();}
+  NamesAndTypes get_service_names_and_types() const {return base_->get_service_names_and_types();}
+  size_t count_publishers(const std::string & topic) const {return base_->count_publishers(topic);}
+  size_t count_subscribers(const std::string & topic) const {return base_->count_subscribers(topic);}
+  NamesAndTypes get_service_names_and_types_by_node(const std::string & name, const std::string & space) const
+  {
+    return base_->get_service_names_and_types_by_node(name, space);
+  }
+  std::vector<TopicEndpointInfo> get_publishers_info_by_topic(const std::string & topic, bool no_mangle = false) const
+  {
+    return base_->get_publishers_info_by_topic(topic, no_mangle);
+  }
+  std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle = false) const
+  {
+    return base_->get_subscriptions_info_by_topic(topic, no_mangle);
+  }
+  Event::SharedPtr get_graph_event() {return base_->get_graph_event();}
+  void wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout)
+  {
+    base_->wait_for_graph_change(event, timeout);
+  }
 
 protected:
   NodeFace(const NodeFace & other, const std::string & sub_namespace);
@@ -274,13 +305,8 @@ protected:
   NodeBase::SharedPtr base_;
 
 private:
-  std::vector<rcl_interfaces::msg::SetParametersResult> set(const std::vector<Parameter> & parameters, bool together);
-  std::map<std::string, std::vector<std::string>> names_and_types(const char * what, const Packer & with) const;
-  std::vector<TopicEndpointInfo> endpoints(const char * what, const std::string & topic, bool no_mangle) const;
-  std::map<const Event *, int64_t> graph_seen_;
   std::string sub_namespace_;
   NodeOptions options_;
-  std::map<std::string, ParameterValue> declared_;
 };
 
 class Node : public NodeFace, public std::enable_shared_from_this<Node>
@@ -315,8 +341,19 @@ node_interfaces::NodeBaseInterface::SharedPtr base_of(N && node)
 {
   if constexpr (std::is_convertible_v<N, node_interfaces::NodeBaseInterface::SharedPtr>) {
     return node;
+  } else if constexpr (std::is_convertible_v<N, node_interfaces::NodeBaseInterface *>) {
+    return {node_interfaces::NodeBaseInterface::SharedPtr(), node};  // who gives a bare pointer keeps the node
   } else {
     return node_of(node).get_node_base_interface();
   }
 }
+namespace node_interfaces
+{
+template<class N>
+NodeBaseInterface::SharedPtr get_node_base_interface(N && node) {return base_of(node);}
+template<class N>
+NodeTimersInterface::SharedPtr get_node_timers_interface(N && node) {return base_of(node);}
+template<class N>
+NodeTopicsInterface::SharedPtr get_node_topics_interface(N && node) {return base_of(node);}
+}  // namespace node_interfaces
 }  // namespace rclcpp

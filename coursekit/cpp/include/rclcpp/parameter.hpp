@@ -72,4 +72,12 @@ private:
 };
 std::ostream & operator<<(std::ostream & stream, const ParameterValue & value);
 std::ostream & operator<<(std::ostream & stream, const Parameter & parameter);
+std::ostream & operator<<(std::ostream & stream, const std::vector<Parameter> & parameters);
 }  // namespace rclcpp
+
+namespace std
+{
+/// A parameter as JSON: {"name": "a", "type": "integer", "value": "1"}
+std::string to_string(const rclcpp::Parameter & parameter);
+std::string to_string(const std::vector<rclcpp::Parameter> & parameters);
+}  // namespace std

@@ -44,6 +44,7 @@ public:
   /// Run the callback with a message that was taken.
   virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
   virtual std::shared_ptr<void> create_message() = 0;
+  virtual void return_message(std::shared_ptr<void> & message) {message.reset();}
   virtual bool take_type_erased(void * message, MessageInfo & info) = 0;
   bool take_serialized(SerializedMessage & message, MessageInfo & info)
   {

@@ -4,13 +4,6 @@
 #include "rcl/time.h"
 #include "rclcpp/duration.hpp"
 
-#define RCL_S_TO_NS(seconds) ((seconds) * 1000000000LL)
-#define RCL_MS_TO_NS(milliseconds) ((milliseconds) * 1000000LL)
-#define RCL_NS_TO_S(nanoseconds) ((nanoseconds) / 1000000000LL)
-#define RCL_NS_TO_MS(nanoseconds) ((nanoseconds) / 1000000LL)
-#define RCUTILS_S_TO_NS RCL_S_TO_NS
-#define RCUTILS_MS_TO_NS RCL_MS_TO_NS
-
 namespace rclcpp
 {
 class Time

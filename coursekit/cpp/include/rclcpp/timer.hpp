@@ -1,5 +1,6 @@
 // Timers.
 #pragma once
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -22,9 +23,13 @@ public:
   std::chrono::nanoseconds time_until_trigger() {return std::chrono::nanoseconds(ask("timer_left", Packer{}.i(id)).i());}
   bool call() {return ask("timer_call", Packer{}.i(id)).i();}
   void execute_callback() {callback();}
+  bool exchange_in_use_by_wait_set_state(bool state) {return in_use_.exchange(state);}
 
   std::function<void ()> callback;
   bool steady = true;
+
+private:
+  std::atomic<bool> in_use_{false};
 };
 template<class F = std::function<void ()>, class = void>
 class GenericTimer : public TimerBase

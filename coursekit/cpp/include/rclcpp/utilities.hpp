@@ -1,5 +1,7 @@
 // init, ok, shutdown and their company.
 #pragma once
+#include <limits>
+
 #include "rclcpp/context.hpp"
 #include "rclcpp/visibility_control.hpp"
 
@@ -21,5 +23,21 @@ bool shutdown(Context::SharedPtr context = nullptr, const std::string & reason =
 void on_shutdown(std::function<void ()> callback, Context::SharedPtr context = nullptr);
 inline const char * get_c_string(const char * text) {return text;}
 inline const char * get_c_string(const std::string & text) {return text.c_str();}
+inline std::vector<const char *> get_c_vector_string(const std::vector<std::string> & texts)
+{
+  std::vector<const char *> all;
+  for (auto & text : texts) {
+    all.push_back(text.c_str());
+  }
+  return all;
+}
+template<class T>
+bool add_will_overflow(const T x, const T y) {return y > 0 && x > std::numeric_limits<T>::max() - y;}
+template<class T>
+bool add_will_underflow(const T x, const T y) {return y < 0 && x < std::numeric_limits<T>::min() - y;}
+template<class T>
+bool sub_will_overflow(const T x, const T y) {return y < 0 && x > std::numeric_limits<T>::max() + y;}
+template<class T>
+bool sub_will_underflow(const T x, const T y) {return y > 0 && x < std::numeric_limits<T>::min() + y;}
 bool sleep_for(const std::chrono::nanoseconds & duration, Context::SharedPtr context = nullptr);
 }  // namespace rclcpp

@@ -56,3 +56,6 @@ inline bool rcutils_logging_logger_is_enabled_for(const char * name, int severit
 {
   return severity >= rcutils_logging_get_logger_effective_level(name);
 }
+/// The level of all loggers that have none of their own.
+inline void rcutils_logging_set_default_logger_level(int level) {rcutils_logging_set_logger_level("", level);}
+inline int rcutils_logging_get_default_logger_level() {return rcutils_logging_get_logger_effective_level("");}

@@ -1,6 +1,20 @@
 // Logging with a logger's name instead of a logger, or without any.
 #pragma once
 #include "rclcpp/logging.hpp"
+#include "rcutils/time.h"
+
+/// Log at most once in so many milliseconds of the clock that a function tells.
+#define COURSEKIT_LOG_THROTTLE(log, time_now, milliseconds, ...) \
+  do { \
+    static rcutils_time_point_value_t next = 0; \
+    static bool first = true; \
+    rcutils_time_point_value_t at = 0; \
+    if (time_now(&at) == RCUTILS_RET_OK && (first || at >= next)) { \
+      first = false; \
+      next = at + RCUTILS_MS_TO_NS(static_cast<rcutils_time_point_value_t>(milliseconds)); \
+      log(__VA_ARGS__); \
+    } \
+  } while (0)
 
 #define RCUTILS_LOG_DEBUG(...) RCLCPP_DEBUG(rclcpp::get_logger(""), __VA_ARGS__)
 #define RCUTILS_LOG_DEBUG_NAMED(name, ...) RCLCPP_DEBUG(rclcpp::get_logger(name), __VA_ARGS__)
@@ -52,3 +66,23 @@
   RCLCPP_FATAL_EXPRESSION(rclcpp::get_logger(""), expression, __VA_ARGS__)
 #define RCUTILS_LOG_FATAL_EXPRESSION_NAMED(expression, name, ...) \
   RCLCPP_FATAL_EXPRESSION(rclcpp::get_logger(name), expression, __VA_ARGS__)
+#define RCUTILS_LOG_DEBUG_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_DEBUG, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_DEBUG_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_DEBUG_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_INFO_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_INFO, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_INFO_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_INFO_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_WARN_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_WARN, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_WARN_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_WARN_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_ERROR_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_ERROR, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_ERROR_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_ERROR_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_FATAL_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_FATAL, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_FATAL_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_FATAL_NAMED, time_now, duration, name, __VA_ARGS__)

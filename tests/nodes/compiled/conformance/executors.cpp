@@ -167,6 +167,27 @@ int main(int argc, char ** argv)
   fixed.spin();
   equal("the static executor", fixed_ticks, 3);
   throws<std::invalid_argument>("spin_all wants no negative time", [&] {fixed.spin_all(-1s);});
+
+  {
+    // groups
+    auto grouped = rclcpp::Node::make_shared("grouped");
+    auto base = grouped->get_node_base_interface();
+    auto automatic = grouped->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+    auto by_itself = grouped->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
+    check("a group is its node's", base->callback_group_in_node(by_itself) && base->callback_group_in_node(automatic));
+    check("and no other's", !node->get_node_base_interface()->callback_group_in_node(by_itself));
+    rclcpp::executors::SingleThreadedExecutor holder, rival;
+    holder.add_node(grouped);
+    equal("groups that came with their node", holder.get_automatically_added_callback_groups_from_nodes().size(), 2u);
+    holder.add_callback_group(by_itself, base);
+    equal("groups that were added", holder.get_manually_added_callback_groups().size(), 1u);
+    equal("all groups", holder.get_all_callback_groups().size(), 3u);
+    throws<std::runtime_error>("a group served by two", [&] {rival.add_callback_group(by_itself, base);});
+    holder.remove_callback_group(by_itself);
+    throws<std::runtime_error>("a group removed twice", [&] {holder.remove_callback_group(by_itself);});
+    rival.add_callback_group(by_itself, base);
+    equal("a group moves", rival.get_all_callback_groups().size(), 1u);
+  }
   rclcpp::shutdown();
   check("shutdown ends ok", !rclcpp::ok());
 }

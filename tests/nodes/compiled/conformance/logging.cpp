@@ -49,6 +49,9 @@ int main(int argc, char ** argv)
   equal("a logger's name outlives its copies", std::string(name), std::string("logging"));
   RCUTILS_LOG_WARN_NAMED("named", "LINE by name");
   RCUTILS_LOG_WARN_EXPRESSION_NAMED(1 + 1 == 2, "named", "LINE by name %d", 2);
+  for (int i = 0; i < 3; ++i) {
+    RCUTILS_LOG_WARN_THROTTLE_NAMED(rcutils_steady_time_now, 60000, "named", "LINE throttled by name %d", i);
+  }
   RCUTILS_LOG_WARN_EXPRESSION(1 + 1 == 3, "LINE never");
   rclcpp::shutdown();
 }

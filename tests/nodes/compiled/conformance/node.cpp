@@ -49,5 +49,20 @@ int main(int argc, char ** argv)
   throws<rclcpp::exceptions::NameValidationError>("empty sub-namespace", [&] {node->create_sub_node("");});
   throws<rclcpp::exceptions::NameValidationError>("absolute sub-namespace", [&] {node->create_sub_node("/arm");});
   equal("private name", std::string(node->create_publisher<String>("~/state", 1)->get_topic_name()), "/lab/probe/state");
+
+  // names in full
+  auto topics = node->get_node_topics_interface();
+  equal("a topic in full", topics->resolve_topic_name("x"), "/lab/x");
+  equal("a private topic in full", topics->resolve_topic_name("~/x"), "/lab/probe/x");
+  equal("a service in full", node->get_node_services_interface()->resolve_service_name("/x"), "/x");
+  equal("a name as another node's", rclcpp::expand_topic_or_service_name("{node}/x", "a", "/ns"), "/ns/a/x");
+  throws<rclcpp::exceptions::InvalidTopicNameError>(
+    "no name of a topic", [&] {rclcpp::expand_topic_or_service_name("a b", "a", "/ns");});
+  throws<rclcpp::exceptions::InvalidServiceNameError>(
+    "no name of a service", [&] {rclcpp::expand_topic_or_service_name("a b", "a", "/ns", true);});
+  throws<rclcpp::exceptions::InvalidNodeNameError>(
+    "no name of a node", [&] {rclcpp::expand_topic_or_service_name("a", "a b", "/ns");});
+  throws<rclcpp::exceptions::InvalidNamespaceError>(
+    "no namespace", [&] {rclcpp::expand_topic_or_service_name("a", "a", "ns");});
   rclcpp::shutdown();
 }

@@ -137,6 +137,15 @@ int main(int argc, char ** argv)
   client->set_parameters({rclcpp::Parameter("count", 12)});
   spin_until(asker, [&] {return changed != 0;});
   equal("a handler hears of a change", changed, 12);
+  equal("a parameter as JSON", std::to_string(rclcpp::Parameter("a", 1)), "{\"name\": \"a\", \"type\": \"integer\", \"value\": \"1\"}");
+  auto news = std::make_shared<rcl_interfaces::msg::ParameterEvent>();
+  news->new_parameters = {rclcpp::Parameter("a", 1).to_parameter_msg(), rclcpp::Parameter("b", 2).to_parameter_msg()};
+  news->deleted_parameters = {rclcpp::Parameter("a", 3).to_parameter_msg()};
+  using Filter = rclcpp::ParameterEventsFilter;
+  Filter about_a(news, {"a"}, {Filter::EventType::NEW, Filter::EventType::CHANGED});
+  equal("events about a name", about_a.get_events().size(), 1u);
+  equal("the event", about_a.get_events().at(0).second->value.integer_value, 1);
+  equal("events of a kind", Filter(news, {"a", "b"}, {Filter::EventType::DELETED}).get_events().size(), 1u);
   executor.cancel();
   serving.join();
   rclcpp::shutdown();

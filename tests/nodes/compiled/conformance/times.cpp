@@ -60,5 +60,13 @@ int main(int argc, char ** argv)
   simulated.parameter_overrides({{"use_sim_time", true}});
   auto waiting = rclcpp::Node::make_shared("waiting", simulated);
   check("simulated time has not", !waiting->get_clock()->started() && !waiting->get_clock()->wait_until_started(50ms));
+  auto follower = std::make_shared<rclcpp::Clock>(RCL_ROS_TIME);
+  rclcpp::TimeSource source(waiting);
+  source.attachClock(follower);
+  check("a clock follows a node's time", follower->ros_time_is_active() && !follower->started());
+  source.detachNode();
+  check("until the node is gone", !follower->ros_time_is_active());
+  throws<std::invalid_argument>(
+    "only ROS time follows", [&] {source.attachClock(std::make_shared<rclcpp::Clock>(RCL_STEADY_TIME));});
   rclcpp::shutdown();
 }

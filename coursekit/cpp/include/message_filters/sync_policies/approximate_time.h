@@ -203,7 +203,7 @@ template<class ... M>
 class ApproximateTime : public PolicyBase<M...>
 {
 public:
-  explicit ApproximateTime(uint32_t queue_size)
+  ApproximateTime(uint32_t queue_size)  // NOLINT: as Humble's, a number is a policy
   : matcher_(sizeof...(M), queue_size) {}
   ApproximateTime(const ApproximateTime & other)
   : PolicyBase<M...>(other), matcher_(other.matcher_) {}

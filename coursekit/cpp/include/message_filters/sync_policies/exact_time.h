@@ -8,7 +8,7 @@ template<class ... M>
 class ExactTime : public PolicyBase<M...>
 {
 public:
-  explicit ExactTime(uint32_t queue_size)
+  ExactTime(uint32_t queue_size)  // NOLINT: as Humble's, a number is a policy
   : queue_size_(queue_size) {}
   ExactTime(const ExactTime & other)
   : PolicyBase<M...>(other), queue_size_(other.queue_size_), sets_(other.sets_) {}

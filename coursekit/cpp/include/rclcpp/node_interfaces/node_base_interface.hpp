@@ -1,26 +1,101 @@
 // The interfaces of a node. rclcpp has ten classes of them; here one object is all ten.
 #pragma once
+#include <map>
+#include <mutex>
+
+#include "rcl_interfaces/msg/list_parameters_result.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
+#include "rcl_interfaces/msg/set_parameters_result.hpp"
 #include "rclcpp/callback_group.hpp"
 #include "rclcpp/clock.hpp"
+#include "rclcpp/event.hpp"
 #include "rclcpp/logger.hpp"
+#include "rclcpp/parameter.hpp"
+#include "rclcpp/topic_endpoint_info.hpp"
 
 namespace rclcpp::node_interfaces
 {
+struct OnSetParametersCallbackHandle : coursekit::Entity
+{
+  RCLCPP_SMART_PTR_DEFINITIONS(OnSetParametersCallbackHandle)
+  using OnParametersSetCallbackType =
+    std::function<rcl_interfaces::msg::SetParametersResult (const std::vector<Parameter> &)>;
+};
+
 class NodeBaseInterface
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(NodeBaseInterface)
+  using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
+  using OnParametersSetCallbackType = OnSetParametersCallbackHandle::OnParametersSetCallbackType;
+  NodeBaseInterface() = default;
+  NodeBaseInterface(const NodeBaseInterface &) = delete;
   virtual ~NodeBaseInterface();
+
+  // -- base, logging, clock
+
   const char * get_name() const {return name.c_str();}
   const char * get_namespace() const {return space.c_str();}
   const char * get_fully_qualified_name() const {return full_name.c_str();}
   Context::SharedPtr get_context() {return context;}
-  CallbackGroup::SharedPtr get_default_callback_group() {return group;}
   Logger get_logger() const {return logger;}
   const char * get_logger_name() const {return logger.get_name();}
   Clock::SharedPtr get_clock() {return clock;}
   Clock::ConstSharedPtr get_clock() const {return clock;}
   NodeBaseInterface * operator->() {return this;}
+  bool get_use_intra_process_default() const {return intra_process;}
+  bool get_enable_topic_statistics_default() const {return topic_statistics;}
+  std::atomic<bool> & get_associated_with_executor_atomic() {return in_executor;}
+
+  CallbackGroup::SharedPtr create_callback_group(CallbackGroupType type, bool automatically_add_to_executor_with_node = true);
+  CallbackGroup::SharedPtr get_default_callback_group() {return group;}
+  bool callback_group_in_node(CallbackGroup::SharedPtr wanted);
+  void for_each_callback_group(const std::function<void (CallbackGroup::SharedPtr)> & visit);
+  void enter(const CallbackGroup::SharedPtr & made);
+
+  // -- topics, services
+
+  std::string resolve_topic_name(const std::string & topic, bool only_expand = false) const;
+  std::string resolve_service_name(const std::string & service, bool only_expand = false) const;
+
+  // -- parameters
+
+  const ParameterValue & declare_parameter(
+    const std::string & name, const ParameterValue & default_value, const Descriptor & descriptor = Descriptor(),
+    bool ignore_override = false);
+  const ParameterValue & declare_parameter(
+    const std::string & name, ParameterType type, const Descriptor & descriptor = Descriptor(), bool ignore_override = false);
+  void undeclare_parameter(const std::string & name);
+  bool has_parameter(const std::string & name) const;
+  Parameter get_parameter(const std::string & name) const;
+  bool get_parameter(const std::string & name, Parameter & parameter) const;
+  std::vector<Parameter> get_parameters(const std::vector<std::string> & names) const;
+  rcl_interfaces::msg::SetParametersResult set_parameter(const Parameter & parameter);
+  std::vector<rcl_interfaces::msg::SetParametersResult> set_parameters(const std::vector<Parameter> & parameters);
+  rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters);
+  Descriptor describe_parameter(const std::string & name) const;
+  std::vector<Descriptor> describe_parameters(const std::vector<std::string> & names) const;
+  std::vector<uint8_t> get_parameter_types(const std::vector<std::string> & names) const;
+  rcl_interfaces::msg::ListParametersResult list_parameters(const std::vector<std::string> & prefixes, uint64_t depth) const;
+  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(OnParametersSetCallbackType callback);
+  void remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle);
+  const std::map<std::string, ParameterValue> & get_parameter_overrides() const {return overrides;}
+
+  // -- the graph
+
+  std::vector<std::string> get_node_names() const;
+  std::vector<std::pair<std::string, std::string>> get_node_names_and_namespaces() const;
+  std::map<std::string, std::vector<std::string>> get_topic_names_and_types(bool no_demangle = false) const;
+  std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
+  size_t count_publishers(const std::string & topic) const;
+  size_t count_subscribers(const std::string & topic) const;
+  std::map<std::string, std::vector<std::string>> get_service_names_and_types_by_node(
+    const std::string & name, const std::string & space) const;
+  std::vector<TopicEndpointInfo> get_publishers_info_by_topic(const std::string & topic, bool no_mangle = false) const;
+  std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle = false) const;
+  /// An event that is set by wait_for_graph_change() when nodes, topics or services have come or gone since.
+  Event::SharedPtr get_graph_event();
+  void wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout);
 
   int64_t id = 0;
   std::string name, space, full_name;
@@ -28,7 +103,18 @@ public:
   CallbackGroup::SharedPtr group;
   Clock::SharedPtr clock;
   Context::SharedPtr context = contexts::get_global_default_context();
-  bool in_executor = false, topic_statistics = false, intra_process = false;
+  std::map<std::string, ParameterValue> overrides;
+  std::atomic<bool> in_executor{false};
+  bool topic_statistics = false, intra_process = false;
+
+private:
+  std::vector<rcl_interfaces::msg::SetParametersResult> set(const std::vector<Parameter> & parameters, bool together);
+  std::map<std::string, std::vector<std::string>> names_and_types(const char * what, const Packer & with) const;
+  std::vector<TopicEndpointInfo> endpoints(const char * what, const std::string & topic, bool no_mangle) const;
+  std::mutex lock_;
+  std::vector<CallbackGroup::WeakPtr> groups_;
+  std::map<const Event *, int64_t> graph_seen_;
+  std::map<std::string, ParameterValue> declared_;
 };
 using NodeClockInterface = NodeBaseInterface;
 using NodeGraphInterface = NodeBaseInterface;
@@ -39,9 +125,4 @@ using NodeTimersInterface = NodeBaseInterface;
 using NodeTimeSourceInterface = NodeBaseInterface;
 using NodeTopicsInterface = NodeBaseInterface;
 using NodeWaitablesInterface = NodeBaseInterface;
-
-struct OnSetParametersCallbackHandle : coursekit::Entity
-{
-  RCLCPP_SMART_PTR_DEFINITIONS(OnSetParametersCallbackHandle)
-};
 }  // namespace rclcpp::node_interfaces

@@ -1,0 +1,2 @@
+#pragma once
+#include "rosidl_runtime_cpp/message.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2/utils.h"

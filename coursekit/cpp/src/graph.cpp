@@ -1,0 +1,154 @@
+// What a node asks of the session about itself and about the others: names, callback groups, who is in the graph.
+#include "rclcpp/rclcpp.hpp"
+
+namespace rclcpp
+{
+using node_interfaces::NodeBaseInterface;
+
+NodeBaseInterface::~NodeBaseInterface()
+{
+  if (id) {
+    coursekit::note("drop", Packer{}.i(id));
+  }
+}
+
+// -- callback groups
+
+CallbackGroup::SharedPtr NodeBaseInterface::create_callback_group(CallbackGroupType type, bool automatic)
+{
+  bool reentrant = type == CallbackGroupType::Reentrant;
+  int64_t number = ask("callback_group", Packer{}.i(id).i(reentrant).i(automatic)).i();
+  auto made = std::make_shared<CallbackGroup>(number, type, automatic);
+  enter(made);
+  return made;
+}
+void NodeBaseInterface::enter(const CallbackGroup::SharedPtr & made)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  groups_.push_back(made);
+}
+void NodeBaseInterface::for_each_callback_group(const std::function<void (CallbackGroup::SharedPtr)> & visit)
+{
+  std::vector<CallbackGroup::WeakPtr> all;
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    all = groups_;
+  }
+  for (auto & weak : all) {
+    if (auto one = weak.lock()) {
+      visit(one);
+    }
+  }
+}
+bool NodeBaseInterface::callback_group_in_node(CallbackGroup::SharedPtr wanted)
+{
+  bool found = false;
+  for_each_callback_group([&](CallbackGroup::SharedPtr one) {found = found || one == wanted;});
+  return found;
+}
+
+// -- names
+
+std::string NodeBaseInterface::resolve_topic_name(const std::string & topic, bool only_expand) const
+{
+  return ask("resolve_topic", Packer{}.i(id).s(topic).i(only_expand)).s();
+}
+std::string NodeBaseInterface::resolve_service_name(const std::string & service, bool only_expand) const
+{
+  return ask("resolve_service", Packer{}.i(id).s(service).i(only_expand)).s();
+}
+std::string expand_topic_or_service_name(
+  const std::string & name, const std::string & node_name, const std::string & space, bool is_service)
+{
+  return ask("expand_name", Packer{}.s(name).s(node_name).s(space).i(is_service)).s();
+}
+
+// -- the graph
+
+std::vector<std::string> NodeBaseInterface::get_node_names() const
+{
+  Unpacker answer = ask("node_names", Packer{}.i(id));
+  std::vector<std::string> names(static_cast<size_t>(answer.i()));
+  for (auto & name : names) {
+    name = answer.s();
+  }
+  return names;
+}
+std::map<std::string, std::vector<std::string>> NodeBaseInterface::names_and_types(const char * what, const Packer & with) const
+{
+  Unpacker answer = ask(what, with);
+  std::map<std::string, std::vector<std::string>> all;
+  for (int64_t count = answer.i(); count > 0; --count) {
+    auto & types = all[answer.s()];
+    for (int64_t k = answer.i(); k > 0; --k) {
+      types.push_back(answer.s());
+    }
+  }
+  return all;
+}
+std::map<std::string, std::vector<std::string>> NodeBaseInterface::get_topic_names_and_types(bool) const
+{
+  return names_and_types("topics", Packer{}.i(id));
+}
+std::map<std::string, std::vector<std::string>> NodeBaseInterface::get_service_names_and_types() const
+{
+  return names_and_types("services", Packer{}.i(id));
+}
+size_t NodeBaseInterface::count_publishers(const std::string & topic) const
+{
+  return static_cast<size_t>(ask("count_publishers", Packer{}.i(id).s(topic)).i());
+}
+size_t NodeBaseInterface::count_subscribers(const std::string & topic) const
+{
+  return static_cast<size_t>(ask("count_subscribers", Packer{}.i(id).s(topic)).i());
+}
+std::map<std::string, std::vector<std::string>> NodeBaseInterface::get_service_names_and_types_by_node(
+  const std::string & name, const std::string & space) const
+{
+  return names_and_types("services_of", Packer{}.i(id).s(name).s(space));
+}
+std::vector<TopicEndpointInfo> NodeBaseInterface::endpoints(const char * what, const std::string & topic, bool no_mangle) const
+{
+  Unpacker answer = ask(what, Packer{}.i(id).s(topic).i(no_mangle));
+  std::vector<TopicEndpointInfo> all;
+  for (int64_t count = answer.i(); count > 0; --count) {
+    all.emplace_back(answer);
+  }
+  return all;
+}
+std::vector<TopicEndpointInfo> NodeBaseInterface::get_publishers_info_by_topic(const std::string & topic, bool no_mangle) const
+{
+  return endpoints("publishers_info", topic, no_mangle);
+}
+std::vector<TopicEndpointInfo> NodeBaseInterface::get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle) const
+{
+  return endpoints("subscriptions_info", topic, no_mangle);
+}
+Event::SharedPtr NodeBaseInterface::get_graph_event()
+{
+  auto event = Event::make_shared();
+  graph_seen_[event.get()] = ask("graph_changes", Packer{}.i(id)).i();
+  return event;
+}
+void NodeBaseInterface::wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout)
+{
+  auto seen = graph_seen_.find(event.get());
+  if (seen == graph_seen_.end()) {
+    throw exceptions::EventNotRegisteredError();
+  }
+  int64_t now = ask("wait_for_graph", Packer{}.i(id).i(seen->second).i(timeout.count())).i();
+  if (now != seen->second) {
+    seen->second = now;
+    event->set();
+  }
+}
+std::vector<std::pair<std::string, std::string>> NodeBaseInterface::get_node_names_and_namespaces() const
+{
+  std::vector<std::pair<std::string, std::string>> all;
+  for (auto & full : get_node_names()) {
+    size_t slash = full.rfind('/');
+    all.emplace_back(full.substr(slash + 1), slash ? full.substr(0, slash) : "/");
+  }
+  return all;
+}
+}  // namespace rclcpp

@@ -13,7 +13,7 @@ from coursekit.view.working import Working
 from . import events
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace, TimeOver
-from .outputs import DIED, exception_in
+from .outputs import cause_of, exception_in
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
@@ -68,8 +68,8 @@ def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
 def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:
     """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
-    if died and died not in got:
-        got, cause, hint = f"your program raised {died}" + (f"; {got}" if got else ""), DIED, ""
+    if died:
+        got, cause, hint = _with_death(got, died), cause_of(died), ""
     return Verdict(
         exercise.name,
         exercise.title,
@@ -82,6 +82,14 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
         wrong.gave,
         wrong.timed_out or noted.timed_out(),
     )
+
+
+def _with_death(got: str, died: str) -> str:
+    """What was seen, with what the program died of; the end of its traceback says nothing more."""
+    if died in got:
+        return got
+    again = not got or died.partition(" (line ")[0] in got
+    return f"your program raised {died}" + ("" if again else f"; {got}")
 
 
 def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:

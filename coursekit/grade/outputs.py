@@ -13,6 +13,9 @@ _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ")
 _FRAME = re.compile(r'^ +File "(?P<file>[^"]+)", line (?P<line>\d+)')
 _OURS = str(Path(__file__).resolve().parents[1])
 DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
+NOT_LOADED = "It did not begin. Run the cells that write its file, its main and its line in setup.py, then build."
+"""Where the program that setup.py installed finds no module, no `main`, or no line of its own any more."""
+NO_RESPONSE = "rclpy ends so where a service's callback gives back no response: is there `return response` in every case?"
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
 """What a program may end with when Ctrl-C is pressed at the end of a trial."""
@@ -46,8 +49,20 @@ def _told(lines: list[str]) -> str:
     return ""
 
 
+def cause_of(died: str) -> str:
+    """What to do about an exception that ended a program.
+
+    >>> cause_of("StopIteration (line 25 of my_exe: return next(matches).load())") == NOT_LOADED
+    True
+    """
+    if died.startswith("TypeError (line"):
+        return NO_RESPONSE
+    return NOT_LOADED if died.endswith(".load())") else DIED
+
+
 def _is_own(file: str) -> bool:
-    return not file.startswith((_OURS, "<frozen")) and not re.search(r"/lib/python3[.\d]*/(?!site-packages/s?\w+_)", file)
+    """Whether a student wrote it; `<...>` is text that was compiled, such as that of a message's class."""
+    return not file.startswith((_OURS, "<")) and not re.search(r"/lib/python3[.\d]*/(?!site-packages/s?\w+_)", file)
 
 
 def last_words(output: str) -> str:
@@ -60,14 +75,40 @@ def last_words(output: str) -> str:
     return exception_in(output) or (lines[-1][:200] if lines else "nothing")
 
 
+def wrote(seen: Any, nothing: str = "nothing was printed", program: int = 0) -> str:
+    """The last lines that a program wrote, at most 300 letters; where Ctrl-C ended it, that stands for the traceback.
+
+    >>> from types import SimpleNamespace
+    >>> wrote(SimpleNamespace(outputs=["waiting\\nTraceback (most recent call last):\\n  ...\\nKeyboardInterrupt\\n"]))
+    'waiting\\n(it still ran when Ctrl-C was pressed)'
+    """
+    output = said(seen, program).strip()
+    before, traceback, after = output.rpartition("Traceback (most recent call last)")
+    if traceback and any(line.startswith(_NO_FAULT) for line in after.splitlines()):
+        output = f"{before}(it still ran when Ctrl-C was pressed)"
+    lines = [line for line in output.splitlines() if not line.startswith("[ros2run]")]
+    while len("\n".join(lines)) > 300 and len(lines) > 1:
+        lines.pop(0)
+    return "\n".join(lines)[:300] or nothing
+
+
 def expect_node(seen: Any, name: str, program: int = 0) -> None:
     """Wrong unless a node of that name runs; what its program said last is told."""
     if name not in seen.nodes:
-        raise Wrong(
-            f"a node named {name}",
-            f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last_words(said(seen, program))}",
-            DIED if exception_in(said(seen, program)) else _UNKNOWN,
-        )
+        last = last_words(said(seen, program))
+        raise Wrong(f"a node named {name}", f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last}", _UNKNOWN)
+
+
+def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = None) -> None:
+    """Wrong unless something subscribes to that topic with that type: ends of different types are never joined."""
+    ends = seen.subscriptions.get(topic)
+    if not ends:
+        others = ", ".join(name for name, found in seen.subscriptions.items() if found) or "none"
+        raise Wrong(f"a subscription to {topic}", f"subscriptions: {others}", "Is the topic's name right?", hint=hint)
+    kinds = [one.get("type") for one in ends]
+    if kind not in kinds:
+        cause = "Two ends with different types are never joined, and ROS does not say so."
+        raise Wrong(f"a subscription to {topic} of type {kind}", f"type: {kinds[0]}", cause, hint=hint)
 
 
 def said(seen: Any, program: int = 0) -> str:

@@ -101,7 +101,8 @@ class Work:
         if not found.there:
             raise Wrong(f"the package {package}, built", "it is not in install/", command)
         if found.fault:
-            raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or command)
+            cure = f"What it prints says why. {command}" if "failed" in found.fault else command
+            raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or cure)
 
     def robot(self, path: str) -> Robot:
         """The robot in a URDF or xacro file; Wrong says what is wrong with it, and where."""

@@ -99,6 +99,17 @@ def test_a_function_s_own_line_is_shown():
     assert error_of(ValueError("x")) == "ValueError: x"
 
 
+def test_the_line_in_the_class_of_a_message_is_not_taken_for_the_student_s():
+    from std_msgs.msg import Bool
+
+    def switch():
+        return Bool(data="yes")
+
+    with pytest.raises(AssertionError) as caught:
+        switch()
+    assert error_of(caught.value).endswith('return Bool(data="yes"))')
+
+
 def test_a_stub_stays_a_stub():
     def stub():
         raise NotImplementedError

@@ -16,6 +16,7 @@ DIED = "The program ended with that error: mend the line that it names, build, a
 NOT_LOADED = "It did not begin. Run the cells that write its file, its main and its line in setup.py, then build."
 """Where the program that setup.py installed finds no module, no `main`, or no line of its own any more."""
 NO_RESPONSE = "rclpy ends so where a service's callback gives back no response: is there `return response` in every case?"
+NO_RESULT = "Does the callback that judges parameters give back a SetParametersResult in every case?"
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
 """What a program may end with when Ctrl-C is pressed at the end of a trial."""
@@ -29,12 +30,18 @@ def exception_in(output: str) -> str:
     'NameError: no spin (line 9 of my_node.py: spin())'
     """
     lines = [_LAUNCHED.sub("", line) for line in output.splitlines()]
+    launched = re.findall(r"\[launch\]: Caught exception in launch \(see debug for traceback\): (.*)", output)
     starts = [place for place, line in enumerate(lines) if line.startswith("Traceback (most recent call last)")]
     for start in reversed(starts):
         found = _told(lines[start + 1 :])
         if found and not found.startswith(_NO_FAULT):
             return found
-    return ""
+    return _short(launched[-1]) if launched else ""
+
+
+def _short(line: str) -> str:
+    """A line of an output, with paths from the workspace on and not from the root."""
+    return re.sub(r"/[^\s'\"]*?/(?=(install|src)/)", "", line)[:300]
 
 
 def _told(lines: list[str]) -> str:
@@ -55,6 +62,8 @@ def cause_of(died: str) -> str:
     >>> cause_of("StopIteration (line 25 of my_exe: return next(matches).load())") == NOT_LOADED
     True
     """
+    if "has no attribute 'successful'" in died:
+        return NO_RESULT
     if died.startswith("TypeError (line"):
         return NO_RESPONSE
     return NOT_LOADED if died.endswith(".load())") else DIED
@@ -72,7 +81,7 @@ def last_words(output: str) -> str:
     ('two', 'nothing')
     """
     lines = [line for line in output.splitlines() if line.strip()]
-    return exception_in(output) or (lines[-1][:200] if lines else "nothing")
+    return exception_in(output) or (_short(lines[-1]) if lines else "nothing")
 
 
 def wrote(seen: Any, nothing: str = "nothing was printed", program: int = 0) -> str:

@@ -65,6 +65,17 @@ def test_of_a_service_s_callback_that_gives_nothing_back_the_return_is_told():
     assert "return response" in said.cause
 
 
+def test_of_a_callback_that_judges_and_gives_no_result_back_the_result_is_told():
+    said = verdict(TRACE.replace("NameError: no spin", "AttributeError: 'NoneType' object has no attribute 'successful'"))
+    assert "SetParametersResult" in said.cause
+
+
+def test_a_launch_file_s_own_error_is_told_with_a_short_path():
+    line = "[ERROR] [launch]: Caught exception in launch (see debug for traceback): '/home/a/ws/install/a/b.py' is odd\n"
+    said = verdict(line, close_with_last_words)
+    assert (said.got, said.cause) == ("none; it said: 'install/a/b.py' is odd", DIED)
+
+
 def test_the_student_s_line_is_told_not_that_of_a_message_s_class():
     inner = '  File "<std_msgs/msg/Float64>", line 36, in data\n    assert isinstance(value, float)\n'
     told = verdict(TRACE.replace("NameError", inner + "NameError")).got

@@ -71,7 +71,8 @@ class Written:
             text = undone(text, old, former[3])
         changed = edited(text, old, new)
         if changed is None and not any(one[2:] == [old, new] for one in self.edits):
-            raise NotThere(f"{self.path.name} does not contain {old!r}. Print it with: %show {self._shown()}")
+            missing = f"{self.path.name} does not contain {old!r}."
+            raise NotThere(f"{missing} Were the cells above run? Print it with: %show {self._shown()}")
         if former:
             self.edits.remove(former)
         self.edits.append([*place, new])

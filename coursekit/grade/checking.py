@@ -12,9 +12,10 @@ from typing import Any
 from coursekit.view.working import Working
 
 from . import events
+from .deaths import cause_of
 from .exercise import Exercise, find
 from .interruptions import Gone, NeedsWorkspace, TimeOver
-from .outputs import cause_of, exception_in
+from .outputs import exception_in
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
@@ -73,9 +74,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
     """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died:
-        cause, hint = cause_of(died), ""
-    if died and died not in got:
-        got = f"your program raised {died}" + (f"; {got}" if got else "")
+        got, cause, hint = _with_death(got, died), cause_of(died), ""
     return Verdict(
         exercise.name,
         exercise.title,
@@ -88,6 +87,14 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Ver
         wrong.gave,
         wrong.timed_out or noted.timed_out(),
     )
+
+
+def _with_death(got: str, died: str) -> str:
+    """What was seen, with what the program died of; the end of its traceback says nothing more."""
+    if died in got:
+        return got
+    again = not got or died.partition(" (line ")[0] in got
+    return f"your program raised {died}" + ("" if again else f"; {got}")
 
 
 def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:

@@ -19,10 +19,13 @@ GIVEN = "given"
 """What a notebook's metadata call the digests of its solution cells as they were handed out."""
 FIRST = "00_start_here.ipynb"
 """The chapter that the course opens with."""
+DATA_STUB = "# YOUR CODE HERE"
+"""The stub in files of data with comments like Python's: what raises there would only break a build."""
 MARKUP_STUB = "<!-- YOUR CODE HERE -->"
 """The stub in files of XML: URDF, xacro, launch files"""
 _SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
 _MARKUP = re.compile(r"%%write [^\n]*\.(urdf|xacro|xml|sdf)\s*\n")
+_DATA = re.compile(r"%%write [^\n]*\.(msg|srv|action|ya?ml)\s*\n")
 _HIDDEN = re.compile(r"^[ \t]*### BEGIN HIDDEN TESTS.*?### END HIDDEN TESTS[ \t]*\n?", re.S | re.M)
 
 
@@ -34,7 +37,7 @@ def without_solution(source: str) -> str:
     # YOUR CODE HERE
     raise NotImplementedError()
     """
-    text = MARKUP_STUB if _MARKUP.match(source) else STUB
+    text = MARKUP_STUB if _MARKUP.match(source) else DATA_STUB if _DATA.match(source) else STUB
 
     def stub(found: re.Match[str]) -> str:
         return "\n".join(found[1] + line for line in text.splitlines())

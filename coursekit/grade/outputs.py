@@ -12,12 +12,6 @@ from .verdict import NO_HINT, Wrong
 _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ")
 _FRAME = re.compile(r'^ +File "(?P<file>[^"]+)", line (?P<line>\d+)')
 _OURS = str(Path(__file__).resolve().parents[1])
-DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
-_CALL = re.compile(
-    r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
-)
-"""A method that was defined without `self`, or without the message: Python tells it where it was called."""
-_UNPACKED = re.compile(r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack")
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
 """What a program may end with when Ctrl-C is pressed at the end of a trial."""
@@ -31,31 +25,18 @@ def exception_in(output: str) -> str:
     'NameError: no spin (line 9 of my_node.py: spin())'
     """
     lines = [_LAUNCHED.sub("", line) for line in output.splitlines()]
+    launched = re.findall(r"\[launch\]: Caught exception in launch \(see debug for traceback\): (.*)", output)
     starts = [place for place, line in enumerate(lines) if line.startswith("Traceback (most recent call last)")]
     for start in reversed(starts):
         found = _told(lines[start + 1 :])
         if found and not found.startswith(_NO_FAULT):
             return found
-    return ""
+    return _short(launched[-1]) if launched else ""
 
 
-def cause_of(died: str) -> str:
-    """What to do about the exception that ended a program.
-
-    >>> cause_of("TypeError: Ear.heard() takes 1 positional argument but 2 were given (line 9 of ear.py: rclpy.spin(node))")
-    '`heard` gets two values, the object itself and what it is called with: begin it with `def heard(self, msg):`.'
-    """
-    if died.startswith("NotImplementedError"):
-        return "The stub is still there: write your code where that line stands."
-    if _UNPACKED.match(died):
-        return "Another number of values is taken there than came: what should your function return?"
-    call = _CALL.match(died)
-    if call is None:
-        return DIED
-    name = call["name"]
-    if call["given"] == "1":
-        return f"`{name}` gets one value, the object itself: begin it with `def {name}(self):`."
-    return f"`{name}` gets two values, the object itself and what it is called with: begin it with `def {name}(self, msg):`."
+def _short(line: str) -> str:
+    """A line of an output, with paths from the workspace on and not from the root."""
+    return re.sub(r"/[^\s'\"]*?/(?=(install|src)/)", "", line)[:300]
 
 
 def _told(lines: list[str]) -> str:
@@ -71,7 +52,8 @@ def _told(lines: list[str]) -> str:
 
 
 def _is_own(file: str) -> bool:
-    return not file.startswith((_OURS, "<frozen")) and not re.search(r"/lib/python3[.\d]*/(?!site-packages/s?\w+_)", file)
+    """Whether a student wrote it; `<...>` is text that was compiled, such as that of a message's class."""
+    return not file.startswith((_OURS, "<")) and not re.search(r"/lib/python3[.\d]*/(?!site-packages/s?\w+_)", file)
 
 
 def last_words(output: str) -> str:
@@ -81,17 +63,43 @@ def last_words(output: str) -> str:
     ('two', 'nothing')
     """
     lines = [line for line in output.splitlines() if line.strip()]
-    return exception_in(output) or (lines[-1][:200] if lines else "nothing")
+    return exception_in(output) or (_short(lines[-1]) if lines else "nothing")
+
+
+def wrote(seen: Any, nothing: str = "nothing was printed", program: int = 0) -> str:
+    """The last lines that a program wrote, at most 300 letters; where Ctrl-C ended it, that stands for the traceback.
+
+    >>> from types import SimpleNamespace
+    >>> wrote(SimpleNamespace(outputs=["waiting\\nTraceback (most recent call last):\\n  ...\\nKeyboardInterrupt\\n"]))
+    'waiting\\n(it still ran when Ctrl-C was pressed)'
+    """
+    output = said(seen, program).strip()
+    before, traceback, after = output.rpartition("Traceback (most recent call last)")
+    if traceback and any(line.startswith(_NO_FAULT) for line in after.splitlines()):
+        output = f"{before}(it still ran when Ctrl-C was pressed)"
+    lines = [line for line in output.splitlines() if not line.startswith("[ros2run]")]
+    while len("\n".join(lines)) > 300 and len(lines) > 1:
+        lines.pop(0)
+    return "\n".join(lines)[:300] or nothing
 
 
 def expect_node(seen: Any, name: str, program: int = 0) -> None:
     """Wrong unless a node of that name runs; what its program said last is told."""
     if name not in seen.nodes:
-        raise Wrong(
-            f"a node named {name}",
-            f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last_words(said(seen, program))}",
-            cause_of(died) if (died := exception_in(said(seen, program))) else _UNKNOWN,
-        )
+        last = last_words(said(seen, program))
+        raise Wrong(f"a node named {name}", f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last}", _UNKNOWN)
+
+
+def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = None) -> None:
+    """Wrong unless something subscribes to that topic with that type: ends of different types are never joined."""
+    ends = seen.subscriptions.get(topic)
+    if not ends:
+        others = ", ".join(name for name, found in seen.subscriptions.items() if found) or "none"
+        raise Wrong(f"a subscription to {topic}", f"subscriptions: {others}", "Is the topic's name right?", hint=hint)
+    kinds = [one.get("type") for one in ends]
+    if kind not in kinds:
+        cause = "Two ends with different types are never joined, and ROS does not say so."
+        raise Wrong(f"a subscription to {topic} of type {kind}", f"type: {kinds[0]}", cause, hint=hint)
 
 
 def said(seen: Any, program: int = 0) -> str:

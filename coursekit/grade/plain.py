@@ -21,6 +21,8 @@ from .wire import Described
 
 T = TypeVar("T")
 _OURS = str(Path(__file__).resolve().parents[1])
+_MADE = "<coursekit "
+"""How the sources of messages' classes are called."""
 _UNFINISHED = ("coroutine", "generator", "async_generator")
 MOST = 100
 """Letters of a value that a verdict shows."""
@@ -229,6 +231,6 @@ def of_student(error: BaseException) -> bool:
 
 def _frames(error: BaseException) -> list[traceback.FrameSummary]:
     """The lines of the student's that an exception passed."""
-    found = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith(_OURS)]
+    found = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith((_OURS, _MADE))]
     found = [one for one in found if "site-packages" not in one.filename and not is_own(one.filename)]
     return [one for one in found if not one.filename.startswith(sys.base_prefix)]

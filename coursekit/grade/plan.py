@@ -46,6 +46,7 @@ class Plan:
 class Seen:
     """What was seen: at the end of the trial, just before Ctrl-C, and while it ran.
 
+    `services` are those that a node serves; one that is only called is not among them.
     `outputs` and `exit_codes` are those of `run`, then those of `later`; `beside` are the outputs of the course's programs.
     """
 

@@ -85,6 +85,12 @@ def message(workspace: Path, path: str) -> Message:
     return found
 
 
+def _cause_in_yaml(said: str) -> str:
+    if "ros__parameters" in said:
+        return "Two underscores in ros__parameters, and two spaces more before each line below it?"
+    return "YAML is indented with spaces, never with tabs." if r"\t" in said else ""
+
+
 def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
     """What a file of parameters gives to each of these nodes, as ROS reads it."""
     from coursekit.rcl.arguments import parse_ros_arguments
@@ -96,7 +102,7 @@ def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, di
         return {node: read.parameters_for(node) for node in nodes}
     except Exception as error:
         said = str(error).replace(str(file), file.name)
-        raise Wrong("a parameter file that ROS can read", said[:500], "Two underscores in ros__parameters?") from None
+        raise Wrong("a parameter file that ROS can read", said[:500], _cause_in_yaml(said), hint=NO_HINT) from None
 
 
 READINGS: dict[str, Callable[..., Any]] = {

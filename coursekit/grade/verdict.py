@@ -9,6 +9,7 @@ from dataclasses import dataclass
 _OURS = ("expected", "likely cause", "hint")
 """The rows that are a check's own words; the others are the student's, and shown as they are."""
 
+_CELL = "padding:1px 0;text-align:left;vertical-align:top"
 
 NO_HINT = -1
 """Of an answer whose form is wrong, such as a text for a number: what was expected says it, and no hint is about that."""
@@ -102,11 +103,8 @@ class Verdict:
         """For the notebook."""
         colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         rows = "".join(
-            f"<tr style='background:none'>"
-            f"<td style='opacity:.7;padding:1px 12px 1px 0;text-align:left;vertical-align:top;white-space:nowrap'>"
-            f"{label}</td>"
-            f"<td style='padding:1px 0;text-align:left;vertical-align:top;white-space:pre-wrap'>"
-            f"{_as_html(label, value)}</td></tr>"
+            f"<tr style='background:none'><td style='{_CELL};opacity:.7;padding-right:12px;white-space:nowrap'>{label}</td>"
+            f"<td style='{_CELL};white-space:pre-wrap'>{_as_html(label, value)}</td></tr>"
             for label, value in self._rows()
         )
         number, _, rest = ("not judged", "", "") if self.fault else self.score().partition(" ")

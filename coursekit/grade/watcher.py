@@ -17,6 +17,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from coursekit.core.graph import names_and_types
 from coursekit.systems.inherited import opened
 from coursekit.wiring import COMMANDS, load
 
@@ -119,7 +120,7 @@ class Watcher:
         seen = self.seen
         seen.nodes = sorted(node.full_name for node in self.graph.nodes if not node.name.startswith(OURS))
         seen.topics = dict(self.graph.topics())
-        seen.services = dict(self.graph.services())
+        seen.services = dict(names_and_types(one for some in list(self.graph.servers.values()) for one in some))
         for ends, kept in ((self.graph.publishers, seen.publishers), (self.graph.subscriptions, seen.subscriptions)):
             for name, endpoints in sorted(ends.items()):
                 kept[name] = [_described(one) for one in endpoints if not one.node.name.startswith(OURS)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 import shutil
 import sysconfig
@@ -82,15 +83,15 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
         self._magics = magics
         self._cell = this_cell()
         self.terminal: Terminal | None = None
-        self.line = ipywidgets.Text(value=row.command, layout=ipywidgets.Layout(width="50%"))
+        self.line = ipywidgets.Text(value=row.command, layout=ipywidgets.Layout(flex="0 0 50%", width="auto"))
         self.button = ipywidgets.Button(
             icon="play",
             disabled=not row.runs,
             tooltip="run it" if row.runs else "for a terminal: it changes the shell",
-            layout=ipywidgets.Layout(width="36px"),
+            layout=ipywidgets.Layout(flex="0 0 36px", width="auto"),
         )
         self.button.on_click(self._run)
-        self._head = ipywidgets.HBox([self.button, self.line, ipywidgets.Label(row.meaning)])
+        self._head = ipywidgets.HBox([self.button, self.line, _wrapped(row.meaning)])
         super().__init__([self._head])
 
     def _run(self, _button: Any) -> None:
@@ -106,6 +107,12 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
 
     def _below(self, widget: Any) -> None:
         self.children = (self._head, widget)
+
+
+def _wrapped(text: str) -> Any:
+    """A text beside a row, on as many lines as it needs: a label is cut at the page's edge."""
+    layout = ipywidgets.Layout(flex="1 1 0", width="auto", min_width="0")
+    return ipywidgets.HTML(f"<div style='line-height: 1.4; padding: 5px 4px'>{html.escape(text)}</div>", layout=layout)
 
 
 class CommandTable(ipywidgets.VBox):  # type: ignore[misc]

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from .errors import NotNow
 from .magics import workspace
+from .written import Written
 
 
 def set_aside(*names: str) -> None:
@@ -21,6 +22,7 @@ def set_aside(*names: str) -> None:
         for path in dict.fromkeys((workspace() / name, Path(name).resolve())):
             if path.exists():
                 print(f"{name} was there already. It is kept: {_keep(path)}")
+                Written(path).forget()
 
 
 def _keep(path: Path) -> str:

@@ -28,6 +28,14 @@ class Written:
         self.pieces: list[list[str]] = mine.setdefault("pieces", [])
         self.edits: list[list[Any]] = mine.setdefault("edits", [])
 
+    def forget(self) -> None:
+        """Forget the parts of all files below this path, which has gone elsewhere: what is made in its place is new."""
+        gone = [one for one in self._all if Path(one).is_relative_to(self.path)]
+        for one in gone:
+            del self._all[one]
+        if self._file.exists():
+            _write(self._file, json.dumps(self._all, indent=1))
+
     def _read(self) -> dict[str, dict[str, Any]]:
         with contextlib.suppress(OSError, ValueError, TypeError):
             found = json.loads(self._file.read_text(encoding="utf-8"))
@@ -63,7 +71,8 @@ class Written:
             text = undone(text, old, former[3])
         changed = edited(text, old, new)
         if changed is None and not any(one[2:] == [old, new] for one in self.edits):
-            raise NotThere(f"{self.path.name} does not contain {old!r}. Print it with: %show {self._shown()}")
+            missing = f"{self.path.name} does not contain {old!r}."
+            raise NotThere(f"{missing} Were the cells above run? Print it with: %show {self._shown()}")
         if former:
             self.edits.remove(former)
         self.edits.append([*place, new])

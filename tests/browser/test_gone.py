@@ -37,6 +37,18 @@ def test_after_a_restart_every_view_says_so_and_takes_no_input(notebook, picture
     page.wait_for_function("() => document.querySelectorAll('.ck-veil').length === 3", timeout=60_000)
 
 
+def test_after_a_restart_terminals_stand_side_by_side_as_they_did(notebook, picture):
+    opened = notebook("%ros2 run demo_nodes_py talker &", "%ros2 run demo_nodes_py listener &", "terminals()")
+    opened.run()
+    page, places = opened.page, "all => all.map(one => one.getBoundingClientRect()).map(({ left, top }) => [left, top])"
+    page.wait_for_function("() => document.querySelectorAll('.widget-gridbox .ck-terminal').length === 2", timeout=30_000)
+    page.evaluate(RESTART)
+    page.wait_for_function("() => document.querySelectorAll('.widget-gridbox .ck-veil').length === 2", timeout=30_000)
+    (left, top), (right, beside) = page.locator(".widget-gridbox .ck-veil").evaluate_all(places)
+    assert left < right and top == beside
+    picture(page, "gone-terminals")
+
+
 def test_a_page_that_is_opened_with_a_new_kernel_shows_stills(notebook, picture):
     opened = opened_with_views(notebook)
     page = opened.page

@@ -13,7 +13,13 @@ def test_in_xml_the_stub_is_a_comment(file):
     assert text == f"%%write {file}\n  <!-- YOUR CODE HERE -->\nend"
 
 
-@pytest.mark.parametrize("head", ["import math", "%%write src/p/p/node.py", "%%write src/p/config/a.yaml"])
+@pytest.mark.parametrize("file", ["src/p/msg/Sphere.msg", "A.srv", "A.action", "src/p/config/a.yaml", "a.yml"])
+def test_in_data_the_stub_is_a_comment_alone_which_breaks_no_build(file):
+    text = without_solution(SOLVED.format(head=f"%%write {file}"))
+    assert text == f"%%write {file}\n  # YOUR CODE HERE\nend"
+
+
+@pytest.mark.parametrize("head", ["import math", "%%write src/p/p/node.py"])
 def test_elsewhere_the_stub_raises(head):
     text = without_solution(SOLVED.format(head=head))
     assert text == f"{head}\n  # YOUR CODE HERE\n  raise NotImplementedError()\nend"

@@ -12,8 +12,8 @@ import pytest
 
 from coursekit.grade import chapters
 from coursekit.grade.checking import check, judge, judge_work
+from coursekit.grade.deaths import DIED as OTHERWISE
 from coursekit.grade.exercise import Exercise, UnknownExercise, find
-from coursekit.grade.outputs import DIED as OTHERWISE
 from coursekit.grade.outputs import exception_in
 from coursekit.grade.plain import called, error_of, number
 from coursekit.grade.plan import Seen
@@ -104,6 +104,17 @@ def test_a_function_s_own_line_is_shown():
         called(scope["tip"], 1.0, told="tip(1.0)")
     assert caught.value.got == "ZeroDivisionError: float division by zero (line 2)"
     assert error_of(ValueError("x")) == "ValueError: x"
+
+
+def test_the_line_in_the_class_of_a_message_is_not_taken_for_the_student_s():
+    from std_msgs.msg import Bool
+
+    def switch():
+        return Bool(data="yes")
+
+    with pytest.raises(AssertionError) as caught:
+        switch()
+    assert error_of(caught.value).endswith('return Bool(data="yes"))')
 
 
 def test_a_stub_stays_a_stub():

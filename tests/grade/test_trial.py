@@ -40,6 +40,12 @@ def test_programs_and_what_watches_them_meet_on_topics_and_services():
     assert seen.services["/spawn"] == ["turtlesim/srv/Spawn"] and seen.nodes == ["/turtlesim"]
 
 
+def test_a_service_that_is_only_called_is_not_seen_as_one():
+    call = [(0.5, "/spawm", "turtlesim/srv/Spawn", {"x": 2.0})]
+    seen = try_out(Plan(run=[["run", "turtlesim", "turtlesim_node"]], seconds=1.0, call=call))
+    assert "/spawn" in seen.services and "/spawm" not in seen.services and seen.responses == [None]
+
+
 def test_the_course_s_programs_and_the_student_s_share_graph_and_time():
     plan = Plan(run=[["run", "demo_nodes_py", "listener"]], beside=[["run", "demo_nodes_py", "talker"]], seconds=2.5)
     plan.later = [(0.5, ["node", "list"]), (0.5, ["topic", "info", "/chatter"])]

@@ -2,7 +2,9 @@
 
 import pytest
 
+from coursekit.lab.errors import NotThere
 from coursekit.lab.keeping import set_aside
+from coursekit.lab.magics import edit
 
 
 @pytest.fixture
@@ -41,6 +43,18 @@ def test_what_changed_is_kept_too_and_what_is_the_same_only_once(course, capsys)
         set_aside("src/mine")
     assert kept(course) == {"mine-1": "one", "mine-2": "two"}
     assert capsys.readouterr().out.count("kept/mine-2") == 2
+
+
+def test_what_cells_wrote_into_it_is_forgotten_so_that_an_edit_of_the_new_one_is_not_taken_for_made(course):
+    package(course, "scripts: [")
+    edit("src/mine/inner/node.py", "[", "[ first,")
+    edit("src/mine/inner/node.py", "first,", "first, second,")
+    set_aside("src/mine")
+    package(course, "scripts: [")
+    with pytest.raises(NotThere):
+        edit("src/mine/inner/node.py", "first,", "first, second,")
+    edit("src/mine/inner/node.py", "[", "[ first,")
+    assert (course / "ros2_ws/src/mine/inner/node.py").read_text() == "scripts: [ first,"
 
 
 def test_a_folder_beside_the_notebook_is_found_and_like_names_are_not_mixed(course):

@@ -21,6 +21,12 @@ def test_a_chapter_begins_with_what_every_kernel_of_the_lab_has_anyway(chapter):
     assert code_cells(read(chapter))[0].source == "from coursekit.lab import *\n\nreset()"
 
 
+def test_a_package_is_made_in_the_workspace_also_after_a_restart(chapter):
+    for cell in code_cells(read(chapter)):
+        above, made, _ = cell.source.partition("%ros2 pkg create")
+        assert not made or "%cd -q {workspace()}" in above or "--destination-directory {workspace()}/src" in cell.source, cell.source
+
+
 def test_a_chapter_is_short_to_read_and_every_section_is_compared(chapter):
     notebook = read(chapter)
     section, compared = "", {}

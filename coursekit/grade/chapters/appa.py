@@ -6,13 +6,15 @@ import re
 from itertools import pairwise
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.outputs import exit_code, heard, said, way_of
+from coursekit.grade.outputs import exit_code, heard, said, way_of, wrote
 from coursekit.grade.plain import fields, near, shown, texts
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
+CTRL_C = 2
+"""The exit status of a command that was ended by Ctrl-C."""
 BROKEN = {
     "there is no node /turtlesim (this one is called /mule)": "-r __node:=mule",
     "/spawn is not served (here it is /hatch)": "-r spawn:=hatch",
@@ -29,6 +31,7 @@ BROKEN = {
 def where(work: Work) -> None:
     """One number, the x at which the turtle stands, from a command that ends."""
     command = _command(work.value("command", str), "command")
+    _of_this_exercise(command, "topic pub", 2)
     chance = work.dice("appa.q1")
     twist = {"linear": {"x": chance.uniform(1.5, 3.0)}, "angular": {"z": chance.choice((-1, 1)) * chance.uniform(0.5, 0.9)}}
     drive = (0.5, CMD_VEL, TWIST, twist)
@@ -36,6 +39,8 @@ def where(work: Work) -> None:
     output, x = said(seen), way_of(seen, POSE)[-1][0]
     _understood(command, output)
     lines = [line for line in output.splitlines() if line.strip() and line.strip() != "---"]
+    if exit_code(seen) not in (0, None, CTRL_C):
+        raise Wrong("a command that ends without an error", wrote(seen), gave=shown(command), hint=NO_HINT)
     if len(lines) > 20 or exit_code(seen) != 0:
         raise Wrong(
             "a command that ends by itself, without an error",
@@ -62,6 +67,7 @@ def where(work: Work) -> None:
 def drive_on(work: Work) -> None:
     """A stream of velocities, four times a second, to the right."""
     command = _command(work.value("command", str), "command")
+    _of_this_exercise(command, "topic echo", 1)
     seen = work.try_out(beside=[TURTLESIM], seconds=5.0, record=[CMD_VEL], later=[(1.0, command)])
     _understood(command, said(seen))
     spoken = heard(seen, CMD_VEL)
@@ -129,6 +135,13 @@ def _command(text: str, variable: str) -> str:
     if not words or words == ["..."]:
         raise Wrong(f"a command line in `{variable}`", gave=shown(text), hint=NO_HINT)
     return text
+
+
+def _of_this_exercise(command: str, other: str, number: int) -> None:
+    """Wrong where `command` still is that of the other exercise: both give it the same name."""
+    if " ".join(command.split()).startswith(other):
+        cause = f"That looks like exercise {number}'s: run the cell above this check again."
+        raise Wrong("the `command` of this exercise", gave=shown(command), cause=cause, hint=NO_HINT)
 
 
 def _understood(command: str, said: str) -> None:

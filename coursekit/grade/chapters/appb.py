@@ -83,6 +83,8 @@ def _judge_pose(to_pose: Callable[..., Any], x: float, y: float, theta: float) -
     wanted = (math.cos(theta), math.sin(theta), 0.0)
     if not close(nose, wanted, 1e-6):
         cause = "Is there a half missing, or one too many?"
+        if close(nose, (math.cos(math.degrees(theta)), math.sin(math.degrees(theta)), 0.0), 1e-6):
+            cause = "theta is in radians, and a quaternion is made of radians: nothing is to be turned into degrees."
         raise Wrong(f"x axis along {told(wanted)} from {given}", gave=told(nose), cause=cause, hint=0)
 
 
@@ -100,6 +102,7 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
     theta = number(flat.theta, wanted, share=0.5)
     if not (abs(theta) < math.pi + 1e-9 and near(math.remainder(theta - yaw, math.tau), 0.0, 1e-6)):
         cause = "The yaw is the direction of the x axis on the floor, between -pi and pi."
+        cause = "theta is wanted in radians." if near(theta, math.degrees(yaw), 1e-4) else cause
         raise Wrong(wanted, gave=f"{theta:.3f}", cause=cause, share=0.5, hint=1)
 
 
@@ -127,10 +130,13 @@ def the_ellipse(work: Work) -> None:
             raise Wrong(f"a = {a:.3f}, b = {b:.3f} for {given}", gave=answer, cause=cause, hint=None if mixed else 1)
         if not near(math.remainder(got[2] - yaw, math.pi), 0.0, 1e-6):
             found = math.degrees(math.remainder(got[2], math.pi))
+            cause = "Which vector belongs to the longer axis, and which way round are rows and columns?"
+            if near(math.remainder(got[2] - math.degrees(yaw), 180.0), 0.0, 1e-4):
+                cause = "yaw is wanted in radians."
             raise Wrong(
                 f"yaw at {math.degrees(yaw):.0f}° (or opposite) for {given}",
                 gave=f"{found:.1f}°",
-                cause="Which vector belongs to the longer axis, and which way round are rows and columns?",
+                cause=cause,
                 share=0.5,
                 hint=1,
             )

@@ -9,9 +9,9 @@ from typing import Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.harmless import counted
-from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.outputs import expect_node, expect_subscription, heard, last_words, said, wrote
 from coursekit.grade.plain import called, field, is_number, shown, text
-from coursekit.grade.trial import EVERY_NODE_S
+from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
@@ -78,9 +78,7 @@ def listener(work: Work) -> None:
     spoken = [(0.5 + index, "/py_str_topic", STRING, {"data": word}) for index, word in enumerate(words)]
     seen = work.try_out(f"run {PACKAGE} subscriber_exe", publish=spoken, seconds=4.0)
     expect_node(seen, "/py_subscriber_node")
-    if not seen.subscriptions.get("/py_str_topic"):
-        others = ", ".join(name for name, ends in seen.subscriptions.items() if ends) or "none"
-        raise Wrong("a subscription to /py_str_topic", f"subscriptions: {others}", "Is the topic's name right?", hint=0)
+    expect_subscription(seen, "/py_str_topic", STRING, hint=0)
     output = said(seen)
     logged = re.findall(r"^\[INFO\] \[[0-9.]+\] \[py_subscriber_node\]: I heard: (.*)$", output, re.M)
     if logged != words:
@@ -91,7 +89,7 @@ def listener(work: Work) -> None:
         elif not logged and all(re.search(rf"^\[INFO\] .*{word}", output, re.M) for word in words):
             cause = "These are logged with other words: is it 'I heard: ', and then the text, and nothing else?"
         wanted = "the node's log with: " + ", ".join(f"I heard: {word}" for word in words)
-        raise Wrong(wanted, output.strip()[-300:] or "nothing was printed", cause, share=0.5, hint=1)
+        raise Wrong(wanted, wrote(seen), cause, share=0.5, hint=1)
 
 
 @exercise(
@@ -114,9 +112,7 @@ def relay(work: Work) -> None:
     spoken = [(when, "/py_str_topic", STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
     seen = work.try_out(f"run {PACKAGE} relay_exe", record=["/py_upper_topic"], publish=spoken, seconds=4.5)
     expect_node(seen, "/py_relay_node")
-    if "/py_upper_topic" not in seen.messages:
-        topics = ", ".join(name for name in seen.topics if name not in EVERY_NODE_S)
-        raise Wrong("a publisher on /py_upper_topic", f"topics: {topics}", "Is the name right?", hint=0)
+    _expect_ends(seen)
     answers = [(when, field(one, "data", str, "/py_upper_topic")) for when, one in heard(seen, "/py_upper_topic")]
     got = [one for _, one in answers]
     if [one.casefold() for one in got] != [one.casefold() for one in texts]:
@@ -129,6 +125,14 @@ def relay(work: Work) -> None:
     if not max(late) <= AT_ONCE:
         cause = "Publish in the callback, not on a timer."
         raise Wrong("an answer at once", f"{max(late):.3f} s later", cause, share=0.5, hint=2)
+
+
+def _expect_ends(seen: Seen) -> None:
+    """Wrong unless the relay hears the one topic and speaks on the other."""
+    if not seen.publishers.get("/py_upper_topic"):
+        names = ", ".join(name for name, ends in seen.publishers.items() if ends and name not in EVERY_NODE_S) or "none"
+        raise Wrong("a publisher on /py_upper_topic", f"publishers: {names}", "Is the topic's name right?", hint=0)
+    expect_subscription(seen, "/py_str_topic", STRING, hint=0)
 
 
 @exercise(
@@ -149,7 +153,8 @@ def health(work: Work) -> None:
     own = {name: types[0] for name, types in seen.topics.items() if name not in EVERY_NODE_S and seen.publishers.get(name)}
     if len(set(own.values())) < 2:
         what = ", ".join(f"{name} ({kind})" for name, kind in own.items()) or f"none; it said: {last_words(said(seen))}"
-        raise Wrong("at least two topics of different types", what, "Was it built after the last change?", hint=0)
+        causes = ("Was it built after the last change?", "Is there a second one?", "They have the same type.")
+        raise Wrong("at least two topics of different types", what, causes[min(len(own), 2)], hint=0)
     for name in own:
         _judge_health(name, heard(seen, name))
 
@@ -157,7 +162,7 @@ def health(work: Work) -> None:
 def _judge_health(topic: str, messages: list[tuple[float, Any]]) -> None:
     wanted = f"{topic} between 1 and 20 times a second"
     if len(messages) < SECONDS - 2:
-        cause = "" if messages else f"Does the timer's callback publish on {topic}, too?"
+        cause = "" if messages else f"Does the timer's callback publish on {topic}, too? Is the period in seconds?"
         raise Wrong(wanted, f"{counted(len(messages), 'message')} in {SECONDS:g} s", cause, share=0.5, hint=2)
     gaps = sorted(after - before for (before, _), (after, _) in pairwise(messages))
     usual = gaps[len(gaps) // 2]

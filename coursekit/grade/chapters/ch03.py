@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.outputs import exit_code, expect_node, heard, last_words, said
+from coursekit.grade.harmless import counted
+from coursekit.grade.outputs import exit_code, expect_node, heard, last_words, said, wrote
 from coursekit.grade.plain import called, field, is_number, shown
 from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
@@ -18,6 +19,8 @@ ADD = "example_interfaces/srv/AddTwoInts"
 SET = "std_srvs/srv/SetBool"
 SERVER = "run coursekit_robots odd_adder --ros-args -r add_two_ints:=/py_add_two_ints_service -p more:="
 """The course's server for what students ask: its answer is not the sum."""
+LAMP_SECONDS = 9.0
+"""How long a switch is watched."""
 
 
 @exercise(
@@ -83,13 +86,13 @@ def _judge_client(seen: Seen, a: int, b: int, answer: int) -> None:
     output = said(seen).strip()
     if f"asked for {a} and {b}" not in "".join(seen.beside):
         wanted = f"client_exe {a} {b} asks the service for {a} and {b}"
-        raise Wrong(wanted, output[-300:] or "the server was not asked", hint=1)
+        raise Wrong(wanted, wrote(seen, "the server was not asked"), hint=1)
     if f"{a} + {b} = {answer}" not in [line.rpartition("]: ")[2].strip() for line in output.splitlines()]:
         cause = "The check's server counts differently: log its response, not your sum." if f"= {a + b}" in output else ""
         wanted = f"client_exe {a} {b} logs the server's response: {a} + {b} = {answer}"
-        raise Wrong(wanted, output[-300:] or "nothing", cause, share=0.5, hint=1)
+        raise Wrong(wanted, wrote(seen, "nothing"), cause, share=0.5, hint=1)
     if not re.search(rf"^\[INFO\] .*\[py_client_async_node\]: {a} \+ {b} = {answer}$", output, re.M):
-        raise Wrong("the line from the node's logger", output[-300:], "node.get_logger().info(...)", share=0.75)
+        raise Wrong("the line from the node's logger", wrote(seen), "node.get_logger().info(...)", share=0.75)
     if exit_code(seen) != 0:
         cause = "After the answer main has to end: no rclpy.spin, and it returns None or 0."
         raise Wrong("exit status 0 as soon as the answer is there", f"{exit_code(seen)}", cause, share=0.5)
@@ -99,8 +102,7 @@ def _expect_usage(seen: Seen, words: str) -> None:
     call = f"client_exe {words}".strip()
     lines = [line for line in said(seen).splitlines() if not line.startswith("[ros2run]")]
     if "usage: client_exe A B" not in [line.strip() for line in lines]:
-        got = "\n".join(lines)[-300:] or "nothing was printed"
-        raise Wrong(f"{call}: the line `usage: client_exe A B`", got, hint=0)
+        raise Wrong(f"{call}: the line `usage: client_exe A B`", wrote(seen), hint=0)
     if exit_code(seen) != 1:
         cause = "sys.argv holds the program's name too. `return 1` gives the exit status."
         raise Wrong(f"{call}: exit status 1", f"exit status {exit_code(seen)}", cause, share=0.5, hint=0)
@@ -126,9 +128,12 @@ def gate(work: Work) -> None:
     seen = work.try_out(f"run {PACKAGE} gate_exe", beside=[f"{SERVER}{more}"], call=calls, seconds=5.0)
     expect_node(seen, "/py_gate_node")
     if "/py_gate_service" not in seen.services:
-        raise Wrong("a service /py_gate_service", "none of that name", "Is create_service in the constructor?", hint=0)
+        others = ", ".join(name for name in seen.services if not name.rpartition("/")[0].endswith("_node")) or "none"
+        raise Wrong("a service /py_gate_service", f"services: {others}", "Is create_service in the constructor?", hint=0)
     if len(seen.responses) < 1 or seen.responses[0] is None:
-        cause = "A deadlock? Both are needed: `await` with `call_async`, and a group of its own for the client."
+        cause = "The server was not asked: is the client's service py_add_two_ints_service, and does the callback call it?"
+        if "asked for " in "".join(seen.beside):
+            cause = "A deadlock? Both are needed: `await` with `call_async`, and a group of its own for the client."
         last = last_words(said(seen))
         raise Wrong(f"an answer to {questions[0]}", f"none came; the program said: {last}", cause, hint=2)
     for (a, b), response in zip(questions, seen.responses, strict=True):
@@ -136,6 +141,7 @@ def gate(work: Work) -> None:
         got = field(response, "sum", int, told)
         if got != a + b + more + boxes:
             cause = "That is the sum by itself. Ask the server." if got == a + b + boxes else ""
+            cause = "That is the server's response. Add the boxes." if got == a + b + more else cause
             raise Wrong(told, f"{got}", cause, share=0.25, hint=1)
     asked = "".join(seen.beside).count("asked for ")
     if asked < len(questions):
@@ -159,24 +165,29 @@ def switch(work: Work) -> None:
     services = [name for name, types in first.services.items() if SET in types]
     if not services:
         last = last_words(said(first))
-        raise Wrong(f"a service of type {SET}", f"none; the program said: {last}", "Was it built after the last change?")
+        cause = "Was it built after the last change?"
+        raise Wrong(f"a service of type {SET}", f"none; the program said: {last}", cause, hint=0)
     topics = [name for name in first.topics if name not in EVERY_NODE_S and first.publishers.get(name)]
     if not topics:
         raise Wrong("a topic that shows whether it is on", "the node publishes nothing", share=0.25, hint=0)
     calls = [(when, services[0], SET, {"data": on}) for when, on in ((3.05, True), (6.05, False))]
-    seen = work.try_out(command, call=calls, record=topics, seconds=9.0)
+    seen = work.try_out(command, call=calls, record=topics, seconds=LAMP_SECONDS)
     for (_, name, _, request), response in zip(calls, seen.responses, strict=True):
         told = f"{name} answers {request}: success, and a message"
         if field(response, "success", bool, told) is not True or not field(response, "message", str, told).strip():
             raise Wrong(told, shown(response), share=0.25, hint=1)
     if not any(_shows(heard(seen, name)) for name in topics):
-        raise Wrong(
-            "a topic, at least once a second, that differs between on and off",
-            f"the same on {', '.join(topics)} before, while and after it was on, or too seldom",
-            "What is published has to be the same before it was on and after.",
-            share=0.5,
-            hint=0,
-        )
+        wanted = "a topic, at least once a second, that differs between on and off"
+        raise Wrong(wanted, *_unshown({name: len(heard(seen, name)) for name in topics}), share=0.5, hint=0)
+
+
+def _unshown(counts: dict[str, int]) -> tuple[str, str]:
+    """What was seen of topics with so many messages, and why nothing can be told from them."""
+    if max(counts.values()) < LAMP_SECONDS - 2:
+        told = " and ".join(f"{counted(count, 'message')} on {name}" for name, count in counts.items())
+        return f"{told} in {LAMP_SECONDS:g} s", "Does a timer publish it, and not the service's callback alone?"
+    told = f"no difference on {', '.join(counts)} before, while and after it was on"
+    return told, "Does the callback keep what it was told in self? Before it was on and after, the same has to be published."
 
 
 def _shows(messages: Sequence[tuple[float, Any]]) -> bool:

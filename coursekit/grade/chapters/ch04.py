@@ -9,10 +9,10 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.outputs import expect_node, heard, last_words, said
+from coursekit.grade.outputs import expect_node, expect_subscription, heard, last_words, said
 from coursekit.grade.plain import shown
-from coursekit.grade.trial import Seen
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.trial import EVERY_NODE_S, Seen
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 if TYPE_CHECKING:
@@ -60,7 +60,8 @@ def sphere(work: Work) -> None:
         raise Wrong("radius of the type float64", gave=str(radius.type), cause="float32 has only seven digits.")
     if not METRES.search(radius.comment):
         got = f"the comment: {radius.comment[:80]}" if radius.comment else "no comment beside or above it"
-        raise Wrong("a comment with the radius's unit, metres or m", gave=got, cause="It begins with #.", share=0.5)
+        cause = "Lengths in ROS are in metres." if radius.comment else "It begins with #."
+        raise Wrong("a comment with the radius's unit, metres or m", gave=got, cause=cause, share=0.5, hint=NO_HINT)
 
 
 @exercise(
@@ -85,10 +86,8 @@ def mechanic(work: Work) -> None:
     publish += [(1.5 + at, "/py_sphere_topic", f"{TYPES}/msg/Sphere", {"radius": r}) for at, r in enumerate(radii)]
     seen = work.try_out(f"run {APPS} subscriber_exe", publish=publish, seconds=5.0)
     expect_node(seen, "/py_subscriber_node")
-    for topic in ("/py_hs_topic", "/py_sphere_topic"):
-        if not seen.subscriptions.get(topic):
-            wanted = f"a subscription to {topic}"
-            raise Wrong(wanted, f"none; the program said: {last_words(said(seen))}", "Is the topic's name right?", hint=0)
+    for topic, name in (("/py_hs_topic", "HardwareStatus"), ("/py_sphere_topic", "Sphere")):
+        expect_subscription(seen, topic, f"{TYPES}/msg/{name}", hint=0)
     for degrees, up in states:
         _expect_line(seen, f"{degrees} degrees, motors {'up' if up else 'down'}", "a status")
     for radius in radii:
@@ -111,8 +110,10 @@ def _expect_line(seen: Seen, line: str, what: str) -> None:
     logged = re.findall(r"^\[[A-Z]+\] \[[0-9.]+\] \[py_subscriber_node\]: (.*)$", said(seen), re.M)
     if line not in logged:
         got = "; ".join(logged[:6]) or f"nothing is logged; the program said: {last_words(said(seen))}"
-        wanted = f"{what} is logged as: {line}"
-        raise Wrong(wanted, got, share=0.25, hint=1 if line.startswith("volume") and logged else 0)
+        printed = line in said(seen).splitlines()
+        cause = "These are printed, not logged: self.get_logger().info(...) adds level, time and node." if printed else ""
+        hint = 1 if line.startswith("volume") and logged else 0
+        raise Wrong(f"{what} is logged as: {line}", got, cause, share=0.25, hint=NO_HINT if printed else hint)
 
 
 @exercise(
@@ -140,7 +141,7 @@ def _expect_fetched(seen: Seen, boxes: int) -> None:
     output, last = said(seen, 1), f"; the server's last words: {last_words(said(seen))}"
     feedback = _numbers(output, "brought_yet:")
     if feedback != list(range(1, boxes + 1)):
-        raise Wrong(f"with {boxes} boxes the feedback 1 to {boxes}", f"{feedback}{last}", hint=0)
+        raise Wrong(f"for a goal with boxes: {boxes} the feedback {list(range(1, boxes + 1))}", f"{feedback}{last}", hint=0)
     if _numbers(output, "brought:") != [boxes]:
         raise Wrong(f"the result brought: {boxes}", f"{_numbers(output, 'brought:')}{last}", share=0.4, hint=1)
     if "status: SUCCEEDED" not in output:
@@ -188,7 +189,8 @@ def report(work: Work) -> None:
     seen = work.try_out(f"run {APPS} report_exe", record=["/vera_report"], seconds=4.0)
     types = seen.topics.get("/vera_report", [])
     if types != [f"{TYPES}/msg/Report"]:
-        got = f"{', '.join(types) or 'no such topic'}; the program said: {last_words(said(seen))}"
+        others = ", ".join(name for name in seen.topics if name not in EVERY_NODE_S) or "none"
+        got = f"{', '.join(types) or 'topics: ' + others}; the program said: {last_words(said(seen))}"
         raise Wrong("/vera_report with your type", got, share=0.5, hint=1)
     messages = [one for _, one in heard(seen, "/vera_report")]
     if len(messages) < 3:

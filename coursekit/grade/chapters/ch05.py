@@ -11,7 +11,7 @@ from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import expect_node, heard, last_words, said
 from coursekit.grade.plain import field, fields, near, shown
 from coursekit.grade.trial import Seen
-from coursekit.grade.verdict import Wrong
+from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 PACKAGE, USERS = "s5_py_camera", "s5_py_camera_usr"
@@ -134,13 +134,21 @@ def fleet(work: Work) -> None:
 
 def _expect_value(node: str, name: str, wanted: Any, got: dict[str, Any]) -> None:
     value = got.get(name)
-    if type(value) is not type(wanted) or value != wanted:
+    if name in got and type(value) is not type(wanted):
+        cause = f"{_a(type(value))} is written there; {_a(type(wanted))} is wanted."
+        raise Wrong(f"{name} {wanted!r} for {node}", shown(value), cause, hint=NO_HINT)
+    if value != wanted:
         raise Wrong(
             f"{name} {wanted!r} for {node}",
             shown(value) if name in got else f"{node} has {', '.join(got) or 'no parameters'}",
             "When two entries fit, the later one in the file wins." if name in got else "Does one of the names fit it?",
             hint=1 if name in got else 0,
         )
+
+
+def _a(kind: type) -> str:
+    """A kind of parameter in ROS's words, with its article."""
+    return {bool: "a bool", int: "an integer", float: "a double", str: "a string"}.get(kind, "an array")
 
 
 @exercise(
@@ -195,6 +203,20 @@ def ball(work: Work) -> None:
         seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=seconds)
         expect_node(seen, "/py_tracker_node")
         _judge_places(seen, _places(moments, width, height), width, height)
+    _expect_none(work, chance)
+
+
+def _expect_none(work: Work, chance: Random) -> None:
+    """A picture without a ball, here a grey one, gets no place, and the program goes on to the next picture."""
+    grey = _picture(1, 0.0, 160, 120) | {"data": [128] * (3 * 160 * 120)}
+    spoken = [(0.5 + 0.1 * number, "/camera/image_raw", "sensor_msgs/msg/Image", one)
+              for number, one in enumerate((grey, _picture(2, _moments(chance)[0], 160, 120)))]
+    seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=1.2)
+    stamps = [field(one, "header.stamp.sec", int, "/ball/pixel") for _, one in heard(seen, "/ball/pixel")]
+    if stamps != [2]:
+        wanted = "of a grey picture and one with the ball, a place for the second alone"
+        got = f"places for {' and '.join(f'picture {stamp}' for stamp in stamps) or 'neither'}"
+        raise Wrong(wanted, got, "find_ball returns None where nothing is red.", share=0.75, hint=NO_HINT)
 
 
 def _moments(chance: Random) -> list[float]:

@@ -1,0 +1,41 @@
+"""What to do about the exception that ended a student's program."""
+
+from __future__ import annotations
+
+import re
+
+DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
+NOT_LOADED = "It did not begin. Run the cells that write its file, its main and its line in setup.py, then build."
+"""Where the program that setup.py installed finds no module, no `main`, or no line of its own any more."""
+NO_RESPONSE = "rclpy ends so where a service's callback gives back no response: is there `return response` in every case?"
+NO_RESULT = "Does the callback that judges parameters give back a SetParametersResult in every case?"
+STUB = "The stub is still there: write your code where that line stands."
+UNPACKED = "Another number of values is taken there than came: what should your function return?"
+_CAUSES = (
+    (r"NotImplementedError", STUB),
+    (r".*has no attribute 'successful'", NO_RESULT),
+    (r"TypeError \(line", NO_RESPONSE),
+    (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
+    (r".*\.load\(\)\)$", NOT_LOADED),
+)
+"""What an exception begins with, and what it comes from."""
+_CALL = re.compile(
+    r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
+)
+"""A method that was defined without `self`, or without the message: Python tells it where it was called."""
+
+
+def cause_of(died: str) -> str:
+    """What to do about an exception, as `exception_in` tells it.
+
+    >>> cause_of("StopIteration (line 25 of my_exe: return next(matches).load())") == NOT_LOADED
+    True
+    >>> cause_of("TypeError: Ear.heard() takes 1 positional argument but 2 were given (line 9 of ear.py: rclpy.spin(node))")
+    '`heard` gets two values, the object itself and what it is called with: begin it with `def heard(self, msg):`.'
+    """
+    if call := _CALL.match(died):
+        if call["given"] == "1":
+            return f"`{call['name']}` gets one value, the object itself: begin it with `def {call['name']}(self):`."
+        begin = f"begin it with `def {call['name']}(self, msg):`."
+        return f"`{call['name']}` gets two values, the object itself and what it is called with: {begin}"
+    return next((cause for pattern, cause in _CAUSES if re.match(pattern, died)), DIED)

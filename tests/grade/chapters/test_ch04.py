@@ -1,0 +1,25 @@
+"""What the check of chapter 4's listener says of what is never joined, and of what is printed."""
+
+import re
+
+from coursekit.grade.plan import Seen
+from tests.grade.tried import verdict
+
+STATUS, SPHERE = (f"s4_custom_interface/msg/{name}" for name in ("HardwareStatus", "Sphere"))
+
+
+def mechanic(status=STATUS, topic="/py_hs_topic", output=""):
+    ends = {topic: [{"node": "/py_subscriber_node", "type": status}], "/py_sphere_topic": [{"node": "/n", "type": SPHERE}]}
+    return verdict("ch04.q2", Seen(outputs=[output], nodes=["/py_subscriber_node"], subscriptions=ends))
+
+
+def test_a_subscription_of_another_name_or_type_is_told():
+    assert mechanic(topic="/py_hs_topik").got == "subscriptions: /py_hs_topik, /py_sphere_topic"
+    said = mechanic(status=SPHERE)
+    assert said.got == f"type: {SPHERE}" and "never joined" in said.cause
+
+
+def test_what_is_printed_is_told_to_be_so():
+    line = re.sub("^a status is logged as: ", "", mechanic().expected)
+    said = mechanic(output=f"{line}\n")
+    assert said.cause.startswith("These are printed, not logged") and not said.hint

@@ -75,10 +75,10 @@ def _run_programs(world: str) -> int:
 def _end_with_input() -> None:
     """Who started this program holds the other end of its input: when that is closed, or its owner was killed, end."""
     from coursekit.systems.children import interrupt_self
+    from coursekit.systems.pipes import wait_for_end
 
     with contextlib.suppress(OSError, ValueError):
-        while os.read(sys.stdin.fileno(), 4096):
-            pass
+        wait_for_end(sys.stdin.fileno())
     interrupt_self()
     time.sleep(END_SECONDS)
     os._exit(1)

@@ -56,7 +56,8 @@ def _join_by_environment(address: str, users: Path | None) -> None:
     from coursekit.processes.session import NETWORK_VARIABLE
 
     os.environ |= {NETWORK_VARIABLE: address, "COURSEKIT_ALONE": "1"}
-    os.environ.pop("COURSEKIT_TIME", None)
+    for name in ("COURSEKIT_TIME", f"{NETWORK_VARIABLE}_USER", f"{NETWORK_VARIABLE}_PASSWORD"):  # of another network
+        os.environ.pop(name, None)
     if users is not None:
         user, password = first_user(users)
         os.environ |= {f"{NETWORK_VARIABLE}_USER": user, f"{NETWORK_VARIABLE}_PASSWORD": password}

@@ -14,8 +14,7 @@ from importlib.metadata import requires
 from typing import Any
 
 from coursekit.cpp.runtime import runtime_folder
-from coursekit.cpp.toolchain import ON_WINDOWS, NoToolchain, Toolchain, find_toolchain
-from coursekit.systems import which
+from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
 from coursekit.systems.children import apart
 
 OFFER = (
@@ -36,9 +35,6 @@ def add_commands(commands: Any) -> None:
 
 def run(_args: argparse.Namespace) -> int:
     """Prepare C++; 1 where that is not to be had here."""
-    if which.WINDOWS:
-        print(ON_WINDOWS, file=sys.stderr)
-        return 1
     try:
         tools = find_toolchain()
     except NoToolchain:
@@ -96,8 +92,7 @@ def offer(env: Mapping[str, str]) -> None:
     try:
         folder = runtime_folder(find_toolchain())
     except NoToolchain:
-        if not which.WINDOWS:
-            print(OFFER)
+        print(OFFER)
         return
     if not folder.is_dir():
         nothing = subprocess.DEVNULL

@@ -56,7 +56,8 @@ def _join_by_environment(address: str, users: Path | None) -> None:
     from coursekit.processes.session import NETWORK_VARIABLE
 
     os.environ |= {NETWORK_VARIABLE: address, "COURSEKIT_ALONE": "1"}
-    os.environ.pop("COURSEKIT_TIME", None)
+    for name in ("COURSEKIT_TIME", f"{NETWORK_VARIABLE}_USER", f"{NETWORK_VARIABLE}_PASSWORD"):  # of another network
+        os.environ.pop(name, None)
     if users is not None:
         user, password = first_user(users)
         os.environ |= {f"{NETWORK_VARIABLE}_USER": user, f"{NETWORK_VARIABLE}_PASSWORD": password}
@@ -75,10 +76,10 @@ def _run_programs(world: str) -> int:
 def _end_with_input() -> None:
     """Who started this program holds the other end of its input: when that is closed, or its owner was killed, end."""
     from coursekit.systems.children import interrupt_self
+    from coursekit.systems.pipes import wait_for_end
 
     with contextlib.suppress(OSError, ValueError):
-        while os.read(sys.stdin.fileno(), 4096):
-            pass
+        wait_for_end(sys.stdin.fileno())
     interrupt_self()
     time.sleep(END_SECONDS)
     os._exit(1)

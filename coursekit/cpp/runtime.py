@@ -116,7 +116,8 @@ def _write_forwarded(folder: Path) -> None:
 
 
 def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
-    told = {"INTERFACES": str(folder / "include"), "KEY": runtime_key(), "CMAKE_INSTALL_PREFIX": str(folder)}
+    include, prefix = (one.as_posix() for one in (folder / "include", folder))
+    told = {"INTERFACES": include, "KEY": runtime_key(), "CMAKE_INSTALL_PREFIX": prefix}
     defines = {**tools.defines(), **told}
     words = [f"-D{name}={value}" for name, value in defines.items()]
     _run(tools.cmake, "-G", tools.generator, "-S", str(ROOM), "-B", str(build), *words)

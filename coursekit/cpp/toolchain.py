@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib.util
 import os
 import platform
-import shlex
 import shutil
 import subprocess
 import sys
@@ -13,17 +12,15 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from coursekit.files import read_text, write_whole
 from coursekit.systems import which
 
 MISSING = "there is no {what} here: `pip install \"coursekit[cpp]\"` brings all that C++ needs"
-ON_WINDOWS = (
-    "C++ is not compiled on Windows, where only Python runs; in WSL it is: type `wsl --install`, and set the course up "
-    "there as the README says for Ubuntu"
-)
 _SYSTEMS = {"windows": "Windows", "macos": "Darwin", "linux": "Linux"}
 """CMake's names of systems, by zig's."""
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
+_FOR_WINDOWS = "x86_64-windows-gnu"
+_LIBRARY = "<CMAKE_AR> ar rcs <TARGET> <LINK_FLAGS> <OBJECTS>"
+"""How zig makes a library and its index, in CMake's words: it is one program that has all tools in it."""
 
 
 class NoToolchain(RuntimeError):
@@ -36,8 +33,8 @@ class Toolchain:
 
     cxx: tuple[str, ...]
     cc: tuple[str, ...]
-    archiver: tuple[str, str] | None
-    """The programs that make libraries and index them, where CMake would not find them itself."""
+    archiver: str | None
+    """zig where it puts objects into libraries, too; None where CMake finds by itself what does."""
     cmake: str
     ninja: str | None
     """None where make does its work."""
@@ -46,11 +43,12 @@ class Toolchain:
 
     def defines(self) -> dict[str, str]:
         """What CMake is to be told of them."""
-        told = {"CMAKE_CXX_COMPILER": ";".join(self.cxx), "CMAKE_C_COMPILER": ";".join(self.cc)}
+        told = {"CMAKE_CXX_COMPILER": _listed(self.cxx), "CMAKE_C_COMPILER": _listed(self.cc)}
         if self.archiver:
-            told |= {"CMAKE_AR": self.archiver[0], "CMAKE_RANLIB": self.archiver[1]}
+            told["CMAKE_AR"] = Path(self.archiver).as_posix()
+            told |= dict.fromkeys(("CMAKE_C_CREATE_STATIC_LIBRARY", "CMAKE_CXX_CREATE_STATIC_LIBRARY"), _LIBRARY)
         if self.ninja:
-            told["CMAKE_MAKE_PROGRAM"] = self.ninja
+            told["CMAKE_MAKE_PROGRAM"] = Path(self.ninja).as_posix()
         if self.system:
             told["CMAKE_SYSTEM_NAME"] = self.system
         return told
@@ -63,24 +61,22 @@ class Toolchain:
 
 @cache
 def find_toolchain() -> Toolchain:
-    """The tools of this computer: the system's compiler first, else zig's from PyPI.
+    """The tools of this computer: the system's compiler first, else zig's from PyPI; on Windows zig's alone.
 
-    NoToolchain where some are missing, and on Windows, for which nothing is linked yet.
+    NoToolchain where some are missing.
     """
-    if which.WINDOWS:
-        raise NoToolchain(ON_WINDOWS)
     cmake, ninja = _program("cmake", "CMAKE_BIN_DIR"), _program("ninja", "BIN_DIR")
     if cmake is None:
         raise NoToolchain(MISSING.format(what="CMake"))
-    if ninja is None and shutil.which("make") is None:
-        raise NoToolchain(MISSING.format(what="ninja or make"))
-    for cxx, cc in _COMPILERS:
+    if ninja is None and (which.WINDOWS or shutil.which("make") is None):
+        raise NoToolchain(MISSING.format(what="ninja" if which.WINDOWS else "ninja or make"))
+    for cxx, cc in () if which.WINDOWS else _COMPILERS:  # what is called g++ there may be anything
         if found := shutil.which(cxx):
             return Toolchain((found,), (shutil.which(cc) or found,), None, cmake, ninja)
     zig = _zig()
     if zig is None:
         raise NoToolchain(MISSING.format(what="C++ compiler"))
-    return _of_zig(zig, cmake, ninja, f"{platform.machine()}-linux-gnu.2.28" if sys.platform == "linux" else None)
+    return _of_zig(zig, cmake, ninja, _own_target())
 
 
 def cross_toolchain(target: str) -> Toolchain:
@@ -92,10 +88,26 @@ def cross_toolchain(target: str) -> Toolchain:
     return _of_zig(zig, cmake, _program("ninja", "BIN_DIR"), target, system)
 
 
+def _own_target() -> str | None:
+    """zig's name of what this computer runs; None where it finds that by itself."""
+    if which.WINDOWS:
+        return _FOR_WINDOWS
+    return f"{platform.machine()}-linux-gnu.2.28" if sys.platform == "linux" else None
+
+
 def _of_zig(zig: str, cmake: str, ninja: str | None, target: str | None, system: str | None = None) -> Toolchain:
-    folder = cache_folder() / "zig" / (target if system and target else "")
-    cxx, cc, ar, ranlib = (_as_program(zig, folder / name, target) for name in ("c++", "cc", "ar", "ranlib"))
-    return Toolchain((cxx,), (cc,), (ar, ranlib), cmake, ninja, system)
+    flags = ["-target", target] if target else []
+    flags.append("-fno-sanitize=undefined")  # what would trap goes on under g++
+    return Toolchain((zig, "c++", *flags), (zig, "cc", *flags), zig, cmake, ninja, system)
+
+
+def _listed(command: tuple[str, ...]) -> str:
+    """A program and its words as CMake takes them.
+
+    >>> _listed(("/opt/zig", "c++", "-g"))
+    '/opt/zig;c++;-g'
+    """
+    return ";".join((Path(command[0]).as_posix(), *command[1:]))
 
 
 def _program(name: str, folder: str) -> str | None:
@@ -112,17 +124,6 @@ def _zig() -> str | None:
     if spec is None or not spec.submodule_search_locations:
         return None
     return shutil.which("zig", path=str(Path(spec.submodule_search_locations[0])))
-
-
-def _as_program(zig: str, path: Path, target: str | None) -> str:
-    """A program that is one of zig's tools: CMake wants a program for each, and zig's usual flags are not a robot's."""
-    flags = [] if path.name in ("ar", "ranlib") else ["-fno-sanitize=undefined"]  # what would trap goes on under g++
-    if flags and target:
-        flags = ["-target", target, *flags]
-    text = f'#!/bin/sh\nexec {shlex.quote(zig)} {path.name} {" ".join(flags)} "$@"\n'
-    if not path.is_file() or read_text(path) != text:
-        write_whole(path, text, 0o755, parents=True)
-    return str(path)
 
 
 def cache_folder() -> Path:

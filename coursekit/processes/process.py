@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.core.execution_context import ExecutionContext, ProcessKilled, thread_context
 from coursekit.interfaces.find import with_underlay
 from coursekit.systems.folder import working_folder
+from coursekit.systems.letter_case import variable_name
 
 from .current_process import current_process as current_process
 from .current_process import owner
@@ -53,7 +54,8 @@ class Process(Interruptible):
     ) -> None:
         super().__init__(session, name, [name, *argv], parent)
         inherited = parent.env if parent is not None else dict(session.environ)
-        self.env: dict[str, str] = {**DISTRIBUTION, **(inherited if env is None else env)}
+        given = inherited if env is None else env
+        self.env: dict[str, str] = {**DISTRIBUTION, **{variable_name(name): value for name, value in given.items()}}
         with_underlay(self.env)
         above = working_folder() if parent is None else parent.cwd
         self.cwd: str = above if cwd is None else os.fspath(cwd)

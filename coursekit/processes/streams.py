@@ -9,6 +9,8 @@ import types
 from collections.abc import Callable, Iterator, MutableMapping
 from typing import Any
 
+from coursekit.systems.letter_case import variable_name
+
 from .current_session import virtual_session_here
 from .process import Process, current_process
 
@@ -136,15 +138,15 @@ class Environ(MutableMapping[str, str]):
         return self._real if process is None else process.env
 
     def __getitem__(self, key: str) -> str:
-        return self._own()[key]
+        return self._own()[_named(key)]
 
     def __setitem__(self, key: str, value: str) -> None:
         if not isinstance(value, str):
             raise TypeError(f"str expected, not {type(value).__name__}")
-        self._own()[key] = value
+        self._own()[_named(key)] = value
 
     def __delitem__(self, key: str) -> None:
-        del self._own()[key]
+        del self._own()[_named(key)]
 
     def __iter__(self) -> Iterator[str]:
         return iter(dict(self._own()))
@@ -158,11 +160,24 @@ class Environ(MutableMapping[str, str]):
     def __or__(self, other: Any) -> dict[str, str]:
         return dict(self) | dict(other)
 
+    def __ror__(self, other: Any) -> dict[str, str]:
+        return dict(other) | dict(self)
+
+    def __ior__(self, other: Any) -> Environ:
+        """In place: `|=` would else put a mere copy where the environment was."""
+        self.update(other)
+        return self
+
     def copy(self) -> dict[str, str]:
         return dict(self)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._real, name)
+
+
+def _named(key: Any) -> Any:
+    """What is no text is refused where it is looked up, as Python refuses it."""
+    return variable_name(key) if isinstance(key, str) else key
 
 
 class _Sys(types.ModuleType):

@@ -1,8 +1,10 @@
-"""Names that differ in case only: on macOS and Windows they are one file, on a robot's Linux two."""
+"""Names that differ in case only: files on macOS and Windows, variables on Windows are one, on a robot's Linux two."""
 
 from __future__ import annotations
 
 from pathlib import Path
+
+from . import which
 
 
 def other_spelling(path: Path) -> str:
@@ -22,4 +24,13 @@ def other_spelling(path: Path) -> str:
     return next((name for name in names if name.casefold() == path.name.casefold()), "")
 
 
-__all__ = ["other_spelling"]
+def variable_name(name: str) -> str:
+    """How a variable of the environment is kept here: on Windows `Path`, `path` and `PATH` are one, in capitals.
+
+    >>> variable_name("PATH")
+    'PATH'
+    """
+    return name.upper() if which.WINDOWS else name
+
+
+__all__ = ["other_spelling", "variable_name"]

@@ -85,6 +85,16 @@ def read_now(pipe: int, size: int) -> bytes:
     return os.read(pipe, size)
 
 
+def wait_for_end(pipe: int) -> None:
+    """Return when nobody can write to the pipe any more; what comes through it until then is thrown away.
+
+    On Windows no read waits meanwhile: it would hold up all who look at this pipe, as Fortran's library does when it is
+    loaded.
+    """
+    while wait_readable([pipe]) and os.read(pipe, 4096):
+        pass
+
+
 def peek(pipe: int) -> bool:
     """On Windows: whether a read of the pipe returns at once, also with the end."""
     import msvcrt

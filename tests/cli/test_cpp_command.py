@@ -22,7 +22,6 @@ def no_compiler(monkeypatch):
 
     find.cache_clear = lambda: None
     monkeypatch.setattr(cpp, "find_toolchain", find)
-    monkeypatch.setattr(cpp.which, "WINDOWS", False)
 
 
 def test_the_wheels_are_those_of_the_extra():
@@ -64,9 +63,3 @@ def _program(folder, script):
 def test_the_lab_offers_it_where_there_is_no_compiler(no_compiler, capsys):
     cpp.offer({})
     assert "coursekit cpp" in capsys.readouterr().out
-
-
-def test_on_windows_another_way_is_named(monkeypatch, capsys):
-    monkeypatch.setattr(cpp.which, "WINDOWS", True)
-    assert cpp.run(argparse.Namespace()) == 1
-    assert "WSL" in capsys.readouterr().err

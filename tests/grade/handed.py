@@ -11,7 +11,10 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
+import pytest
+
 from coursekit.cli.coursekit import main
+from coursekit.grade import sandbox
 from coursekit.grade.collector import Collector
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.exercise import exercises_in
@@ -22,6 +25,8 @@ from coursekit.grade.verdict import Verdict
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 TOPICS, SERVICES = "02_topics.ipynb", "03_services.ipynb"
 SOURCES = {name: json.loads((NOTEBOOKS / name).read_text(encoding="utf-8")) for name in (TOPICS, SERVICES)}
+WALLS = pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
+"""The mark of a test that needs walls around submissions: without them marking refuses before it looks at anything."""
 NOON = time.mktime((2026, 11, 23, 12, 0, 0, 0, 0, -1))
 
 

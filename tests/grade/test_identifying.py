@@ -11,7 +11,7 @@ from coursekit.grade.identifying import Identifier, named_in
 from coursekit.grade.roster import Roster
 from coursekit.grade.variants import Variants
 
-from .handed import NOTEBOOKS, TOPICS, answer, by_name, cheap_mark, collected, grade, text, write, zipped
+from .handed import NOTEBOOKS, TOPICS, WALLS, answer, by_name, cheap_mark, collected, grade, text, write, zipped
 
 MOODLE = '"Identifier","Full name","ID number","Email address","Status","Grade","Last modified (submission)"\n'
 LISTS = {
@@ -229,6 +229,7 @@ def test_the_release_tells_the_points_that_the_judges_give(tmp_path):
     assert "<td>4</td><td>7</td>" in (tmp_path / "out" / "page.html").read_text()
 
 
+@WALLS
 def test_a_chapter_that_is_none_is_refused_beside_one_that_is(tmp_path):
     with pytest.raises(SystemExit, match=r"No chapter begins with 99. There are: 00_start_here, "):
         main(["release", "02", "99", "--out", str(tmp_path / "week2")])

@@ -15,6 +15,8 @@ from coursekit.grade.sandbox import Limits
 from coursekit.grade.verdict import Wrong
 from tests.needs import posix
 
+from .handed import WALLS
+
 CELL = """
 state = {"holding": False, "odd": object()}
 box = [1]
@@ -93,6 +95,7 @@ os.truncate(src / "huge", 60_000_000)
 
 
 @posix("there are no pipes in folders, nor devices")
+@WALLS
 def test_pipes_devices_links_and_huge_files_are_told_at_once(work):
     assert work.run(HOSTILE, 10) == ""
     work.finish(10)
@@ -101,6 +104,7 @@ def test_pipes_devices_links_and_huge_files_are_told_at_once(work):
             work.text(f"src/{name}")
 
 
+@WALLS
 def test_a_workspace_that_became_a_link_shows_nothing_of_the_host(work, tmp_path):
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "elsewhere" / "secret.txt").write_text("of the host")

@@ -6,7 +6,7 @@ import urllib.request
 
 import pytest
 
-from .handed import cheap_mark, grade, rows
+from .handed import WALLS, cheap_mark, grade, rows
 from .reviewing import make_class, reviewing
 
 
@@ -81,6 +81,7 @@ def test_everybody_is_met_from_student_to_student(address, folder):
     assert post(address + keys(folder)["Bo Ahn"] + ".html", {"exercise": "ch02.q1", "points": ""})["total"] == "0"
 
 
+@WALLS
 def test_the_verdict_is_told_as_it_is_after_saving(address, folder):
     url = f"{address}{keys(folder)['Cem <b>Kaya']}.html"
     said = post(url, {"exercise": "ch02.q1", "points": "0.5"})

@@ -12,6 +12,8 @@ from coursekit.grade.lateness import read_policy
 from coursekit.grade.roster import Person, Roster
 from coursekit.grade.statuses import STATUSES
 
+from .handed import WALLS
+
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "teachers.md"
 TEXT = PAGE.read_text(encoding="utf-8")
 BEN = Person("Ben Ito", id="a02345", email="ben@uni.example", family="Ito", given="Ben", login="ben")
@@ -45,6 +47,7 @@ def test_every_word_of_a_command_that_it_shows_is_one(capsys):
     assert set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", own)) <= known
 
 
+@WALLS
 def test_a_table_without_an_ending_is_refused(tmp_path):
     with pytest.raises(SystemExit, match=r"ends in .csv"):
         main(["grade", "--allow-root", str(tmp_path), "--out", str(tmp_path / "grades")])

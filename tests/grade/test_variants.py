@@ -19,7 +19,7 @@ from coursekit.grade.variants import Variants, declared, personal, told
 from coursekit.grade.verdict import CheckFailed
 from coursekit.grade.work import Work
 
-from .handed import rows
+from .handed import WALLS, rows
 from .kinds import solution_cells
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
@@ -157,6 +157,7 @@ def test_a_release_has_a_copy_for_each_student_and_the_secret_stays_with_the_tea
     assert not list((handed_out / "week5" / "AnnLee").glob("*.new.ipynb"))
 
 
+@WALLS
 def test_grading_draws_the_values_again_and_believes_no_copy(handed_out, capsys):
     students = handed_out / "students.txt"
     variants = Variants.read(students)
@@ -186,6 +187,7 @@ def test_what_was_handed_in_is_run_with_the_values_of_its_copy_and_verified_with
     assert "ch05.q2: 2 points are recorded, a clean run earns 0" in capsys.readouterr().out
 
 
+@WALLS
 def test_a_missing_secret_is_said(handed_out):
     (handed_out / "students.secret").unlink()
     with pytest.raises(SystemExit, match="There is no .*students.secret"):

@@ -10,6 +10,7 @@ import pytest
 
 from coursekit.processes.process import current_process
 from coursekit.processes.session import Session
+from coursekit.systems import which
 from tests.processes.programs import run
 
 
@@ -69,6 +70,39 @@ def test_environment_changes_stay_in_the_process(session):
     _, process = run(session, main, env={"GIVEN": "yes"})
     assert process.output == "inside yes False\n"
     assert "COURSEKIT_TEST" not in os.environ
+
+
+def test_the_environment_stays_the_environment_when_it_is_joined_with_others(session):
+    def main():
+        os.environ |= {"COURSEKIT_TEST": "inside"}
+        print(os.getenv("COURSEKIT_TEST"), ({"GIVEN": "no"} | os.environ)["GIVEN"], (os.environ | {"GIVEN": "no"})["GIVEN"])
+
+    there = os.environ
+    _, process = run(session, main, env={"GIVEN": "yes"})
+    assert process.output == "inside yes no\n"
+    assert os.environ is there and "COURSEKIT_TEST" not in os.environ
+
+
+def test_on_windows_variables_have_no_case(session, monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", True)
+
+    def main():
+        os.environ["GIVEN_TOO"] = "also"
+        print(*(os.environ[name] for name in ("Given", "GIVEN", "given", "Given_Too")), "gIVEN" in os.environ)
+        os.environ.pop("given")
+        print("GIVEN" in os.environ)
+
+    _, process = run(session, main, env={"gIven": "yes"})
+    assert process.output == "yes yes yes also True\nFalse\n"
+
+
+def test_children_inherit_what_is_joined_to_the_environment_outside_of_programs(session):
+    try:
+        os.environ |= {"COURSEKIT_TEST": "outside"}
+        command = [sys.executable, "-c", "import os; print(os.environ['COURSEKIT_TEST'])"]
+        assert subprocess.run(command, stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout == "outside\n"
+    finally:
+        os.environ.pop("COURSEKIT_TEST", None)
 
 
 def test_a_program_s_threads_belong_to_it_and_are_waited_for(session):

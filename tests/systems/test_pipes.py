@@ -2,6 +2,8 @@
 
 import os
 import socket
+import subprocess
+import sys
 
 import pytest
 
@@ -76,3 +78,31 @@ def test_reading_at_once_tells_nothing_yet_from_the_end():
     os.close(write)
     assert pipes.read_now(read, 10) == b""
     os.close(read)
+
+
+LOADING = """
+import threading
+from coursekit.systems.pipes import wait_for_end
+threading.Thread(target=wait_for_end, args=(0,), daemon=True).start()
+import scipy.linalg  # Fortran's library looks at its input when it is loaded
+print("loaded", flush=True)
+"""
+
+
+@pytest.mark.timeout(120)
+def test_who_waits_for_the_end_of_its_input_can_load_libraries_that_look_at_it():
+    child = subprocess.Popen(
+        [sys.executable, "-c", LOADING], stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8"
+    )
+    with child:
+        assert child.stdout.readline() == "loaded\n"
+
+
+def test_on_windows_nothing_is_read_from_a_pipe_before_something_came(windows, monkeypatch):
+    read, write = os.pipe()
+    real, looked = os.read, []
+    monkeypatch.setattr(os, "read", lambda pipe, size: looked.append(len(windows)) or real(pipe, size))
+    os.write(write, b"keys")
+    os.close(write)
+    pipes.wait_for_end(read)
+    assert looked == [1, 2]

@@ -17,7 +17,7 @@ from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
 from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 
-from . import shell_lines
+from . import missing_names, shell_lines
 from .cells import Cells
 from .command_table import CommandMagics
 from .magics import CourseMagics
@@ -55,6 +55,7 @@ def start() -> Session:
         cells = Cells(session, shell, lambda: _begin_cell(session, shell.kernel))
         shell.register_magics(CourseMagics, CommandMagics, NetworkMagics)
         shell_lines.install(shell)
+        missing_names.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:

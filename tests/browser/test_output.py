@@ -31,3 +31,12 @@ def test_a_build_says_that_it_failed_while_a_live_viewer_is_in_the_page(notebook
     said = outputs(page, "%colcon build")
     assert "Failed   <<< broken" in said and "Summary: 0 packages finished" in said, opened.text()
     assert "said late" in outputs(page, "said late")
+
+
+def test_a_cell_that_misses_a_name_says_to_run_those_above(notebook, picture):
+    opened = notebook("from coursekit.lab import *", "%cd -q /", "print(robot)", "robot = 'Vera'", width=1000, height=700)
+    page = opened.page
+    page.evaluate("void jupyterapp.commands.execute('notebook:run-all-cells')")
+    page.locator(".jp-OutputArea-output", has_text="`robot` is made in another cell").wait_for(timeout=30_000)
+    picture(page, "missing-name")
+    assert "NameError" in outputs(page, "print(robot)")

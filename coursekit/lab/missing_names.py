@@ -1,0 +1,66 @@
+"""Names that other cells make: after a restart of the kernel they are missing, and the cell says what to run."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from IPython.core.inputtransformer2 import TransformerManager
+
+from coursekit.files import read_text
+
+
+def install(shell: Any) -> None:
+    """Have a cell that ends with a NameError say that another one makes the name."""
+    shell.events.register("post_run_cell", _look)
+
+
+def _look(result: Any) -> None:
+    error = result.error_in_exec
+    if isinstance(error, NameError) and error.name and (said := advice(error.name, _cells())):
+        print(said)
+
+
+def advice(name: str, cells: Iterable[str]) -> str:
+    """What to do about a name that is missing; empty unless one of these cells makes it.
+
+    >>> advice("robot", ["%cd -q src", "robot = load('vera.urdf')"])
+    '`robot` is made in another cell. After a restart run those above first: menu Run, Run All Above Selected Cell.'
+    >>> advice("robt", ["robot = 1"])
+    ''
+    """
+    if not any(name in _made_by(source) for source in cells):
+        return ""
+    first = "After a restart run those above first: menu Run, Run All Above Selected Cell."
+    return f"`{name}` is made in another cell. {first}"
+
+
+def _made_by(source: str) -> Iterator[str]:
+    """The names that a cell assigns, defines or imports; none of one that is not Python."""
+    try:
+        tree = ast.parse(TransformerManager().transform_cell(source))
+    except SyntaxError:
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            yield node.name
+        elif isinstance(node, ast.alias):
+            yield node.asname or node.name.partition(".")[0]
+
+
+def _cells() -> list[str]:
+    """The code cells of this kernel's notebook as they were saved last; none where it has no file."""
+    try:
+        saved = json.loads(read_text(Path(os.environ.get("JPY_SESSION_NAME", ""))))
+        return ["".join(cell["source"]) for cell in saved["cells"] if cell["cell_type"] == "code"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return []
+
+
+__all__ = ["advice", "install"]

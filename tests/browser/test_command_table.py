@@ -19,4 +19,4 @@ def test_the_meanings_of_commands_stand_below_each_other_and_whole(notebook, pic
     meanings = page.locator(".widget-text + *")
     assert meanings.count() == 2 and len(set(meanings.evaluate_all(LEFT))) == 1
     assert meanings.evaluate_all(CUT) == 0 and LONG in meanings.first.inner_text()
-    picture(page, "command-table")
+    picture(page.locator(".jp-OutputArea-output").first, "command-table")

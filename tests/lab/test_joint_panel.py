@@ -4,19 +4,11 @@ import pytest
 
 from coursekit.lab import joint_panel, joint_windows
 from coursekit.lab.joint_panel import joint_sliders
-from coursekit.lab.panel import end_panels, open_panels
+from coursekit.lab.panel import open_panels
 from coursekit.nodes.robots.boards import boards
 from coursekit.processes.executables import find
 from coursekit.processes.patching import patch_manager
-from coursekit.processes.session import Session
 from tests.urdf.oracle import ROBOTS
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
-        end_panels()
 
 
 @pytest.fixture

@@ -16,13 +16,6 @@ from coursekit.bag.writer import BagWriter, WriteSettings
 from coursekit.lab.bundle import forms_of
 from coursekit.lab.errors import BadArgument, NotThere
 from coursekit.lab.plot_panel import plot
-from coursekit.processes.session import Session
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
 
 
 @pytest.fixture

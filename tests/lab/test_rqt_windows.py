@@ -5,16 +5,9 @@ import pytest
 from coursekit.lab import rqt_windows
 from coursekit.lab.panel import open_panels
 from coursekit.nodes.rqt.windows import RqtWindow
-from coursekit.processes.session import Session
 
 KINDS = {"rqt_graph": ["GraphPanel"], "rqt_console": ["LogConsole"], "rqt_plot": ["PlotPicture"],
          "rqt_gui": ["ServiceCaller", "TopicPanel", "LogConsole", "GraphPanel"]}  # fmt: skip
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
 
 
 @pytest.mark.parametrize("kind", KINDS)

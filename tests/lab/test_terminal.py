@@ -1,13 +1,6 @@
 import pytest
 
 from coursekit.lab.terminal import LINES, Terminal
-from coursekit.processes.session import Session
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
 
 
 def opened(session, main, monkeypatch, again=False):

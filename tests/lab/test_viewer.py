@@ -18,13 +18,6 @@ from tests.urdf.oracle import ROBOTS
 
 
 @pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
-        end_panels()
-
-
-@pytest.fixture
 def talker(session):
     hidden = HiddenNode("talker")
     yield hidden.node

@@ -23,17 +23,8 @@ from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temper
 from tf2_msgs.msg import TFMessage
 
 from coursekit.lab.hidden import HiddenNode
-from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
-from coursekit.processes.session import Session
 from coursekit.view.scene_shapes import Lines, Points, Triangles
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
-        end_panels()
 
 
 @pytest.fixture

@@ -12,18 +12,9 @@ from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
 from coursekit.lab.hidden import HiddenNode
-from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
-from coursekit.processes.session import Session
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
-        end_panels()
 
 
 @pytest.fixture

@@ -7,13 +7,6 @@ from coursekit.lab.errors import NotNow
 from coursekit.lab.magics import CourseMagics, show_as
 from coursekit.lab.terminal import Terminal
 from coursekit.lab.waiting import wait
-from coursekit.processes.session import Session
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
 
 
 def late_talker(session, delay):

@@ -7,11 +7,9 @@ import sys
 import pytest
 
 from coursekit.lab.errors import BadArgument
-from coursekit.lab.panel import end_panels
 from coursekit.lab.world_windows import world_view
 from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.processes.executables import find
-from coursekit.processes.session import Session
 from coursekit.sim import Disc, Thing
 from coursekit.view.scene_shapes import Label
 from coursekit.view.world_scene import LASER, ROBOTS, THINGS
@@ -23,13 +21,6 @@ boxes:
   - {name: hut, center: [3.0, 0.0], size: [1.0, 1.0], height: 1.0}
   - {name: crate, center: [0.0, 2.0], size: [0.4, 0.4], height: 0.4, mass: 2.0}
 """
-
-
-@pytest.fixture
-def session():
-    with Session(virtual=True).use() as made:
-        yield made
-        end_panels()
 
 
 @pytest.fixture

@@ -27,6 +27,11 @@ def test_a_package_is_made_in_the_workspace_also_after_a_restart(chapter):
         assert not made or "%cd -q {workspace()}" in above or "--destination-directory {workspace()}/src" in cell.source, cell.source
 
 
+def test_the_magic_of_a_whole_cell_is_its_first_line(chapter):
+    for cell in code_cells(read(chapter)):
+        assert not any(line.startswith("%%") for line in cell.source.splitlines()[1:]), cell.source
+
+
 def test_a_chapter_is_short_to_read_and_every_section_is_compared(chapter):
     notebook = read(chapter)
     section, compared = "", {}

@@ -69,7 +69,7 @@ class Circle(Node):
         sign.color.r, sign.color.g, sign.color.b, sign.color.a = 0.25, 0.55, 0.75, 1.0
         text = Marker(ns="shop", id=2, type=Marker.TEXT_VIEW_FACING, text="centre")
         text.header.frame_id, text.pose.position.y, text.pose.position.z, text.scale.z = "odom", 0.6, 0.3, 0.1
-        text.color.r, text.color.g, text.color.b, text.color.a = 0.1, 0.3, 0.5, 1.0
+        text.color.r, text.color.g, text.color.b, text.color.a = 1.0, 1.0, 0.9, 1.0
         self.markers.publish(MarkerArray(markers=[sign, text]))
 
 def main():
@@ -119,6 +119,7 @@ def test_a_robot_circles_and_survives_a_reload(notebook, picture):
     picture(panel, "viewer")
     levels = panel.locator(".ck-row .ck-dot").evaluate_all("dots => dots.map((dot) => dot.title)")
     assert levels == ["Ok"] * 6
+    assert panel.locator(".ck-text.ck-light", has_text="centre").count() == 1, "a light text needs a dark ground"
 
     count = page.evaluate(OBJECTS)
     page.evaluate("window.jupyterapp.commands.execute('docmanager:save')")

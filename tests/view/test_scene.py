@@ -2,6 +2,7 @@
 
 import cv2
 import numpy as np
+import pytest
 import umsgpack
 
 from coursekit.view.scene import HERE, Scene
@@ -130,6 +131,16 @@ def test_what_is_behind_the_camera_is_not_drawn():
     scene.put("a", "behind", cube(), Points(line, 0.1, RED), Lines(line, RED), Label("x"), pose=(50.0, 0, 0, 0, 0, 0, 1.0))
     empty = picture(Scene(), Camera(4.0, 0.0, 0.0))[1]
     assert np.array_equal(picture(scene, Camera(4.0, 0.0, 0.0))[1], empty)
+
+
+@pytest.mark.parametrize(
+    ("colour", "dark_rim"), [((1.0, 1.0, 1.0, 1.0), True), ((0.9, 0.9, 0.2, 1.0), True), ((0.0, 0.6, 0.0, 1.0), False)]
+)
+def test_a_light_text_has_a_dark_rim(colour, dark_rim):
+    scene = Scene()
+    scene.put("a", "sign", Label("corridor?", colour, 0.6))
+    _, image = picture(scene, Camera(4.0, 0.0, 0.3))
+    assert bool(image.max(axis=2).min() < 100) is dark_rim
 
 
 def test_a_map_lies_with_its_upper_row_away_from_the_origin():

@@ -98,7 +98,7 @@ class CourseMagics(Magics):
         virtual = current().clock.virtual
         if virtual and argv[:1] == ["build"]:
             command += ["--executor", "sequential"]
-        env = dict(os.environ) | {"PYTHONUNBUFFERED": "1", "COLCON_LOG_LEVEL": "error"}
+        env = dict(os.environ) | {"PYTHONUNBUFFERED": "1"}
         env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn of it in every build
 
         def begin() -> Any:

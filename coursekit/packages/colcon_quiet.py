@@ -1,12 +1,15 @@
-"""Deprecations of newer setuptools are kept from builds: packages for Humble are written for Humble's setuptools."""
+"""What a build on a robot does not say: deprecations of newer setuptools, and that coursekit's folder has no setup files."""
 
 from __future__ import annotations
 
+import contextlib
 import os
 from typing import Any
 
 from colcon_core.argument_parser import ArgumentParserDecoratorExtensionPoint
 from colcon_core.plugin_system import satisfies_version
+
+from coursekit.interfaces.find import UNDERLAY
 
 NOT_HUMBLE_S = (
     "Invalid dash-separated",
@@ -35,4 +38,13 @@ class Quiet(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
         said = os.environ.get("PYTHONWARNINGS", "")
         filters = [f"ignore:{one}" for one in NOT_HUMBLE_S]
         os.environ["PYTHONWARNINGS"] = ",".join([*filters, *filter(None, [said])])  # of several the last counts
+        _as_if_warned_of(str(UNDERLAY))
         return parser
+
+
+def _as_if_warned_of(prefix: str) -> None:
+    """Have colcon say nothing of a prefix without setup files: it says so once of each, and remembers of which."""
+    with contextlib.suppress(ImportError, AttributeError):  # a newer colcon-ros may keep that elsewhere: then it warns
+        from colcon_ros.prefix_path import ament
+
+        ament._get_ament_prefix_path_warnings.add(prefix)

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+from .deaths import cause_of
 from .plain import fields, is_number
 from .verdict import NO_HINT, Wrong
 
@@ -86,8 +87,10 @@ def wrote(seen: Any, nothing: str = "nothing was printed", program: int = 0) -> 
 def expect_node(seen: Any, name: str, program: int = 0) -> None:
     """Wrong unless a node of that name runs; what its program said last is told."""
     if name not in seen.nodes:
-        last = last_words(said(seen, program))
-        raise Wrong(f"a node named {name}", f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last}", _UNKNOWN)
+        output = said(seen, program)
+        cause = cause_of(died) if (died := exception_in(output)) else _UNKNOWN
+        got = f"nodes: {', '.join(seen.nodes) or 'none'}; the program said: {last_words(output)}"
+        raise Wrong(f"a node named {name}", got, cause)
 
 
 def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = None) -> None:

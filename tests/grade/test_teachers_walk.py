@@ -162,7 +162,7 @@ class _Listened(Work):
         output = "".join(f"[INFO] [1.0] [py_subscriber_node]: heard: {said['data']}\n" for _, _, _, said in publish)
         told = {"/rosout": ["rcl_interfaces/msg/Log"]}
         seen = Seen(outputs=[output], exit_codes=[None], nodes=["/py_subscriber_node"], topics=told)
-        seen.subscriptions["/py_str_topic"] = [{"node": "/py_subscriber_node"}]
+        seen.subscriptions["/py_str_topic"] = [{"node": "/py_subscriber_node", "type": "std_msgs/msg/String"}]
         return seen
 
 

@@ -1,6 +1,7 @@
 """Programs in plain interpreters beside each other meet, as on a robot; test runs do not meet each other."""
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -74,7 +75,8 @@ def programs(tmp_path):
         file = tmp_path / f"program{len(running)}.py"
         file.write_text(text)
         command = [sys.executable, *(how or (str(file),)), *words]
-        child = subprocess.Popen(command, env=env | variables, cwd=tmp_path, stdout=subprocess.PIPE, encoding="utf-8")
+        streams = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "encoding": "utf-8"}
+        child = subprocess.Popen(command, env=env | variables, cwd=tmp_path, **streams)
         running.append(child)
         return child
 
@@ -82,6 +84,7 @@ def programs(tmp_path):
     for child in running:
         child.kill()
         child.wait()
+        child.stdin.close()
         child.stdout.close()
 
 
@@ -135,6 +138,45 @@ def test_two_test_runs_do_not_meet(programs):
 def test_nothing_is_left_in_the_runtime_folder(programs, tmp_path):
     programs(LISTENER).communicate()
     assert not [path for path in Path(tmp_path, "coursekit").iterdir() if path.name.startswith(("program", "test"))]
+
+
+SERVER = """
+import rclpy
+from std_srvs.srv import Trigger
+rclpy.init()
+node = rclpy.create_node("server")
+node.create_service(Trigger, "ring", lambda request, response: response)
+print("ready", flush=True)
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+ASKER = """
+import sys, rclpy
+from std_srvs.srv import Trigger
+rclpy.init()
+node = rclpy.create_node("asker")
+client = node.create_client(Trigger, "ring")
+for line in sys.stdin:
+    client.wait_for_service()
+    rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
+    print("answered", flush=True)
+"""
+
+
+def test_ctrl_c_ends_a_node_also_when_it_is_about_to_wait(programs):
+    """It comes in the moment after an answer: between the last step of the program and its sleep."""
+    asker = programs(ASKER)
+    for _ in range(16):
+        server = programs(SERVER)
+        assert server.stdout.readline() == "ready\n"
+        asker.stdin.write("\n")
+        asker.stdin.flush()
+        assert asker.stdout.readline() == "answered\n"
+        server.send_signal(signal.SIGINT)
+        assert server.communicate(timeout=60)[0] == "interrupted\n"
+    asker.stdin.close()
 
 
 BESIDE = """

@@ -9,6 +9,8 @@ from typing import Any
 from coursekit.processes.patching import IMPORTS, Change, patch_manager
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
+from coursekit.processes.signal_waker import SignalWaker
+from coursekit.systems import which
 from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
 from rclpy.context import shutdown_all
 
@@ -20,7 +22,7 @@ __all__ = [
     "uninstall_signal_handlers",
 ]
 
-_interpreter: dict[str, Any] = {"options": SignalHandlerOptions.NO, "previous": {}}
+_interpreter: dict[str, Any] = {"options": SignalHandlerOptions.NO, "previous": {}, "waker": None}
 
 
 class SignalHandlerGuardCondition:
@@ -64,6 +66,8 @@ def _install_in_interpreter(options: SignalHandlerOptions) -> None:
     for signum, bit in ((signal.SIGINT, 1), (signal.SIGTERM, 2)):
         if options & bit and signum not in _interpreter["previous"]:
             _interpreter["previous"][signum] = signal.signal(signum, _handle)
+    if _interpreter["waker"] is None and not which.WINDOWS and not current().clock.virtual:
+        _interpreter["waker"] = SignalWaker()
     _interpreter["options"] = options
     patch_manager.lend(_HANDLERS)
 
@@ -98,8 +102,9 @@ def _uninstall_in_interpreter() -> None:
     for signum, previous in _interpreter["previous"].items():
         if signal.getsignal(signum) is _handle:
             signal.signal(signum, previous)
-    _interpreter["previous"].clear()
-    _interpreter["options"] = SignalHandlerOptions.NO
+    if _interpreter["waker"] is not None:
+        _interpreter["waker"].close()
+    _interpreter.update(previous={}, options=SignalHandlerOptions.NO, waker=None)
 
 
 _HANDLERS = Change(

@@ -4,6 +4,7 @@ import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
 from coursekit.lab.errors import NotNow
+from coursekit.lab.known_terminals import KNOWN
 from coursekit.lab.magics import CourseMagics, show_as
 from coursekit.lab.terminal import Terminal
 from coursekit.lab.waiting import wait
@@ -65,6 +66,7 @@ def test_what_never_comes_is_said(session):
 
 
 def test_a_program_that_ended_with_an_error_is_named_with_what_never_came(session):
+    KNOWN.clear()  # those of other tests
     shown = Terminal(session.start(lambda: 3, name="client_exe"), "client_exe")
     shown.wait()
     show_as("client_exe", shown)

@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from coursekit.view.shell import running_shell
 from coursekit.view.working import Working
 
 from . import events
@@ -191,7 +192,7 @@ def _with_cell_before(verdict: Verdict, fault: str) -> Verdict:
 
 def _fault_before() -> str:
     """The error of the cell that was run before this one, empty where it ran to its end or was a check."""
-    before = getattr(_shell(), "last_execution_result", None)
+    before = getattr(running_shell(), "last_execution_result", None)
     error = before and (before.error_before_exec or before.error_in_exec)
     if not isinstance(error, Exception) or isinstance(error, CheckFailed):
         return ""
@@ -199,14 +200,8 @@ def _fault_before() -> str:
     return f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"[:200] + line
 
 
-def _shell() -> Any:
-    """IPython's shell, None outside of a notebook."""
-    ipython = sys.modules.get("IPython")
-    return ipython.get_ipython() if ipython is not None else None
-
-
 def _variables() -> Mapping[str, Any]:
-    shell = _shell()
+    shell = running_shell()
     return shell.user_ns if shell is not None else vars(sys.modules["__main__"])
 
 
@@ -224,7 +219,7 @@ class _Shown:
 
 
 def _show(verdict: Verdict) -> None:
-    if _shell() is None:
+    if running_shell() is None:
         print(verdict.text())
     else:
         from IPython.display import display

@@ -21,11 +21,11 @@ from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 from coursekit.processes.session import current
 from coursekit.systems import typed
+from coursekit.view.shell import running_shell
 
 from .cells import last_runs
 from .errors import BadArgument, NotNow
 from .evidence_picture import page
-from .kernel import running_shell
 
 _NAME = re.compile(r"s\d+(_\d+)?(\.(png|pdf))?")
 

@@ -16,6 +16,7 @@ from coursekit.cli.session_server import serve
 from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
 from coursekit.processes.session import NETWORK_VARIABLE, Session, current
+from coursekit.view.shell import running_shell
 
 from . import missing_names, shell_lines
 from .cells import Cells
@@ -27,12 +28,6 @@ from .panel import end_panels
 SUBSHELL_SECONDS = 0.5
 """A page that makes no subshell in this time is none, or is busy [s]."""
 _state: dict[str, Any] = {}
-
-
-def running_shell() -> Any:
-    """The IPython shell, None outside of one."""
-    ipython = sys.modules.get("IPython")
-    return ipython.get_ipython() if ipython is not None else None
 
 
 def start() -> Session:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import math
-from base64 import b64encode
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from typing import Any
 from coursekit.cli.ask import full_name
 from coursekit.nodes.rqt.curves import Curves, topic_of
 
-from .bundle import forms_of
+from .bundle import with_picture
 from .errors import BadArgument, NotThere
 from .messages import known_type, listen
 from .panel import Panel, static
@@ -131,10 +130,7 @@ class PlotPanel(Panel):
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         bundle = super()._repr_mimebundle_(**options)
-        data = forms_of(bundle)
-        if data is not None and self._curves.curves:
-            data["image/png"] = b64encode(self.png()).decode()
-        return bundle
+        return with_picture(bundle, self.png) if self._curves.curves else bundle
 
 
 def _line(name: str, values: list[float]) -> str:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from pathlib import Path
 from typing import Any, Protocol
 
 from coursekit.view.scene import Scene
 from coursekit.view.scene_camera import Camera
 
-from .bundle import forms_of
+from .bundle import with_picture
 from .panel import Panel
 from .viewer_stream import Stream
 
@@ -52,11 +51,7 @@ class ScenePanel(Panel):
         return self.stage.png(width, height)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**options)
-        data = forms_of(bundle)
-        if data is not None:
-            data["image/png"] = b64encode(self.png()).decode()
-        return bundle
+        return with_picture(super()._repr_mimebundle_(**options), self.png)
 
     def on_library(self, _message: dict[str, Any]) -> None:
         """The page has no MeshCat yet."""

@@ -70,6 +70,16 @@ class Label:
     colour: Colour = (0.15, 0.2, 0.25, 1.0)
     height: float = 0.0
 
+    @property
+    def light(self) -> bool:
+        """Whether it is too light to be read on the light floor: it wants a dark rim; small letters have one colour.
+
+        >>> Label("A", (1.0, 1.0, 0.2, 1.0), height=0.5).light
+        True
+        """
+        red, green, blue = (round(one * 255) for one in self.colour[:3])
+        return self.height > 0.0 and 0.2126 * red + 0.7152 * green + 0.0722 * blue > 150
+
 
 Shape = Triangles | Lines | Points | Picture | Label
 

@@ -160,8 +160,7 @@ class Still:
             font = ImageFont.truetype(f"{get_data_path()}/fonts/ttf/DejaVuSans.ttf", round(size))
             red, green, blue = (round(one * 255) for one in label.colour[:3])
             place, anchor = ((x, y), "mm") if label.height else ((x + 5, y - 5), "lm")
-            light = label.height and 0.2126 * red + 0.7152 * green + 0.0722 * blue > 150
-            rim = (59, 50, 38) if light else (248, 245, 243)  # what is light could not be read on the light floor
+            rim = (59, 50, 38) if label.light else (248, 245, 243)
             pen.text(place, label.text, (blue, green, red), font, anchor, stroke_width=1, stroke_fill=rim)
         image[:] = np.asarray(paper)
 

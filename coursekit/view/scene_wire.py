@@ -26,7 +26,8 @@ def packed(changes: Changes) -> tuple[dict[str, Any], list[bytes]]:
     for thing in changes.made:
         for index, shape in enumerate(thing.shapes):
             if isinstance(shape, Label):
-                labels.append({"of": thing.number, "text": shape.text, "height": shape.height, "colour": css(shape.colour)})
+                looks = {"height": shape.height, "colour": css(shape.colour), "light": shape.light}
+                labels.append({"of": thing.number, "text": shape.text, **looks})
             else:
                 commands.append(_command(f"/scene/{thing.number}/{index}", shape))
     poses = np.array([_numbers(thing) for thing in (*changes.made, *changes.moved)], dtype="<f8")

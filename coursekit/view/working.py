@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import html
-import sys
 import threading
 import time
 from contextlib import AbstractContextManager
 from typing import Any
+
+from .shell import running_shell
 
 PATIENCE_SECONDS = 1.5
 """Shorter work gets no bar [s]."""
@@ -66,9 +67,7 @@ def _has_a_page() -> bool:
     """Whether a notebook's page may be looked at: a kernel on the wall clock."""
     from coursekit.processes.session import current
 
-    ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython is not None else None
-    return hasattr(getattr(shell, "kernel", None), "session") and not current().clock.virtual
+    return hasattr(getattr(running_shell(), "kernel", None), "session") and not current().clock.virtual
 
 
 __all__ = ["Working"]

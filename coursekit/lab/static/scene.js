@@ -19,12 +19,6 @@ function meshcat(model) {
   return globalThis.coursekitMeshcat;
 }
 
-// Whether a colour such as rgb(250, 250, 0) is hard to read on the light floor.
-function isLight(colour) {
-  const [red, green, blue] = (colour.match(/[\d.]+/g) ?? []).map(Number);
-  return 0.2126 * red + 0.7152 * green + 0.0722 * blue > 150;
-}
-
 class Scene {
   constructor(library, pane, labels) {
     this.labels = labels;
@@ -81,7 +75,7 @@ class Scene {
     message.labels.forEach((label, index) => {
       const element = make("span", { className: label.height ? "ck-text ck-big" : "ck-text", textContent: label.text });
       if (label.height) element.style.color = label.colour;
-      if (label.height && isLight(label.colour)) element.classList.add("ck-light");
+      if (label.light) element.classList.add("ck-light");
       this.labels.append(element);
       this.texts.set(`${label.of} ${index} ${message.n}`, { element, of: label.of, height: label.height });
     });

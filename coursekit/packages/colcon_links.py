@@ -21,6 +21,8 @@ from colcon_core.task.python.build import PythonBuildTask
 from coursekit.systems import copies
 from coursekit.systems.links import can_link
 
+from .outdated import outdate
+
 _OWNERS = ("colcon_core.task.python.build", "colcon_ros.task.ament_python.build")
 """The modules in which colcon finds its build of Python packages."""
 _stands_for_links = False
@@ -73,6 +75,7 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
     async def _undo_develop(self, pkg: Any, args: Any, env: Any) -> Any:
         """colcon's step before it copies, when the environment of the build is known and scripts are not yet written."""
         undone = await super()._undo_develop(pkg, args, env)
+        outdate(Path(args.build_base), Path(args.install_base))
         if not undone and _stands_for_links:
             self._read_from_source(get_setup_data(pkg, env))
         return undone

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 import nbformat
 import pytest
 from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
 
 from .running import chapters, clock_of, course_environment, exercises_of, read
 
@@ -40,11 +41,23 @@ def kernel_of(notebook, folder):
             def run(index):
                 cell = notebook.cells[index]
                 client.kc.session.metadata = {"cellId": cell.id}
-                client.execute_cell(cell, index)
-                outputs = cell.get("outputs", [])
-                return "".join(one.get("text", "") or one.get("data", {}).get("text/plain", "") for one in outputs)
+                try:
+                    client.execute_cell(cell, index)
+                except CellExecutionError as error:
+                    raise AssertionError(f"{error}\nBefore it:\n{shown(notebook.cells[max(0, index - 12) : index])}") from None
+                return printed(cell)
 
             yield run
+
+
+def printed(cell):
+    """What a cell has printed, and what it shows as text."""
+    return "".join(one.get("text", "") or one.get("data", {}).get("text/plain", "") for one in cell.get("outputs", []))
+
+
+def shown(cells):
+    """Cells and what they printed: what went wrong began above the cell that failed."""
+    return "\n".join(f"In: {cell.source[:300]}\nOut: {printed(cell)[-1500:]}" for cell in cells if cell.cell_type == "code")
 
 
 def exercises(notebook):

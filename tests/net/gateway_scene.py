@@ -116,6 +116,7 @@ def scene(folder):
     file = Path(folder, "gateway.pyz")
     gateway_file.write(file)
     robot = Child(HERE / "gateway_robot.py")
+    robot.until(lambda lines: "ready" in lines)
     gateway = Child(file, "--listen", ADDRESS)
     facts["gateway listens"] = gateway.until(lambda lines: any("Ctrl-C" in line for line in lines))
     second = Child(file, "--listen", "tcp/127.0.0.1:17448")

@@ -50,6 +50,7 @@ class Gateway:
         self._timer = self.node.create_timer(LOOK_SECONDS, self._look, callback_group=alone)
         key = f"{ADMIN}/{domain_id}/**"
         self._tokens = self.session.liveliness().declare_subscriber(key, self._hear, history=True)
+        self._look()  # who joins as soon as this gateway says that it listens is to know what the robot has
 
     def key(self, name: str, type_name: str, type_hash: str) -> str:
         """The key of a topic or service."""

@@ -15,6 +15,7 @@ from coursekit.view.working import Working
 from . import events
 from .deaths import cause_of
 from .exercise import Exercise, find
+from .illustration import Illustration
 from .interruptions import Gone, NeedsWorkspace, TimeOver
 from .outputs import exception_in
 from .own_checks import OWN, fault_of, read_checks
@@ -38,10 +39,14 @@ def judge(
     folder: Path,
     tries: int = 1,
     variants: Mapping[str, Any] | None = None,
+    illustration: Illustration | None = None,
 ) -> Verdict:
-    """The verdict on the work as it is now. From the second failure on a hint is given."""
+    """The verdict on the work as it is now. From the second failure on a hint is given.
+
+    `illustration` keeps what is to be drawn beside the verdict.
+    """
     work = Work(variables, folder)
-    work.variants = variants or {}
+    work.variants, work.illustration = variants or {}, illustration
     return judge_work(exercise, work, tries)
 
 
@@ -51,6 +56,8 @@ def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     try:
         exercise.judge(noted)
     except Wrong as wrong:
+        if getattr(work, "illustration", None) is not None:
+            work.illustration.at = wrong.at
         return _refused(exercise, wrong, noted, tries)
     except (Gone, NeedsWorkspace):
         raise
@@ -156,16 +163,16 @@ def check(name: str, **variants: Any) -> None:
     """
     progress = Progress.of_course()
     read_checks(progress.file.parent.parent / OWN)
-    exercise = find(name)
+    exercise, illustration = find(name), Illustration()
     try:
         with Working(f"Trying out {name}", late=ENDLESS):
-            verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants)
+            verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants, illustration)
     except KeyboardInterrupt:
         raise CheckFailed(f"{name} was stopped, so it is not judged. Is there a loop that never ends?") from None
     verdict = _with_cell_before(verdict, _fault_before())
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
-    _show(verdict)
+    _show(verdict, illustration)
     if verdict.fault:
         raise CheckFailed(f"{name} is not judged: its check has a fault; the lines above say where.")
     if not verdict.passed:
@@ -208,20 +215,20 @@ def _variables() -> Mapping[str, Any]:
 class _Shown:
     """Displays a verdict in both forms."""
 
-    def __init__(self, verdict: Verdict) -> None:
-        self._verdict = verdict
+    def __init__(self, verdict: Verdict, illustration: Illustration) -> None:
+        self._verdict, self._illustration = verdict, illustration
 
     def _repr_html_(self) -> str:
-        return self._verdict.html()
+        return self._verdict.html(self._illustration.html())
 
     def __repr__(self) -> str:
         return self._verdict.text()
 
 
-def _show(verdict: Verdict) -> None:
+def _show(verdict: Verdict, illustration: Illustration) -> None:
     if running_shell() is None:
         print(verdict.text())
     else:
         from IPython.display import display
 
-        display(_Shown(verdict))
+        display(_Shown(verdict, illustration))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 _OURS = ("expected", "likely cause", "hint")
@@ -36,6 +37,7 @@ class Wrong(Exception):
         gave: str = "",
         hint: int | None = None,
         timed_out: bool = False,
+        at: Sequence[tuple[float, float]] = (),
     ) -> None:
         super().__init__(expected)
         self.expected = expected
@@ -50,6 +52,8 @@ class Wrong(Exception):
         """Which of the exercise's hints fits this fault, from 0; NO_HINT if none does; None where that cannot be told."""
         self.timed_out = timed_out
         """Whether a program or function was ended because its time was over."""
+        self.at = at
+        """Where the fault is in the last panel of the picture that the judge handed out, in its units."""
 
 
 @dataclass(frozen=True)
@@ -99,8 +103,8 @@ class Verdict:
         rows += [("what to do", "Show this to your teacher: your work is not to blame.")] if self.fault else []
         return [(label, value) for label, value in rows if value and not self.passed]
 
-    def html(self) -> str:
-        """For the notebook."""
+    def html(self, picture: str = "") -> str:
+        """For the notebook; `picture` is HTML that stands below the words."""
         colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         rows = "".join(
             f"<tr style='background:none'><td style='{_CELL};opacity:.7;padding-right:12px;white-space:nowrap'>{label}</td>"
@@ -112,7 +116,7 @@ class Verdict:
         return (
             f"<div style='border-left:4px solid {colour};padding:6px 12px;margin:4px 0'>"
             f"<b style='color:{colour}'>{mark} {html.escape(self.name)}</b> {html.escape(self.title)}: "
-            f"<b>{number}</b> {rest}{table}</div>"
+            f"<b>{number}</b> {rest}{table}{picture}</div>"
         )
 
 

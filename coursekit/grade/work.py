@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import random
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -19,6 +19,9 @@ from .verdict import NO_HINT, Wrong
 if TYPE_CHECKING:
     from coursekit.interfaces.model import Message
     from coursekit.urdf import Robot
+    from coursekit.view.figure import Figure
+
+    from .illustration import Illustration
 
 T = TypeVar("T")
 NOTHING = "there is none"
@@ -37,6 +40,8 @@ class Work:
         self.workspace = workspace
         self.variants: Mapping[str, Any] = {}
         """What this student's copy asks for where it differs from the course's notebook."""
+        self.illustration: Illustration | None = None
+        """Takes pictures where somebody looks at the verdict; in grading nobody does."""
 
     def variant(self, name: str, usual: T) -> T:
         """A value that the exercise asks this student for; the `usual` one where there are no variants.
@@ -56,6 +61,15 @@ class Work:
         True
         """
         return random.Random(name)
+
+    def illustrate(self, make: Callable[..., Figure], *facts: Any) -> None:
+        """Show the figure that `make(*facts)` draws beside the verdict; the last one counts.
+
+        `facts` are plain values that the judge has checked. Lists that grow while it judges are drawn as they are at its
+        end. Where nobody looks, such as in grading, nothing is drawn; a figure that cannot be drawn is left out.
+        """
+        if self.illustration is not None:
+            self.illustration.keep(make, *facts)
 
     # -- the notebook
 

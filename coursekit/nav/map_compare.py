@@ -74,12 +74,9 @@ def compare(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> Comp
     visible = _visible(grid, outline)
     if not len(visible):
         raise ValueError("nothing of the outline is where the map knows the world: are both in one frame?")
-    rows, columns = np.nonzero(walls)
-    centres = _turned(np.stack([columns + 0.5, rows + 0.5], axis=1) * size, grid.origin)
-    off, _ = cKDTree(outline).query(centres)
+    off = _off(grid, outline)
     truth = np.unique(_cells(grid, visible), axis=0)
-    gap = distance_transform_edt(~walls) * size
-    found = gap[truth[:, 1], truth[:, 0]] <= tolerance + 1e-9
+    found = _found(grid, truth, tolerance)
     false = off > tolerance + size / 2
     hit, missed = int(found.sum()), int((~found).sum())
     length = len(np.unique((visible / STEP).round(), axis=0)) * STEP * hit / len(truth)
@@ -90,6 +87,40 @@ def compare(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> Comp
         distance=float(off.mean()),
         thickness=max(size, float((~false).sum()) * size**2 / max(length, size)),
     )
+
+
+def differences(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> tuple[np.ndarray, np.ndarray]:
+    """Where a map and the truth differ: cells (n, 2: row, column) that are walls falsely, and those of walls that it lacks.
+
+    >>> cells = np.zeros((40, 40), dtype=np.int8)
+    >>> cells[20, 5:35] = cells[8, 8] = 100
+    >>> wall = outline_points(np.array([[0.25, 1.025, 1.94, 1.025]]))
+    >>> false, missed = differences(GridMap(cells, 0.05), wall)
+    >>> false.tolist(), missed.tolist()
+    ([[8, 8]], [[20, 36], [20, 37], [20, 38]])
+    """
+    walls = np.argwhere(grid.cells > WALL)
+    false = walls[_off(grid, outline) > tolerance + grid.resolution / 2] if len(walls) else walls
+    visible = _visible(grid, outline)
+    truth = np.unique(_cells(grid, visible), axis=0)
+    missed = truth[~_found(grid, truth, tolerance)] if len(walls) else truth
+    return false, missed[:, ::-1]
+
+
+def _off(grid: GridMap, outline: np.ndarray) -> np.ndarray:
+    """How far each wall cell of the map is from the true walls [m]."""
+    rows, columns = np.nonzero(grid.cells > WALL)
+    off: np.ndarray = cKDTree(outline).query(
+        _turned(np.stack([columns + 0.5, rows + 0.5], axis=1) * grid.resolution, grid.origin)
+    )[0]
+    return off
+
+
+def _found(grid: GridMap, truth: np.ndarray, tolerance: float) -> np.ndarray:
+    """Whether the map has a wall near each of these cells (n, 2: column, row) of true walls."""
+    gap = distance_transform_edt(grid.cells <= WALL) * grid.resolution
+    near: np.ndarray = gap[truth[:, 1], truth[:, 0]] <= tolerance + 1e-9
+    return near
 
 
 def _visible(grid: GridMap, outline: np.ndarray) -> np.ndarray:

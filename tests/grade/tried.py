@@ -1,6 +1,6 @@
 """Work whose trials are made up: what a judge says of what was seen."""
 
-from coursekit.grade.checking import judge_work
+from coursekit.grade.checking import judge, judge_work
 from coursekit.grade.exercise import find
 from coursekit.grade.plan import Seen
 from coursekit.grade.work import Work
@@ -23,3 +23,10 @@ class Tried(Work):
 def verdict(name, *seen):
     """The verdict on exercise `name`, at the second try."""
     return judge_work(find(name), Tried(*seen), 2)
+
+
+def told_of(name, variables, workspace):
+    """The verdict on a notebook's variables and files, which is not full marks."""
+    said = judge(find(name), variables, workspace)
+    assert not said.passed
+    return said

@@ -35,6 +35,9 @@ def alike(text: str) -> str:
     return text
 
 
+PICTURE = re.compile(r'<figure class="ck-drawn">.*?</figure>', re.S)
+"""Beside a verdict: its lines end at pixels that another processor rounds otherwise. tests/grade tests what it shows."""
+
 NUMBER = re.compile(r"(-?\d+\.\d+(?:e[-+]\d+)?)")
 
 
@@ -76,6 +79,7 @@ def compare_alike(on_windows: bool) -> None:
         made = own(self, text)
         if not isinstance(made, str):
             return made
+        made = PICTURE.sub("", made)
         return Output(alike(made) if on_windows else made)
 
     IPyNbCell.sanitize = sanitize

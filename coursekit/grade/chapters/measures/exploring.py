@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy import ndimage
@@ -70,3 +72,35 @@ class Unseen:
     def known(self) -> float:
         """The share of the reachable floor that was seen."""
         return float((self.cells[self._reachable] != UNKNOWN).mean())
+
+    def unseen_floor(self) -> np.ndarray:
+        """Where there is floor that could be reached, and was not seen: bool (rows, columns)."""
+        unseen: np.ndarray = self._reachable & (self.cells == UNKNOWN)
+        return unseen
+
+    def ways(self, stops: list[Cell]) -> list[Cell]:
+        """The cells of a short way over seen floor from each stop to the next."""
+        from scipy.sparse.csgraph import breadth_first_order
+
+        floor, columns, way = _neighbours(self.cells == FREE), self.cells.shape[1], stops[:1]
+        for begin, end in pairwise(stops):
+            before = breadth_first_order(floor, end[0] * columns + end[1])[1]
+            at = begin[0] * columns + begin[1]
+            while before[at] >= 0:
+                at = int(before[at])
+                way.append(divmod(at, columns))
+        return way
+
+
+def _neighbours(free: np.ndarray) -> Any:
+    """The sparse matrix that joins each free cell, by its number, with its free neighbours."""
+    from scipy.sparse import coo_matrix
+
+    number = np.arange(free.size).reshape(free.shape)
+    along, down = free[:, :-1] & free[:, 1:], free[:-1] & free[1:]
+    ahead = down[:, :-1] & along[:-1] & along[1:]
+    slopes = ((number[:-1, :-1], number[1:, 1:]), (number[:-1, 1:], number[1:, :-1]))
+    pairs = [*((one[ahead], other[ahead]) for one, other in slopes)]
+    pairs += [(number[:, :-1][along], number[:, 1:][along]), (number[:-1][down], number[1:][down])]
+    one, other = (np.concatenate(parts) for parts in zip(*pairs, strict=True))
+    return coo_matrix((np.ones(2 * len(one)), (np.r_[one, other], np.r_[other, one])), (free.size, free.size)).tocsr()

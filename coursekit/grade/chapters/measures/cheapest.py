@@ -1,0 +1,53 @@
+"""The cheapest way over a floor of costs, and a way that somebody gave."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from coursekit.grade.plain import items, shown, whole
+from coursekit.grade.verdict import NO_HINT, Wrong
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Cell = tuple[int, int]
+MOST_TICKS = 5000
+"""So many steps a way may have."""
+
+
+def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
+    """The price of the cheapest way to each cell, by relaxing all until nothing changes; infinite where none leads."""
+    import numpy as np
+
+    price = np.full((costs.shape[0] + 2, costs.shape[1] + 2), np.inf)
+    inner, entry = price[1:-1, 1:-1], np.where(costs < 253, 1 + costs / 50, np.inf)
+    inner[start] = 0.0
+    while True:
+        around = np.minimum.reduce([price[:-2, 1:-1], price[2:, 1:-1], price[1:-1, :-2], price[1:-1, 2:]])
+        better = np.minimum(inner, around + entry)
+        if np.array_equal(better, inner):
+            return inner
+        inner[:] = better
+
+
+def way_back(price: np.ndarray, goal: Cell) -> list[Cell]:
+    """The cheapest way to a goal that can be reached, from where `price` is 0."""
+    way = [goal]
+    while price[way[-1]] > 0:
+        r, c = way[-1]
+        near = ((r + 1, c), (r - 1, c), (r, c + 1), (r, c - 1))
+        inside = (to for to in near if 0 <= to[0] < price.shape[0] and 0 <= to[1] < price.shape[1])
+        way.append(min(inside, key=price.__getitem__))
+    return way[::-1]
+
+
+def cells_of(got: Any, told: str) -> list[Cell]:
+    """The cells of an answer; Wrong when it is no list of cells."""
+    wanted = f"a list of cells (row, column) for {told}"
+    found = items(got, wanted)
+    if len(found) > 2 * MOST_TICKS:
+        raise Wrong(wanted, gave=f"{len(found)} cells", hint=NO_HINT)
+    pairs = [[whole(part, wanted) for part in items(one, wanted)] for one in found]
+    if any(len(pair) != 2 for pair in pairs):
+        raise Wrong(wanted, gave=shown(got, 60), hint=NO_HINT)
+    return [(row, column) for row, column in pairs]

@@ -1,0 +1,41 @@
+"""What the robots of chapter 7 report of themselves."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Any
+
+from coursekit.grade.outputs import heard
+from coursekit.grade.plain import field, fields
+from coursekit.grade.trial import Seen
+
+Spot = tuple[float, float, float]
+"""x and y [m] and heading [rad]."""
+Report = tuple[int, Spot]
+"""A stage, and where the robot is."""
+
+
+def reports(seen: Seen, number: int) -> list[Report]:
+    """What a robot has told of itself: stage and place, in order."""
+    topic = f"/robot{number}/robot_status"
+    told = (message for _, message in heard(seen, topic))
+    return [(field(one, "task_stage", int, topic), spot_of(field(one, "pose", dict, topic))) for one in told]
+
+
+def spot_of(pose: Any) -> Spot:
+    """A pose of a message; Wrong when it is none."""
+    x, y, theta = fields(pose, ("x", "y", "theta"), "a pose")
+    return x, y, theta
+
+
+def carried(told: list[Report]) -> list[float]:
+    """How far each load was carried [m]."""
+    found: list[float] = []
+    picked: Spot | None = None
+    for (old, _), (new, place) in itertools.pairwise(told):
+        if (old, new) == (2, 3):
+            picked = place
+        elif (old, new) == (4, 5) and picked is not None:
+            found.append(math.dist(picked[:2], place[:2]))
+    return found

@@ -1,0 +1,1 @@
+"""What checks draw beside their verdicts: figures of plain values that a judge has checked. They hold no answers."""

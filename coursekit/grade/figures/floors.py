@@ -1,0 +1,91 @@
+"""Floors of cells: costs around walls, a way over them, robots in a warehouse."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from coursekit.view.figure import Cells, Dots, Figure, Line, Mover, Panel, Point, Shape, Words
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Cell = tuple[int, int]
+COSTS = ("free", "cost1", "cost2", "cost3", "cost4", "wall")
+DEARER = (1, 64, 127, 190, 253)
+"""From these costs on a cell has the next colour."""
+
+
+def spots(*cells: Cell) -> list[Point]:
+    """The middles of cells (row, column), as x and y of a floor's picture.
+
+    >>> spots((2, 5))
+    [(5.5, 2.5)]
+    """
+    return [(column + 0.5, row + 0.5) for row, column in cells]
+
+
+def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: float) -> Figure:
+    """Costs over the distance from a wall, with those that were answered (distance [m], cost)."""
+    falling = [inscribed + (radius - inscribed) * k / 40 for k in range(41)]
+    curve = [(0.0, 254.0), (0.0, 253.0), (inscribed, 253.0)]
+    curve += [(gap, 252 * math.exp(-scaling * (gap - inscribed))) for gap in falling]
+    end = radius * 1.25
+    dots = Dots([one for one in asked if one[0] <= end], "own", "your function", 3.2)
+    line = Line([*curve, (radius, 0.0), (end, 0.0)], "truth", "nav2's formula")
+    alt = f"Cost over the distance from a wall: nav2's curve falls from 252 at {inscribed:g} m to 0 beyond {radius:g} m"
+    axes = ("distance from the wall [m]", "cost")
+    return Figure([Panel([line, dots], view=(0.0, end, 0.0, 268.0), axes=axes)], f"{alt}; {len(asked)} of your answers.")
+
+
+def way_over_costs(costs: np.ndarray, way: Sequence[Cell], cheapest: Sequence[Cell], told: str) -> Figure:
+    """A floor of costs with the way that was found; where another one is cheaper, that one, too."""
+    import numpy as np
+
+    paid, least = (sum(1 + costs[one] / 50 for one in cells[1:] if _inside(one, costs)) for cells in (way, cheapest))
+    right = list(way[:1]) == list(cheapest[:1]) and abs(paid - least) < 1e-6
+    labels = ("free", "", "dear", "", "dearer", "closed: 253 and more")
+    shapes: list[Shape] = [Cells(np.digitize(costs, DEARER), COSTS, labels)]
+    if not right:
+        shapes.append(Line(spots(*cheapest), "truth", "the cheapest way", wide=True))
+    shapes += [Line(spots(*way), "guess", "your way", wide=True), Dots(spots(cheapest[0]), "ink", "start", 4.5)]
+    shapes.append(Dots(spots(cheapest[-1]), "guess", "goal", 5.5))
+    alt = f"The costs of {told} from above, and your way of {max(0, len(way) - 1)} steps"
+    alt += ", the cheapest." if right else f"; the cheapest way has {len(cheapest) - 1}."
+    return Figure([Panel(shapes, told, _whole(costs), down=True)], alt)
+
+
+def closed_floor(costs: np.ndarray, way: Sequence[Cell], start: Cell, goal: Cell, told: str) -> Figure:
+    """A floor on which no way leads to the goal, with the way that was given."""
+    figure = way_over_costs(costs, way, [start, goal], told)
+    shapes = [one for one in figure.panels[0].shapes if not isinstance(one, Line) or one.label == "your way"]
+    return Figure([Panel(shapes, told, _whole(costs), down=True)], f"{told} from above: no way leads to the goal.")
+
+
+def _inside(cell: Cell, floor: np.ndarray) -> bool:
+    return 0 <= cell[0] < floor.shape[0] and 0 <= cell[1] < floor.shape[1]
+
+
+def _whole(floor: np.ndarray) -> tuple[float, float, float, float]:
+    return 0.0, float(floor.shape[1]), 0.0, float(floor.shape[0])
+
+
+def crew(
+    free: np.ndarray, homes: Mapping[str, Cell], loads: Sequence[Cell], ways: Mapping[str, Sequence[Cell]], told: str
+) -> Figure:
+    """A warehouse with the ways of its robots, side by side where they share an aisle."""
+    shapes: list[Shape] = [Cells((~free).astype(int), ("free", "shelf"))]
+    shapes.append(Dots(spots(*loads), "ink", "a load", 3.0))
+    for number, (name, way) in enumerate(ways.items(), 1):
+        aside = (number - 2.5) * 0.16
+        kind = f"robot{number}"
+        shapes.append(Line([(x + aside, y + aside) for x, y in spots(*way)], kind, name))
+        shapes += [Dots(spots(homes[name]), kind, "", 5.0), Words(0.1, homes[name][0] + 0.5, str(number), "free")]
+        shapes.append(Mover(spots(*way), kind))
+    ticks = ", ".join(f"{name} {max(0, len(way) - 1)}" for name, way in ways.items())
+    alt = f"{told} from above with the robots' ways. Ticks: {ticks}."
+    return Figure([Panel(shapes, told, _whole(free), down=True)], alt)
+
+
+__all__ = ["closed_floor", "crew", "inflated", "spots", "way_over_costs"]

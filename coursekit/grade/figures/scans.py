@@ -1,0 +1,88 @@
+"""Beams of chapter 8: rays that were cast, and a scan before and after matching."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from coursekit.view.figure import Arrow, Dots, Figure, Line, Panel, Shape, View
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from coursekit.grade.chapters.measures.rays import Ray
+    from coursekit.grade.matching import Pose, Puzzle
+
+MOST_RAYS = 24
+AROUND = 0.8
+"""What is shown around a scan [m]."""
+
+
+def rays_among(walls: Sequence[Sequence[float]], rays: Sequence[Ray]) -> Figure:
+    """Rays that are right, each up to the first wall."""
+    drawn = rays[:MOST_RAYS]
+    shapes = [*_walls(walls), *(part for one in drawn for part in _right(one))]
+    met = sum(math.isfinite(one.need) for one in drawn)
+    alt = f"{len(walls)} walls from above and {len(drawn)} of your rays: {met} end at the first wall, the others meet none."
+    return Figure([Panel(shapes, view=_around(walls, drawn))], alt)
+
+
+def wrong_ray(walls: Sequence[Sequence[float]], ray: Ray) -> Figure:
+    """One ray: where it ends, and where the answer ends."""
+    start = (ray.x, ray.y)
+    need = Line([start, ray.end(ray.need)], "truth", "the ray", wide=True)
+    got = Line([start, ray.end(ray.got)], "bad", "your answer", dashed=True)
+    shapes = [*_walls(walls), need, got, Dots([start], "ink", "its start", 3.5)]
+    alt = f"Walls and one ray from ({ray.x:.2f}, {ray.y:.2f}): it goes {_far(ray.need)}; your answer goes {_far(ray.got)}."
+    return Figure([Panel(shapes, view=_around(walls, [ray]), rings=[ray.end(ray.got)])], alt)
+
+
+def _walls(walls: Sequence[Sequence[float]]) -> list[Shape]:
+    return [Line([one[:2], one[2:]], "wall", "a wall", wide=True) for one in walls]
+
+
+def _far(distance: float) -> str:
+    return "on without meeting a wall" if math.isinf(distance) else f"{distance:.2f} m"
+
+
+def _right(ray: Ray) -> list[Shape]:
+    met = math.isfinite(ray.need)
+    kind, label = ("own", "a ray, up to the first wall") if met else ("guess", "a ray that meets none in its range")
+    ends = [ray.end(ray.need)] if met else []
+    line = Line([(ray.x, ray.y), ray.end(ray.need if met else 0.6)], kind, label, dashed=not met)
+    return [line, Dots(ends, kind, "", 2.6)]
+
+
+def _around(walls: Sequence[Sequence[float]], rays: Sequence[Ray], room: float = 0.4) -> View:
+    """A view of all walls and the rays' starts."""
+    points = [point for one in walls for point in (one[:2], one[2:])] + [(one.x, one.y) for one in rays]
+    xs, ys = zip(*points, strict=True)
+    return min(xs) - room, max(xs) + room, min(ys) - room, max(ys) + room
+
+
+def matched(puzzle: Puzzle, pose: Pose, told: str, right: bool) -> Figure:
+    """A scan over the true walls: placed at the guess, and where `match` put it."""
+    from coursekit.geometry.plane import Pose2D
+
+    ends = Pose2D(*puzzle.truth).transform(puzzle.points)
+    (left, low), (up, high) = ends.min(axis=0) - AROUND, ends.max(axis=0) + AROUND
+    view = (float(left), float(up), float(low), float(high))
+    walls = puzzle.gap.points
+    seen = walls[((walls > (left, low)) & (walls < (up, high))).all(axis=1)]
+    kind, label = ("own", "the scan, matched") if right else ("bad", "where you put the scan")
+    before = _placed(puzzle, seen, puzzle.guess, "guess", "the scan at the guess", view, "before: at the guess")
+    after = _placed(puzzle, seen, pose, kind, label, view, "after matching")
+    gaps = f"{puzzle.misfit(puzzle.guess) * 100:.1f} cm before and {puzzle.misfit(pose) * 100:.1f} cm after"
+    return Figure([before, after], f"The scan {told} over the true walls, before and after matching: mean gap {gaps}.")
+
+
+def _placed(puzzle: Puzzle, walls: np.ndarray, pose: Pose, kind: str, label: str, view: View, title: str) -> Panel:
+    from coursekit.geometry.plane import Pose2D
+
+    points = Pose2D(*pose).transform(puzzle.points)
+    shown = [Dots(walls[::3].tolist(), "wall", "a wall", 1.2), Dots(points.tolist(), kind, label, 1.7)]
+    return Panel([*shown, Arrow(*pose, kind)], title, view)
+
+
+__all__ = ["matched", "rays_among", "wrong_ray"]

@@ -1,0 +1,46 @@
+"""The picture beside a verdict: a judge hands out facts and who draws them; drawn is it only where somebody looks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from coursekit.view.figure import Figure, Point
+
+LONGEST = 400_000
+"""Letters of a picture; a longer one would make the notebook slow."""
+
+
+class Illustration:
+    """What a judge handed out last, and where in it the fault is.
+
+    It is drawn when the verdict is given, so it takes nothing of it: what cannot be drawn is left out.
+    """
+
+    def __init__(self) -> None:
+        self._make: Callable[..., Figure] | None = None
+        self._facts: tuple[Any, ...] = ()
+        self.at: Sequence[Point] = ()
+        """Where in the last panel something is wrong."""
+
+    def keep(self, make: Callable[..., Figure], *facts: Any) -> None:
+        """Have `make(*facts)` drawn: plain values that the judge has checked; lists may still grow until the verdict."""
+        self._make, self._facts = make, facts
+
+    def html(self) -> str:
+        """The picture as HTML; empty where nothing was handed out, and where it cannot be drawn."""
+        if self._make is None:
+            return ""
+        try:
+            from coursekit.view.figure_html import html
+
+            figure = self._make(*self._facts)
+            figure.panels[-1].rings += self.at
+            made = html(figure)
+        except (Exception, KeyboardInterrupt):
+            return ""
+        return made if len(made) <= LONGEST else ""
+
+
+__all__ = ["Illustration"]

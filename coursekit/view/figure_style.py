@@ -1,0 +1,66 @@
+"""The colours of figures, in a light and a dark page."""
+
+from __future__ import annotations
+
+COLOURS = {
+    "ink": ("#4a5862", "#b9c4cd"),
+    "rim": ("#d5dde3", "#46535e"),
+    "free": ("#ffffff", "#2b353d"),
+    "unknown": ("#e3e8ec", "#161c21"),
+    "wall": ("#414e58", "#d3dbe1"),
+    "own": ("#1f6fc0", "#6bb1f5"),
+    "truth": ("#1e8f57", "#62cf95"),
+    "guess": ("#d97a10", "#f0a94e"),
+    "bad": ("#cf2f24", "#ff7f74"),
+    "shelf": ("#98a5af", "#55626d"),
+    "missed": ("#f3c4bf", "#6b322d"),
+    "robot1": ("#1f6fc0", "#6bb1f5"),
+    "robot2": ("#d97a10", "#f0a94e"),
+    "robot3": ("#1e8f57", "#62cf95"),
+    "robot4": ("#8b53c6", "#c59bf2"),
+    "cost1": ("#eef4fb", "#2c3a47"),
+    "cost2": ("#d3e3f4", "#2f4860"),
+    "cost3": ("#a9c8e8", "#33587b"),
+    "cost4": ("#7aa9d6", "#3d6e9a"),
+}
+"""By kind: in the light and in the dark."""
+
+_RULES = """.ck-drawn{{margin:10px 0 4px;font:12px/1.4 var(--jp-ui-font-family,system-ui,sans-serif)}}
+.ck-drawn .panels{{display:flex;flex-wrap:wrap;gap:6px 14px;padding:1px}}
+.ck-drawn .panel{{flex:0 1 auto;min-width:0}}
+.ck-drawn .title{{color:var(--ink);margin:0 0 2px}}
+.ck-drawn svg{{display:block;max-width:100%;height:auto;border-radius:6px;box-shadow:0 0 0 1px var(--rim)}}
+.ck-drawn .line{{fill:none;stroke:var(--k);stroke-width:1.8;stroke-linejoin:round;stroke-linecap:round}}
+.ck-drawn .wide{{stroke-width:3}}
+.ck-drawn .dashed{{stroke-dasharray:5 4}}
+.ck-drawn .fill{{fill:var(--k)}}
+.ck-drawn .halo{{fill:none;stroke:var(--free);stroke-width:4}}
+.ck-drawn .ring{{fill:none;stroke:var(--bad);stroke-width:2.4}}
+.ck-drawn text{{fill:var(--k);font:11px var(--jp-ui-font-family,system-ui,sans-serif)}}
+.ck-drawn figcaption{{display:flex;flex-wrap:wrap;gap:2px 16px;margin:5px 0 0;color:var(--ink)}}
+.ck-drawn .mover{{display:none;stroke:var(--free);stroke-width:2}}
+.ck-drawn:has(input:checked) .mover{{display:inline}}
+.ck-drawn .play{{display:inline-flex;gap:6px;align-items:center;margin:0 0 4px;color:var(--ink);cursor:pointer}}
+.ck-drawn .key i{{display:inline-block;vertical-align:middle;margin-right:6px;background:var(--k)}}
+.ck-drawn .key .stroke{{width:18px;height:3px;border-radius:2px}}
+.ck-drawn .key .dash{{width:18px;height:3px;background:repeating-linear-gradient(90deg,var(--k) 0 6px,#0000 6px 10px)}}
+.ck-drawn .key .dot{{width:8px;height:8px;border-radius:50%}}
+.ck-drawn .key .cell{{width:12px;height:12px;border:1px solid var(--rim)}}
+.ck-drawn .key .round{{width:9px;height:9px;border:2.4px solid var(--bad);border-radius:50%;background:none}}"""
+
+
+def style() -> str:
+    """The rules that a figure brings along: JupyterLab names its theme on the page, other pages leave it to the system.
+
+    >>> "--own:#1f6fc0" in style() and "prefers-color-scheme:dark" in style()
+    True
+    """
+    light, dark = (";".join(f"--{kind}:{both[at]}" for kind, both in COLOURS.items()) for at in (0, 1))
+    kinds = "".join(f".ck-drawn .{kind}{{--k:var(--{kind})}}" for kind in COLOURS)
+    rules = _RULES.format().replace("\n", "")
+    dark_pages = f'[data-jp-theme-light="false"] .ck-drawn{{{dark}}}'
+    others = f"@media(prefers-color-scheme:dark){{body:not([data-jp-theme-light]) .ck-drawn{{{dark}}}}}"
+    return f".ck-drawn{{{light}}}{dark_pages}{others}{kinds}{rules}"
+
+
+__all__ = ["COLOURS", "style"]

@@ -64,6 +64,22 @@ class ScenePanel(Panel):
         """A page is ready to draw."""
         self._stream.open()
 
+    def on_home(self, _message: dict[str, Any]) -> None:
+        """The camera goes back to where it was at first."""
+        self.look_anew()
+
+    def look_anew(self) -> None:
+        """Tell the page where to look from, also when a hand has moved its camera."""
+        self._stream.look_anew()
+
+    def hurry(self) -> None:
+        """Tell the page what stands beside the picture with the next one."""
+        self._stream.hurry()
+
+    def follows(self) -> list[float] | None:
+        """The place [m, m, m, rad] of what the camera goes with; None: it stands still."""
+        return None
+
     def on_drawn(self, message: dict[str, Any]) -> None:
         """A page has drawn."""
         self._stream.drawn(int(message.get("n", 0)))

@@ -11,26 +11,26 @@ from coursekit.nodes.rviz.config_file import read, save
 from coursekit.nodes.rviz.kinds import KINDS
 from coursekit.nodes.rviz.windows import windows
 from coursekit.processes.session import current
-from coursekit.view.displays import Display
+from coursekit.view.looking import FOLLOWER, ORBIT
 from coursekit.view.scene_stage import Stage
 from coursekit.view.scene_text import described
 
 from .hidden import HiddenNode
 from .panel import static
-from .scene_panel import ScenePanel
+from .viewer_page import ViewerPage
 from .viewer_tools import Tools
 
 SETTLE_SECONDS = 1.0
 """A new viewer waits so long at most until all that it shows has come."""
 _ROBOT = "robot_description"
+_SCRIPTS = ("scene.js", "scene_looks.js", "viewer_list.js", "viewer_adding.js", "viewer_tools.js", "viewer_views.js")
 
 
-class Viewer(ScenePanel):
+class Viewer(ViewerPage):
     """See `viewer`."""
 
-    _esm = static("viewer.js", "scene.js")
+    _esm = static("viewer.js", *_SCRIPTS)
     _css = static("viewer.css", "scene.css")
-    stage: Stage
 
     def __init__(self, config: Config | None = None, height: int = 420) -> None:
         super().__init__("viewer")
@@ -69,12 +69,20 @@ class Viewer(ScenePanel):
     @property
     def displays(self) -> list[str]:
         """The names of the displays."""
-        return [one.config.name for one in self.stage.displays]
+        return self.stage.names()
 
     def add(self, display: str | Mapping[str, Any], **options: Any) -> None:
         """One more display: `add("LaserScan", topic="/scan", size=0.05)`; ValueError if there is no such thing."""
         given = {"type": display, **options} if isinstance(display, str) and options else display
         self.stage.add(make_config(displays=[given]).displays[0])
+
+    def remove(self, name: str) -> None:
+        """Take a display away; LookupError if there is none of that name."""
+        self.stage.remove(self.stage.find(name))
+
+    def change(self, name: str, **options: Any) -> None:
+        """Change a display's options: `change("LaserScan", size=0.05, alpha=0.5)`; ValueError names what there is."""
+        self.stage.change(self.stage.find(name), options)
 
     def switch(self, name: str, on: bool) -> None:
         """Turn a display on or off; LookupError if there is none of that name."""
@@ -87,10 +95,31 @@ class Viewer(ScenePanel):
         return f"{one.level}: {one.remark}"
 
     def save(self, path: str | Path) -> None:
-        """Write what is shown to a YAML file, for `viewer(path)` and `rviz2 -d path`."""
-        config = self.stage.config
+        """Write what is shown to a file, for `viewer(path)` and `rviz2 -d path`.
+
+        A file that ends in .rviz is written as RViz does, any other as small YAML.
+        """
         shown = [one.config for one in self.stage.displays]
-        save(Config(self.fixed_frame, shown, config.view), path)
+        save(Config(self.fixed_frame, shown, self.stage.looking.view(), views=self.stage.config.views), path)
+
+    def follow(self, frame: str, turn: bool = False) -> None:
+        """Look at a frame and go with it, '' at what stands still; with `turn` also turn with it, as a follower does."""
+        self.stage.looking.follow(frame, FOLLOWER if turn else ORBIT)
+        self.look_anew()
+
+    @property
+    def views(self) -> list[str]:
+        """The names of the views that are saved."""
+        return [*self.stage.config.views]
+
+    def save_view(self, name: str) -> None:
+        """Keep where one looks from, under a name."""
+        self.stage.looking.save(name)
+
+    def look(self, name: str) -> None:
+        """Look from where a view was saved; LookupError if there is none of that name."""
+        self.stage.looking.use(name)
+        self.look_anew()
 
     def goal_pose(self, x: float, y: float, yaw: float = 0.0) -> None:
         """What the tool 2D Goal Pose publishes on /goal_pose [m, m, rad]."""
@@ -110,48 +139,6 @@ class Viewer(ScenePanel):
         """What is shown, in lines."""
         self.stage.update()
         return described(self.stage)
-
-    # -- with the browser
-
-    def shown(self) -> dict[str, Any]:
-        """The list beside the picture."""
-        level, text = self.stage.global_status()
-        frames = sorted(self.stage.buffer.frames)
-        head = {"height": self.height_px, "fixed": self.stage.fixed_frame, "frames": frames, "told": self.tools.told}
-        rows = [_row(index, one) for index, one in enumerate(self.stage.displays)]
-        return {**head, "level": level, "remark": text, "rows": rows, "skipped": self.stage.config.skipped}
-
-    def on_switch(self, message: dict[str, Any]) -> None:
-        """A box was ticked."""
-        one = self._row_of(message)
-        if one is not None:
-            self.stage.switch(one, bool(message.get("on")))
-
-    def on_topic(self, message: dict[str, Any]) -> None:
-        """A topic was typed."""
-        one, topic = self._row_of(message), str(message.get("topic", "")).strip()
-        if one is not None and topic:
-            self.stage.retopic(one, topic)
-
-    def on_fix(self, message: dict[str, Any]) -> None:
-        """A fixed frame was chosen."""
-        self.stage.fix(str(message.get("frame", "")))
-
-    def on_tool(self, message: dict[str, Any]) -> None:
-        """A tool was used."""
-        self.tools.use(message)
-
-    def _row_of(self, message: dict[str, Any]) -> Display | None:
-        index = message.get("row")
-        return self.stage.displays[index] if isinstance(index, int) and 0 <= index < len(self.stage.displays) else None
-
-
-
-def _row(index: int, one: Display) -> dict[str, Any]:
-    lines = [{"what": what, "level": level, "text": text} for what, (level, text) in one.statuses.items()]
-    config, kind = one.config, KINDS[one.kind]
-    shown = {"row": index, "name": config.name, "kind": config.kind, "topic": config.topic if kind.type else None}
-    return {**shown, "on": config.enabled, "level": one.level, "lines": lines if config.enabled else []}
 
 
 def robot_topics(hidden: HiddenNode) -> list[str]:
@@ -205,6 +192,7 @@ def viewer(
             made.fixed_frame = fixed_frame
         if view:
             made.stage.config.view = make_config(view=view).view
+            made.stage.looking.go_home()
     return made
 
 

@@ -29,6 +29,8 @@ class Stream:
         self._sent = self._acknowledged = 0
         self._whole = True
         self._fitted = False
+        self._anew = False
+        self._followed: list[float] | None = None
         self._list: Any = None
         self._list_due = 0
         self._pictures: dict[str, int] = {}
@@ -45,6 +47,15 @@ class Stream:
     def drawn(self, number: int) -> None:
         """The page has drawn this message."""
         self._acknowledged = max(self._acknowledged, min(number, self._sent))
+
+    def look_anew(self) -> None:
+        """Send from where to look, for a page whose camera a hand has moved, too."""
+        self._anew, self._fitted = True, False
+        self.hurry()
+
+    def hurry(self) -> None:
+        """Compare the list with the next picture."""
+        self._list_due = 0
 
     def close(self) -> None:
         """No more."""
@@ -68,13 +79,16 @@ class Stream:
             scene = stage.update()
             changes = scene.whole() if whole else scene.changes()
             view = self._view(whole)
+            follow = self.panel.follows()
         self._tell_list()
         pictures, images = self._images()
-        if not (changes or whole or view or pictures):
+        goes = follow != self._followed
+        if not (changes or whole or view or pictures or goes):
             return
+        self._followed = follow
         message, buffers = packed(changes)
         self._sent += 1
-        message |= {"type": "scene", "n": self._sent, "whole": whole, "view": view, "images": pictures}
+        message |= {"type": "scene", "n": self._sent, "whole": whole, "view": view, "images": pictures, "follow": follow}
         if not self._closed:
             self.panel.send(message, buffers=[*buffers, *images])
 
@@ -84,7 +98,10 @@ class Stream:
         if self._fitted and not whole:
             return None
         self._fitted = stage.seen() and stage.scene.bounds() is not None
-        return stage.camera().as_dict() if self._fitted or whole else None
+        if not (self._fitted or whole):
+            return None
+        anew, self._anew = self._anew, False
+        return {**stage.camera().as_dict(), "anew": anew}
 
     def _tell_list(self) -> None:
         now = self.panel.session.clock.steady()

@@ -17,6 +17,8 @@ Key = tuple[str, str]
 HERE: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 FULL: Scale = (1.0, 1.0, 1.0)
 _CLOSE = 1e-7
+_REMEMBERED = 2000
+"""Numbers of so many things that went are known at least: a page may click what has just been replaced."""
 
 
 @dataclass
@@ -27,6 +29,8 @@ class Thing:
     shapes: tuple[Shape, ...]
     pose: Pose = HERE
     scale: Scale = FULL
+    solid: str = ""
+    """The robot it is a part of, which has a soft shadow on the floor; '': none"""
 
 
 @dataclass
@@ -56,11 +60,14 @@ class Scene:
     def __init__(self) -> None:
         self.things: dict[Key, Thing] = {}
         self._count = 0
+        self._keys: dict[int, Key] = {}
         self._gone: list[int] = []
         self._made: dict[int, Thing] = {}
         self._moved: dict[int, Thing] = {}
 
-    def put(self, display: str, name: str, *shapes: Shape, pose: Pose | None = None, scale: Scale = FULL) -> None:
+    def put(
+        self, display: str, name: str, *shapes: Shape, pose: Pose | None = None, scale: Scale = FULL, solid: str = ""
+    ) -> None:
         """Give a thing these shapes, in place of those it had; `pose` in the fixed frame."""
         old = self.things.get((display, name))
         if old is None or not _replaces(shapes, old.shapes):
@@ -68,10 +75,11 @@ class Scene:
                 self._forget(old)
             self._count += 1
             number = self._count
+            self._remember(number, (display, name))
         else:
             number = old.number
             self._moved.pop(number, None)
-        thing = Thing(number, shapes, pose or (old.pose if old is not None else HERE), scale)
+        thing = Thing(number, shapes, pose or (old.pose if old is not None else HERE), scale, solid)
         self.things[display, name] = self._made[thing.number] = thing
 
     def place(self, display: str, name: str, pose: Pose, scale: Scale = FULL) -> None:
@@ -82,6 +90,23 @@ class Scene:
         thing.pose, thing.scale = pose, scale
         if thing.number not in self._made:
             self._moved[thing.number] = thing
+
+    def _remember(self, number: int, key: Key) -> None:
+        self._keys[number] = key
+        if len(self._keys) > 2 * (len(self.things) + _REMEMBERED):
+            kept = {thing.number for thing in self.things.values()} | set(list(self._keys)[-_REMEMBERED:])
+            self._keys = {one: of for one, of in self._keys.items() if one in kept}
+
+    def key_of(self, number: int) -> Key | None:
+        """Whose number that is, or was until it was replaced; None: not known.
+
+        >>> scene = Scene()
+        >>> scene.put("scan", "dots", Label("old"))
+        >>> scene.put("scan", "dots", Label("new"))
+        >>> scene.key_of(1), scene.key_of(7)
+        (('scan', 'dots'), None)
+        """
+        return self._keys.get(number)
 
     def has(self, display: str, name: str) -> bool:
         """Whether a thing is there."""

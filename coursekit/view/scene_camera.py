@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,11 +42,8 @@ class Camera:
         return {"distance": self.distance, "yaw": self.yaw, "pitch": self.pitch, "target": list(self.target)}
 
 
-def camera_of(view: Mapping[str, Any] | None, scene: Scene, keys: list[str], nearest: float = 0.5) -> Camera:
-    """The camera of a configuration; without one, one that shows the things of these displays from not too near [m]."""
-    if view:
-        x, y, z = view["target"]
-        return Camera(view["distance"], view["yaw"], view["pitch"], (x, y, z))
+def camera_of(scene: Scene, keys: list[str], nearest: float = 0.5) -> Camera:
+    """One that shows the things of these displays from not too near [m]."""
     bounds = scene.bounds(keys)
     if bounds is None:
         return Camera()

@@ -40,13 +40,14 @@ class Lines:
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Dots of `size` metres; `colours` (n, 3) goes before `colour`."""
+    """Dots of `size` metres, or pixels of the screen; `colours` (n, 3) goes before `colour`."""
 
     points: np.ndarray
     """(n, 3) [m]"""
     size: float
     colour: Colour
     colours: np.ndarray | None = None
+    pixels: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Mapping
 from typing import Any
 
 from coursekit.nodes.rviz.config import Config, DisplayConfig
-from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.nodes.rviz.kinds import QOS
+from coursekit.nodes.rviz.properties import changed
 from coursekit.suggestions import similar
 from coursekit.tf import ExtrapolationException, Pose, TransformException
 
@@ -14,6 +16,7 @@ from .displays import Display, NoTransform, NotYet, make_display
 from .displays.image import Image
 from .displays.robot_model import RobotModel
 from .frame_listening import listen_to_frames
+from .looking import Looking
 from .scene import HERE, Scene
 from .scene_camera import Camera, camera_of
 from .scene_still import Still
@@ -35,6 +38,7 @@ class Stage:
         self.buffer = listen_to_frames(node)
         self.displays: list[Display] = []
         self.lock = threading.RLock()
+        self.looking = Looking(self)
         self._guessed = ""
         self._count = 0
         for one in config.displays:
@@ -44,18 +48,23 @@ class Stage:
 
     def add(self, config: DisplayConfig) -> Display:
         """One more."""
-        self._count += 1
-        made = make_display(config, self._count)
-        made.connect(self.node)
-        self.displays.append(made)
-        return made
+        with self.lock:
+            self._count += 1
+            made = make_display(config, self._count)
+            made.connect(self.node)
+            self.displays.append(made)
+            return made
+
+    def names(self) -> list[str]:
+        """The names of the displays."""
+        return [one.config.name for one in self.displays]
 
     def find(self, name: str) -> Display:
         """The display of that name; LookupError, which names those that there are."""
         for one in self.displays:
             if one.config.name == name:
                 return one
-        known = ", ".join(one.config.name for one in self.displays) or "none"
+        known = ", ".join(self.names()) or "none"
         raise LookupError(f"There is no display '{name}'. There are: {known}")
 
     def switch(self, display: Display, on: bool) -> None:
@@ -71,6 +80,22 @@ class Stage:
         with self.lock:
             display.config.topic = topic if topic.startswith("/") else f"/{topic}"
             self.switch(display, display.config.enabled)
+
+    def remove(self, display: Display) -> None:
+        """Show it no longer."""
+        with self.lock:
+            display.disconnect(self.node)
+            self.scene.clear(display.key)
+            self.displays.remove(display)
+
+    def change(self, display: Display, options: Mapping[str, Any]) -> None:
+        """Change some of its options; ValueError names what cannot be. What is shown stays, with its new looks."""
+        with self.lock:
+            display.config.options = changed(display.config, options)
+            if set(options) & set(QOS):
+                self.switch(display, display.config.enabled)
+            else:
+                display.redraw(self.scene)
 
     # -- frames
 
@@ -184,28 +209,6 @@ class Stage:
             return "Error", f"Fixed Frame: frame [{self.fixed_frame}] does not exist. {_there(sorted(self.buffer.frames))}"
         return "Ok", ""
 
-    def why_nothing(self, display: Display) -> str:
-        """Why no message comes on a display's topic."""
-        topic, wanted = display.config.topic, KINDS[display.kind].type
-        resolved = dict(self.node.get_topic_names_and_types())
-        if self.node.count_publishers(topic):
-            types = [one for one in resolved.get(topic, []) if one != wanted]
-            if types:
-                return f"{topic} has the type {types[0]}, not {wanted}"
-            return self._unfit(display) or f"{topic} has a publisher that has not published yet"
-        others = sorted(name for name, kinds in resolved.items() if wanted in kinds and self.node.count_publishers(name))
-        return f"Nobody publishes {topic}." + (f" There is: {', '.join(others[:4])}" if others else "")
-
-    def _unfit(self, display: Display) -> str:
-        """Which publisher's QoS does not fit what a display asks for, in rclpy's words."""
-        from rclpy.qos import QoSCompatibility, qos_check_compatible
-
-        for one in self.node.get_publishers_info_by_topic(display.config.topic):
-            verdict, reason = qos_check_compatible(one.qos_profile, display.quality)
-            if verdict == QoSCompatibility.ERROR:
-                return f"The QoS of {one.node_name} on {display.config.topic} does not fit: {reason.strip(' ;')}"
-        return ""
-
     def robots(self) -> list[RobotModel]:
         """The displays of robots that are on."""
         return [one for one in self.displays if isinstance(one, RobotModel) and one.config.enabled]
@@ -224,14 +227,17 @@ class Stage:
     def seen(self) -> bool:
         """Whether what one looks at is there: a robot, where any is shown."""
         robots = self.robots()
-        return bool(self.config.view) or not robots or any(one.poses for one in robots)
+        return self.looking.camera() is not None or not robots or any(one.poses for one in robots)
 
     def camera(self) -> Camera:
-        """From where to look: as configured, else so that all but floors and clouds is seen; far enough if robots move."""
+        """From where to look: as told, else so that all but floors and clouds is seen; far enough if robots move."""
+        told = self.looking.camera()
+        if told is not None:
+            return told
         at_home = any(one.robot is not None and self.fixed_frame in one.robot.links for one in self.robots())
         wide = ("Grid", "Map", "LaserScan", "PointCloud2")
         keys = self.keys("RobotModel") if at_home else [one.key for one in self.displays if one.kind not in wide]
-        return camera_of(self.config.view, self.scene, keys, 0.5 if at_home else ROOM)
+        return camera_of(self.scene, keys, 0.5 if at_home else ROOM)
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
         """A still picture of what is shown now."""

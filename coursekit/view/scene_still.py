@@ -98,7 +98,8 @@ class Still:
         pixels = self._pixels(seen)
         for index in np.nonzero(seen[:, 2] > NEAR)[0]:
             depth = float(seen[index, 2])
-            radius = max(1.0 * FINE, shape.size / 2 / depth * self.zoom)
+            wide = shape.size * FINE if shape.pixels else shape.size / depth * self.zoom
+            radius = max(1.0 * FINE, wide / 2)
             red, green, blue = map(float, paints[index])
             self._parts.append((depth, pixels[index : index + 1], (blue, green, red), 1.0, radius))
 

@@ -31,7 +31,8 @@ def packed(changes: Changes) -> tuple[dict[str, Any], list[bytes]]:
             else:
                 commands.append(_command(f"/scene/{thing.number}/{index}", shape))
     poses = np.array([_numbers(thing) for thing in (*changes.made, *changes.moved)], dtype="<f8")
-    return {"gone": changes.gone, "labels": labels}, [poses.tobytes(), *commands]
+    solid = [[thing.number, thing.solid] for thing in changes.made if thing.solid]
+    return {"gone": changes.gone, "labels": labels, "solid": solid}, [poses.tobytes(), *commands]
 
 
 def _numbers(thing: Thing) -> tuple[float, ...]:
@@ -100,7 +101,7 @@ def _points(path: str, shape: Points) -> dict[str, Any]:
     attributes = {"position": _array(shape.points)}
     if shape.colours is not None:
         attributes["color"] = _array(shape.colours)
-    look = {"type": "PointsMaterial", "size": shape.size, "sizeAttenuation": True}
+    look = {"type": "PointsMaterial", "size": shape.size, "sizeAttenuation": not shape.pixels}
     return _object(path, "Points", attributes, {**look, **_paint(shape.colour, shape.colours)})
 
 

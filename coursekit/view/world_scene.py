@@ -153,7 +153,7 @@ class WorldScene:
 
     def camera(self) -> Camera:
         """From above the south, so that all things are seen."""
-        camera = camera_of(None, self.scene, [THINGS, ROBOTS], 3.0)
+        camera = camera_of(self.scene, [THINGS, ROBOTS], 3.0)
         return Camera(camera.distance * 0.7, -math.pi / 2, 1.05, camera.target)
 
     def names(self) -> dict[int, str]:

@@ -199,9 +199,9 @@ def test_a_mesh_without_its_texture_is_drawn_plain_and_told_in_one_line(session,
 
 def test_a_topic_that_cannot_be_is_told_and_may_be_mended(session, talker):
     panel = viewer(fixed_frame="map", displays=["LaserScan /front scan"])
-    panel._hear(panel, {"type": "topic", "row": 0, "topic": "/front-scan"}, [])
+    panel._hear(panel, {"type": "topic", "row": "1", "topic": "/front-scan"}, [])
     assert "Error subscribing: Invalid topic name" in panel.status("LaserScan")
-    panel._hear(panel, {"type": "topic", "row": 0, "topic": "/front"}, [])
+    panel._hear(panel, {"type": "topic", "row": "1", "topic": "/front"}, [])
     said(talker, LaserScan, "/front", ranges=[1.0], range_max=5.0)
     session.clock.sleep(0.1)
     assert panel.status("LaserScan").startswith("Ok")

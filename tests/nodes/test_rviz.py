@@ -80,7 +80,7 @@ def test_what_navigations_file_says_of_topics_and_looks_is_taken_over(tmp_path):
     assert (robot.topic, robot.options["durability"]) == ("/robot_description", "")
     assert [scan.options[key] for key in ("depth", "reliability", "durability")] == [7, "Best Effort", "Volatile"]
     assert (scan.options["decay_time"], scan.options["color_transformer"]) == (2, "Intensity")
-    assert scan.options["size"] == 0.03, "points are counted in pixels"
+    assert (scan.options["style"], scan.options["size_pixels"]) == ("Points", 3), "that style counts in pixels"
     assert (voxels.topic, voxels.options["style"], voxels.options["size"]) == ("/voxels", "Boxes", 0.05)
     assert (swarm.kind, swarm.options["reliability"]) == ("ParticleCloud", "Best Effort")
     assert [wheels.options[key] for key in ("shape", "color", "alpha", "shaft_length")] == ["Arrow", [1, 2, 3], 0.5, 2]

@@ -105,7 +105,7 @@ def test_the_camera_sees_what_it_looks_at_in_the_middle():
     assert np.allclose(camera.seen(np.array([[1.0, 2.0, 3.0]])), [[0.0, 0.0, 4.0]])
     scene = Scene()
     scene.put("a", "one", cube(2.0), pose=(5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
-    assert np.allclose(camera_of(None, scene, ["a"]).target, (5.0, 0.0, 0.0))
+    assert np.allclose(camera_of(scene, ["a"]).target, (5.0, 0.0, 0.0))
 
 
 def picture(scene, camera=Camera(4.0), below=()):

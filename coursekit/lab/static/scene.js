@@ -1,5 +1,6 @@
 // A scene in 3D: MeshCat draws what Python sends; this adds labels, the camera, and where the pointer is on the floor.
 const FIELD = 45;
+const REACH = 6; // pixels beside a dot or a line that still hit it
 
 // MeshCat's own code, once per page: Python sends it, it is not part of any widget's state.
 function meshcat(model) {
@@ -28,8 +29,10 @@ class Scene {
     const view = this.view = new library.Viewer(pane);
     view.gui.domElement.style.display = "none";
     for (const name of ["Grid", "Axes"]) view.scene_tree.find([name]).object.visible = false;
-    Object.assign(view.scene_tree.find(["Background"]).object, { top_color: [245, 247, 250], bottom_color: [221, 226, 232] });
-    view.show_background();
+    this.deaf = followTheme(view);
+    dotsStaySeen(library.THREE);
+    this.shadows = new Shadows(library.THREE, view);
+    this.after = []; // called when a picture was drawn
     view.camera.fov = FIELD;
     view.camera.far = 500;
     const resize = view.set_3d_pane_size.bind(view);
@@ -37,7 +40,7 @@ class Scene {
     this.watcher = new ResizeObserver(() => view.set_3d_pane_size());
     this.watcher.observe(pane);
     const render = view.render.bind(view);
-    view.render = () => { render(); this.placeTexts(); };
+    view.render = () => { render(); this.placeTexts(); this.after.forEach((one) => one()); };
     view.controls.addEventListener("start", () => { this.touched = true; });
     this.vector = () => view.camera.position.clone();
   }
@@ -60,9 +63,11 @@ class Scene {
       this.view.delete_path(["scene"]);
       this.texts.forEach((text) => text.element.remove());
       this.texts.clear();
+      this.shadows.clear();
     }
     for (const number of message.gone) {
       this.view.delete_path(["scene", String(number)]);
+      this.shadows.gone(number);
       for (const [key, text] of this.texts) if (text.of === number) { text.element.remove(); this.texts.delete(key); }
     }
     for (const command of commands) this.view.handle_command_bytearray(command);
@@ -72,31 +77,49 @@ class Scene {
       object.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 7]);
       object.scale.set(poses[at + 8], poses[at + 9], poses[at + 10]);
     }
+    this.shadows.add(message.solid);
+    if (poses.length) this.shadows.place((number) => this.node(number));
+    const fresh = [];
     message.labels.forEach((label, index) => {
       const element = make("span", { className: label.height ? "ck-text ck-big" : "ck-text", textContent: label.text });
       if (label.height) element.style.color = label.colour;
       if (label.light) element.classList.add("ck-light");
       this.labels.append(element);
-      this.texts.set(`${label.of} ${index} ${message.n}`, { element, of: label.of, height: label.height });
+      const text = { element, of: label.of, height: label.height, kept: false };
+      this.texts.set(`${label.of} ${index} ${message.n}`, text);
+      if (!label.height) fresh.push(text);
     });
+    for (const text of fresh) Object.assign(text, { width: text.element.offsetWidth, rows: text.element.offsetHeight });
     this.view.set_dirty();
   }
 
   placeTexts() {
-    const { camera, dom_element: pane } = this.view;
+    const { dom_element: pane } = this.view;
     const zoom = pane.clientHeight / 2 / Math.tan((FIELD * Math.PI) / 360);
-    for (const { element, of, height } of this.texts.values()) {
-      const place = this.node(of).object.getWorldPosition(this.vector());
-      const depth = -place.clone().applyMatrix4(camera.matrixWorldInverse).z;
-      place.project(camera);
-      const seen = depth > 0.02 && Math.abs(place.x) < 1.2 && Math.abs(place.y) < 1.2;
+    const names = [];
+    for (const text of this.texts.values()) {
+      const { element, of, height } = text;
+      const { x, y, depth, seen } = this.onScreen(this.node(of).object.getWorldPosition(this.vector()));
       element.style.display = seen ? "" : "none";
-      if (!seen) continue;
+      if (!seen) { text.kept = false; continue; }
       if (height) element.style.fontSize = `${Math.min(200, (height / depth) * zoom)}px`;
-      const x = ((place.x + 1) / 2) * pane.clientWidth, y = ((1 - place.y) / 2) * pane.clientHeight;
+      else names.push({ text, x, y, depth });
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
+    thinOut(names);
   }
+
+  // Where a place of MeshCat's world is in the picture, in pixels, and how far ahead.
+  onScreen(place) {
+    const { camera, dom_element: pane } = this.view;
+    const depth = -place.clone().applyMatrix4(camera.matrixWorldInverse).z;
+    place.project(camera);
+    const seen = depth > 0.02 && Math.abs(place.x) < 1.2 && Math.abs(place.y) < 1.2;
+    return { x: ((place.x + 1) / 2) * pane.clientWidth, y: ((1 - place.y) / 2) * pane.clientHeight, depth, seen };
+  }
+
+  // Where a point [x, y, z] of the fixed frame is in the picture.
+  pixel([x, y, z]) { return this.onScreen(this.vector().set(x, z, -y)); }
 
   // MeshCat's world has y up: (x, y, z) of ROS is (x, z, -y) there.
   look({ distance, yaw, pitch, target: [x, y, z] }) {
@@ -110,19 +133,61 @@ class Scene {
     this.view.set_dirty();
   }
 
-  // The number of the nearest thing under the pointer among those that `may(number)` allows; null where there is none.
-  thing(event, may) {
-    const { camera, dom_element: pane } = this.view;
+  // From where it is looked now, as `look` takes it.
+  lookedFrom() {
+    const { camera, controls } = this.view;
+    const { x, y, z } = camera.position.clone().sub(controls.target), distance = Math.hypot(x, y, z);
+    const at = controls.target;
+    return { distance, yaw: Math.atan2(-z, x), pitch: Math.asin(y / distance), target: [at.x, -at.z, at.y] };
+  }
+
+  // The camera stays where it is and looks at a point; from now on it turns about that.
+  focus([x, y, z]) {
+    const { controls } = this.view;
+    this.touched = true;
+    controls.target.set(x, z, -y);
+    controls.update();
+    this.view.set_dirty();
+    controls.dispatchEvent({ type: "end" });
+  }
+
+  // The camera goes with what it follows, [x, y, z, yaw]; null: it stands.
+  follow(place) {
+    const last = this.followed;
+    this.followed = place;
+    if (!last || !place) return;
+    const [from, to] = [last, place].map(([x, y, z]) => this.vector().set(x, z, -y));
+    const { camera, controls } = this.view;
+    for (const one of [controls.target, camera.position]) {
+      const away = one.clone().sub(from), [cos, sin] = [Math.cos(place[3] - last[3]), Math.sin(place[3] - last[3])];
+      one.set(to.x + away.x * cos + away.z * sin, to.y + away.y, to.z + away.z * cos - away.x * sin);
+    }
+    controls.update();
+    this.view.set_dirty();
+  }
+
+  // What of the scene is under the pointer, the nearest first: its number and where, in the fixed frame; null where nothing is.
+  hit(event, may = () => true) {
+    const { camera, controls, dom_element: pane } = this.view;
     const box = pane.getBoundingClientRect();
     const at = { x: ((event.clientX - box.left) / box.width) * 2 - 1, y: 1 - ((event.clientY - box.top) / box.height) * 2 };
+    camera.updateMatrixWorld();
     this.rays.setFromCamera(at, camera);
+    const near = (REACH / box.height) * 2 * Math.tan((FIELD * Math.PI) / 360) * camera.position.distanceTo(controls.target);
+    this.rays.params.Points.threshold = this.rays.params.Line.threshold = near;
     const numbers = new Map(Object.entries(this.view.scene_tree.find(["scene"]).children).map(([number, node]) => [node.object, number]));
-    for (const { object } of this.rays.intersectObjects([...numbers.keys()], true)) {
+    for (const { object, point } of this.rays.intersectObjects([...numbers.keys()], true)) {
       let one = object;
       while (one && !numbers.has(one)) one = one.parent;
-      if (one && may(numbers.get(one))) return numbers.get(one);
+      if (one && may(numbers.get(one))) return { number: Number(numbers.get(one)), at: [point.x, -point.z, point.y], object };
     }
     return null;
+  }
+
+  // The number of the nearest thing under the pointer among those that `may(number)` allows; null where there is none.
+  thing(event, may) {
+    const found = this.hit(event, may);
+    return found === null ? null : String(found.number);
   }
 
   // Where the floor, z = 0 of the fixed frame, is under the pointer; null above the horizon.
@@ -139,6 +204,7 @@ class Scene {
 
   close() {
     this.watcher.disconnect();
+    this.deaf();
     this.view.animate = () => {};
     this.view.renderer.dispose();
     this.view.renderer.forceContextLoss();
@@ -163,7 +229,8 @@ function wheelIsThePages(stage) {
 // Draws what Python streams; two buttons lead the camera. `ready(scene, library)` is called once MeshCat is there, `pictures` with
 // what is shown beside the scene. Gives the function that ends it.
 function drawScene(model, { panel, pane, labels, corner, ready, pictures = () => {} }) {
-  const home = make("button", { textContent: "Reset view" }), top = make("button", { textContent: "From above" });
+  const home = make("button", { textContent: "Reset view", title: "look from where it was at first" });
+  const top = make("button", { textContent: "From above", title: "look straight down" });
   corner.append(home, top);
   const early = [];
   let scene = null, view = null, closed = false;
@@ -174,7 +241,11 @@ function drawScene(model, { panel, pane, labels, corner, ready, pictures = () =>
     const count = buffers.length - message.images.length;
     scene.apply(message, new Float64Array(bytes(buffers[0]).slice().buffer), buffers.slice(1, count).map(bytes));
     pictures(message.images, buffers.slice(count));
-    if (message.view) { view = message.view; if (!scene.touched) scene.look(view); }
+    if (message.view) {
+      view = message.view;
+      if (!scene.touched || view.anew) { scene.look(view); scene.followed = null; }
+    }
+    scene.follow(message.follow);
     panel.dataset.messages = message.n;
     requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
   };
@@ -183,8 +254,12 @@ function drawScene(model, { panel, pane, labels, corner, ready, pictures = () =>
     if (closed) return;
     panel.viewer = scene = new Scene(library, pane, labels);
     ready(scene, library);
-    home.addEventListener("click", () => { scene.touched = false; if (view) scene.look(view); });
-    top.addEventListener("click", () => { scene.touched = true; if (view) scene.look({ ...view, pitch: Math.PI / 2, yaw: -Math.PI / 2 }); });
+    home.addEventListener("click", () => { scene.touched = false; model.send({ type: "home" }); });
+    top.addEventListener("click", () => {
+      scene.touched = true;
+      scene.look({ ...scene.lookedFrom(), pitch: Math.PI / 2, yaw: -Math.PI / 2 });
+      scene.view.controls.dispatchEvent({ type: "end" });
+    });
     for (const [message, buffers] of early.splice(0)) hear(message, buffers);
     model.send({ type: "open" });
   });

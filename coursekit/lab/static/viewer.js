@@ -1,63 +1,51 @@
-// The viewer: MeshCat draws what Python sends; this adds the list of displays, RViz's tools and the camera.
-const TOOLS = { goal: "2D Goal Pose", estimate: "2D Pose Estimate", point: "Publish Point" };
+// The viewer: MeshCat draws what Python sends; around it the list of displays, RViz's tools and the camera.
 const NARROW = 620; // pixels of a viewer below which the list of displays is folded at first
-const LEVELS = ["Ok", "Warn", "Error"];
+const AIM = `<svg width="100%" height="100%"><defs><marker id="ck-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5"
+  orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs><line class="ck-drag" style="display:none" marker-end="url(#ck-tip)"/>
+  <line class="ck-ruler" style="display:none"/><circle class="ck-ring" r="7" style="display:none"/></svg>`;
 
-// A tool in use: press where, drag whither; Python publishes.
-function useTools(stage, scene, buttons, model) {
-  let tool = null, start = null;
-  const line = stage.querySelector("line");
-  const choose = (name) => {
-    tool = tool === name ? null : name;
-    for (const [key, button] of Object.entries(buttons)) button.setAttribute("aria-pressed", String(key === tool));
-    scene.view.controls.enabled = tool === null;
-    stage.classList.toggle("ck-aiming", tool !== null);
+// What there may be of displays; Python is asked once.
+function knownKinds(model) {
+  let known = null, hear = null;
+  const kinds = () => {
+    known ??= new Promise((resolve) => { hear = resolve; model.send({ type: "kinds" }); });
+    return known;
   };
-  const inside = (event) => { const box = stage.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };
-  const draw = (event) => {
-    const [x, y] = inside(event);
-    line.setAttribute("x2", x); line.setAttribute("y2", y);
-  };
-  const cover = stage.querySelector("svg");
-  cover.addEventListener("pointerdown", (event) => {
-    const place = tool && scene.floor(event);
-    if (!place) return;
-    event.preventDefault();
-    cover.setPointerCapture(event.pointerId);
-    if (tool === "point") { model.send({ type: "tool", tool, ...place, z: 0 }); choose(tool); return; }
-    start = place;
-    const [x, y] = inside(event);
-    line.setAttribute("x1", x); line.setAttribute("y1", y);
-    draw(event);
-    line.style.display = "";
-  });
-  cover.addEventListener("pointermove", (event) => start && draw(event));
-  cover.addEventListener("pointerup", (event) => {
-    if (!start) return;
-    const end = scene.floor(event) ?? start;
-    const yaw = Math.atan2(end.y - start.y, end.x - start.x);
-    model.send({ type: "tool", tool, ...start, yaw });
-    start = null;
-    line.style.display = "none";
-    choose(tool);
-  });
-  return choose;
+  return { kinds, hear: (message) => hear?.(message.kinds) };
 }
 
-function rowOf(row, model) {
-  const box = make("input", { type: "checkbox", checked: row.on, onchange: () => model.send({ type: "switch", row: row.row, on: box.checked }) });
-  const dot = make("span", { className: `ck-dot ck-${row.level}`, title: row.level });
-  const parts = [make("label", {}, box, make("b", { textContent: row.name })), dot];
-  if (row.topic !== null) {
-    const topic = make("input", { type: "text", value: row.topic, className: "ck-topic", spellcheck: false,
-      onchange: () => model.send({ type: "topic", row: row.row, topic: topic.value }) });
-    topic.setAttribute("aria-label", `topic of ${row.name}`);
-    parts.push(topic);
-  }
-  const worst = row.lines.filter((line) => line.level === row.level);
-  const lines = row.level === "Ok" ? worst.filter((line) => !line.text.endsWith(" OK")).slice(-1) : worst;
-  for (const line of lines) parts.push(make("div", { className: `ck-say ck-${line.level}`, textContent: line.text, title: `${line.what}: ${line.level}` }));
-  return make("div", { className: "ck-row" }, ...parts);
+// The list is folded where there is little room, until somebody wishes otherwise.
+function foldable(panel, button) {
+  let chosen = false;
+  const folded = (wish) => {
+    chosen ||= wish !== undefined;
+    if (!panel.clientWidth || (chosen && wish === undefined)) return;
+    const now = wish ?? panel.clientWidth < NARROW;
+    panel.classList.toggle("ck-folded", now);
+    button.setAttribute("aria-expanded", String(!now));
+  };
+  button.addEventListener("click", () => folded(!panel.classList.contains("ck-folded")));
+  const sizes = new ResizeObserver(() => folded());
+  sizes.observe(panel);
+  return sizes;
+}
+
+// Pictures of cameras, in the corner.
+function cornerPictures(element) {
+  const images = new Map();
+  const show = (names, buffers) => names.forEach((name, index) => {
+    let shown = images.get(name);
+    if (!shown) {
+      const image = make("img", { alt: name, draggable: false });
+      shown = { image, card: make("figure", {}, image, make("figcaption", { textContent: name })) };
+      images.set(name, shown);
+      element.append(shown.card);
+    }
+    if (shown.address) URL.revokeObjectURL(shown.address);
+    shown.image.src = shown.address = URL.createObjectURL(new Blob([buffers[index]], { type: "image/jpeg" }));
+  });
+  const only = (names) => { for (const [name, { card }] of images) card.hidden = !names.has(name); };
+  return { show, only, end: () => { for (const { address } of images.values()) URL.revokeObjectURL(address); } };
 }
 
 export default {
@@ -65,75 +53,61 @@ export default {
     const { panel, head, body } = frame(el, "viewer", "Viewer");
     panel.classList.add("ck-scene");
     const fixed = make("select", { onchange: () => model.send({ type: "fix", frame: fixed.value }) });
-    const buttons = Object.fromEntries(Object.entries(TOOLS).map(([name, text]) => [name, make("button", { textContent: text })]));
+    const tools = toolButtons(TOOLS), picks = toolButtons(PICKS);
     const worst = make("span", { className: "ck-dot" });
-    const fold = make("button", { title: "show or hide the list of displays", onclick: () => folded(panel.clientWidth, !panel.classList.contains("ck-folded")) },
-      "Displays", worst);
-    let chosen = false;
-    const folded = (width, wish) => {
-      chosen ||= wish !== undefined;
-      if (!width || (chosen && wish === undefined)) return;
-      const now = wish ?? width < NARROW;
-      panel.classList.toggle("ck-folded", now);
-      fold.setAttribute("aria-expanded", String(!now));
-    };
-    const sizes = new ResizeObserver(() => folded(panel.clientWidth));
-    sizes.observe(panel);
-    head.append(fold, make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(buttons));
-    const list = make("div", { className: "ck-list" }), pane = make("div", { className: "ck-pane" });
-    const labels = make("div", { className: "ck-labels" }), pictures = make("div", { className: "ck-pictures" });
-    const aim = make("div", { className: "ck-aim" });
-    aim.innerHTML = '<svg width="100%" height="100%"><defs><marker id="ck-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs><line style="display:none" marker-end="url(#ck-tip)"/></svg>';
-    const told = make("div", { className: "ck-told" });
-    const corner = make("div", { className: "ck-corner" });
-    const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, aim, pictures, told, corner);
+    const fold = make("button", { title: "show or hide the list of displays" }, "Displays", worst);
+    const sizes = foldable(panel, fold);
+    head.append(fold, make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(tools));
+    const { kinds, hear } = knownKinds(model);
+    const adding = addDialog(model, kinds), saving = saveDialog(model), views = viewsCard(model);
+    const rows = make("div", { className: "ck-rows" });
+    const list = make("div", { className: "ck-list" }, rows, make("div", { className: "ck-foot" }, adding.button, saving.button));
+    const displays = new DisplayList(model, rows, kinds);
+    const pane = make("div", { className: "ck-pane" }), labels = make("div", { className: "ck-labels" });
+    const pictures = make("div", { className: "ck-pictures" }), beside = cornerPictures(pictures);
+    const aim = make("div", { className: "ck-aim", innerHTML: AIM });
+    const told = make("div", { className: "ck-told" }), hint = make("div", { className: "ck-hint" });
+    hint.setAttribute("role", "status");
+    const picked = make("div", { className: "ck-picked", hidden: true }, make("b"), make("button", { textContent: "×", ariaLabel: "Close the selection",
+      onclick: () => model.send({ type: "pick", number: null, at: null }) }), make("dl"));
+    const corner = make("div", { className: "ck-corner" }), left = make("div", { className: "ck-corner ck-left" }, ...Object.values(picks));
+    const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, aim, pictures, told, hint, left, corner, picked,
+      views.shown, adding.shown, saving.shown);
     body.append(list, stage);
     wheelIsThePages(stage);
-    const images = new Map();
-    let rows = "";
+    let selection = null, calm = () => {}, last = null;
 
-    const showImages = (names, buffers) => names.forEach((name, index) => {
-      let shown = images.get(name);
-      if (!shown) {
-        const image = make("img", { alt: name, draggable: false });
-        shown = { image, card: make("figure", {}, image, make("figcaption", { textContent: name })) };
-        images.set(name, shown);
-        pictures.append(shown.card);
-      }
-      if (shown.address) URL.revokeObjectURL(shown.address);
-      shown.image.src = shown.address = URL.createObjectURL(new Blob([buffers[index]], { type: "image/jpeg" }));
-    });
     const show = (message) => {
+      last = message;
       stage.style.height = list.style.maxHeight = `${message.height}px`;
       const frames = message.frames.includes(message.fixed) ? message.frames : [message.fixed, ...message.frames];
       if (fixed.dataset.frames !== frames.join()) {
         fixed.replaceChildren(...frames.map((name) => make("option", { value: name, textContent: name })));
         fixed.dataset.frames = frames.join();
       }
-      fixed.value = message.fixed;
+      if (document.activeElement !== fixed) fixed.value = message.fixed;
       told.textContent = message.told;
-      const text = JSON.stringify([message.rows, message.level, message.remark, message.skipped]);
-      if (text === rows || list.contains(document.activeElement) && document.activeElement.matches(".ck-topic")) return;
-      rows = text;
-      const levels = [message.level, ...message.rows.filter((row) => row.on).map((row) => row.level)];
-      worst.className = `ck-dot ck-${levels.reduce((one, other) => LEVELS.indexOf(other) > LEVELS.indexOf(one) ? other : one, "Ok")}`;
-      const wrong = message.remark ? [make("div", { className: `ck-say ck-${message.level}`, textContent: message.remark })] : [];
-      const skipped = message.skipped.map((name) => make("div", { className: "ck-say", textContent: `not known here: ${name}` }));
-      list.replaceChildren(...wrong, ...message.rows.map((row) => rowOf(row, model)), ...skipped);
-      const on = new Set(message.rows.filter((row) => row.on).map((row) => row.name));
-      for (const [name, { card }] of images) card.hidden = !on.has(name);
+      worst.className = `ck-dot ck-${displays.show(message)}`;
+      beside.only(new Set(message.rows.filter((row) => row.on).map((row) => row.name)));
+      views.show(message);
+      selection?.show(message.picked);
     };
-    const ready = (scene) => {
-      const choose = useTools(stage, scene, buttons, model);
-      for (const name of Object.keys(buttons)) buttons[name].addEventListener("click", () => choose(name));
+    const ready = (scene, { THREE }) => {
+      const ruler = new Ruler(scene, aim, labels);
+      selection = new Selection(scene, THREE, aim, picked);
+      useTools(stage, scene, { ...picks, ...tools }, model, { ruler, hint });
+      calm = tellCamera(scene, model);
+      if (last) show(last);
     };
-    const end = drawScene(model, { panel, pane, labels, corner, ready, pictures: showImages });
-    const deaf = listen(model, { shown: show });
+    const end = drawScene(model, { panel, pane, labels, corner, ready, pictures: beside.show });
+    corner.append(views.button);
+    const deaf = listen(model, { shown: show, kinds: hear, topics: adding.hear });
     return () => {
       sizes.disconnect();
+      calm();
       deaf();
       end();
-      for (const { address } of images.values()) URL.revokeObjectURL(address);
+      beside.end();
     };
   },
 };

@@ -12,7 +12,10 @@ from coursekit.suggestions import did_you_mean
 from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
 _WORDS = {"reliability": RELIABILITIES, "durability": DURABILITIES}
-VIEWS = ("distance", "yaw", "pitch", "target")
+VIEW: dict[str, Any] = {"distance": 10.0, "yaw": 0.785, "pitch": 0.785, "target": [0.0, 0.0, 0.0]}
+VIEW_TYPES = ("Orbit", "ThirdPersonFollower")
+"""RViz's cameras that are known here; the second turns with its target frame."""
+VIEWS = (*VIEW, "target_frame", "type")
 
 
 @dataclass
@@ -29,13 +32,18 @@ class DisplayConfig:
 
 @dataclass
 class Config:
-    """A whole view; `view` holds distance [m], yaw and pitch [rad] and target [m, m, m], None: what fits."""
+    """A whole view; `view` holds distance [m], yaw and pitch [rad] and target [m, m, m], None: what fits.
+
+    With `target_frame` the target is in that frame and follows it; of `type` ThirdPersonFollower the yaw does, too.
+    """
 
     fixed_frame: str = ""
     displays: list[DisplayConfig] = field(default_factory=list)
     view: dict[str, Any] | None = None
     skipped: list[str] = field(default_factory=list)
     """Displays of an .rviz file that are not known here"""
+    views: dict[str, dict[str, Any]] = field(default_factory=dict)
+    """Points of view that were saved, by name"""
 
 
 def display_config(given: str | Mapping[str, Any] | DisplayConfig) -> DisplayConfig:
@@ -90,20 +98,34 @@ def _fits(like: Any, value: Any) -> bool:
 
 
 def make_config(
-    fixed_frame: str = "", displays: Iterable[str | Mapping[str, Any] | DisplayConfig] = (), view: Any = None
+    fixed_frame: str = "",
+    displays: Iterable[str | Mapping[str, Any] | DisplayConfig] = (),
+    view: Any = None,
+    views: Mapping[str, Any] | None = None,
 ) -> Config:
     """A view from its parts; raises ValueError."""
-    return Config(str(fixed_frame or ""), [display_config(one) for one in displays], _view(view))
+    saved = {str(name): one for name, given in (views or {}).items() if (one := make_view(given))}
+    return Config(str(fixed_frame or ""), [display_config(one) for one in displays], make_view(view), views=saved)
 
 
-def _view(given: Any) -> dict[str, Any] | None:
+def make_view(given: Any) -> dict[str, Any] | None:
+    """A point of view with all that it needs, None of nothing; raises ValueError."""
     if not given:
         return None
     if not isinstance(given, Mapping) or any(key not in VIEWS for key in given):
         raise ValueError(f"view: {given!r} cannot be read; it may have {', '.join(VIEWS)}.")
-    made: dict[str, Any] = {"distance": 10.0, "yaw": 0.785, "pitch": 0.785, "target": [0.0, 0.0, 0.0], **given}
+    made: dict[str, Any] = {**VIEW, **given}
     made["target"] = [float(one) for one in made["target"]]
-    return {key: value if key == "target" else float(value) for key, value in made.items()}
+    if len(made["target"]) != 3 or not all(map(math.isfinite, made["target"])):
+        raise ValueError(f"view: target {given['target']!r} is no point; write three numbers [m].")
+    if made.get("type", "Orbit") not in VIEW_TYPES:
+        raise ValueError(f"view: there is no type {made['type']!r}; there are {', '.join(VIEW_TYPES)}.")
+    numbers = {key: float(made[key]) for key in ("distance", "yaw", "pitch")}
+    if not all(map(math.isfinite, numbers.values())):
+        raise ValueError(f"view: {given!r} has a number that is none.")
+    frame = str(made.get("target_frame") or "")
+    follows = {"target_frame": frame, "type": made.get("type", "Orbit")} if frame else {}
+    return {**numbers, "target": made["target"], **follows}
 
 
-__all__ = ["Config", "DisplayConfig", "display_config", "make_config"]
+__all__ = ["VIEW_TYPES", "Config", "DisplayConfig", "display_config", "make_config", "make_view"]

@@ -12,6 +12,7 @@ from coursekit.files import read_text, write_whole
 from .config import Config, DisplayConfig, make_config
 from .kinds import KINDS, QOS
 from .rviz_file import from_rviz
+from .rviz_saving import to_rviz
 
 
 def read(path: str | Path, rooted: bool = True) -> Config:
@@ -29,19 +30,24 @@ def read(path: str | Path, rooted: bool = True) -> Config:
             for one in config.displays if rooted else ():
                 one.topic = one.topic if one.topic.startswith("/") or not KINDS[one.kind].type else f"/{one.topic}"
             return config
-        unknown = [key for key in data if key not in ("fixed_frame", "displays", "view")]
+        unknown = [key for key in data if key not in ("fixed_frame", "displays", "view", "views")]
         if unknown:
-            raise ValueError(f"'{unknown[0]}' is not known; there are fixed_frame, displays and view")
-        return make_config(data.get("fixed_frame", ""), data.get("displays") or [], data.get("view"))
+            raise ValueError(f"'{unknown[0]}' is not known; there are fixed_frame, displays, view and views")
+        return make_config(data.get("fixed_frame", ""), data.get("displays") or [], data.get("view"), data.get("views"))
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, yaml.YAMLError) as error:
         raise ValueError(f"{file} cannot be read as a viewer's configuration: {error}") from None
 
 
 def save(config: Config, path: str | Path) -> None:
-    """Write a view as small YAML: only what differs from the defaults."""
+    """Write a view: to a file that ends in .rviz as RViz does, else as small YAML of what differs from the defaults."""
+    if Path(path).suffix == ".rviz":
+        write_whole(path, yaml.safe_dump(to_rviz(config), sort_keys=False))
+        return
     data: dict[str, Any] = {"fixed_frame": config.fixed_frame, "displays": [_small(one) for one in config.displays]}
     if config.view:
         data["view"] = config.view
+    if config.views:
+        data["views"] = config.views
     write_whole(path, yaml.safe_dump(data, sort_keys=False, default_flow_style=None))
 
 

@@ -22,8 +22,8 @@ class Kind:
 
 _ARROW: dict[str, Any] = {"color": [255, 25, 0], "alpha": 1.0, "shape": "Arrow", "shaft_length": 1.0, "head_length": 0.3,
           "shaft_radius": 0.05, "head_radius": 0.1}  # fmt: skip
-_POINTS: dict[str, Any] = {"size": 0.02, "alpha": 1.0, "color": [255, 255, 255], "color_transformer": "", "decay_time": 0.0,
-           "style": "Flat Squares"}  # fmt: skip
+_POINTS: dict[str, Any] = {"size": 0.02, "size_pixels": 3, "alpha": 1.0, "color": [255, 255, 255], "color_transformer": "",
+           "decay_time": 0.0, "style": "Flat Squares"}  # fmt: skip
 _COVARIANCE = {"covariance": True, "axes_length": 1.0, "axes_radius": 0.1}
 _SCREW = {"alpha": 1.0, "arrow_width": 0.5, "hide_small_values": True}
 _TWIST = {**_SCREW, "linear_color": [204, 51, 51], "angular_color": [204, 204, 51], "linear_arrow_scale": 1.0,

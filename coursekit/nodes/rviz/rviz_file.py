@@ -6,11 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from .config import Config, DisplayConfig, display_config
+from .config import VIEW_TYPES, Config, DisplayConfig, display_config, make_view
 from .kinds import KINDS, QOS, kind_name
+from .rviz_saving import FIXED
 
 MOST_DISPLAYS = 500
-_RENAMED = {"size_(m)": "size"}
+_RENAMED = {"size_(m)": "size", "size_(pixels)": "size_pixels"}
 
 
 def from_rviz(data: Mapping[str, Any]) -> Config:
@@ -23,7 +24,11 @@ def from_rviz(data: Mapping[str, Any]) -> Config:
             config.skipped.append(f"{entry.get('Name', '?')} ({entry.get('Class', '?')})")
         else:
             config.displays.append(made)
-    config.view = _view((manager.get("Views") or {}).get("Current") or {})
+    views = manager.get("Views") or {}
+    config.view = _view(views.get("Current") or {})
+    for entry in (views.get("Saved") or [])[:MOST_DISPLAYS]:
+        if isinstance(entry, Mapping) and (view := _view(entry)):
+            config.views[str(entry.get("Name", "saved view"))] = view
     return config
 
 
@@ -91,8 +96,6 @@ def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
     like = {**QOS, **KINDS[kind].options}.get(key)
     if like is None or value is None:
         return
-    if key == "size" and given.get("style") == "Points":
-        return  # that style counts in pixels
     if isinstance(like, list) and isinstance(value, str):
         value = [int(one) for one in value.split(";") if one.strip().isdigit()]
     if key == "reference_frame" and value == "<Fixed Frame>":
@@ -105,17 +108,22 @@ def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
 
 
 def _view(current: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Numbers that are none, and cameras that are not known, give no view."""
     try:
         focus = current.get("Focal Point") or {}
-        target = [float(focus.get(axis, 0.0)) for axis in "XYZ"]
-        if str(current.get("Class", "")).endswith("/TopDownOrtho"):
-            target = [float(current.get(axis, 0.0)) for axis in "XY"] + [0.0]
+        kind = str(current.get("Class", "")).rpartition("/")[2]
+        given: dict[str, Any] = {"target": [float(focus.get(axis, 0.0)) for axis in "XYZ"]}
+        if kind == "TopDownOrtho":
+            given["target"] = [float(current.get(axis, 0.0)) for axis in "XY"] + [0.0]
             distance = 600.0 / max(1e-3, float(current.get("Scale", 10.0)))
-            return {"distance": distance, "yaw": -math.pi / 2, "pitch": math.pi / 2, "target": target}
-        numbers = {key.lower(): float(current[key]) for key in ("Distance", "Yaw", "Pitch")}
+            given |= {"distance": distance, "yaw": -math.pi / 2, "pitch": math.pi / 2}
+        else:
+            given |= {key.lower(): float(current[key]) for key in ("Distance", "Yaw", "Pitch")}
+        frame = str(current.get("Target Frame") or FIXED)
+        follows = {"target_frame": "" if frame == FIXED else frame, "type": kind if kind in VIEW_TYPES else "Orbit"}
+        return make_view({**given, **follows})
     except (KeyError, TypeError, ValueError, AttributeError):
         return None
-    return {**numbers, "target": target}
 
 
 __all__ = ["from_rviz"]

@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.nodes.rviz.kinds import KINDS
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
+
+from .facts import Fact, header_facts, point_text, world
+from .silence import why_nothing
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -121,6 +124,14 @@ class Display:
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Bring the display's things in the scene up to date."""
 
+    def redraw(self, scene: Scene) -> None:
+        """Its options have changed: the next `draw` has to make everything anew, from what is there."""
+        scene.clear(self.key)
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """What there is to say of one of its things, clicked `here` [m] in the thing's own frame."""
+        return [("Frame", stage.fixed_frame), ("Clicked", point_text(world(thing, here)))]
+
     # -- what it says
 
     def update(self, stage: Stage) -> None:
@@ -139,7 +150,7 @@ class Display:
             plural = "" if self.count == 1 else "s"
             self.say("Topic", "Ok", f"{self.count} message{plural} received")
         else:
-            self.say("Topic", "Warn", f"No messages received. {stage.why_nothing(self)}".strip())
+            self.say("Topic", "Warn", f"No messages received. {why_nothing(stage.node, self)}".strip())
 
     def say(self, what: str, level: str, text: str) -> None:
         """One line of the status."""
@@ -195,6 +206,16 @@ class StampedDisplay(Display):
         self.put_back(messages)
         self._tell(faults)
         self._stay(stage, scene)
+
+    def redraw(self, scene: Scene) -> None:
+        """Show the newest message once more."""
+        super().redraw(scene)
+        if self.shown is not None:
+            self.put_back([self.shown])
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """Frame and time of the message, and where it was clicked, in the fixed frame."""
+        return [*header_facts(self.shown), ("Clicked", point_text(world(thing, here)))]
 
     def _tell(self, faults: list[NoTransform]) -> None:
         """Why no message can be shown, newest first. One that came before its transform is no fault, unless all wait."""

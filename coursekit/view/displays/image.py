@@ -29,6 +29,9 @@ class Image(Display):
         self.picture = None
         self.drawn += 1
 
+    def redraw(self, scene: Scene) -> None:
+        """Its options change nothing that is shown."""
+
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Take the newest."""
         from cv_bridge import CvBridgeError

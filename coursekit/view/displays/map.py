@@ -10,10 +10,11 @@ import numpy as np
 from coursekit.interfaces import load
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
 from coursekit.view.scene_shapes import Picture
 
 from .display import NoTransform, StampedDisplay
+from .facts import Fact
 from .poses import numbers
 
 if TYPE_CHECKING:
@@ -109,6 +110,17 @@ class Map(StampedDisplay):
         self.say("Map", "Ok", f"{info.width} x {info.height} cells of {info.resolution:.3g} m")
         self._paint(scene)
         self.move(pose, scene)
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The cell and its value."""
+        info = self.shown.info
+        column, row = (int(here[axis] // info.resolution) for axis in (0, 1))
+        if not (0 <= column < info.width and 0 <= row < info.height):
+            return super().facts(name, thing, here, stage)
+        value = int(self.shown.data[row * info.width + column])
+        word = "unknown" if value < 0 else "free" if value == 0 else "occupied" if value == 100 else "between"
+        cell = [("Cell", f"column {column}, row {row}"), ("Value", f"{value} ({word})")]
+        return [*cell, *super().facts(name, thing, here, stage)]
 
     def _paint(self, scene: Scene) -> None:
         info = self.shown.info

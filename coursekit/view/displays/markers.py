@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
 
 from .display import Display, NoTransform
+from .facts import Fact, header_facts, pose_facts
 from .marker_shapes import shapes_of
 from .poses import finite, numbers
 
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 ADD, DELETE, DELETE_ALL = 0, 2, 3
+TYPES = ("ARROW", "CUBE", "SPHERE", "CYLINDER", "LINE_STRIP", "LINE_LIST", "CUBE_LIST", "SPHERE_LIST", "POINTS",
+         "TEXT_VIEW_FACING", "MESH_RESOURCE", "TRIANGLE_LIST")  # fmt: skip
 MOST = 10_000
 """Markers that are kept; a program that never deletes does not fill the memory."""
 
@@ -44,6 +47,20 @@ class Marker(Display):
     def forget(self) -> None:
         """No markers."""
         self.living = {}
+
+    def redraw(self, scene: Scene) -> None:
+        """Draw all that live once more."""
+        super().redraw(scene)
+        for one in self.living.values():
+            one.drawn = False
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """Namespace, number and type of a marker, and where it is."""
+        if name not in self.living:
+            return super().facts(name, thing, here, stage)
+        msg = self.living[name].msg
+        what = [("Namespace", msg.ns), ("Id", f"{msg.id}"), ("Type", TYPES[msg.type])]
+        return [*what, *([("Text", msg.text)] if msg.text else []), *header_facts(msg), *pose_facts(numbers(msg.pose))]
 
     def markers(self, msg: Any) -> list[Any]:
         """The markers of a message."""

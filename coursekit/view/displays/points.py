@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coursekit.nodes.rviz.config import DisplayConfig
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
 from coursekit.view.scene_shapes import Points, Triangles, box, colour_of, scattered
 
 from .display import StampedDisplay
+from .facts import Fact, header_facts, nearest_dot, point_text, world
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -49,6 +50,22 @@ class _Dots(StampedDisplay):
             del self._ends[name]
             scene.remove(self.key, name)
 
+    def redraw(self, scene: Scene) -> None:
+        """The newest once more; those before go."""
+        super().redraw(scene)
+        self._ends = {}
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The dot next to the click."""
+        found = nearest_dot(thing, here)
+        if found is None:
+            return super().facts(name, thing, here, stage)
+        return [*self.dot_facts(*found), ("Position", point_text(world(thing, found[1]))), *header_facts(self.shown)]
+
+    def dot_facts(self, number: int, dot: np.ndarray) -> list[Fact]:
+        """What there is to say of a dot, in the message's frame."""
+        return [("Point", f"{number}")]
+
     def move(self, pose: Pose, scene: Scene) -> None:
         """The newest to its place; those before stay."""
         if scene.has(self.key, f"{self._made}"):
@@ -72,6 +89,8 @@ class _Dots(StampedDisplay):
     def _shape(self, points: np.ndarray, colours: np.ndarray | None) -> Points | Triangles:
         size, colour = float(self.options["size"]), colour_of(self.options["color"], self.options["alpha"])
         if self.options["style"] != "Boxes" or len(points) > MOST_BOXES:
+            if self.options["style"] == "Points":
+                return Points(points, float(self.options["size_pixels"]), colour, colours, pixels=True)
             return Points(points, size, colour, colours)
         body = box(size, size, size)
         vertices, faces = scattered(body, points)
@@ -84,6 +103,15 @@ class LaserScan(_Dots):
     """The newest scan; beams out of range are left out."""
 
     kind = "LaserScan"
+
+    def dot_facts(self, number: int, dot: np.ndarray) -> list[Fact]:
+        """Which beam it is, how far it went, and whither."""
+        msg, angle, far = self.shown, float(np.arctan2(dot[1], dot[0])), float(np.hypot(dot[0], dot[1]))
+        step = msg.angle_increment or 1.0
+        beam = round((((angle - msg.angle_min) * np.sign(step)) % (2 * np.pi)) / abs(step))
+        facts = [("Beam", f"{beam}"), ("Range", f"{far:.3f} m"), ("Angle", f"{np.degrees(angle):.1f} deg")]
+        bright = msg.intensities
+        return facts + ([("Intensity", f"{bright[beam]:g}")] if beam < len(bright) else [])
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Dots where the beams ended."""

@@ -9,12 +9,13 @@ import numpy as np
 
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
 from coursekit.view.scene_shapes import Shape, Triangles, arrow, colour_of, rotation, scattered, tube
 
 from .axes import axes
 from .covariance import doubt
 from .display import Display, NoTransform, StampedDisplay
+from .facts import Fact, header_facts, pose_facts
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -46,6 +47,10 @@ class PoseStamped(StampedDisplay):
 
     kind = "Pose"
 
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The pose as the message has it."""
+        return [*header_facts(self.shown), *pose_facts(numbers(self.shown.pose))]
+
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """An arrow."""
         if not finite(numbers(msg.pose)):
@@ -66,6 +71,10 @@ class PoseWithCovariance(StampedDisplay):
     """The newest pose, such as amcl's."""
 
     kind = "PoseWithCovariance"
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The pose as the message has it."""
+        return [*header_facts(self.shown), *pose_facts(numbers(self.shown.pose.pose))]
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """The pose's shape and its doubt."""
@@ -139,11 +148,28 @@ class Odometry(Display):
     def __init__(self, config: DisplayConfig, number: int) -> None:
         super().__init__(config, number)
         self.trail: list[tuple[Any, Pose]] = []
+        """Messages, and the pose in each"""
         self._made = 0
 
     def forget(self) -> None:
         """No trail."""
         self.trail = []
+
+    def redraw(self, scene: Scene) -> None:
+        """Give every arrow its new looks, where it is; with fewer to keep the oldest go."""
+        while len(self.trail) > max(1, int(self.options["keep"])):
+            self._drop(scene)
+        for back, (msg, here) in enumerate(reversed(self.trail)):
+            scene.put(self.key, f"{self._made - back}", *self._shapes(msg, here))
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The pose of an arrow, and how fast it went there."""
+        back = self._made - int(name)
+        if back >= len(self.trail):
+            return super().facts(name, thing, here, stage)
+        msg, pose = self.trail[-1 - back]
+        ahead, turn = msg.twist.twist.linear.x, msg.twist.twist.angular.z
+        return [*header_facts(msg), *pose_facts(pose), ("Velocity", f"{ahead:.2f} m/s, {turn:.2f} rad/s")]
 
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Arrows for what came."""
@@ -168,15 +194,18 @@ class Odometry(Display):
         return 2 * math.acos(same) > self.options["angle_tolerance"]
 
     def _add(self, msg: Any, here: Pose, pose: Pose, scene: Scene) -> None:
-        self.trail.append((msg.header, here))
+        self.trail.append((msg, here))
         self._made += 1
-        shapes = shapes_of_pose(self.options)
-        if self.options["covariance"]:
-            shapes += doubt(msg.pose.covariance, here)
-        scene.put(self.key, f"{self._made}", *shapes, pose=pose)
+        scene.put(self.key, f"{self._made}", *self._shapes(msg, here), pose=pose)
         if len(self.trail) > max(1, int(self.options["keep"])):
-            self.trail.pop(0)
-            scene.remove(self.key, f"{self._made - len(self.trail)}")
+            self._drop(scene)
+
+    def _drop(self, scene: Scene) -> None:
+        self.trail.pop(0)
+        scene.remove(self.key, f"{self._made - len(self.trail)}")
+
+    def _shapes(self, msg: Any, here: Pose) -> list[Shape]:
+        return shapes_of_pose(self.options) + (doubt(msg.pose.covariance, here) if self.options["covariance"] else [])
 
 
 class Path(StampedDisplay):

@@ -8,10 +8,11 @@ from coursekit.nodes.gazebo.sdf_description import described
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.urdf import MeshError, Robot, UrdfError
 from coursekit.urdf.shapes import link_surfaces, notes_of
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
 from coursekit.view.scene_shapes import Triangles, simpler
 
 from .display import Display, NoTransform
+from .facts import Fact, pose_facts
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -45,6 +46,17 @@ class RobotModel(Display):
                 self._read(msg.data, scene)
         if self.robot is not None:
             self._place(stage, scene)
+
+    def redraw(self, scene: Scene) -> None:
+        """Make the shapes anew."""
+        if self._text:
+            self._read(self._text, scene)
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The link, the joint that holds it, and where it is."""
+        joints = self.robot.joints.values() if self.robot is not None else ()
+        held = [("Joint", f"{one.name} ({one.type})") for one in joints if one.child == name]
+        return [("Link", name), *held, ("Frame", stage.fixed_frame), *pose_facts(thing.pose)]
 
     def _read(self, text: str, scene: Scene) -> None:
         scene.clear(self.key)
@@ -113,7 +125,7 @@ class RobotModel(Display):
                 continue
             self.poses[link] = pose
             if not scene.has(self.key, link):
-                scene.put(self.key, link, *self._shapes[link], pose=pose)
+                scene.put(self.key, link, *self._shapes[link], pose=pose, solid=self.key)
             else:
                 scene.place(self.key, link, pose)
         self._tell(missing)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursekit.view.scene import Pose, Scene
+from coursekit.view.scene import Pose, Scene, Thing
 from coursekit.view.scene_shapes import Label, Triangles, scattered, tube
 
 from .axes import axes
 from .display import Display, NoTransform
+from .facts import Fact, pose_facts
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -38,6 +39,11 @@ class TF(Display):
                 names |= self._arrow(frame, pose, poses[parent], scene)
         scene.keep_only(self.key, names)
         self._tell(stage, poses, lost, old)
+
+    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+        """The frame, its parent, and where it is in the fixed frame."""
+        frame = name.partition(" ")[2]
+        return [("Frame", frame), ("Parent", stage.buffer.parent(frame) or "none"), *pose_facts(thing.pose)]
 
     def _poses(self, stage: Stage) -> tuple[dict[str, Pose], list[str], list[str]]:
         poses: dict[str, Pose] = {}

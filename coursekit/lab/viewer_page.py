@@ -1,0 +1,186 @@
+"""What a page does to a viewer, and what it is told: the list of displays, the camera, what was clicked."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict
+from typing import Any
+
+from coursekit.nodes.rviz.config import VIEW_TYPES, make_config
+from coursekit.nodes.rviz.kinds import KINDS
+from coursekit.nodes.rviz.properties import ABOUT, properties
+from coursekit.view.displays import Display
+from coursekit.view.looking import ORBIT
+from coursekit.view.picking import Picked, pick, told
+from coursekit.view.scene_stage import Stage
+
+from .scene_panel import ScenePanel
+from .viewer_tools import Tools
+
+
+class ViewerPage(ScenePanel):
+    """The base of `viewer`: everything that arrives from a page is checked here."""
+
+    stage: Stage
+    tools: Tools
+    height_px: int
+    picked: Picked | None = None
+    """What the Select tool has clicked"""
+
+    def shown(self) -> dict[str, Any]:
+        """The list beside the picture."""
+        stage = self.stage
+        level, text = stage.global_status()
+        looking = {"frame": stage.looking.frame, "type": stage.looking.type, "views": [*stage.config.views]}
+        return {
+            "height": self.height_px, "fixed": stage.fixed_frame, "frames": sorted(stage.buffer.frames),
+            "told": self.tools.told, "level": level, "remark": text, "rows": [_row(one) for one in stage.displays],
+            "skipped": stage.config.skipped, "looking": looking, "picked": self._picked(),
+        }  # fmt: skip
+
+    def _picked(self) -> dict[str, Any] | None:
+        return told(self.stage, self.picked) if self.picked is not None else None
+
+    # -- the list of displays
+
+    def on_kinds(self, _message: dict[str, Any]) -> None:
+        """The page wants to know what there may be: kinds, what each shows, and what can be changed of it."""
+        known = {name: {"about": ABOUT[name], "properties": [asdict(one) for one in properties(name)]} for name in KINDS}
+        self.tell(type="kinds", kinds=known)
+
+    def on_topics(self, _message: dict[str, Any]) -> None:
+        """The page wants to know which topics could be shown."""
+        node, found = self.stage.node, []
+        for topic, types in sorted(node.get_topic_names_and_types()):
+            kinds = [name for name, kind in KINDS.items() if kind.type in types]
+            found += [[topic, kind] for kind in kinds if node.count_publishers(topic)]
+        self.tell(type="topics", topics=found)
+
+    def on_add(self, message: dict[str, Any]) -> None:
+        """A display is wanted."""
+        kind, topic = str(message.get("kind")), str(message.get("topic") or "")
+        if kind not in KINDS:
+            return
+        given = {"type": kind, "name": self._free_name(kind)} | ({"topic": topic} if topic else {})
+        self.stage.add(make_config(displays=[given]).displays[0])
+        self.hurry()
+
+    def _free_name(self, kind: str) -> str:
+        """'LaserScan', 'LaserScan 2', ..."""
+        taken, count, name = set(self.stage.names()), 1, kind
+        while name in taken:
+            count += 1
+            name = f"{kind} {count}"
+        return name
+
+    def on_remove(self, message: dict[str, Any]) -> None:
+        """A display is to go."""
+        one = self._row_of(message)
+        if one is not None:
+            self.stage.remove(one)
+            self.hurry()
+
+    def on_switch(self, message: dict[str, Any]) -> None:
+        """A box was ticked."""
+        one = self._row_of(message)
+        if one is not None:
+            self.stage.switch(one, bool(message.get("on")))
+
+    def on_topic(self, message: dict[str, Any]) -> None:
+        """A topic was typed."""
+        one, topic = self._row_of(message), str(message.get("topic", "")).strip()
+        if one is not None and topic:
+            self.stage.retopic(one, topic)
+
+    def on_property(self, message: dict[str, Any]) -> None:
+        """Something of a display was changed."""
+        one = self._row_of(message)
+        if one is not None:
+            self._try(lambda: self.stage.change(one, {str(message.get("key")): message.get("value")}))
+
+    def on_fix(self, message: dict[str, Any]) -> None:
+        """A fixed frame was chosen."""
+        self.stage.fix(str(message.get("frame", "")))
+
+    def on_save(self, message: dict[str, Any]) -> None:
+        """The view is to be kept in a file."""
+        name = str(message.get("name", "")).strip()
+        if name:
+            self._try(lambda: self._save(name if name.endswith((".rviz", ".yaml")) else f"{name}.rviz"))
+
+    def _save(self, name: str) -> None:
+        self.save(name)
+        self.tools.told = f'Saved. Open it with viewer("{name}") or rviz2 -d {name}'
+
+    def save(self, path: Any) -> None:
+        """Write what is shown to a file."""
+        raise TypeError(f"{type(self).__name__} has to say how it is saved")
+
+    # -- tools and the camera
+
+    def on_tool(self, message: dict[str, Any]) -> None:
+        """A tool was used."""
+        self.tools.use(message)
+
+    def on_pick(self, message: dict[str, Any]) -> None:
+        """Something was clicked, or nothing."""
+        number, at = message.get("number"), message.get("at")
+        good = isinstance(number, int) and isinstance(at, list) and len(at) == 3 and all(map(_finite, at))
+        self.picked = pick(self.stage, int(number or 0), at) if good else None
+        self.hurry()
+
+    def on_look(self, message: dict[str, Any]) -> None:
+        """A hand has moved the camera."""
+        self._try(lambda: self.stage.looking.move(message))
+
+    def on_home(self, message: dict[str, Any]) -> None:
+        """The camera goes back to where it was at first."""
+        self.stage.looking.go_home()
+        super().on_home(message)
+
+    def on_follow(self, message: dict[str, Any]) -> None:
+        """A frame was chosen to go with."""
+        frame, kind = str(message.get("frame", "")), str(message.get("kind", ORBIT))
+        self.stage.looking.follow(frame, kind if kind in VIEW_TYPES else ORBIT)
+        self.look_anew()
+
+    def on_view(self, message: dict[str, Any]) -> None:
+        """A view is to be kept, used or forgotten."""
+        name, looking = str(message.get("name", "")).strip()[:60], self.stage.looking
+        if message.get("does") == "save" and name:
+            looking.save(name)
+        elif message.get("does") == "use":
+            self._try(lambda: looking.use(name))
+            self.look_anew()
+        elif message.get("does") == "forget":
+            self.stage.config.views.pop(name, None)
+        self.hurry()
+
+    def follows(self) -> list[float] | None:
+        """Where the frame is that the camera goes with."""
+        place = self.stage.looking.place() if self.stage.looking.frame else None
+        return [round(one, 5) for one in place] if place is not None else None
+
+    def _try(self, does: Any) -> None:
+        try:
+            does()
+        except (ValueError, LookupError, TypeError, OSError) as error:
+            self.tools.told = str(error)
+
+    def _row_of(self, message: dict[str, Any]) -> Display | None:
+        return next((one for one in self.stage.displays if one.key == f"{message.get('row')}"), None)
+
+
+def _finite(number: Any) -> bool:
+    return isinstance(number, int | float) and math.isfinite(number)
+
+
+def _row(one: Display) -> dict[str, Any]:
+    lines = [{"what": what, "level": level, "text": text} for what, (level, text) in one.statuses.items()]
+    config, kind = one.config, KINDS[one.kind]
+    shown = {"row": one.key, "name": config.name, "kind": config.kind, "topic": config.topic if kind.type else None}
+    state = {"on": config.enabled, "level": one.level, "lines": lines if config.enabled else []}
+    return {**shown, **state, "options": dict(config.options)}
+
+
+__all__ = ["ViewerPage"]

@@ -1,0 +1,96 @@
+"""A view as RViz 2 saves it: the displays, the fixed frame and the points of view of an .rviz file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from .config import Config, DisplayConfig
+from .kinds import KINDS, QOS
+from .properties import rviz_name
+
+_PLUGINS = {"ParticleCloud": "nav2_rviz_plugins"}
+_STEEPEST = math.pi / 2 - 0.001
+"""RViz's cameras do not look straight down."""
+_SHAPED = ("alpha", "color", "axes_length", "axes_radius", "head_length", "head_radius", "shaft_length", "shaft_radius")
+FIXED = "<Fixed Frame>"
+
+
+def to_rviz(config: Config) -> dict[str, Any]:
+    """What goes into the file; `rviz2 -d` of Humble reads it, and `config_file.read` here."""
+    frame = {"Fixed Frame": config.fixed_frame or "map", "Frame Rate": 30}
+    views = {"Current": _view(config.view or {}, "Current View"),
+             "Saved": [_view(view, name) for name, view in config.views.items()] or None}  # fmt: skip
+    manager = {
+        "Class": "",
+        "Displays": [_display(one) for one in config.displays],
+        "Enabled": True,
+        "Global Options": frame,
+        "Name": "root",
+        "Tools": [{"Class": f"rviz_default_plugins/{one}"} for one in _TOOLS],
+        "Value": True,
+        "Views": views,
+    }
+    return {"Panels": [{"Class": "rviz_common/Displays", "Name": "Displays"}], "Visualization Manager": manager}
+
+
+_TOOLS = ("Interact", "MoveCamera", "Select", "FocusCamera", "Measure", "SetInitialPose", "SetGoal", "PublishPoint")
+
+
+def _display(one: DisplayConfig) -> dict[str, Any]:
+    kind = KINDS[one.kind]
+    made: dict[str, Any] = {
+        "Class": f"{_PLUGINS.get(one.kind, 'rviz_default_plugins')}/{one.kind}",
+        "Name": one.name,
+        "Enabled": one.enabled,
+        "Value": one.enabled,
+    }
+    if kind.type:
+        where = "Description Topic" if one.kind == "RobotModel" else "Topic"
+        made |= {where: _topic(one)} | ({"Description Source": "Topic"} if one.kind == "RobotModel" else {})
+    options = {key: value for key, value in one.options.items() if key not in QOS}
+    if one.kind == "Odometry":
+        made["Shape"] = {"Value": options.pop("shape")} | {rviz_name(key): _value(options.pop(key)) for key in _SHAPED}
+    if "covariance" in options:
+        made["Covariance"] = {"Value": options.pop("covariance")}
+    if "reference_frame" in options:
+        options["reference_frame"] = options["reference_frame"] or FIXED
+    if not options.get("color_transformer", "set"):
+        del options["color_transformer"]  # whatever the cloud brings: RViz's own choice
+    return made | {rviz_name(key): _value(value) for key, value in options.items()}
+
+
+def _topic(one: DisplayConfig) -> dict[str, Any]:
+    """With the quality of service that is asked for where none was told."""
+    lasting = KINDS[one.kind].lasting
+    return {
+        "Value": one.topic,
+        "Depth": int(one.options["depth"]),
+        "Durability Policy": one.options["durability"] or ("Transient Local" if lasting else "Volatile"),
+        "History Policy": "Keep Last",
+        "Reliability Policy": one.options["reliability"] or ("Reliable" if lasting else "Best Effort"),
+    }
+
+
+def _value(value: Any) -> Any:
+    """Colours as RViz writes them: three numbers in a text."""
+    return "; ".join(f"{round(one)}" for one in value) if isinstance(value, list | tuple) else value
+
+
+def _view(view: Mapping[str, Any], name: str) -> dict[str, Any]:
+    x, y, z = view.get("target", (0.0, 0.0, 0.0))
+    kind = view.get("type", "Orbit")
+    return {
+        "Class": f"rviz_default_plugins/{kind}",
+        "Name": name,
+        "Target Frame": view.get("target_frame") or FIXED,
+        "Distance": view.get("distance", 10.0),
+        "Yaw": view.get("yaw", 0.785),
+        "Pitch": max(-_STEEPEST, min(_STEEPEST, view.get("pitch", 0.785))),
+        "Focal Point": {"X": x, "Y": y, "Z": z},
+        "Value": f"{kind} (rviz)",
+    }
+
+
+__all__ = ["FIXED", "to_rviz"]

@@ -1,0 +1,72 @@
+"""What the viewer's Select tool says of a thing: names and values, in words."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from coursekit.view.scene import Pose, Thing
+from coursekit.view.scene_shapes import Points, rotation
+
+Fact = tuple[str, str]
+"""(what, how much)"""
+
+
+def point_text(point: Any) -> str:
+    """A point in metres.
+
+    >>> point_text((1.0, -0.001, 0.25))
+    '1.00, 0.00, 0.25 m'
+    """
+    return ", ".join(f"{round(float(one), 2) + 0.0:.2f}" for one in point) + " m"
+
+
+def pose_facts(pose: Pose) -> list[Fact]:
+    """Position, and orientation as roll, pitch and yaw in degrees.
+
+    >>> pose_facts((0, 0, 0, 0, 0, 1, 0))[1]
+    ('Orientation', 'roll 0, pitch 0, yaw 180 deg')
+    """
+    x, y, z, w = pose[3:]
+    roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
+    pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x))))
+    yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+    turns = ", ".join(f"{name} {round(math.degrees(one))}" for name, one in (("roll", roll), ("pitch", pitch), ("yaw", yaw)))
+    return [("Position", point_text(pose[:3])), ("Orientation", f"{turns} deg")]
+
+
+def header_facts(msg: Any) -> list[Fact]:
+    """Frame and time of a message that has a header."""
+    header = getattr(msg, "header", None)
+    if header is None:
+        return []
+    stamp = header.stamp
+    return [("Frame", header.frame_id), ("Time", f"{stamp.sec}.{stamp.nanosec // 1_000_000:03d} s")]
+
+
+def local(thing: Thing, point: Any) -> np.ndarray:
+    """A point of the fixed frame in the thing's own [m]."""
+    turn = rotation(np.array(thing.pose[3:]))
+    found: np.ndarray = ((np.asarray(point, float) - thing.pose[:3]) @ turn) / thing.scale
+    return found
+
+
+def world(thing: Thing, point: Any) -> np.ndarray:
+    """A point of the thing's own in the fixed frame [m]."""
+    turn = rotation(np.array(thing.pose[3:]))
+    found: np.ndarray = (np.asarray(point, float) * thing.scale) @ turn.T + thing.pose[:3]
+    return found
+
+
+def nearest_dot(thing: Thing, here: np.ndarray) -> tuple[int, np.ndarray] | None:
+    """The dot next to a place in the thing's frame: its number and where it is; None where there are no dots."""
+    dots = next((shape.points for shape in thing.shapes if isinstance(shape, Points) and len(shape.points)), None)
+    if dots is None:
+        return None
+    number = int(np.argmin(((dots - here) ** 2).sum(axis=1)))
+    return number, dots[number]
+
+
+__all__ = ["Fact", "header_facts", "local", "nearest_dot", "point_text", "pose_facts", "world"]

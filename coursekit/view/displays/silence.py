@@ -1,0 +1,37 @@
+"""Why no message comes on a display's topic."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from coursekit.nodes.rviz.kinds import KINDS
+
+if TYPE_CHECKING:
+    from .display import Display
+
+
+def why_nothing(node: Any, display: Display) -> str:
+    """Another type, a QoS that does not fit, a publisher that is silent, or none."""
+    topic, wanted = display.config.topic, KINDS[display.kind].type
+    resolved = dict(node.get_topic_names_and_types())
+    if node.count_publishers(topic):
+        types = [one for one in resolved.get(topic, []) if one != wanted]
+        if types:
+            return f"{topic} has the type {types[0]}, not {wanted}"
+        return _unfit(node, display) or f"{topic} has a publisher that has not published yet"
+    others = sorted(name for name, kinds in resolved.items() if wanted in kinds and node.count_publishers(name))
+    return f"Nobody publishes {topic}." + (f" There is: {', '.join(others[:4])}" if others else "")
+
+
+def _unfit(node: Any, display: Display) -> str:
+    """Which publisher's QoS does not fit what a display asks for, in rclpy's words."""
+    from rclpy.qos import QoSCompatibility, qos_check_compatible
+
+    for one in node.get_publishers_info_by_topic(display.config.topic):
+        verdict, reason = qos_check_compatible(one.qos_profile, display.quality)
+        if verdict == QoSCompatibility.ERROR:
+            return f"The QoS of {one.node_name} on {display.config.topic} does not fit: {reason.strip(' ;')}"
+    return ""
+
+
+__all__ = ["why_nothing"]

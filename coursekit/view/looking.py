@@ -1,0 +1,108 @@
+"""Where a stage is looked at from: by hand, along with a frame, or as it was saved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from coursekit.nodes.rviz.config import make_view
+from coursekit.suggestions import did_you_mean
+
+from .displays import NoTransform
+from .scene_camera import Camera
+
+if TYPE_CHECKING:
+    from .scene_stage import Stage
+
+Place = tuple[float, float, float, float]
+"""Where a frame is: x, y, z [m] and its yaw [rad]"""
+ORBIT, FOLLOWER = "Orbit", "ThirdPersonFollower"
+
+
+class Looking:
+    """The point of view of a stage. `frame` is RViz's Target Frame, '' the fixed one; `type` its kind of camera."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.frame, self.type = "", ORBIT
+        self.moved: dict[str, Any] | None = None
+        """Where a hand has put the camera, in the target frame; None: as configured"""
+        self.go_home()
+
+    def place(self) -> Place | None:
+        """Where the target frame is; None where there is none, or it cannot be placed."""
+        if not self.frame:
+            return None
+        try:
+            x, y, z, qx, qy, qz, qw = self.stage.pose(self.frame)
+        except NoTransform:
+            return None
+        yaw = math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz))
+        return x, y, z, yaw if self.type == FOLLOWER else 0.0
+
+    def camera(self) -> Camera | None:
+        """The camera in the fixed frame; None when nobody said where."""
+        view = self.moved or self.stage.config.view
+        if not view:
+            return None
+        place = self.place() or (0.0, 0.0, 0.0, 0.0)
+        x, y = _turned(view["target"][:2], place[3])
+        target = place[0] + x, place[1] + y, place[2] + view["target"][2]
+        return Camera(view["distance"], view["yaw"] + place[3], view["pitch"], target)
+
+    def move(self, given: Mapping[str, Any]) -> None:
+        """A hand has moved the camera to distance, yaw, pitch and target of the fixed frame. Raises ValueError."""
+        numbers = {key: given[key] for key in ("distance", "yaw", "pitch", "target") if key in given}
+        self.moved = self._in_frame(make_view(numbers) or {})
+
+    def follow(self, frame: str, type_: str = ORBIT) -> None:
+        """Look at a frame and go with it, '' at what stands still; a ThirdPersonFollower turns with it, too."""
+        now = self.stage.camera().as_dict()
+        self.frame, self.type = frame, type_
+        place = self.place()
+        at = list(place[:3]) if place else now["target"]
+        self.moved = self._in_frame({**now, "target": at})
+
+    def go_home(self) -> None:
+        """As it was configured."""
+        view = self.stage.config.view or {}
+        self.frame, self.type = str(view.get("target_frame", "")), str(view.get("type", ORBIT))
+        self.moved = None
+
+    # -- saved views
+
+    def view(self) -> dict[str, Any] | None:
+        """What a file keeps of it."""
+        follows = {"target_frame": self.frame, "type": self.type} if self.frame else {}
+        return {**self.moved, **follows} if self.moved else self.stage.config.view
+
+    def save(self, name: str) -> None:
+        """Keep where one looks from under a name."""
+        follows = {"target_frame": self.frame, "type": self.type} if self.frame else {}
+        self.stage.config.views[name] = {**self._in_frame(self.stage.camera().as_dict()), **follows}
+
+    def use(self, name: str) -> None:
+        """Look from where it was saved; LookupError names what there is."""
+        views = self.stage.config.views
+        if name not in views:
+            there = f"There are: {', '.join(views)}" if views else "None is saved yet"
+            raise LookupError(" ".join(filter(None, [f"There is no view '{name}'.", did_you_mean(name, views), there])))
+        view = views[name]
+        self.frame, self.type = view.get("target_frame", ""), view.get("type", ORBIT)
+        self.moved = {key: view[key] for key in ("distance", "yaw", "pitch", "target")}
+
+    def _in_frame(self, view: dict[str, Any]) -> dict[str, Any]:
+        """A view of the fixed frame as one of the target frame."""
+        place = self.place() or (0.0, 0.0, 0.0, 0.0)
+        x, y, z = (there - here for there, here in zip(view["target"], place, strict=False))
+        x, y = _turned((x, y), -place[3])
+        return {**view, "yaw": view["yaw"] - place[3], "target": [x, y, z]}
+
+
+def _turned(point: Any, angle: float) -> tuple[float, float]:
+    x, y = point
+    return x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)
+
+
+__all__ = ["FOLLOWER", "ORBIT", "Looking", "Place"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 import itertools
 from collections import deque
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -17,13 +18,15 @@ class Source:
     `sink` is the queue of the executor that serves it, `item` what the executor finds there.
     `queued` says that it stands in the queue already: a source stands there once, however much it holds.
     With `yields` it lets those that are ready with it go first, once.
+    A `listener` is called with each thing that comes to a topic, service or event, before anybody takes it.
     """
 
-    __slots__ = ("item", "queued", "sink", "yields")
+    __slots__ = ("item", "listener", "queued", "sink", "yields")
 
     def __init__(self) -> None:
         self.sink: ReadyQueue | None = None
         self.item: Any = self
+        self.listener: Callable[[Any], None] | None = None
         self.queued = False
         self.yields = False
 

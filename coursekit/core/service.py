@@ -45,6 +45,8 @@ class Server(Endpoint):
         """Queue a request."""
         self.queue.append((request, request_id))
         self.signal()
+        if self.listener is not None:
+            self.listener(request)
 
     def respond(self, request_id: RequestId, response: Any) -> None:
         """Send a copy of `response` to the client that asked.
@@ -86,6 +88,8 @@ class Client(Endpoint):
         if self.alive:
             self.queue.append((sequence_number, response))
             self.signal()
+            if self.listener is not None:
+                self.listener(response)
 
     def send(self, request: Any) -> int:
         """Send copies of `request` to every server; the request's number."""

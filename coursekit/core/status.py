@@ -37,6 +37,8 @@ class Status(Source):
             self.last_policy = policy
         self.changed = True
         self.signal()
+        if self.listener is not None:
+            self.listener(total)
 
     def take(self) -> dict[str, Any]:
         """The counters; the changes begin again at zero."""

@@ -172,6 +172,8 @@ class Subscription(Endpoint):
             self._last_sign = self.graph.clock.steady()
         if not self.queued:
             self.signal()
+        if self.listener is not None:
+            self.listener(entry)
 
     def take(self) -> tuple[Any, int, Publisher] | None:
         """The oldest message that has not outlived its publisher's lifespan."""

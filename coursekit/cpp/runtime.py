@@ -47,7 +47,7 @@ FORWARDED = {
         "create_timer executor_options generic_publisher generic_subscription init_options "
         "intra_process_setting is_ros_compatible_type message_info publisher_base "
         "qos_overriding_options subscription_base subscription_content_filter_options subscription_options "
-        "subscription_wait_set_mask waitable "
+        "subscription_wait_set_mask "
         "topic_statistics_state contexts/default_context executors/multi_threaded_executor "
         "executors/single_threaded_executor executors/static_single_threaded_executor "
         "node_interfaces/node_clock_interface node_interfaces/node_graph_interface "

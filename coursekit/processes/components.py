@@ -33,8 +33,8 @@ def registered() -> dict[str, dict[str, Path]]:
 
 
 def _listed(prefix: Path, entry: Path) -> dict[str, Path]:
-    parts = [line.partition(";") for line in read_text(entry).splitlines() if line.strip()]
-    return {plugin: prefix / path for plugin, _, path in parts}
+    parts = [line.split(";") for line in read_text(entry).splitlines() if ";" in line]
+    return {plugin: prefix / path for plugin, path, *_library in parts}
 
 
 def candidate_names(plugin: str) -> list[str]:

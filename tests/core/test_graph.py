@@ -166,3 +166,19 @@ def test_watchers_are_told_of_every_change(graph):
     graph.unwatch(watcher)
     node.close()
     assert len(seen) == 2
+
+
+def test_a_listener_is_told_of_all_that_comes_before_it_is_taken(node, graph):
+    told = []
+    subscription, server = node.subscription("/t", String, Qos()), node.server("/s", SetBool, Qos())
+    client = node.client("/s", SetBool, Qos())
+    subscription.listener = lambda entry: told.append(entry[0].data)
+    server.listener = lambda request: told.append(request.data)
+    client.listener = lambda response: told.append(response.success)
+    subscription.status(INCOMPATIBLE).listener = told.append
+    node.publisher("/t", String, Qos()).publish(String(data="news"))
+    client.send(SetBool.Request(data=True))
+    server.respond(server.take()[1], SetBool.Response(success=True))
+    node.publisher("/t", String, Qos(reliability=BEST_EFFORT))
+    assert told == ["news", True, True, 1]
+    assert texts(subscription) == ["news"]

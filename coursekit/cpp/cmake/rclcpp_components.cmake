@@ -42,7 +42,7 @@ endmacro()
 
 function(_coursekit_component target program plugin executor)
   set(source "${CMAKE_CURRENT_BINARY_DIR}/rclcpp_components/${program}.cpp")
-  set(content "#include \"rclcpp_components/node_factory.hpp\"
+  set(content "#include \"rclcpp_components/coursekit_run.hpp\"
 int main(int argc, char ** argv)
 {
   return rclcpp_components::run<rclcpp::executors::${executor}>(\"${plugin}\", argc, argv);
@@ -54,5 +54,5 @@ int main(int argc, char ** argv)
   install(TARGETS ${program} DESTINATION lib/${PROJECT_NAME})
   get_property(known DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_COMPONENTS)
   set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_COMPONENTS
-    "${known}${plugin}|lib/${PROJECT_NAME}/${program}\n")
+    "${known}${plugin}|lib/${PROJECT_NAME}/${program}|lib/lib${target}.so\n")
 endfunction()

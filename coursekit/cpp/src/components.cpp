@@ -1,5 +1,6 @@
 // The components that a program has, by the names of their classes.
-#include "rclcpp_components/node_factory.hpp"
+#include "class_loader/class_loader.hpp"
+#include "rclcpp_components/coursekit_run.hpp"
 
 namespace rclcpp_components
 {

@@ -136,6 +136,13 @@ void detail::make_publisher(
   made.qos = QoS::unpack(answer);
   made.context = node.context;
   made.intra_process = stays_in_program(options.use_intra_process_comm, node, made.qos);
+  if (made.intra_process) {
+    coursekit::note("stays", Packer{}.i(made.id));
+  }
+  auto & callbacks = options.event_callbacks;
+  made.events.add(RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, callbacks.deadline_callback != nullptr);
+  made.events.add(RCL_PUBLISHER_LIVELINESS_LOST, callbacks.liveliness_callback != nullptr);
+  made.events.add(RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS, callbacks.incompatible_qos_callback || options.use_default_callbacks);
   std::string gid = answer.s();
   std::copy_n(gid.begin(), std::min(gid.size(), sizeof(made.gid.data)), made.gid.data);
   made.gid.implementation_identifier = "coursekit";
@@ -173,7 +180,13 @@ void detail::make_subscription(
   if (stays && made->taken_type && !options.ignore_local_publications) {
     made->inbox = std::make_shared<intra_process::Inbox>(made->name, *made->taken_type, made->owns, made->qos.depth());
     intra_process::enter(made->inbox);
+    coursekit::note("stays", Packer{}.i(made->id));
   }
+  auto & callbacks = options.event_callbacks;
+  made->events.add(RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, callbacks.deadline_callback != nullptr);
+  made->events.add(RCL_SUBSCRIPTION_LIVELINESS_CHANGED, callbacks.liveliness_callback != nullptr);
+  made->events.add(RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, callbacks.incompatible_qos_callback || options.use_default_callbacks);
+  made->events.add(RCL_SUBSCRIPTION_MESSAGE_LOST, callbacks.message_lost_callback != nullptr);
   auto & filter = options.content_filter_options;
   if (!filter.filter_expression.empty()) {
     made->set_content_filter(filter.filter_expression, filter.expression_parameters);

@@ -1,48 +1,54 @@
 // Wait sets: the session waits in the program's stead.
 #include "rclcpp/rclcpp.hpp"
+#include "wait.hpp"
 
 namespace rclcpp
 {
 WaitResultKind WaitSet::wait_ns(int64_t nanoseconds)
 {
-  size_t count = subscriptions_.size() + guards_.size() + timers_.size() + clients_.size() + services_.size();
-  if (!count) {
+  gather();
+  for (auto & waitable : waitables_) {
+    waitable->add_to_wait_set(&state_);
+  }
+  auto numbers = coursekit::numbers_in(state_);
+  if (numbers.empty()) {
     return WaitResultKind::Empty;
   }
-  Packer with = Packer{}.i(nanoseconds).i(static_cast<int64_t>(count));
-  auto tell = [&](auto & all) {
-      for (auto & one : all) {
-        with.i(one->id);
-      }
-    };
-  tell(subscriptions_);
-  tell(guards_);
-  tell(timers_);
-  tell(clients_);
-  tell(services_);
+  Packer with = Packer{}.i(nanoseconds).i(static_cast<int64_t>(numbers.size()));
+  for (int64_t number : numbers) {
+    with.i(number);
+  }
   Unpacker answer = ask("wait", with);
-  std::vector<bool> ready(count);
-  for (size_t i = 0; i < count; ++i) {
+  std::vector<bool> ready(numbers.size());
+  for (size_t i = 0; i < ready.size(); ++i) {
     ready[i] = answer.i();
   }
-  look(ready);
+  coursekit::keep_ready(state_, ready);
   bool any = std::find(ready.begin(), ready.end(), true) != ready.end();
   return any ? WaitResultKind::Ready : WaitResultKind::Timeout;
 }
-void WaitSet::look(const std::vector<bool> & ready)
+void WaitSet::gather()
 {
-  size_t at = 0;
-  auto mark = [&](auto & all, std::vector<const void *> & marks, size_t & size) {
-      size = all.size();
-      marks.assign(size, nullptr);
-      for (size_t i = 0; i < size; ++i, ++at) {
-        marks[i] = at < ready.size() && ready[at] ? all[i].get() : nullptr;
-      }
-    };
-  mark(subscriptions_, state_.subscriptions, state_.size_of_subscriptions);
-  mark(guards_, state_.guard_conditions, state_.size_of_guard_conditions);
-  mark(timers_, state_.timers, state_.size_of_timers);
-  mark(clients_, state_.clients, state_.size_of_clients);
-  mark(services_, state_.services, state_.size_of_services);
+  state_ = {};
+  for (auto & one : subscriptions_) {
+    rcl_wait_set_add_subscription(&state_, one.get(), nullptr);
+  }
+  for (auto & one : guards_) {
+    rcl_wait_set_add_guard_condition(&state_, one.get(), nullptr);
+  }
+  for (auto & one : timers_) {
+    rcl_wait_set_add_timer(&state_, one.get(), nullptr);
+  }
+  for (auto & one : clients_) {
+    rcl_wait_set_add_client(&state_, one.get(), nullptr);
+  }
+  for (auto & one : services_) {
+    rcl_wait_set_add_service(&state_, one.get(), nullptr);
+  }
+}
+void WaitSet::forget()
+{
+  gather();
+  coursekit::keep_ready(state_, {});
 }
 }  // namespace rclcpp

@@ -20,6 +20,7 @@ from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
 from coursekit.nodes.compiled.node import CompiledNode
+from coursekit.nodes.components.loading import LoadedComponent
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
@@ -44,6 +45,8 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
         thing.destroy()
     elif isinstance(thing, JumpHandle):
         thing.unregister()
+    elif isinstance(thing, LoadedComponent):
+        thing.unload()
     elif isinstance(thing, TransformListener):
         thing.executor.shutdown(0)
 

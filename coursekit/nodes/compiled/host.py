@@ -28,10 +28,12 @@ from coursekit.nodes.compiled import (
     actions,
     bags,
     calibrations,
+    components,
     entities,
     executing,
     graph,
     lifecycle,
+    listening,
     parameters,
     plugins,
     program,
@@ -39,6 +41,7 @@ from coursekit.nodes.compiled import (
     topics,
     transforms,
     vision,
+    waitables,
     waiting,
 )
 from coursekit.nodes.compiled.channel import Channel, Gone
@@ -76,8 +79,8 @@ _ERRORS = {
     "UnknownROSArgsError": "RCLInvalidROSArgsError",
 }
 _ROOMS = (
-    program, entities, topics, graph, parameters, executing, waiting, lifecycle, actions, transforms, vision, bags, plugins,
-    robots, calibrations,
+    program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
+    vision, bags, plugins, robots, calibrations, components,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 
@@ -113,6 +116,9 @@ class Host:
         """The contexts that the program made beside the default one, by its own numbers."""
         self.own_gids: set[bytes] = set()
         """The publishers of this program, for subscriptions that ignore them."""
+        self.staying_gids: set[bytes] = set()
+        """Those of them whose messages may stay in the program."""
+        self.news = listening.News(self)
         self.context = contextvars.copy_context()
         self.caught: set[int] = set()
         """The signals that end what the program waits for, and not the program."""

@@ -24,6 +24,11 @@ class CompiledNode(CppNode):
             if entity.callback_group is group:
                 _serve(entity, executor)
 
+    def serve(self, entity: Any) -> None:
+        """Have the executor that serves an entity's group look at what makes the entity ready."""
+        group = entity.callback_group
+        _serve(entity, self._apart.get(group, self.executor))
+
     def _own(self, kept: list[Any], entity: Any, group: Any) -> Any:
         if group not in self._apart:
             return super()._own(kept, entity, group)

@@ -27,6 +27,8 @@ class Hearing:
         self._host, self._kind, self._handler, self._ignored = host, kind, handler, ignored
         self.filter: Test | None = None
         self.statistics: TopicStatistics | None = None
+        self.stays = False
+        """Whether what publishers of the program send may stay in it."""
 
     def wants(self, data: bytes, gid: bytes) -> bool:
         """Whether a message is to be heard: it is not filtered out, nor one of this program's that are ignored."""

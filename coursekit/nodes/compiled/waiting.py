@@ -28,7 +28,7 @@ def do_trigger(host: Host, _channel: Channel, frame: Unpacker) -> None:
 def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Wait until entities are ready, at most so long (negative: without end); a 1 for each that is, else 0."""
     nanoseconds = frame.integer()
-    entities = [_entity(host.things[frame.integer()]) for _ in range(frame.integer())]
+    entities = [entity_of(host.things[frame.integer()]) for _ in range(frame.integer())]
     sources = [entity._sources()[0] for entity in entities]
     end = None if nanoseconds < 0 else host.clock.steady() + nanoseconds
     ready = _wait(host, sources, end)
@@ -38,7 +38,8 @@ def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(*map(int, ready))
 
 
-def _entity(thing: Any) -> Any:
+def entity_of(thing: Any) -> Any:
+    """What the program has made, without how to destroy it."""
     return thing[2] if isinstance(thing, tuple) else thing
 
 

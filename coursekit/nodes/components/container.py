@@ -13,7 +13,7 @@ from coursekit.processes.components import find_component
 from coursekit.processes.process import current_process
 from coursekit.systems import signal_names
 
-from .loading import LoadedComponent
+from .loading import LoadedComponent, given_by
 
 
 class ComponentManager(Node):
@@ -35,7 +35,9 @@ class ComponentManager(Node):
 
     def _load(self, request: LoadNode.Request, response: LoadNode.Response) -> LoadNode.Response:
         try:
-            component = LoadedComponent(self._library(request), request, self._graph_of_mine())
+            words = [] if self._process is None else self._process.argv[1:]
+            path = self._library(request)
+            component = LoadedComponent(path, given_by(request), self._graph_of_mine(), words, request.log_level)
         except (LookupError, RuntimeError, ValueError) as error:
             self.get_logger().error(str(error))
             response.error_message = str(error)

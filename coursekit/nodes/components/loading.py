@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +14,15 @@ from rclpy.parameter import Parameter
 from coursekit.nodes.running import pass_on_output
 from coursekit.processes.components import Given, give_to_first_node
 from coursekit.processes.executables import make_process
-from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 
 PATIENCE = 10.0  # seconds until a component has its node
 _LEVELS = {10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal"}
+
+
+def given_by(request: LoadNode.Request) -> Given:
+    """What a component's node is given for a request."""
+    return Given(arguments_of(request), [Parameter.from_parameter_msg(one) for one in request.parameters])
 
 
 def arguments_of(request: LoadNode.Request) -> list[str]:
@@ -37,20 +42,16 @@ def arguments_of(request: LoadNode.Request) -> list[str]:
 class LoadedComponent:
     """Starts a component's program as a part of the container: its output and command line are the container's.
 
-    The component's node obeys the request alone, other nodes of the program the container's command line, as in ROS 2.
+    The component's node obeys what it is given, other nodes of the program the container's command line, as in ROS 2.
     Raises RuntimeError when the program ends, or has no node after ten seconds.
     """
 
-    def __init__(self, path: Path, request: LoadNode.Request, graph: Any) -> None:
-        container = current_process()
-        words = [] if container is None else container.argv[1:]
-        if request.log_level in _LEVELS:
-            words = [*words, "--ros-args", "--log-level", _LEVELS[request.log_level]]
-        parameters = [Parameter.from_parameter_msg(one) for one in request.parameters]
-        self.process = make_process(current(), path, words)
-        if request.log_level not in _LEVELS:
+    def __init__(self, path: Path, given: Given, graph: Any, words: Sequence[str] = (), log_level: int = 0) -> None:
+        level = ["--ros-args", "--log-level", _LEVELS[log_level]] if log_level in _LEVELS else []
+        self.process = make_process(current(), path, [*words, *level])
+        if not level:
             share_levels(self.process)
-        give_to_first_node(self.process, Given(arguments_of(request), parameters))
+        give_to_first_node(self.process, given)
         current().launch(self.process, pass_on_output())
         self.full_name = self._wait_for_node(graph)
 

@@ -54,5 +54,18 @@ def test_lines_of_loggers_are_those_of_humble(build):
     ]
 
 
+def test_what_a_callback_for_news_throws_is_logged(build):
+    path = build("news", (ROOM / "news.cpp").read_text(encoding="utf-8"))
+    with (session := Session(virtual=True)).use():
+        process = session.launch(make_process(session, path, name="news"))
+        assert process.wait(20.0) == 0
+    said = [re.sub("@0x[0-9a-f]+", "@", line.partition("]: ")[2]) for line in process.output.splitlines() if "]: " in line]
+    assert said == [
+        "rclcpp::SubscriptionBase@ caught std::runtime_error exception in user-provided callback for the "
+        "'on new message' callback: of mine",
+        "Calling set_on_new_qos_event_callback for non registered subscription event_type",
+    ]
+
+
 def test_there_are_many_checks():
     assert sum(len(checks_of(noun)) for noun in NOUNS) >= _LEAST

@@ -1,6 +1,7 @@
 // What has a number at the session and, mostly, a handler here: a publisher, a timer, an executor, ...
 #pragma once
 #include "coursekit/link.hpp"
+#include "coursekit/news.hpp"
 
 namespace coursekit
 {
@@ -29,5 +30,6 @@ public:
   int64_t id = 0;
   std::string name;
   std::vector<int64_t> handlers;
+  News news;
 };
 }  // namespace coursekit

@@ -42,6 +42,15 @@ class ClientBase : public coursekit::Entity, public std::enable_shared_from_this
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ClientBase)
   const char * get_service_name() const {return name.c_str();}
+  std::shared_ptr<coursekit::Entity> get_client_handle() {return shared_from_this();}
+  std::shared_ptr<const coursekit::Entity> get_client_handle() const {return shared_from_this();}
+  /// Have a function called with how many responses have come, as soon as they have.
+  void set_on_new_response_callback(std::function<void (size_t)> callback)
+  {
+    news.tell(
+      *this, coursekit::ITSELF, {"set_on_new_response_callback", "rclcpp::ClientBase", "on new response"}, std::move(callback));
+  }
+  void clear_on_new_response_callback() {news.tell_no_more(*this, coursekit::ITSELF);}
   std::shared_ptr<rmw_request_id_t> create_request_header() {return std::make_shared<rmw_request_id_t>();}
   virtual std::shared_ptr<void> create_response() = 0;
   virtual bool take_type_erased_response(void * response, rmw_request_id_t & header) = 0;

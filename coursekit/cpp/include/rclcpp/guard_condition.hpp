@@ -7,6 +7,8 @@
 #include "coursekit/entity.hpp"
 #include "rclcpp/utilities.hpp"
 
+struct rcl_wait_set_t;
+
 namespace rclcpp
 {
 class GuardCondition : public coursekit::Entity
@@ -28,6 +30,8 @@ public:
     std::lock_guard<std::recursive_mutex> hold(lock_);
     if (on_trigger_) {
       on_trigger_(1);
+    } else {
+      ++untold_;
     }
   }
   bool exchange_in_use_by_wait_set_state(bool state) {return in_use_.exchange(state);}
@@ -35,12 +39,20 @@ public:
   {
     std::lock_guard<std::recursive_mutex> hold(lock_);
     on_trigger_ = std::move(callback);
+    if (on_trigger_ && untold_) {
+      on_trigger_(std::exchange(untold_, 0));
+    }
   }
+  coursekit::Entity & get_rcl_guard_condition() {return *this;}
+  const coursekit::Entity & get_rcl_guard_condition() const {return *this;}
+  void add_to_wait_set(rcl_wait_set_t * wait_set);
 
 private:
   Context::SharedPtr context_;
   std::atomic<bool> in_use_{false};
   std::recursive_mutex lock_;
   std::function<void (size_t)> on_trigger_;
+  size_t untold_ = 0;
+  bool in_waitable_ = false;
 };
 }  // namespace rclcpp

@@ -27,8 +27,7 @@ public:
   Time now() const {return base_->clock->now();}
   const NodeOptions & get_node_options() const {return options_;}
 #define COURSEKIT_INTERFACE(name) \
-  NodeBase::SharedPtr get_node_ ## name ## _interface() {return base_;} \
-  NodeBase::ConstSharedPtr get_node_ ## name ## _interface() const {return base_;}
+  NodeBase::SharedPtr get_node_ ## name ## _interface() {return base_;}
   COURSEKIT_INTERFACE(base)
   COURSEKIT_INTERFACE(clock)
   COURSEKIT_INTERFACE(graph)

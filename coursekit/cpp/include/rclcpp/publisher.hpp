@@ -33,11 +33,18 @@ public:
   {
     return true;  // the session has a message as soon as it is published
   }
+  std::shared_ptr<coursekit::Entity> get_publisher_handle() {return shared_from_this();}
+  std::shared_ptr<const coursekit::Entity> get_publisher_handle() const {return shared_from_this();}
+  /// Have a function called with how many events of a kind have happened, as soon as they have.
+  void set_on_new_qos_event_callback(std::function<void (size_t)> callback, rcl_publisher_event_type_t event);
+  void clear_on_new_qos_event_callback(rcl_publisher_event_type_t event);
   QoS qos{10};
   rmw_gid_t gid{};
   Context::SharedPtr context;
   /// Whether what is published may stay in the program.
   bool intra_process = false;
+  /// The events that it has callbacks for.
+  EventTypes<rcl_publisher_event_type_t> events;
 
 protected:
   void send(const std::string & cdr) const

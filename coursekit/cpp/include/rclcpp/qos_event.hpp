@@ -13,8 +13,29 @@ struct rmw_liveliness_changed_status_t
 };
 struct rmw_message_lost_status_t {size_t total_count = 0, total_count_change = 0;};
 
+enum rcl_publisher_event_type_t
+{
+  RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, RCL_PUBLISHER_LIVELINESS_LOST, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS
+};
+enum rcl_subscription_event_type_t
+{
+  RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
+  RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, RCL_SUBSCRIPTION_MESSAGE_LOST
+};
+
 namespace rclcpp
 {
+/// A set of kinds of events.
+template<class Type>
+class EventTypes
+{
+public:
+  void add(Type type, bool wanted) {bits_ |= wanted ? 1u << type : 0u;}
+  bool has(Type type) const {return bits_ >> type & 1u;}
+
+private:
+  unsigned bits_ = 0;
+};
 using QOSDeadlineRequestedInfo = rmw_event_count_t;
 using QOSDeadlineOfferedInfo = rmw_event_count_t;
 using QOSLivelinessLostInfo = rmw_event_count_t;

@@ -14,6 +14,15 @@ class ServiceBase : public coursekit::Entity, public std::enable_shared_from_thi
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ServiceBase)
   const char * get_service_name() const {return name.c_str();}
+  std::shared_ptr<coursekit::Entity> get_service_handle() {return shared_from_this();}
+  std::shared_ptr<const coursekit::Entity> get_service_handle() const {return shared_from_this();}
+  /// Have a function called with how many requests have come, as soon as they have.
+  void set_on_new_request_callback(std::function<void (size_t)> callback)
+  {
+    news.tell(
+      *this, coursekit::ITSELF, {"set_on_new_request_callback", "rclcpp::ServiceBase", "on new request"}, std::move(callback));
+  }
+  void clear_on_new_request_callback() {news.tell_no_more(*this, coursekit::ITSELF);}
   std::shared_ptr<rmw_request_id_t> create_request_header() {return std::make_shared<rmw_request_id_t>();}
   virtual std::shared_ptr<void> create_request() = 0;
   virtual bool take_type_erased_request(void * request, rmw_request_id_t & header) = 0;

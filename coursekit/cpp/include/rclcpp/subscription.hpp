@@ -18,6 +18,23 @@ public:
   bool is_serialized() const {return false;}
   bool can_loan_messages() const {return false;}
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
+  std::shared_ptr<coursekit::Entity> get_subscription_handle() {return shared_from_this();}
+  std::shared_ptr<const coursekit::Entity> get_subscription_handle() const {return shared_from_this();}
+
+  /// Have a function called with how many messages have come, as soon as they have.
+  void set_on_new_message_callback(std::function<void (size_t)> callback)
+  {
+    news.tell(
+      *this, coursekit::ITSELF, {"set_on_new_message_callback", "rclcpp::SubscriptionBase", "on new message"},
+      std::move(callback));
+  }
+  void clear_on_new_message_callback() {news.tell_no_more(*this, coursekit::ITSELF);}
+  /// The same for messages that stay in the program.
+  void set_on_new_intra_process_message_callback(std::function<void (size_t)> callback);
+  void clear_on_new_intra_process_message_callback();
+  void set_on_new_qos_event_callback(std::function<void (size_t)> callback, rcl_subscription_event_type_t event);
+  void clear_on_new_qos_event_callback(rcl_subscription_event_type_t event);
+
   /// Whether only messages for which an expression holds are heard.
   bool is_cft_enabled() const {return !filter_.filter_expression.empty();}
   void set_content_filter(const std::string & expression, const std::vector<std::string> & parameters = {})
@@ -71,6 +88,8 @@ public:
   /// The C++ type of what it takes, and whether it takes it as its own; null where it takes bytes.
   const std::type_info * taken_type = nullptr;
   bool owns = false;
+  /// The events that it has callbacks for.
+  EventTypes<rcl_subscription_event_type_t> events;
 
 protected:
   ContentFilterOptions filter_;

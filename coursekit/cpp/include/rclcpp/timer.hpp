@@ -23,6 +23,8 @@ public:
   std::chrono::nanoseconds time_until_trigger() {return std::chrono::nanoseconds(ask("timer_left", Packer{}.i(id)).i());}
   bool call() {return ask("timer_call", Packer{}.i(id)).i();}
   void execute_callback() {callback();}
+  std::shared_ptr<coursekit::Entity> get_timer_handle() {return shared_from_this();}
+  std::shared_ptr<const coursekit::Entity> get_timer_handle() const {return shared_from_this();}
   bool exchange_in_use_by_wait_set_state(bool state) {return in_use_.exchange(state);}
 
   std::function<void ()> callback;

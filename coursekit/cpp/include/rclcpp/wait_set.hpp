@@ -10,13 +10,7 @@
 #include "rclcpp/service.hpp"
 #include "rclcpp/subscription.hpp"
 #include "rclcpp/timer.hpp"
-
-/// What was ready when a wait ended: a pointer for each entity, null for those that were not.
-struct rcl_wait_set_t
-{
-  std::vector<const void *> subscriptions, guard_conditions, timers, clients, services;
-  size_t size_of_subscriptions = 0, size_of_guard_conditions = 0, size_of_timers = 0, size_of_clients = 0, size_of_services = 0;
-};
+#include "rclcpp/waitable.hpp"
 
 namespace rclcpp
 {
@@ -44,12 +38,6 @@ private:
   S * set_;
 };
 
-/// Something else to wait for; nothing in coursekit is one.
-class Waitable
-{
-public:
-  RCLCPP_SMART_PTR_DEFINITIONS(Waitable)
-};
 struct SubscriptionWaitSetMask
 {
   bool include_subscription = true, include_events = true, include_intra_process_waitable = true;
@@ -69,6 +57,9 @@ public:
   };
   struct WaitableEntry
   {
+    WaitableEntry(  // NOLINT: as Humble's, it stands for its waitable
+      Waitable::SharedPtr waitable_ = nullptr, std::shared_ptr<void> associated_entity_ = nullptr)
+    : waitable(std::move(waitable_)), associated_entity(std::move(associated_entity_)) {}
     Waitable::SharedPtr waitable;
     std::shared_ptr<void> associated_entity;
   };
@@ -79,7 +70,7 @@ public:
   using Services = std::vector<ServiceBase::SharedPtr>;
   explicit WaitSet(
     const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {},
-    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & = {})
+    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {})
   {
     for (auto & client : clients) {
       add_client(client);
@@ -96,11 +87,17 @@ public:
     for (auto & timer : timers) {
       add_timer(timer);
     }
+    for (auto & entry : waitables) {
+      add_waitable(entry.waitable, entry.associated_entity);
+    }
   }
   ~WaitSet()
   {
     for (auto & guard : guards_) {
       guard->exchange_in_use_by_wait_set_state(false);
+    }
+    for (auto & waitable : waitables_) {
+      waitable->exchange_in_use_by_wait_set_state(false);
     }
   }
   WaitSet(const WaitSet &) = delete;
@@ -131,6 +128,18 @@ public:
     remove(guards_, guard, "guard condition");
     guard->exchange_in_use_by_wait_set_state(false);
   }
+  void add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void> = nullptr)
+  {
+    if (waitable && waitable->exchange_in_use_by_wait_set_state(true)) {
+      throw std::runtime_error("waitable already in use by another wait set");
+    }
+    add(waitables_, waitable, "waitable");
+  }
+  void remove_waitable(Waitable::SharedPtr waitable)
+  {
+    remove(waitables_, waitable, "waitable");
+    waitable->exchange_in_use_by_wait_set_state(false);
+  }
   void prune_deleted_entities() {}
 
   /// Wait until something is ready, at most so long (negative: without end).
@@ -152,7 +161,7 @@ private:
       throw std::runtime_error(std::string(what) + " already associated with a wait set");
     }
     all.push_back(one);
-    look({});
+    forget();
   }
   template<class T>
   void remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
@@ -162,17 +171,20 @@ private:
       throw std::runtime_error(std::string(what) + " not in wait set");
     }
     all.erase(found);
-    look({});
+    forget();
   }
   WaitResultKind wait_ns(int64_t nanoseconds);
-  /// Write down which are ready; all are not where `ready` is empty.
-  void look(const std::vector<bool> & ready);
+  /// Gather all that is waited for.
+  void gather();
+  /// Gather it, and say of all that it is not ready.
+  void forget();
 
   std::vector<SubscriptionBase::SharedPtr> subscriptions_;
   Guards guards_;
   Timers timers_;
   Clients clients_;
   Services services_;
+  std::vector<Waitable::SharedPtr> waitables_;
   rcl_wait_set_t state_;
 };
 using ThreadSafeWaitSet = WaitSet;
@@ -188,12 +200,10 @@ public:
     const std::array<GuardCondition::SharedPtr, NGuards> & guards = {},
     const std::array<TimerBase::SharedPtr, NTimers> & timers = {},
     const std::array<ClientBase::SharedPtr, NClients> & clients = {},
-    const std::array<ServiceBase::SharedPtr, NServices> & services = {}, const std::array<WaitableEntry, NWaitables> & = {})
+    const std::array<ServiceBase::SharedPtr, NServices> & services = {},
+    const std::array<WaitableEntry, NWaitables> & waitables = {})
   : WaitSet(
       {subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()},
-      {clients.begin(), clients.end()}, {services.begin(), services.end()})
-  {
-    static_assert(NWaitables == 0, "coursekit has no waitables of its own to wait for");
-  }
+      {clients.begin(), clients.end()}, {services.begin(), services.end()}, {waitables.begin(), waitables.end()}) {}
 };
 }  // namespace rclcpp

@@ -8,6 +8,14 @@ class ClientBase : public coursekit::Entity
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ClientBase)
+  enum class EntityType : size_t {GoalClient, ResultClient, CancelClient, FeedbackSubscription, StatusSubscription};
+
+  /// Have a function called with how many have come of what, a number of EntityType, as soon as they have.
+  void set_on_ready_callback(std::function<void (size_t, int)> callback)
+  {
+    news.tell_each(*this, 5, {"set_on_ready_callback", "rclcpp_action::ClientBase", "on ready"}, std::move(callback));
+  }
+  void clear_on_ready_callback() {news.tell_of_none(*this, 5);}
   bool action_server_is_ready() const {return rclcpp::ask("action_ready", rclcpp::Packer{}.i(id)).i();}
   template<class Rep = int64_t, class Period = std::milli>
   bool wait_for_action_server(std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))

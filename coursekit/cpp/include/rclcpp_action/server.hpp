@@ -11,6 +11,14 @@ class ServerBase : public coursekit::Entity
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ServerBase)
+  enum class EntityType : size_t {GoalService, ResultService, CancelService};
+
+  /// Have a function called with how many have come of what, a number of EntityType, as soon as they have.
+  void set_on_ready_callback(std::function<void (size_t, int)> callback)
+  {
+    news.tell_each(*this, 3, {"set_on_ready_callback", "rclcpp_action::ServerBase", "on ready"}, std::move(callback));
+  }
+  void clear_on_ready_callback() {news.tell_of_none(*this, 3);}
 };
 
 template<class A>

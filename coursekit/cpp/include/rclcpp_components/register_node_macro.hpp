@@ -1,5 +1,6 @@
 #pragma once
-#include "rclcpp_components/node_factory.hpp"
+#include "class_loader/class_loader.hpp"
+#include "rclcpp_components/node_factory_template.hpp"
 
 /// Enter a class of nodes among the components of a library.
 #define RCLCPP_COMPONENTS_REGISTER_NODE(NodeClass) \

@@ -13,6 +13,11 @@
 #include "rclcpp/parameter.hpp"
 #include "rclcpp/topic_endpoint_info.hpp"
 
+namespace rclcpp
+{
+class Waitable;
+}
+
 namespace rclcpp::node_interfaces
 {
 struct OnSetParametersCallbackHandle : coursekit::Entity
@@ -52,6 +57,12 @@ public:
   bool callback_group_in_node(CallbackGroup::SharedPtr wanted);
   void for_each_callback_group(const std::function<void (CallbackGroup::SharedPtr)> & visit);
   void enter(const CallbackGroup::SharedPtr & made);
+
+  // -- waitables
+
+  /// Have the node's executor serve it, in the node's default group where no other is given.
+  void add_waitable(std::shared_ptr<Waitable> waitable, CallbackGroup::SharedPtr group);
+  void remove_waitable(std::shared_ptr<Waitable> waitable, CallbackGroup::SharedPtr group) noexcept;
 
   // -- topics, services
 
@@ -113,6 +124,7 @@ private:
   std::vector<TopicEndpointInfo> endpoints(const char * what, const std::string & topic, bool no_mangle) const;
   std::mutex lock_;
   std::vector<CallbackGroup::WeakPtr> groups_;
+  std::map<const Waitable *, std::shared_ptr<coursekit::Entity>> waitables_;
   std::map<const Event *, int64_t> graph_seen_;
   std::map<std::string, ParameterValue> declared_;
 };

@@ -26,6 +26,7 @@ class ViewerPage(ScenePanel):
     height_px: int
     picked: Picked | None = None
     """What the Select tool has clicked"""
+    _placed = False
 
     def shown(self) -> dict[str, Any]:
         """The list beside the picture."""
@@ -157,8 +158,11 @@ class ViewerPage(ScenePanel):
         self.hurry()
 
     def follows(self) -> list[float] | None:
-        """Where the frame is that the camera goes with."""
-        place = self.stage.looking.place() if self.stage.looking.frame else None
+        """Where the frame is that the camera goes with; when it first is somewhere, the page looks there."""
+        place = self.stage.looking.place()
+        if (place is not None) > self._placed:
+            self.look_anew()
+        self._placed = place is not None
         return [round(one, 5) for one in place] if place is not None else None
 
     def _try(self, does: Any) -> None:

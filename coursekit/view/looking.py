@@ -60,9 +60,9 @@ class Looking:
         """Look at a frame and go with it, '' at what stands still; a ThirdPersonFollower turns with it, too."""
         now = self.stage.camera().as_dict()
         self.frame, self.type = frame, type_
-        place = self.place()
-        at = list(place[:3]) if place else now["target"]
-        self.moved = self._in_frame({**now, "target": at})
+        self.moved = self._in_frame(now)
+        if frame:
+            self.moved["target"] = [0.0, 0.0, 0.0]
 
     def go_home(self) -> None:
         """As it was configured."""

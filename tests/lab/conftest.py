@@ -2,6 +2,7 @@
 
 import pytest
 
+from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.panel import end_panels
 from coursekit.processes.session import Session
 
@@ -12,3 +13,26 @@ def session():
     with Session(virtual=True).use() as made:
         yield made
         end_panels()
+
+
+@pytest.fixture
+def talker(session):
+    """A node that publishes what panels show."""
+    hidden = HiddenNode("talker")
+    yield hidden.node
+    hidden.close()
+
+
+@pytest.fixture
+def page(session, monkeypatch):
+    """page(panel) gives what does as a page of the panel does; its `heard` are the messages that the page got."""
+
+    def open_(panel):
+        def does(type_, **more):
+            panel._hear(panel, {"type": type_, **more}, [])
+
+        does.heard = []
+        monkeypatch.setattr(panel, "send", lambda message, buffers=None: does.heard.append(message))
+        return does
+
+    return open_

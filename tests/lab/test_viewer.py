@@ -8,20 +8,12 @@ from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamp
 from nav_msgs.msg import Path
 from sensor_msgs.msg import LaserScan
 
-from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
 from coursekit.processes.executables import find
 from coursekit.processes.session import Session
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
-
-
-@pytest.fixture
-def talker(session):
-    hidden = HiddenNode("talker")
-    yield hidden.node
-    hidden.close()
 
 
 def robot(session, name="rdk_x3_robot", *more):

@@ -22,16 +22,8 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
 from tf2_msgs.msg import TFMessage
 
-from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.viewer import viewer
 from coursekit.view.scene_shapes import Lines, Points, Triangles
-
-
-@pytest.fixture
-def talker(session):
-    hidden = HiddenNode("talker")
-    yield hidden.node
-    hidden.close()
 
 
 def show(session, talker, display, *messages):

@@ -11,17 +11,9 @@ from sensor_msgs.msg import Image, LaserScan, PointCloud2, PointField
 from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
-from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.viewer import viewer
 from tests.lab.viewer_stage import frame, said, shapes
 from tests.urdf.oracle import ROBOTS
-
-
-@pytest.fixture
-def talker(session):
-    hidden = HiddenNode("talker")
-    yield hidden.node
-    hidden.close()
 
 
 def test_messages_become_shapes(session, talker):

@@ -1,6 +1,7 @@
 """What viewers are shown, and what they make of it."""
 
 from geometry_msgs.msg import TransformStamped
+from sensor_msgs.msg import LaserScan
 
 
 def frame(node, parent, child, x=0.0, static=True):
@@ -18,6 +19,10 @@ def said(node, type_, topic, frame_id="map", **fields):
         msg.header.frame_id = frame_id
     node.create_publisher(type_, topic, 1).publish(msg)
     return msg
+
+
+def scan(node, **fields):
+    return said(node, LaserScan, "/scan", ranges=[1.0, 2.0], angle_increment=0.5, range_max=5.0, **fields)
 
 
 def shapes(panel, name):

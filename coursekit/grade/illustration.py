@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from coursekit.view.figure import Figure, Point
+    from coursekit.view.figure import Figure
 
 LONGEST = 400_000
 """Letters of a picture; a longer one would make the notebook slow."""
@@ -21,7 +21,7 @@ class Illustration:
     def __init__(self) -> None:
         self._make: Callable[..., Figure] | None = None
         self._facts: tuple[Any, ...] = ()
-        self.at: Sequence[Point] = ()
+        self.at: Sequence[Sequence[float]] = ()
         """Where in the last panel something is wrong."""
 
     def keep(self, make: Callable[..., Figure], *facts: Any) -> None:
@@ -36,7 +36,7 @@ class Illustration:
             from coursekit.view.figure_html import html
 
             figure = self._make(*self._facts)
-            figure.panels[-1].rings += self.at
+            figure.panels[-1].rings += [(one[0], one[1]) for one in self.at]
             made = html(figure)
         except (Exception, KeyboardInterrupt):
             return ""

@@ -37,7 +37,7 @@ class Wrong(Exception):
         gave: str = "",
         hint: int | None = None,
         timed_out: bool = False,
-        at: Sequence[tuple[float, float]] = (),
+        at: Sequence[Sequence[float]] = (),
     ) -> None:
         super().__init__(expected)
         self.expected = expected
@@ -53,7 +53,7 @@ class Wrong(Exception):
         self.timed_out = timed_out
         """Whether a program or function was ended because its time was over."""
         self.at = at
-        """Where the fault is in the last panel of the picture that the judge handed out, in its units."""
+        """Where the fault is in the last panel of the picture that the judge handed out: x and y, in its units."""
 
 
 @dataclass(frozen=True)

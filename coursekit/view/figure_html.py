@@ -17,6 +17,7 @@ from .figure_style import style
 WIDTHS = {1: 520.0, 2: 350.0, 3: 250.0}
 """Of a panel, by how many there are [pixels]."""
 TALLEST, CHART = 340.0, 210.0
+RIGHT, MOST_RINGS = 18, 24
 WRONG = "what is wrong"
 
 
@@ -27,7 +28,7 @@ def html(figure: Figure) -> str:
     legend = "".join(_legend(figure))
     return (
         f'<figure class="ck-drawn"><style>{style()}</style>{BOX if "mover" in panels else ""}'
-        f'<div class="panels" role="img" aria-label="{escape(figure.alt)}">{panels}</div>'
+        f'<div class="drawn-parts" role="img" aria-label="{escape(figure.alt)}">{panels}</div>'
         f"{f'<figcaption>{legend}</figcaption>' if legend else ''}</figure>"
     )
 
@@ -42,10 +43,10 @@ def _panel(panel: Panel, wide: float) -> str:
     inner = "".join(_draw(shape, frame) for shape in panel.shapes if not isinstance(shape, Mover))
     inner += "".join(_movers([one for one in panel.shapes if isinstance(one, Mover)], frame))
     grid = "".join(_grid(view, frame, panel.axes)) if panel.axes else ""
-    rings = "".join(_ring(at, frame) for at in drawable(panel.rings)[:6])
-    title = f'<p class="title">{escape(panel.title)}</p>' if panel.title else ""
+    rings = "".join(_ring(at, frame) for at in drawable(panel.rings)[:MOST_RINGS])
+    title = f'<p class="drawn-title">{escape(panel.title)}</p>' if panel.title else ""
     size = f'width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
-    return f'<div class="panel">{title}<svg {size} aria-hidden="true">{back}{grid}{inner}{rings}</svg></div>'
+    return f'<div class="drawn-part">{title}<svg {size} aria-hidden="true">{back}{grid}{inner}{rings}</svg></div>'
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ class _Frame:
         across, up = max(right - left, 1e-9), max(high - low, 1e-9)
         if panel.axes:
             room = (46.0, 34.0)
-            scale = ((wide - room[0] - 10) / across, -(CHART - room[1] - 22) / up)
+            scale = ((wide - room[0] - RIGHT) / across, -(CHART - room[1] - 22) / up)
             return cls(wide, CHART, scale, (room[0], CHART - room[1]), left, low)
         zoom = min(wide / across, TALLEST / up)
         width, height = max(across * zoom, 40.0), max(up * zoom, 40.0)
@@ -164,12 +165,12 @@ def _grid(view: View, frame: _Frame, names: tuple[str, str]) -> Iterator[str]:
     left, right, low, high = view
     for value in _ticks(low, high, 4) if names[1] else ():
         x, y = frame.at(left, value)
-        yield f'<path class="line rim" style="stroke-width:1" d="M{_n(x)} {_n(y)}H{_n(frame.width - 10)}"/>'
+        yield f'<path class="line rim" style="stroke-width:1" d="M{_n(x)} {_n(y)}H{_n(frame.width - RIGHT)}"/>'
         yield f'<text class="ink" x="{_n(x - 6)}" y="{_n(y + 4)}" text-anchor="end">{value:g}</text>'
     for value in _ticks(left, right, 6):
         x, y = frame.at(value, low)
         yield f'<text class="ink" x="{_n(x)}" y="{_n(y + 14)}" text-anchor="middle">{value:g}</text>'
-    x, y = frame.width - 10, frame.height - 5
+    x, y = frame.width - RIGHT, frame.height - 5
     yield f'<text class="ink" x="{_n(x)}" y="{_n(y)}" text-anchor="end">{escape(names[0])}</text>'
     yield f'<text class="ink" x="6" y="13">{escape(names[1])}</text>'
 
@@ -192,9 +193,9 @@ def _legend(figure: Figure) -> Iterator[str]:
     for sign, kind, label in itertools.chain.from_iterable(map(_keys, (one for p in figure.panels for one in p.shapes))):
         if label and label not in seen:
             seen.add(label)
-            yield f'<span class="key"><i class="{sign} {kind}"></i>{escape(label)}</span>'
+            yield f'<span class="drawn-key"><i class="{sign} {kind}"></i>{escape(label)}</span>'
     if any(panel.rings for panel in figure.panels):
-        yield f'<span class="key"><i class="round"></i>{WRONG}</span>'
+        yield f'<span class="drawn-key"><i class="round"></i>{WRONG}</span>'
 
 
 def _keys(shape: Shape) -> Iterator[tuple[str, str, str]]:

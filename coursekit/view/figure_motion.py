@@ -10,7 +10,7 @@ MOST_STEPS = 400
 """Of longer ways every so-manieth place is kept."""
 TICK, SHORTEST, LONGEST = 0.15, 4.0, 30.0
 """Seconds for each tick, and for the whole way at least and at most."""
-BOX = '<label class="play"><input type="checkbox">see them move</label>'
+BOX = '<label class="drawn-play"><input type="checkbox">see them move</label>'
 
 
 def moving(places: Sequence[Point], kind: str, ticks: int) -> str:

@@ -26,10 +26,10 @@ COLOURS = {
 """By kind: in the light and in the dark."""
 
 _RULES = """.ck-drawn{{margin:10px 0 4px;font:12px/1.4 var(--jp-ui-font-family,system-ui,sans-serif)}}
-.ck-drawn .panels{{display:flex;flex-wrap:wrap;gap:6px 14px;padding:1px}}
-.ck-drawn .panel{{flex:0 1 auto;min-width:0}}
-.ck-drawn .title{{color:var(--ink);margin:0 0 2px}}
-.ck-drawn svg{{display:block;max-width:100%;height:auto;border-radius:6px;box-shadow:0 0 0 1px var(--rim)}}
+.ck-drawn .drawn-parts{{display:flex;flex-wrap:wrap;gap:6px 14px;padding:1px}}
+.ck-drawn .drawn-part{{flex:0 1 auto;min-width:0}}
+.ck-drawn .drawn-title{{color:var(--ink);margin:0 0 2px}}
+.ck-drawn svg{{display:block;margin:0;max-width:100%;height:auto;border-radius:6px;box-shadow:0 0 0 1px var(--rim)}}
 .ck-drawn .line{{fill:none;stroke:var(--k);stroke-width:1.8;stroke-linejoin:round;stroke-linecap:round}}
 .ck-drawn .wide{{stroke-width:3}}
 .ck-drawn .dashed{{stroke-dasharray:5 4}}
@@ -40,13 +40,13 @@ _RULES = """.ck-drawn{{margin:10px 0 4px;font:12px/1.4 var(--jp-ui-font-family,s
 .ck-drawn figcaption{{display:flex;flex-wrap:wrap;gap:2px 16px;margin:5px 0 0;color:var(--ink)}}
 .ck-drawn .mover{{display:none;stroke:var(--free);stroke-width:2}}
 .ck-drawn:has(input:checked) .mover{{display:inline}}
-.ck-drawn .play{{display:inline-flex;gap:6px;align-items:center;margin:0 0 4px;color:var(--ink);cursor:pointer}}
-.ck-drawn .key i{{display:inline-block;vertical-align:middle;margin-right:6px;background:var(--k)}}
-.ck-drawn .key .stroke{{width:18px;height:3px;border-radius:2px}}
-.ck-drawn .key .dash{{width:18px;height:3px;background:repeating-linear-gradient(90deg,var(--k) 0 6px,#0000 6px 10px)}}
-.ck-drawn .key .dot{{width:8px;height:8px;border-radius:50%}}
-.ck-drawn .key .cell{{width:12px;height:12px;border:1px solid var(--rim)}}
-.ck-drawn .key .round{{width:9px;height:9px;border:2.4px solid var(--bad);border-radius:50%;background:none}}"""
+.ck-drawn .drawn-play{{display:inline-flex;gap:6px;align-items:center;margin:0 0 4px;color:var(--ink);cursor:pointer}}
+.ck-drawn .drawn-key i{{display:inline-block;vertical-align:middle;margin-right:6px;background:var(--k)}}
+.ck-drawn .drawn-key .stroke{{width:18px;height:3px;border-radius:2px}}
+.ck-drawn .drawn-key .dash{{width:18px;height:3px;background:repeating-linear-gradient(90deg,var(--k) 0 6px,#0000 6px 10px)}}
+.ck-drawn .drawn-key .dot{{width:8px;height:8px;border-radius:50%}}
+.ck-drawn .drawn-key .cell{{width:12px;height:12px;border:1px solid var(--rim)}}
+.ck-drawn .drawn-key .round{{width:9px;height:9px;border:2.4px solid var(--bad);border-radius:50%;background:none}}"""
 
 
 def style() -> str:

@@ -9,6 +9,7 @@ from typing import Any
 from coursekit.geometry.pose import Quaternion, multiply, rotate
 from coursekit.grade.chapters.measures.photographs import Flat, judge_views, told
 from coursekit.grade.exercise import exercise
+from coursekit.grade.figures.photographs import photographed
 from coursekit.grade.outputs import heard, last_words, said
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.verdict import NO_HINT, Wrong
@@ -243,7 +244,9 @@ def once_around(work: Work) -> None:
             raise Wrong("the header of the outline", gave=f"frame_id {frame}, stamp {second} s", share=0.25, hint=NO_HINT)
         if not 1 <= len(asked.poses) <= len(corners):
             raise Wrong(f"1 to {len(corners)} photographs of {name}", gave=str(len(asked.poses)), hint=NO_HINT)
-        judge_views([_standing(pose, name) for pose in asked.poses], corners, name)
+        poses = [_standing(pose, name) for pose in asked.poses]
+        work.illustrate(photographed, corners, poses, name)
+        judge_views(poses, corners, name)
 
 
 def _pallet(x: float, y: float, yaw: float) -> list[Flat]:

@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.figures.turtles import PAPER, walked
 from coursekit.grade.outputs import way_of
 from coursekit.grade.plain import is_number, shown
 from coursekit.grade.verdict import NO_HINT, Wrong
@@ -49,9 +50,11 @@ def keys(work: Work) -> None:
         raise Wrong("presses of two minutes at most in all", gave=f"{now:.0f} s", hint=NO_HINT)
     plan.append((now, CMD_VEL, TWIST, {}))
     seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
-    if any("hit the wall" in one for one in seen.beside):
-        raise Wrong("no wall on the way", "it hit one", "Press for a shorter time.", share=0.25, hint=NO_HINT)
     places = way_of(seen, POSE)
+    work.illustrate(walked, places, (0.0, 5.5, 0.0, PAPER))
+    if any("hit the wall" in one for one in seen.beside):
+        cause = "Press for a shorter time."
+        raise Wrong("no wall on the way", "it hit one", cause, share=0.25, hint=NO_HINT, at=places[-1:])
     driven = sum(math.dist(one[:2], other[:2]) for one, other in pairwise(places))
     if not driven >= 3:
         raise Wrong("at least 3 m", f"{driven:.1f} m", share=0.25, hint=0)

@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.figures.turtles import PAPER, walked
 from coursekit.grade.outputs import course_said, exit_code, last_words, said, way_of
 from coursekit.grade.plain import close, numbers, shown, texts
 from coursekit.grade.verdict import NO_HINT, Wrong
@@ -17,8 +18,8 @@ CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/T
 RED, PEN = (255, 0, 0), 5
 ASIDE = range(-4, 5)
 """So many pixels beside the line turtles look at the paper."""
-START, PAPER = 5.544445, 11.088889
-"""Where turtle1 begins, and how wide turtlesim's paper is [m]."""
+START = 5.544445
+"""Where turtle1 begins [m]."""
 PIXEL = 1 / 45
 """On turtlesim's paper [m]."""
 
@@ -65,8 +66,10 @@ def corner(work: Work) -> None:
         now += seconds
     plan.append((now, CMD_VEL, TWIST, _twist(0.0, 0.0)))
     seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
-    _no_wall(seen)
-    x, y, _ = way_of(seen, POSE)[-1]
+    way = way_of(seen, POSE)
+    work.illustrate(walked, way, (9.0, PAPER, 9.0, PAPER))
+    _no_wall(seen, way)
+    x, y, _ = way[-1]
     if not (x > 9 and y > 9):
         cause = "Forward is where it looks; it looks right at the start."
         raise Wrong("an end beyond x = 9 and y = 9", f"x = {x:.2f}, y = {y:.2f}", cause)
@@ -166,8 +169,9 @@ def dance(work: Work) -> None:
         _expect_radians(turn)
     plan = [(when, CMD_VEL, TWIST, _twist(forward, turn)) for when, forward, turn in steps]
     seen = work.try_out(beside=[TURTLESIM], seconds=22.0, publish=plan, record=[POSE])
-    _no_wall(seen)
     poses = way_of(seen, POSE)
+    work.illustrate(walked, poses)
+    _no_wall(seen, poses)
     length = sum(math.dist(a[:2], b[:2]) for a, b in pairwise(poses))
     turned = sum(abs(math.remainder(b[2] - a[2], math.tau)) for a, b in pairwise(poses))
     if not length >= 8:
@@ -195,8 +199,8 @@ def _twist(forward: float, turn: float) -> dict[str, Any]:
     return {"linear": {"x": forward}, "angular": {"z": turn}}
 
 
-def _no_wall(seen: Any) -> None:
+def _no_wall(seen: Any, way: list[tuple[float, ...]]) -> None:
     told = "\n".join(seen.beside)
     if "Oh no! I hit the wall!" in told:
         last = told.strip().splitlines()[-1]
-        raise Wrong("no wall on the way", last, "Shorter, or turn earlier.", share=0.25, hint=NO_HINT)
+        raise Wrong("no wall on the way", last, "Shorter, or turn earlier.", share=0.25, hint=NO_HINT, at=way[-1:])

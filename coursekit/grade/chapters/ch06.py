@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.grade.chapters.measures.arm import arm_tip, why_tip
 from coursekit.grade.chapters.measures.body import FLOOR, extent, inverse, outside, poses, solids, turned
 from coursekit.grade.exercise import exercise
+from coursekit.grade.figures.arms import arm
 from coursekit.grade.outputs import expect_node, heard
 from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
 from coursekit.grade.trial import Seen
@@ -135,6 +136,7 @@ def by_hand(work: Work) -> None:
         given = (shoulder, elbow) if index < 6 else (shoulder, elbow, upper, fore)
         got = numbers(called(tip, *given, told=told), 2, f"a pair (x, y) of finite numbers from {told}")
         place = arm_tip(shoulder, elbow, upper, fore)
+        work.illustrate(arm, (shoulder, elbow), (upper, fore), place, got)
         if not close(got, place, 1e-6):
             cause = "Only with other lengths: are they used?" if index >= 6 else why_tip(got, shoulder, elbow)
             answer = f"({got[0]:.3f}, {got[1]:.3f})"

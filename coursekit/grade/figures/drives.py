@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.outputs import course_said
 from coursekit.grade.plain import field, fields
-from coursekit.view.figure import Cells, Dots, Figure, Line, Panel, Point, Shape, Words
+from coursekit.view.figure import Cells, Dots, Figure, Line, Panel, Point, Shape, View, Words
 
 if TYPE_CHECKING:
     from coursekit.grade.plan import Seen
 
 MOST_PLANS = 60
+ROOM = 0.9
+"""What is shown around a round [m]."""
 
 
 def plans_in(seen: Seen) -> list[Any]:
@@ -30,17 +32,19 @@ def driven(map_file: str, track: Sequence[Sequence[float]], plans: Sequence[Any]
 
     grid = load_map(map_file)
     codes = np.where(grid.cells < 0, 1, np.where(grid.cells > 65, 2, 0))
-    known = np.argwhere(codes != 1)
-    (low, left), (high, right) = known.min(axis=0) - 2, known.max(axis=0) + 3
-    x, y, size = *grid.origin[:2], grid.resolution
-    shapes: list[Shape] = [Cells(codes, ("free", "unknown", "wall"), (), (x, y), size)]
-    shapes += [Line(_path(one), "guess", "planned", dashed=True) for one in _first_of_each(plans)]
+    shapes: list[Shape] = [Cells(codes, ("free", "unknown", "wall"), (), grid.origin[:2], grid.resolution)]
     shapes += [Line(track, "own", "driven", wide=True), Dots(track[:1], "own", "her start", 4.5)]
+    shapes += [Line(_path(one), "guess", "planned", dashed=True) for one in _first_of_each(plans)]
     for number, stop in enumerate(stops, 1):
-        shapes += [Dots([stop], "truth", "a stop", 5.0), Words(*stop, f"stop {number}", "truth")]
-    view = (x + left * size, x + right * size, y + low * size, y + high * size)
+        shapes += [Dots([stop], "truth", "a stop", 5.0), Words(stop[0], stop[1] - 0.13, f"stop {number}")]
     alt = f"The room from above: {len(stops)} stops, the planned paths, and the {_length(track):.1f} m that Vera drove."
-    return Figure([Panel(shapes, view=view)], alt)
+    return Figure([Panel(shapes, view=_around([*track, *stops]))], alt)
+
+
+def _around(points: Sequence[Sequence[float]]) -> View:
+    """All of them with some of the room around."""
+    xs, ys = ([one[axis] for one in points] for axis in (0, 1))
+    return min(xs) - ROOM, max(xs) + ROOM, min(ys) - ROOM, max(ys) + ROOM
 
 
 def _first_of_each(plans: Sequence[Any]) -> list[Any]:

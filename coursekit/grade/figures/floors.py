@@ -81,7 +81,7 @@ def crew(
         aside = (number - 2.5) * 0.16
         kind = f"robot{number}"
         shapes.append(Line([(x + aside, y + aside) for x, y in spots(*way)], kind, name))
-        shapes += [Dots(spots(homes[name]), kind, "", 5.0), Words(0.1, homes[name][0] + 0.5, str(number), "free")]
+        shapes += [Dots(spots(homes[name]), kind, "", 5.0), Words(0.1, homes[name][0] + 0.5, str(number), "wall")]
         shapes.append(Mover(spots(*way), kind))
     ticks = ", ".join(f"{name} {max(0, len(way) - 1)}" for name, way in ways.items())
     alt = f"{told} from above with the robots' ways. Ticks: {ticks}."

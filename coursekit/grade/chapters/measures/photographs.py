@@ -19,13 +19,15 @@ def judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str)
     inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
     if inside or not away >= 0.8 - 1e-6:
         got = "one stands in it" if inside else f"one is {away:.2f} m from a side"
-        raise Wrong(f"0.8 m of room around {name}", gave=got, share=0.25, hint=NO_HINT)
+        nearest = min((place for place, _ in poses), key=lambda one: min(_away(one, *side) for side in sides))
+        raise Wrong(f"0.8 m of room around {name}", gave=got, share=0.25, hint=NO_HINT, at=[nearest])
     for number, side in enumerate(sides, 1):
         faults = [fault for place, yaw in poses if (fault := _fault(place, yaw, *side))]
         if len(faults) == len(poses):
             best = max(faults)[1]
             wanted = f"a photograph of side {number} of {name}, from {told(side[0])} to {told(side[1])}"
-            raise Wrong(wanted, gave=best, share=0.25, hint=1)
+            at = [((side[0][0] + side[1][0]) / 2, (side[0][1] + side[1][1]) / 2)]
+            raise Wrong(wanted, gave=best, share=0.25, hint=1, at=at)
 
 
 def _height(place: Flat, a: Flat, b: Flat) -> float:

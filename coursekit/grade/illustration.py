@@ -30,17 +30,22 @@ class Illustration:
 
     def html(self) -> str:
         """The picture as HTML; empty where nothing was handed out, and where it cannot be drawn."""
-        if self._make is None:
-            return ""
         try:
             from coursekit.view.figure_html import html
 
-            figure = self._make(*self._facts)
-            figure.panels[-1].rings += [(one[0], one[1]) for one in self.at]
-            made = html(figure)
+            figure = self.figure()
+            made = html(figure) if figure else ""
         except (Exception, KeyboardInterrupt):
             return ""
         return made if len(made) <= LONGEST else ""
+
+    def figure(self) -> Figure | None:
+        """What was handed out, with rings where the fault is; it raises whatever drawing raises."""
+        if self._make is None:
+            return None
+        figure = self._make(*self._facts)
+        figure.panels[-1].rings += [(one[0], one[1]) for one in self.at]
+        return figure
 
 
 __all__ = ["Illustration"]

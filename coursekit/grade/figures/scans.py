@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from coursekit.grade.matching import Pose, Puzzle
 
 MOST_RAYS = 24
+FAR = 10.0
+"""Further from the guess no gap is measured [m]."""
 AROUND = 0.8
 """What is shown around a scan [m]."""
 
@@ -73,8 +75,9 @@ def matched(puzzle: Puzzle, pose: Pose, told: str, right: bool) -> Figure:
     kind, label = ("own", "the scan, matched") if right else ("bad", "where you put the scan")
     before = _placed(puzzle, seen, puzzle.guess, "guess", "the scan at the guess", view, "before: at the guess")
     after = _placed(puzzle, seen, pose, kind, label, view, "after matching")
-    gaps = f"{puzzle.misfit(puzzle.guess) * 100:.1f} cm before and {puzzle.misfit(pose) * 100:.1f} cm after"
-    return Figure([before, after], f"The scan {told} over the true walls, before and after matching: mean gap {gaps}.")
+    gap = f"{puzzle.misfit(pose) * 100:.1f} cm" if math.dist(pose[:2], puzzle.guess[:2]) < FAR else f"more than {FAR:g} m"
+    alt = f"The scan {told} over the true walls. Their mean gap is {puzzle.misfit(puzzle.guess) * 100:.1f} cm at the guess,"
+    return Figure([before, after], f"{alt} and {gap} after matching.")
 
 
 def _placed(puzzle: Puzzle, walls: np.ndarray, pose: Pose, kind: str, label: str, view: View, title: str) -> Panel:

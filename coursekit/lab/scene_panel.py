@@ -80,6 +80,10 @@ class ScenePanel(Panel):
         """The place [m, m, m, rad] of what the camera goes with; None: it stands still."""
         return None
 
+    def marked(self) -> int | None:
+        """The number of the thing that was clicked, as it is now; None: nothing."""
+        return None
+
     def on_drawn(self, message: dict[str, Any]) -> None:
         """A page has drawn."""
         self._stream.drawn(int(message.get("n", 0)))

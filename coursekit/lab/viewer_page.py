@@ -130,6 +130,11 @@ class ViewerPage(ScenePanel):
         self.picked = pick(self.stage, int(number or 0), at) if good else None
         self.hurry()
 
+    def marked(self) -> int | None:
+        """The number of what was clicked."""
+        thing = self.stage.scene.things.get((self.picked.display, self.picked.thing)) if self.picked is not None else None
+        return thing.number if thing is not None else None
+
     def on_look(self, message: dict[str, Any]) -> None:
         """A hand has moved the camera."""
         self._try(lambda: self.stage.looking.move(message))

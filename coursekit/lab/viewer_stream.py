@@ -30,7 +30,7 @@ class Stream:
         self._whole = True
         self._fitted = False
         self._anew = False
-        self._followed: list[float] | None = None
+        self._led: dict[str, Any] = {}
         self._list: Any = None
         self._list_due = 0
         self._pictures: dict[str, int] = {}
@@ -79,16 +79,15 @@ class Stream:
             scene = stage.update()
             changes = scene.whole() if whole else scene.changes()
             view = self._view(whole)
-            follow = self.panel.follows()
+            led = {"follow": self.panel.follows(), "marked": self.panel.marked()}
         self._tell_list()
         pictures, images = self._images()
-        goes = follow != self._followed
-        if not (changes or whole or view or pictures or goes):
+        if not (changes or whole or view or pictures or led != self._led):
             return
-        self._followed = follow
+        self._led = led
         message, buffers = packed(changes)
         self._sent += 1
-        message |= {"type": "scene", "n": self._sent, "whole": whole, "view": view, "images": pictures, "follow": follow}
+        message |= {"type": "scene", "n": self._sent, "whole": whole, "view": view, "images": pictures, **led}
         if not self._closed:
             self.panel.send(message, buffers=[*buffers, *images])
 

@@ -46,7 +46,7 @@ def told(stage: Stage, picked: Picked) -> dict[str, Any] | None:
         here = picked.here if dot is None else dot[1]
         facts = [*head, *one.facts(picked.thing, thing, here, stage)]
         at = [round(float(value), 4) for value in world(thing, here)]
-        return {"number": thing.number, "name": one.config.name, "facts": facts, "at": at}
+        return {"name": one.config.name, "facts": facts, "at": at}
 
 
 __all__ = ["Picked", "pick", "told"]

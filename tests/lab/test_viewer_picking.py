@@ -46,6 +46,28 @@ def test_what_has_just_been_replaced_can_still_be_clicked(session, talker, page)
     assert dict(panel.shown()["picked"]["facts"])["Range"] == "1.000 m"
 
 
+def test_the_page_knows_the_number_of_what_was_clicked_also_when_it_is_replaced(session, talker, page):
+    panel = viewer(fixed_frame="map", displays=["LaserScan"])
+    does = page(panel)
+
+    def marked():
+        session.clock.sleep(0.2)
+        scenes = [one for one in does.heard if one["type"] == "scene"]
+        does("drawn", n=scenes[-1]["n"])
+        return scenes[-1]["marked"]
+
+    scan(talker)
+    does("open")
+    assert marked() is None
+    clicked(panel, does, "LaserScan", (1.0, 0.0, 0.0))
+    first = marked()
+    scan(talker)
+    session.clock.sleep(0.1)
+    assert marked() > first
+    does("pick", number=None, at=None)
+    assert marked() is None
+
+
 def test_a_cell_of_a_map_says_its_value(session, talker, page):
     panel = viewer(fixed_frame="map", displays=[{"type": "Map", "durability": "Volatile"}])
     grid = OccupancyGrid(data=[0, 100, -1, 50])

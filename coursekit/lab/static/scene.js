@@ -227,8 +227,8 @@ function wheelIsThePages(stage) {
 }
 
 // Draws what Python streams; two buttons lead the camera. `ready(scene, library)` is called once MeshCat is there, `pictures` with
-// what is shown beside the scene. Gives the function that ends it.
-function drawScene(model, { panel, pane, labels, corner, ready, pictures = () => {} }) {
+// what is shown beside the scene, `drawn` after each message. Gives the function that ends it.
+function drawScene(model, { panel, pane, labels, corner, ready, pictures = () => {}, drawn = () => {} }) {
   const home = make("button", { textContent: "Reset view", title: "look from where it was at first" });
   const top = make("button", { textContent: "From above", title: "look straight down" });
   corner.append(home, top);
@@ -246,6 +246,7 @@ function drawScene(model, { panel, pane, labels, corner, ready, pictures = () =>
       if (!scene.touched || view.anew) { scene.look(view); scene.followed = null; }
     }
     scene.follow(message.follow);
+    drawn(message);
     panel.dataset.messages = message.n;
     requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
   };

@@ -94,12 +94,12 @@ export default {
     };
     const ready = (scene, { THREE }) => {
       const ruler = new Ruler(scene, aim, labels);
-      selection = new Selection(scene, THREE, aim, picked);
+      selection = panel.selection = new Selection(scene, THREE, aim, picked);
       useTools(stage, scene, { ...picks, ...tools }, model, { ruler, hint });
       calm = tellCamera(scene, model);
       if (last) show(last);
     };
-    const end = drawScene(model, { panel, pane, labels, corner, ready, pictures: beside.show });
+    const end = drawScene(model, { panel, pane, labels, corner, ready, pictures: beside.show, drawn: ({ marked }) => selection?.mark(marked) });
     corner.append(views.button);
     const deaf = listen(model, { shown: show, kinds: hear, topics: adding.hear });
     return () => {

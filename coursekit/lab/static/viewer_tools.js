@@ -39,25 +39,41 @@ class Ruler {
 // What the Select tool says: a card with the thing's values, and a box around the thing or a ring on the dot.
 class Selection {
   constructor(scene, three, svg, card) {
-    Object.assign(this, { scene, card, ring: svg.querySelector(".ck-ring"), picked: null, dotted: false });
-    this.box = new three.BoxHelper(new three.Object3D(), 0x2f8fe0);
-    this.box.visible = false;
-    this.box.material.depthTest = false;
+    Object.assign(this, { scene, card, ring: svg.querySelector(".ck-ring"), picked: null, marked: null, around: null });
+    this.three = three;
+    const edges = new three.EdgesGeometry(new three.BoxGeometry(1, 1, 1));
+    this.box = new three.LineSegments(edges, new three.LineBasicMaterial({ color: 0xff9d1c, depthTest: false }));
+    Object.assign(this.box, { visible: false, matrixAutoUpdate: false, renderOrder: 9 });
     scene.view.scene.add(this.box);
-    scene.view.scene.updateMatrixWorld();
-    this.box.matrix.copy(scene.view.scene.matrixWorld).invert(); // its corners are the world's, and MeshCat turns its scene
     scene.after.push(() => this.draw());
+  }
+
+  // This thing is it: what is shown of it may have been replaced.
+  mark(number) {
+    if (number === this.marked) return;
+    this.marked = number;
+    const object = this.scene.view.scene_tree.find(["scene"]).children[number]?.object ?? null;
+    let meshes = 0;
+    object?.traverse((one) => { if (one.isMesh && !one.material.map) meshes++; });
+    this.around = meshes ? object : null;
+    this.box.visible = meshes > 0;
+    this.frame();
+    this.scene.view.set_dirty();
+  }
+
+  // The box goes around the thing, a little wider.
+  frame() {
+    if (!this.around) return;
+    const around = new this.three.Box3().setFromObject(this.around), size = around.getSize(this.scene.vector());
+    const { matrix } = this.box, world = this.scene.view.scene.matrixWorld; // MeshCat turns its scene
+    matrix.compose(around.getCenter(this.scene.vector()), new this.three.Quaternion(), size.multiplyScalar(1.06).addScalar(0.01));
+    matrix.premultiply(world.clone().invert());
+    this.box.matrixWorldNeedsUpdate = true;
   }
 
   show(picked) {
     this.picked = picked;
     this.card.hidden = !picked;
-    const node = picked && this.scene.view.scene_tree.find(["scene"]).children[picked.number];
-    const meshes = [];
-    node?.object.traverse((one) => one.isMesh && !one.material.map && meshes.push(one));
-    this.dotted = Boolean(picked) && !meshes.length;
-    this.box.visible = meshes.length > 0;
-    this.around = meshes.length ? node.object : null;
     this.scene.view.set_dirty();
     if (!picked) return;
     const text = JSON.stringify([picked.name, picked.facts]);
@@ -68,8 +84,8 @@ class Selection {
   }
 
   draw() {
-    if (this.around) this.box.setFromObject(this.around);
-    const place = this.dotted && this.scene.pixel(this.picked.at);
+    this.frame();
+    const place = this.picked && !this.around && this.scene.pixel(this.picked.at);
     this.ring.style.display = place && place.seen ? "" : "none";
     if (place) { this.ring.setAttribute("cx", place.x); this.ring.setAttribute("cy", place.y); }
   }

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from coursekit.view.figure import Figure
 
+    from .work import Work
+
 LONGEST = 400_000
 """Letters of a picture; a longer one would make the notebook slow."""
 
@@ -21,12 +23,16 @@ class Illustration:
     def __init__(self) -> None:
         self._make: Callable[..., Figure] | None = None
         self._facts: tuple[Any, ...] = ()
+        self._work: Work | None = None
         self.at: Sequence[Sequence[float]] = ()
         """Where in the last panel something is wrong."""
 
-    def keep(self, make: Callable[..., Figure], *facts: Any) -> None:
-        """Have `make(*facts)` drawn: plain values that the judge has checked; lists may still grow until the verdict."""
-        self._make, self._facts = make, facts
+    def keep(self, work: Work, make: Callable[..., Figure], *facts: Any) -> None:
+        """Have `make(*facts)` drawn: plain values that the judge has checked; lists may still grow until the verdict.
+
+        The work is kept with them: a robot's meshes are files that last as long as it.
+        """
+        self._make, self._facts, self._work = make, facts, work
 
     def html(self) -> str:
         """The picture as HTML; empty where nothing was handed out, and where it cannot be drawn."""

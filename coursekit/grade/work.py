@@ -69,7 +69,7 @@ class Work:
         end. Where nobody looks, such as in grading, nothing is drawn; a figure that cannot be drawn is left out.
         """
         if self.illustration is not None:
-            self.illustration.keep(make, *facts)
+            self.illustration.keep(self, make, *facts)
 
     # -- the notebook
 

@@ -16,7 +16,7 @@ from .junk import values
 from .test_judges_fail_closed import CALLS_A_FUNCTION, JUDGES_A_TRIAL, LEAVES, Fed, message, seen_with
 
 ILLUSTRATED = [name for name in all_exercises() if name.startswith(("ch07", "ch08", "ch09"))]
-ILLUSTRATED += ["appb.q4", "ch00.q2", "ch01.q2", "ch01.q4", "ch06.q2"]
+ILLUSTRATED += ["appb.q4", "ch00.q2", "ch01.q2", "ch01.q4", "ch05.q4", "ch06.q2"]
 
 
 def line(*points):

@@ -8,6 +8,7 @@ from random import Random
 from typing import Any
 
 from coursekit.grade.exercise import exercise
+from coursekit.grade.figures.sightings import seen_at
 from coursekit.grade.outputs import expect_node, heard, last_words, said
 from coursekit.grade.plain import field, fields, near, shown
 from coursekit.grade.trial import Seen
@@ -202,7 +203,7 @@ def ball(work: Work) -> None:
         seconds = 1.0 + 0.1 * len(pictures)
         seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=seconds)
         expect_node(seen, "/py_tracker_node")
-        _judge_places(seen, _places(moments, width, height), width, height)
+        _judge_places(work, seen, _places(moments, width, height), width, height)
     _expect_none(work, chance)
 
 
@@ -249,12 +250,15 @@ def _places(moments: list[float], width: int, height: int) -> dict[int, tuple[fl
     }
 
 
-def _judge_places(seen: Seen, places: dict[int, tuple[float, float]], width: int, height: int) -> None:
+def _judge_places(work: Work, seen: Seen, places: dict[int, tuple[float, float]], width: int, height: int) -> None:
     said_of: dict[int, float] = {}
+    answers: dict[int, tuple[float, float]] = {}
+    work.illustrate(seen_at, places, answers, (width, height), 0.04 * width)
     for _, one in heard(seen, "/ball/pixel"):
         number = field(one, "header.stamp.sec", int, "/ball/pixel")
         if number in places:
-            far = math.dist(fields(one, ("point.x", "point.y"), "/ball/pixel"), places[number])
+            x, y = fields(one, ("point.x", "point.y"), "/ball/pixel")
+            answers[number], far = (x, y), math.dist((x, y), places[number])
             said_of[number] = max(far, said_of.get(number, 0.0))
     if len(said_of) < 0.6 * len(places):
         got = f"places with {len(said_of)} of their stamps; the program said: {last_words(said(seen))}"

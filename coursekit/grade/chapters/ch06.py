@@ -8,12 +8,23 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.chapters.measures.arm import arm_tip, why_tip
-from coursekit.grade.chapters.measures.body import FLOOR, extent, inverse, outside, poses, solids, turned
+from coursekit.grade.chapters.measures.body import (
+    FLOOR,
+    centre_of_mass,
+    contacts,
+    extent,
+    inverse,
+    outside,
+    poses,
+    solids,
+    turned,
+)
+from coursekit.grade.chapters.measures.rolling import judge_rolling
 from coursekit.grade.exercise import exercise
 from coursekit.grade.figures.arms import arm
-from coursekit.grade.outputs import expect_node, heard
-from coursekit.grade.plain import called, close, field, fields, near, number, numbers, shown
-from coursekit.grade.trial import Seen
+from coursekit.grade.figures.bodies import sides, standing
+from coursekit.grade.outputs import expect_node
+from coursekit.grade.plain import called, close, near, numbers, shown
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 from coursekit.urdf.model import Cylinder
@@ -22,9 +33,6 @@ if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
 PACKAGE = "s6_py_urdf"
-WHEEL, ASIDE = 0.0375, 0.094
-"""Of the course's robot: the wheels' radius, and how far from the middle they run [m]."""
-WHEELS = {f"{side}_{end}_joint" for side in ("left", "right") for end in ("front", "back")}
 POSTURES = 300
 """So many ways of standing are tried when there are more."""
 
@@ -41,6 +49,7 @@ POSTURES = 300
 def cart(work: Work) -> None:
     """The links are where they should be, at rest and when the joints move."""
     robot = work.robot(f"src/{PACKAGE}/urdf/cart.urdf")
+    work.illustrate(sides, robot)
     if robot.name != "cart":
         raise Wrong("a robot named cart", gave=shown(robot.name), cause="The name is in <robot name=...>.")
     if robot.root != "base_footprint":
@@ -67,7 +76,8 @@ def _judge_cart_places(robot: Robot) -> None:
             raise Wrong(f"a link {name}", f"links: {', '.join(found)}", hint=NO_HINT)
         if not close(_floats(found[name][:3]), place, 1e-4):
             cause = "The origin of a joint is given in its parent link's frame."
-            raise Wrong(f"{name} at {_place(place)}", _place(found[name][:3]), cause, share=0.25)
+            at = [_floats(found[name][1:3])]
+            raise Wrong(f"{name} at {_place(place)}", _place(found[name][:3]), cause, share=0.25, at=at)
     size = extent(robot, "base_link", {})
     if not _same_size(size, (0.5, 0.3, 0.1), 0.001):
         raise Wrong("base_link 0.5 x 0.3 x 0.1 m", _place(size), share=0.25, hint=0)
@@ -85,7 +95,8 @@ def _judge_wheel(robot: Robot, side: str) -> None:
     link = f"{side}_wheel_link"
     across = extent(robot, link, {})
     if not _same_size(across, (0.3, 0.05, 0.3), 0.003):
-        raise Wrong(f"{link} 0.3 m long, 0.05 m wide, 0.3 m high", _place(across), _why_size(robot, link), share=0.5, hint=0)
+        wanted, at = f"{link} 0.3 m long, 0.05 m wide, 0.3 m high", [_floats(poses(robot, {})[link][1:3])]
+        raise Wrong(wanted, _place(across), _why_size(robot, link), share=0.5, hint=0, at=at)
     after = poses(robot, {f"{side}_wheel_joint": math.pi / 2})[link]
     before = poses(robot, {})[link]
     forward = turned(after, turned(inverse(before), (0.0, 0.0, 1.0)))
@@ -160,67 +171,7 @@ def rolling(work: Work) -> None:
         command = f"run {PACKAGE} rolling_exe --ros-args -p radius:={radius:.3f}"
         seen = work.try_out(command, record=["/joint_states", "/tf"], seconds=1.5)
         expect_node(seen, "/py_rolling_node")
-        _judge_rolling(seen, round(radius, 3))
-
-
-def _judge_rolling(seen: Seen, radius: float) -> None:
-    frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
-    states = [message for _, message in heard(seen, "/joint_states")]
-    if len(states) < 40 or len(frames) < 40:
-        raise Wrong("joint states and frames at 30 Hz", f"{len(states)} and {len(frames)} in 1.5 s", hint=NO_HINT)
-    steps = min(len(states), len(frames)) - 1
-    first, last = _moved(frames[0]), _moved(frames[steps])
-    turn = math.remainder(last[2] - first[2], math.tau)
-    if not near(turn, math.radians(steps), 1e-3) or not near(math.hypot(first[0], first[1]), radius, 1e-3):
-        raise Wrong(f"a circle of {radius:g} m, 1° a step", "another way", "Is py_state_publisher_node.py as it was given?")
-    before, after = _angles(states[0]), _angles(states[steps])
-    for name in sorted(WHEELS):
-        aside = ASIDE if name.startswith("left") else -ASIDE
-        _judge_wheel_s_way(name, radius, turn, aside, WHEEL * (after[name] - before[name]))
-
-
-def _judge_wheel_s_way(name: str, radius: float, turn: float, aside: float, unrolled: float) -> None:
-    way = turn * (radius - aside)
-    if not near(unrolled, way, 1e-3 + 0.005 * abs(way)):
-        middle = near(unrolled, turn * radius, 0.01)
-        raise Wrong(
-            f"on a circle of {radius:g} m, {name} unrolls {way:.3f} m, as its place on the robot goes",
-            f"{unrolled:.3f} m",
-            _slip(radius, turn, aside, unrolled),
-            share=0.4 if middle and radius == 1.0 else 0.0,
-            hint=0 if middle else 1,
-        )
-
-
-def _angles(state: Any) -> dict[str, float]:
-    """The wheels' angles by their joints."""
-    names, values = field(state, "name", list), field(state, "position", list)
-    found = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
-    if not set(found) >= WHEELS:
-        raise Wrong("angles of the four wheels' joints", shown(names), hint=NO_HINT)
-    return {name: number(found[name], f"a finite angle of {name}") for name in WHEELS}
-
-
-def _slip(radius: float, turn: float, aside: float, unrolled: float) -> str:
-    way = turn * (radius - aside)
-    causes = {
-        "That is the way of the robot's middle: the inner wheels have less to go, the outer ones more.": turn * radius,
-        "The right length, but backwards.": -way,
-        "That is the other side's way: to the left, the left wheels are the inner ones.": turn * (radius + aside),
-        "That is right on a circle of 1 m only: is `radius` used?": turn * (1.0 - aside),
-        "An angle is asked for: the length on the floor, divided by the wheel's radius.": WHEEL * way,
-        "Radians are asked for, as `step` is.": math.degrees(way),
-    }
-    for cause, length in causes.items():
-        if near(unrolled, length, 1e-3 + 0.005 * abs(length)):
-            return cause
-    return "The length on the floor is the wheel's angle times its radius, 0.0375 m. Which wheels are the inner ones?"
-
-
-def _moved(frame: Any) -> tuple[float, float, float]:
-    x, y = fields(frame, ("transform.translation.x", "transform.translation.y"), "/tf")
-    z, w = fields(frame, ("transform.rotation.z", "transform.rotation.w"), "/tf")
-    return x, y, 2 * math.atan2(z, w)
+        judge_rolling(seen, round(radius, 3))
 
 
 @exercise(
@@ -235,6 +186,7 @@ def _moved(frame: Any) -> tuple[float, float, float]:
 def own(work: Work) -> None:
     """All kinds of joints, possible masses, and it stands, wherever its joints are."""
     robot = work.robot(f"src/{PACKAGE}/urdf/own.urdf.xacro")
+    work.illustrate(sides, robot)
     kinds = {joint.type for joint in robot.joints.values()}
     missing = sorted({"fixed", "continuous", "revolute", "prismatic"} - kinds)
     if robot.root != "base_footprint" or len(robot.links) < 6:
@@ -246,7 +198,7 @@ def own(work: Work) -> None:
         if limit is not None and joint.type != "continuous" and not limit.upper - limit.lower >= 0.05:
             raise Wrong(f"room to move for {joint.name}", f"{limit.lower:g} to {limit.upper:g}", share=0.25, hint=NO_HINT)
     _judge_masses(robot)
-    _judge_standing(robot, work.dice("ch06.q4"))
+    _judge_standing(work, robot)
 
 
 def _judge_masses(robot: Robot) -> None:
@@ -262,14 +214,16 @@ def _judge_masses(robot: Robot) -> None:
         raise Wrong("masses and inertias that can be", str(findings[0]), cause, share=0.5, hint=1)
 
 
-def _judge_standing(robot: Robot, chance: Random) -> None:
+def _judge_standing(work: Work, robot: Robot) -> None:
     low = min(float(part[:, 2].min()) for part in solids(robot, {}))
     if not near(low, 0.0, FLOOR):
         cause = "Raise or lower the root's joint."
         raise Wrong("the lowest shape at z = 0", f"at z = {low:.3f} m", cause, share=0.5, hint=0)
-    for positions in _postures(robot, chance):
+    for positions in _postures(robot, work.dice("ch06.q4")):
         past = outside(robot, positions)
         if not past <= 0:
+            x, y, _ = _floats(centre_of_mass(robot, positions))
+            work.illustrate(standing, robot, positions, contacts(robot, positions), (x, y))
             where = ", ".join(f"{name} = {value:.2f}" for name, value in positions.items() if value) or "all joints at 0"
             raise Wrong(
                 "a robot that does not fall over",
@@ -277,6 +231,7 @@ def _judge_standing(robot: Robot, chance: Random) -> None:
                 "A heavier or wider base, or a lighter top.",
                 share=0.75,
                 hint=0,
+                at=[(x, y)],
             )
 
 

@@ -75,13 +75,21 @@ def inverse(pose: Any) -> tuple[float, ...]:
     return (0.0, 0.0, 0.0, -pose[3], -pose[4], -pose[5], pose[6])
 
 
+def contacts(robot: Robot, positions: dict[str, float]) -> np.ndarray:
+    """The corners (n, 2) of the shapes that are on the floor, or as low as the lowest [m]."""
+    import numpy as np
+
+    points = np.concatenate(solids(robot, positions))
+    feet: np.ndarray = points[points[:, 2] < points[:, 2].min() + FLOOR][:, :2]
+    return feet
+
+
 def outside(robot: Robot, positions: dict[str, float]) -> float:
     """How far the centre of mass is outside of the contacts' area [m]; negative inside."""
     import numpy as np
     from scipy.spatial import ConvexHull, QhullError
 
-    points = np.concatenate(solids(robot, positions))
-    feet = points[points[:, 2] < points[:, 2].min() + FLOOR][:, :2]
+    feet = contacts(robot, positions)
     centre = centre_of_mass(robot, positions)
     try:
         hull = ConvexHull(feet)

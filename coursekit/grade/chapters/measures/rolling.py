@@ -1,0 +1,77 @@
+"""Wheels that roll: how long each one's way over the floor is, and what another length tells."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from coursekit.grade.outputs import heard
+from coursekit.grade.plain import field, fields, near, number, shown
+from coursekit.grade.trial import Seen
+from coursekit.grade.verdict import NO_HINT, Wrong
+
+WHEEL, ASIDE = 0.0375, 0.094
+"""Of the course's robot: the wheels' radius, and how far from the middle they run [m]."""
+WHEELS = {f"{side}_{end}_joint" for side in ("left", "right") for end in ("front", "back")}
+
+
+def judge_rolling(seen: Seen, radius: float) -> None:
+    """Wrong unless all wheels unroll the ways of their places on a circle of that radius [m]."""
+    frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
+    states = [message for _, message in heard(seen, "/joint_states")]
+    if len(states) < 40 or len(frames) < 40:
+        raise Wrong("joint states and frames at 30 Hz", f"{len(states)} and {len(frames)} in 1.5 s", hint=NO_HINT)
+    steps = min(len(states), len(frames)) - 1
+    first, last = _moved(frames[0]), _moved(frames[steps])
+    turn = math.remainder(last[2] - first[2], math.tau)
+    if not near(turn, math.radians(steps), 1e-3) or not near(math.hypot(first[0], first[1]), radius, 1e-3):
+        raise Wrong(f"a circle of {radius:g} m, 1° a step", "another way", "Is py_state_publisher_node.py as it was given?")
+    before, after = _angles(states[0]), _angles(states[steps])
+    for name in sorted(WHEELS):
+        aside = ASIDE if name.startswith("left") else -ASIDE
+        judge_wheel_s_way(name, radius, turn, aside, WHEEL * (after[name] - before[name]))
+
+
+def judge_wheel_s_way(name: str, radius: float, turn: float, aside: float, unrolled: float) -> None:
+    """Wrong unless a wheel so far aside of the middle unrolls [m] its way in a turn of the robot [rad]."""
+    way = turn * (radius - aside)
+    if not near(unrolled, way, 1e-3 + 0.005 * abs(way)):
+        middle = near(unrolled, turn * radius, 0.01)
+        raise Wrong(
+            f"on a circle of {radius:g} m, {name} unrolls {way:.3f} m, as its place on the robot goes",
+            f"{unrolled:.3f} m",
+            _slip(radius, turn, aside, unrolled),
+            share=0.4 if middle and radius == 1.0 else 0.0,
+            hint=0 if middle else 1,
+        )
+
+
+def _angles(state: Any) -> dict[str, float]:
+    """The wheels' angles by their joints."""
+    names, values = field(state, "name", list), field(state, "position", list)
+    found = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
+    if not set(found) >= WHEELS:
+        raise Wrong("angles of the four wheels' joints", shown(names), hint=NO_HINT)
+    return {name: number(found[name], f"a finite angle of {name}") for name in WHEELS}
+
+
+def _slip(radius: float, turn: float, aside: float, unrolled: float) -> str:
+    way = turn * (radius - aside)
+    causes = {
+        "That is the way of the robot's middle: the inner wheels have less to go, the outer ones more.": turn * radius,
+        "The right length, but backwards.": -way,
+        "That is the other side's way: to the left, the left wheels are the inner ones.": turn * (radius + aside),
+        "That is right on a circle of 1 m only: is `radius` used?": turn * (1.0 - aside),
+        "An angle is asked for: the length on the floor, divided by the wheel's radius.": WHEEL * way,
+        "Radians are asked for, as `step` is.": math.degrees(way),
+    }
+    for cause, length in causes.items():
+        if near(unrolled, length, 1e-3 + 0.005 * abs(length)):
+            return cause
+    return "The length on the floor is the wheel's angle times its radius, 0.0375 m. Which wheels are the inner ones?"
+
+
+def _moved(frame: Any) -> tuple[float, float, float]:
+    x, y = fields(frame, ("transform.translation.x", "transform.translation.y"), "/tf")
+    z, w = fields(frame, ("transform.rotation.z", "transform.rotation.w"), "/tf")
+    return x, y, 2 * math.atan2(z, w)

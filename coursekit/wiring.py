@@ -40,7 +40,11 @@ MEET = "coursekit.cli.neighbours:meet"
 NETWORK = "coursekit.net.joining:join_as_the_environment_says"
 """The function that has a session join the network that COURSEKIT_NETWORK names, and says whether it is joined."""
 
-IMPORT_HOOKS = {"cv2": "coursekit.view.highgui", "matplotlib.pyplot": "coursekit.view.plots"}
+IMPORT_HOOKS = {
+    "cv2": "coursekit.view.highgui",
+    "matplotlib.pyplot": "coursekit.view.plots",
+    "multiprocessing.connection": "coursekit.processes.worker_processes",
+}
 """Imported module: the module whose `install()` makes it work in a session."""
 
 LAB = "coursekit.lab"

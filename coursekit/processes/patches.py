@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from . import atexit_hooks, console_keys, import_hooks, keyboard, private_modules, selecting, streams, threads
 from .patching import IMPORTS, PRIVATE, VIRTUAL, Change, Patch, always, patch_manager
+from .pickling import with_own_modules
 
 _HERE = "tests/processes/test_"
 _STREAMS, _THREADS, _PROCESS = f"{_HERE}streams.py", f"{_HERE}threads.py", f"{_HERE}process.py"
@@ -65,6 +66,8 @@ TABLE: tuple[Patch, ...] = (
     *(Patch(f"{module}.import_module", always(private_modules.import_module), "two runs of a program share no globals",
             _MODULES, PRIVATE)
       for module in ("importlib", "importlib.metadata")),
+    *(Patch(f"pickle.{name}", with_own_modules, "a program pickles its own classes", f"{_HERE}pickling.py", PRIVATE)
+      for name in ("dump", "dumps", "load", "loads")),
     Change("sys.path", private_modules.own_path, "packages of a process's workspace can be imported", _MODULES,
            PRIVATE),
 )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 import builtins
 import importlib
 import importlib.machinery
+import os
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -19,6 +20,8 @@ from .process import Process, current_process
 _real_import = builtins.__import__
 _real_import_module = importlib.import_module
 _lock = threading.RLock()
+if hasattr(os, "register_at_fork"):  # a copy of this interpreter has none of the threads that may hold it
+    os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
 _path_lock = threading.Lock()
 _added: set[str] = set()
 """Folders of sys.path that are there for processes."""
@@ -103,9 +106,15 @@ def _put_first(folders: Sequence[str]) -> None:
         sys.path = list(dict.fromkeys([*folders, *sys.path]))
 
 
-def _private_of_caller(top: str) -> PrivateModules | None:
+def private_of_process() -> PrivateModules | None:
+    """The modules that the calling process has for itself, if it has any."""
     process = current_process()
-    private = process.locals.get(_KEY) if process is not None else None
+    private: PrivateModules | None = process.locals.get(_KEY) if process is not None else None
+    return private
+
+
+def _private_of_caller(top: str) -> PrivateModules | None:
+    private = private_of_process()
     return private if private is not None and top in private.names else None
 
 

@@ -1,0 +1,154 @@
+"""multiprocessing in a program: its workers know its own functions, and other programs run while it waits for a worker.
+
+Only programs that a session carries out in its own interpreter need this; others have one (`coursekit.processes.script`).
+"""
+
+from __future__ import annotations
+
+import _signal  # `signal.signal` is the session's
+import functools
+import os
+import selectors
+import sys
+from collections.abc import Callable
+from multiprocessing import connection
+from typing import Any
+
+from coursekit.core.clock import waited_ns
+from coursekit.core.virtual_clock import is_virtual_thread
+
+from .current_process import current_process, owner
+from .patching import PRIVATE, VIRTUAL, Patch, always, patch_manager
+from .pickling import with_own_modules
+from .private_modules import private_of_process
+
+STEP = 0.005
+"""The time between two looks at a worker, virtual and real [s]."""
+_real_wait = connection.wait
+
+
+def _virtual_clock() -> Any:
+    """The virtual clock whose execution contexts the calling program would hold up; None on the wall clock."""
+    process = current_process()
+    clock = None if process is None else process.session.clock
+    return clock if clock is not None and is_virtual_thread(clock) else None
+
+
+def _ready(objects: list[Any], seconds: float) -> bool:
+    """Whether one of them is ready within so much real time; `wait` reads the clock, which would stand still meanwhile."""
+    if sys.platform == "win32":
+        return bool(_real_wait(objects, seconds))
+    with selectors.PollSelector() as selector:
+        for one in objects:
+            selector.register(one, selectors.EVENT_READ)
+        return bool(selector.select(seconds))
+
+
+def _let_others_run(objects: list[Any], timeout: float | None = None) -> None:
+    """On the virtual clock: wait until one of them is ready, or for so many virtual seconds."""
+    clock = _virtual_clock()
+    end = None if clock is None or timeout is None else clock.steady() + waited_ns(timeout)
+    while clock is not None and not _ready(objects, STEP) and (end is None or clock.steady() < end):
+        clock.sleep(STEP)
+
+
+def _waits_first(real: Callable[..., Any]) -> Callable[..., Any]:
+    """`Connection._recv`, which reads: on the virtual clock only what is there."""
+
+    @functools.wraps(real)
+    def receive(self: Any, size: int, *args: Any, **kwargs: Any) -> Any:
+        if size:
+            _let_others_run([self])
+        return real(self, size, *args, **kwargs)
+
+    return receive
+
+
+def _looks_first(real: Callable[..., Any]) -> Callable[..., Any]:
+    """`multiprocessing.connection.wait`."""
+
+    @functools.wraps(real)
+    def wait(object_list: Any, timeout: float | None = None) -> Any:
+        objects = list(object_list)
+        _let_others_run(objects, timeout)
+        return real(objects, timeout if _virtual_clock() is None else -1)  # not 0: until a clock that stands still goes on
+
+    return wait
+
+
+def _asks_first(real: Callable[..., Any]) -> Callable[..., Any]:
+    """`Popen.wait`, for the end of a worker."""
+
+    @functools.wraps(real)
+    def wait(self: Any, timeout: float | None = None) -> Any:
+        _let_others_run([self.sentinel], timeout)
+        return real(self, timeout)
+
+    return wait
+
+
+def _acquire(lock: Any, block: bool = True, timeout: float | None = None) -> bool:
+    """`acquire` of multiprocessing's locks: a worker that holds one may wait for another thread of this program."""
+    clock = _virtual_clock()
+    if clock is None or not block:
+        return bool(lock._semlock.acquire(block, timeout))
+    end = None if timeout is None else clock.steady() + waited_ns(timeout)
+    while not lock._semlock.acquire(True, STEP):
+        if end is not None and clock.steady() >= end:
+            return False
+        clock.sleep(STEP)
+    return True
+
+
+def _with_acquire(real: Callable[..., Any]) -> Callable[..., Any]:
+    """`SemLock._make_methods`, which gives a lock its methods."""
+
+    @functools.wraps(real)
+    def make_methods(self: Any) -> None:
+        real(self)
+        self.acquire = functools.partial(_acquire, self)
+
+    return make_methods
+
+
+def _be_a_worker() -> None:
+    """In a copy of this interpreter, right after the fork: nobody drives the virtual clock there, so Python is as it was.
+
+    A pool ends its workers with SIGTERM, which the interpreter may have a handler for.
+    """
+    if current_process() is not None:
+        _signal.signal(_signal.SIGTERM, _signal.SIG_DFL)
+    clock = _virtual_clock()
+    if clock is not None:
+        private = private_of_process()
+        clock.thread = 0  # this thread is not one that locks made before the fork have to hand over
+        patch_manager.leave_all()
+        owner.set(None)
+        sys.modules.update(private.modules if private is not None else {})
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_be_a_worker)
+
+
+def patches() -> list[Patch]:
+    """What is lent to multiprocessing."""
+    return _PATCHES
+
+
+def install() -> None:
+    """Lend multiprocessing these, while sessions are open."""
+    patch_manager.lend(*_PATCHES)
+
+
+_OWN, _OTHERS = "a worker is sent a program's own functions", "the others run while a program waits for a worker"
+_TEST, _PICKLER = "tests/processes/test_worker_processes.py", "multiprocessing.reduction.ForkingPickler"
+_PATCHES = [
+    Patch(f"{_PICKLER}.dumps", lambda found: classmethod(with_own_modules(found.__func__)), _OWN, _TEST, PRIVATE),
+    Patch(f"{_PICKLER}.loads", lambda found: staticmethod(with_own_modules(found)), _OWN, _TEST, PRIVATE),
+    Patch("multiprocessing.connection.Connection._recv", _waits_first, _OTHERS, _TEST, VIRTUAL),
+    Patch("multiprocessing.connection.wait", _looks_first, _OTHERS, _TEST, VIRTUAL),
+    Patch("multiprocessing.synchronize.SemLock._make_methods", _with_acquire, _OTHERS, _TEST, VIRTUAL),
+    Patch("multiprocessing.synchronize.SemLock.__enter__", always(_acquire), _OTHERS, _TEST, VIRTUAL),
+    Patch("multiprocessing.popen_fork.Popen.wait", _asks_first, _OTHERS, _TEST, VIRTUAL),
+]

@@ -53,15 +53,16 @@ def judge(
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     """The verdict on work wherever it is: all points only when its judge came to an end without an objection."""
     noted = _Noted(work)
+    illustration = getattr(work, "illustration", None) or Illustration()
     try:
         exercise.judge(noted)
     except Wrong as wrong:
-        if getattr(work, "illustration", None) is not None:
-            work.illustration.at = wrong.at
+        illustration.at = wrong.at
         return _refused(exercise, wrong, noted, tries)
     except (Gone, NeedsWorkspace):
         raise
     except NotImplementedError:
+        illustration.forget()
         return Verdict(exercise.name, exercise.title, 0, exercise.points, "your code", "the stub is still there")
     except Exception as error:
         return _stopped(exercise, error, noted)

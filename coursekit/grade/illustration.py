@@ -34,6 +34,10 @@ class Illustration:
         """
         self._make, self._facts, self._work = make, facts, work
 
+    def forget(self) -> None:
+        """Draw nothing: there is no work yet."""
+        self._make = None
+
     def html(self) -> str:
         """The picture as HTML; empty where nothing was handed out, and where it cannot be drawn."""
         try:

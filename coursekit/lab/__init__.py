@@ -31,6 +31,7 @@ from .turtle import turtlesim_window
 from .viewer import viewer
 from .viewer_windows import show_rviz_windows
 from .waiting import wait
+from .way_view import way_view
 from .windows import show_new_windows, windows
 from .world_windows import show_world_windows, world_view
 
@@ -65,6 +66,7 @@ __all__ = [
     "turtlesim_window",
     "viewer",
     "wait",
+    "way_view",
     "weak_link",
     "windows",
     "workspace",

@@ -88,6 +88,17 @@ def test_a_picture_that_cannot_be_drawn_costs_nothing(make):
     assert verdict.passed and picture == ""
 
 
+def test_of_a_stub_nothing_is_drawn():
+    def stub(*_):
+        raise NotImplementedError
+
+    for name in ("ch08.q1", "ch08.q2", "ch09.q1", "ch09.q2", "ch09.q4"):
+        work = Fed(answer=stub)
+        work.illustration = Illustration()
+        judge_work(all_exercises()[name], work)
+        assert work.illustration.html() == ""
+
+
 def test_where_nobody_looks_nothing_is_drawn():
     def drawn(*_):
         raise AssertionError("drawn in grading")

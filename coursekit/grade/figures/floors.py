@@ -41,16 +41,10 @@ def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: f
 
 def way_over_costs(costs: np.ndarray, way: Sequence[Cell], cheapest: Sequence[Cell], told: str) -> Figure:
     """A floor of costs with the way that was found; where another one is cheaper, that one, too."""
-    import numpy as np
-
     paid, least = (sum(1 + costs[one] / 50 for one in cells[1:] if _inside(one, costs)) for cells in (way, cheapest))
     right = list(way[:1]) == list(cheapest[:1]) and abs(paid - least) < 1e-6
-    labels = ("free", "", "dear", "", "dearer", "closed: 253 and more")
-    shapes: list[Shape] = [Cells(np.digitize(costs, DEARER), COSTS, labels)]
-    if not right:
-        shapes.append(Line(spots(*cheapest), "truth", "the cheapest way", wide=True))
-    shapes += [Line(spots(*way), "guess", "your way", wide=True), Dots(spots(cheapest[0]), "ink", "start", 4.5)]
-    shapes.append(Dots(spots(cheapest[-1]), "guess", "goal", 5.5))
+    better = [] if right else [Line(spots(*cheapest), "truth", "the cheapest way", wide=True)]
+    shapes = [_costs(costs), *better, Line(spots(*way), "guess", "your way", wide=True), *_ends(cheapest)]
     alt = f"The costs of {told} from above, and your way of {max(0, len(way) - 1)} steps"
     alt += ", the cheapest." if right else f"; the cheapest way has {len(cheapest) - 1}."
     return Figure([Panel(shapes, told, _whole(costs), down=True)], alt)
@@ -61,6 +55,25 @@ def closed_floor(costs: np.ndarray, way: Sequence[Cell], start: Cell, goal: Cell
     figure = way_over_costs(costs, way, [start, goal], told)
     shapes = [one for one in figure.panels[0].shapes if not isinstance(one, Line) or one.label == "your way"]
     return Figure([Panel(shapes, told, _whole(costs), down=True)], f"{told} from above: no way leads to the goal.")
+
+
+def way_on_map(costs: np.ndarray, way: Sequence[Cell]) -> Figure:
+    """Costs of a map, whose rows grow upwards, with a way over them."""
+    shapes = [_costs(costs), Line(spots(*way), "guess", "the way", wide=True), *_ends(way)]
+    rows, columns = costs.shape
+    alt = f"The costs of {rows} x {columns} cells from above, and a way of {max(0, len(way) - 1)} steps over them."
+    return Figure([Panel(shapes, view=_whole(costs))], alt)
+
+
+def _costs(costs: np.ndarray) -> Cells:
+    import numpy as np
+
+    labels = ("free", "", "dear", "", "dearer", "closed: 253 and more")
+    return Cells(np.digitize(costs, DEARER), COSTS, labels)
+
+
+def _ends(way: Sequence[Cell]) -> list[Shape]:
+    return [Dots(spots(*way[:1]), "ink", "start", 4.5), Dots(spots(*way[-1:]), "guess", "goal", 5.5)]
 
 
 def _inside(cell: Cell, floor: np.ndarray) -> bool:
@@ -88,4 +101,4 @@ def crew(
     return Figure([Panel(shapes, told, _whole(free), down=True)], alt)
 
 
-__all__ = ["closed_floor", "crew", "inflated", "spots", "way_over_costs"]
+__all__ = ["closed_floor", "crew", "inflated", "spots", "way_on_map", "way_over_costs"]

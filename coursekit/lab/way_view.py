@@ -1,0 +1,52 @@
+"""A way over costs as a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from coursekit.grade.figures.floors import way_on_map
+from coursekit.view.figure_html import html
+
+if TYPE_CHECKING:
+    import numpy as np
+
+
+class WayView:
+    """Costs and a way over them; shows itself, and says in words what it shows."""
+
+    def __init__(self, costs: np.ndarray, way: Sequence[tuple[int, int]]) -> None:
+        self.figure = way_on_map(costs, way)
+
+    def __repr__(self) -> str:
+        return self.figure.alt
+
+    def _repr_html_(self) -> str:
+        return html(self.figure)
+
+
+def way_view(costs: np.ndarray, way: Sequence[tuple[int, int]] | None = None) -> WayView:
+    """Costs (rows, columns) from 0 to 254, row 0 at the bottom, and a way of cells (row, column) over them.
+
+    >>> import numpy as np
+    >>> way_view(np.zeros((4, 6), int), [(0, 0), (0, 1), (1, 1)])
+    The costs of 4 x 6 cells from above, and a way of 2 steps over them.
+
+    Raises:
+        ValueError: when the costs are no table of numbers, or the way leaves it.
+
+    In ROS 2: `rviz2` shows /global_costmap/costmap and /plan.
+    """
+    import numpy as np
+
+    table, cells = np.asarray(costs), [(row, column) for row, column in way or ()]
+    if table.ndim != 2 or table.dtype.kind not in "iuf":
+        raise ValueError("the costs are not rows and columns of numbers, such as np.array([[0, 100], [0, 254]]) has")
+    for row, column in cells:
+        if not (0 <= row < table.shape[0] and 0 <= column < table.shape[1]):
+            size = f"{table.shape[0]} x {table.shape[1]}"
+            raise ValueError(f"the way leaves the {size} cells at ({row}, {column}): is it row first, then column?")
+    return WayView(table, cells)
+
+
+__all__ = ["WayView", "way_view"]

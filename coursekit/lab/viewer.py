@@ -23,7 +23,8 @@ from .viewer_tools import Tools
 SETTLE_SECONDS = 1.0
 """A new viewer waits so long at most until all that it shows has come."""
 _ROBOT = "robot_description"
-_SCRIPTS = ("scene.js", "scene_looks.js", "viewer_list.js", "viewer_adding.js", "viewer_tools.js", "viewer_views.js")
+_SCENE = ("scene.js", "scene_looks.js", "scene_lines.js")
+_SCRIPTS = (*_SCENE, "viewer_list.js", "viewer_adding.js", "viewer_tools.js", "viewer_views.js")
 
 
 class Viewer(ViewerPage):

@@ -26,7 +26,7 @@ BOX_M, BOX_KG = 0.4, 2.0
 class WorldView(ScenePanel):
     """See `world_view`."""
 
-    _esm = static("world.js", "scene.js", "scene_looks.js")
+    _esm = static("world.js", "scene.js", "scene_looks.js", "scene_lines.js")
     _css = static("world.css", "scene.css")
     stage: WorldScene
 

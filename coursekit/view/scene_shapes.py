@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
@@ -29,13 +29,26 @@ class Triangles:
 
 
 @dataclass(frozen=True, eq=False)
+class Band(Triangles):
+    """A band along pieces of a line. A page turns them to whoever looks, and never draws them thinner than can be seen."""
+
+    ends: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
+    """(2n, 3) [m], from each even point to the odd one after it"""
+    width: float = 0.0
+    """[m]"""
+    end_colours: np.ndarray | None = None
+    """(2n, 3)"""
+
+
+@dataclass(frozen=True, eq=False)
 class Lines:
-    """Thin lines from each even point to the odd one after it; `colours` (2n, 3) goes before `colour`."""
+    """Lines from each even point to the odd one after it, `pixels` wide; `colours` (2n, 3) goes before `colour`."""
 
     points: np.ndarray
     """(2n, 3) [m]"""
     colour: Colour
     colours: np.ndarray | None = None
+    pixels: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +95,7 @@ class Label:
         return self.height > 0.0 and 0.2126 * red + 0.7152 * green + 0.0722 * blue > 150
 
 
-Shape = Triangles | Lines | Points | Picture | Label
+Shape = Triangles | Band | Lines | Points | Picture | Label
 
 
 def colour_of(rgb: list[int] | tuple[int, ...], alpha: float = 1.0) -> Colour:

@@ -10,7 +10,7 @@ import numpy as np
 
 from .scene import Scene, Thing
 from .scene_camera import FIELD, NEAR, Camera
-from .scene_shapes import Label, Lines, Picture, Points, Triangles, rotation
+from .scene_shapes import Band, Label, Lines, Picture, Points, Triangles, rotation
 
 FINE = 2
 """Drawn so many times larger, then shrunk: smooth edges."""
@@ -54,7 +54,8 @@ class Still:
             return (points * thing.scale) @ turn.T + thing.pose[:3]
 
         add: dict[type, Any] = {
-            Triangles: self._triangles, Lines: self._lines, Points: self._points, Picture: self._picture, Label: self._label
+            Triangles: self._triangles, Band: self._triangles, Lines: self._lines, Points: self._points,
+            Picture: self._picture, Label: self._label,
         }  # fmt: skip
         for shape in thing.shapes:
             add[type(shape)](shape, world)

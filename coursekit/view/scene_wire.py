@@ -10,10 +10,12 @@ import numpy as np
 import umsgpack
 
 from .scene import Changes, Thing
-from .scene_shapes import Colour, Label, Lines, Picture, Points, Triangles, corner_normals
+from .scene_shapes import Band, Colour, Label, Lines, Picture, Points, Triangles, corner_normals
 
 _FLOAT = 0x17
 """Float32Array among MeshCat's msgpack extensions"""
+THINNEST = 2.0
+"""So many pixels wide at least is a band on the page."""
 _DOUBLE_SIDED, _NEAREST = 2, 1003
 BLOCK = 11
 """Numbers for each pose: which thing, position, quaternion, scale"""
@@ -50,7 +52,7 @@ def css(colour: Colour) -> str:
 
 
 def _command(path: str, shape: Any) -> bytes:
-    lower: Any = {Triangles: _triangles, Lines: _lines, Points: _points, Picture: _picture}[type(shape)]
+    lower: Any = {Triangles: _triangles, Band: _band, Lines: _lines, Points: _points, Picture: _picture}[type(shape)]
     return umsgpack.packb({"type": "set_object", "path": path, "object": lower(path, shape)})
 
 
@@ -94,7 +96,23 @@ def _lines(path: str, shape: Lines) -> dict[str, Any]:
     attributes = {"position": _array(shape.points)}
     if shape.colours is not None:
         attributes["color"] = _array(shape.colours)
-    return _object(path, "LineSegments", attributes, {"type": "LineBasicMaterial", **_paint(shape.colour, shape.colours)})
+    wide = {"least": shape.pixels} if shape.pixels > 1.0 else {}
+    return _segments(path, attributes, _paint(shape.colour, shape.colours), wide)
+
+
+def _band(path: str, shape: Band) -> dict[str, Any]:
+    attributes = {"position": _array(shape.ends)}
+    if shape.end_colours is not None:
+        attributes["color"] = _array(shape.end_colours)
+    wide = {"metres": shape.width, "least": THINNEST}
+    return _segments(path, attributes, _paint(shape.colour, shape.end_colours), wide)
+
+
+def _segments(path: str, attributes: dict[str, Any], paint: dict[str, Any], wide: dict[str, float]) -> dict[str, Any]:
+    """Pieces of a line; the page makes those `wide` that are to be so."""
+    made = _object(path, "LineSegments", attributes, {"type": "LineBasicMaterial", **paint})
+    made["object"]["userData"] = wide
+    return made
 
 
 def _points(path: str, shape: Points) -> dict[str, Any]:

@@ -4,12 +4,14 @@ import math
 
 import numpy as np
 import pytest
+import umsgpack
 from geometry_msgs.msg import (
     AccelStamped,
     Point,
     Point32,
     PointStamped,
     PolygonStamped,
+    PoseStamped,
     PoseWithCovarianceStamped,
     TransformStamped,
     TwistStamped,
@@ -17,13 +19,17 @@ from geometry_msgs.msg import (
 )
 from map_msgs.msg import OccupancyGridUpdate
 from nav2_msgs.msg import Particle, ParticleCloud
-from nav_msgs.msg import GridCells, OccupancyGrid, Odometry
+from nav_msgs.msg import GridCells, OccupancyGrid, Odometry, Path
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
+from std_msgs.msg import ColorRGBA
 from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import Marker
 
 from coursekit.lab.viewer import viewer
-from coursekit.view.scene_shapes import Lines, Points, Triangles
+from coursekit.view.scene import Changes, Thing
+from coursekit.view.scene_shapes import Band, Lines, Points, Triangles
+from coursekit.view.scene_wire import packed
 
 
 def show(session, talker, display, *messages):
@@ -239,3 +245,41 @@ def test_a_map_stands_where_its_frame_is_now(session, talker):
             yield round(thing.pose[0], 3)
 
     assert list(places()) == [-1.0, -3.0]
+
+
+def sent(shape):
+    """What the page is told of a shape."""
+    thing = Thing(1, (shape,))
+    _, (_, command) = packed(Changes(made=[thing]))
+    return umsgpack.unpackb(command)["object"]
+
+
+def test_a_path_goes_to_the_page_as_a_line_that_is_never_too_thin(session, talker):
+    msg = Path(poses=[PoseStamped(), PoseStamped(), PoseStamped()])
+    msg.poses[1].pose.position.x = msg.poses[2].pose.position.y = 2.0
+    (band,), _, _ = show(session, talker, {"type": "Path", "line_width": 0.1}, msg)
+    assert isinstance(band, Band) and band.ends[:, :2].tolist() == [[0, 0], [2, 0], [2, 0], [0, 2]]
+    told = sent(band)
+    assert told["object"]["type"] == "LineSegments" and told["object"]["userData"] == {"metres": 0.1, "least": 2.0}
+    assert len(told["geometries"][0]["data"]["attributes"]["position"]["array"].data) == 4 * 3 * 4
+
+
+def test_the_pieces_of_a_line_have_their_colours(session, talker):
+    msg = Marker(type=Marker.LINE_LIST, points=[Point(), Point(x=1.0), Point(), Point(y=1.0)])
+    msg.scale.x = msg.color.a = 1.0
+    msg.colors = [ColorRGBA(r=1.0, a=1.0), ColorRGBA(r=1.0, a=1.0), ColorRGBA(b=1.0, a=1.0), ColorRGBA(b=1.0, a=1.0)]
+    (band,), _, _ = show(session, talker, "Marker", msg)
+    assert band.end_colours.tolist() == [[1, 0, 0], [1, 0, 0], [0, 0, 1], [0, 0, 1]]
+    msg.type, msg.points, msg.colors = Marker.LINE_STRIP, msg.points[:3], msg.colors[:3]
+    (band,), _, _ = show(session, talker, "Marker", msg)
+    assert band.end_colours.tolist() == [[1, 0, 0], [1, 0, 0], [1, 0, 0], [0, 0, 1]]
+
+
+def test_a_polygon_is_two_pixels_wide_and_dots_may_be_counted_in_pixels(session, talker):
+    msg = PolygonStamped()
+    msg.polygon.points = [Point32(), Point32(x=1.0)]
+    (line,), _, _ = show(session, talker, "Polygon", msg)
+    assert sent(line)["object"]["userData"] == {"least": 2.0}
+    (dots,), _, _ = show(session, talker, {"type": "LaserScan", "style": "Points", "size_pixels": 5}, scan(1.0))
+    (material,) = sent(dots)["materials"]
+    assert (material["size"], material["sizeAttenuation"]) == (5.0, False)

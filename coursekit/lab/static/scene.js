@@ -35,8 +35,17 @@ class Scene {
     this.after = []; // called when a picture was drawn
     view.camera.fov = FIELD;
     view.camera.far = 500;
-    const resize = view.set_3d_pane_size.bind(view);
-    view.set_3d_pane_size = () => pane.clientWidth && resize(pane.clientWidth, pane.clientHeight);
+    const resize = view.set_3d_pane_size.bind(view), size = new library.THREE.Vector2(1, 1);
+    view.set_3d_pane_size = () => {
+      if (!pane.clientWidth) return;
+      size.set(pane.clientWidth, pane.clientHeight);
+      resize(pane.clientWidth, pane.clientHeight);
+    };
+    const put = view.set_object.bind(view);
+    view.set_object = (path, object) => {
+      if (object.isLineSegments && object.userData.least) widen(library.THREE, object, size);
+      put(path, object);
+    };
     this.watcher = new ResizeObserver(() => view.set_3d_pane_size());
     this.watcher.observe(pane);
     const render = view.render.bind(view);

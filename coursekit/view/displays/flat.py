@@ -58,7 +58,7 @@ class Polygon(_Points):
             return
         self.say("Polygon", "Ok", f"{len(corners)} points")
         edges = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1).reshape(-1, 3)
-        scene.put(self.key, "polygon", *([Lines(edges, self.colour)] if len(corners) else []), pose=pose)
+        scene.put(self.key, "polygon", *([Lines(edges, self.colour, pixels=2.0)] if len(corners) else []), pose=pose)
 
 
 class GridCells(_Points):

@@ -10,7 +10,20 @@ import numpy as np
 
 from coursekit.urdf import Mesh
 from coursekit.urdf.shapes import surfaces_of
-from coursekit.view.scene_shapes import Colour, Label, Points, Shape, Triangles, arrow, ball, box, scattered, towards, tube
+from coursekit.view.scene_shapes import (
+    Band,
+    Colour,
+    Label,
+    Points,
+    Shape,
+    Triangles,
+    arrow,
+    ball,
+    box,
+    scattered,
+    towards,
+    tube,
+)
 
 from .poses import ribbon
 
@@ -85,7 +98,11 @@ def _line(msg: Any, pairs: bool) -> list[Shape]:
     shifts = np.arange(len(bands))[:, None, None] * 4
     faces = (np.stack([one.faces for one in bands]) + shifts).reshape(-1, 3)
     each = None if colours is None else np.repeat(colours[0::2] if pairs else colours[:-1], 2, axis=0)
-    return [Triangles(np.concatenate([one.vertices for one in bands]), faces, _colour(msg), each)]
+    ends = np.concatenate([one.ends for one in bands])
+    both = colours if pairs or colours is None else np.stack([colours[:-1], colours[1:]], axis=1).reshape(-1, 4)
+    shades = None if both is None else both[:, :3]
+    vertices = np.concatenate([one.vertices for one in bands])
+    return [Band(vertices, faces, _colour(msg), each, ends, float(msg.scale.x), shades)]
 
 
 def _list(msg: Any, body: tuple[np.ndarray, np.ndarray]) -> list[Shape]:

@@ -10,7 +10,7 @@ import numpy as np
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
 from coursekit.view.scene import Pose, Scene, Thing
-from coursekit.view.scene_shapes import Shape, Triangles, arrow, colour_of, rotation, scattered, tube
+from coursekit.view.scene_shapes import Band, Shape, Triangles, arrow, colour_of, rotation, scattered, tube
 
 from .axes import axes
 from .covariance import doubt
@@ -19,6 +19,10 @@ from .facts import Fact, header_facts, pose_facts
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
+
+
+ABOVE = np.array([0.0, 0.0, 0.01])
+"""A path lies so far above the floor [m]."""
 
 
 def numbers(pose: Any) -> Pose:
@@ -222,7 +226,7 @@ class Path(StampedDisplay):
         scene.put(self.key, "path", *(shapes if len(points) > 1 else []), pose=pose)
 
 
-def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, float]) -> Triangles:
+def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, float]) -> Band:
     """A flat band along points (n, 3), `width` metres wide, a little above them."""
     along = np.diff(points, axis=0)
     along = along / np.maximum(np.linalg.norm(along[:, :2], axis=1, keepdims=True), 1e-9)
@@ -230,7 +234,8 @@ def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, 
     size = np.linalg.norm(bent[:, :2], axis=1, keepdims=True)
     side = np.where(size > 1e-6, np.stack([-bent[:, 1], bent[:, 0], 0 * bent[:, 0]], axis=1), (1.0, 0.0, 0.0))
     side *= width / 2 / np.where(size > 1e-6, size, 1.0)
-    vertices = np.stack([points - side, points + side], axis=1).reshape(-1, 3) + np.array([0.0, 0.0, 0.01])
+    vertices = np.stack([points - side, points + side], axis=1).reshape(-1, 3) + ABOVE
     first = np.arange(len(along))[:, None] * 2
     faces = np.concatenate([first + np.array(corner) for corner in ([0, 2, 1], [1, 2, 3])])
-    return Triangles(vertices, faces, colour)
+    ends = np.stack([points[:-1], points[1:]], axis=1).reshape(-1, 3) + ABOVE
+    return Band(vertices, faces, colour, ends=ends, width=float(width))

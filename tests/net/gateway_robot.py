@@ -1,6 +1,7 @@
 """The robot: a program for the real rclpy. It prints what happens, a line each."""
 
 import os
+import time
 
 import rclpy
 from geometry_msgs.msg import Twist
@@ -35,6 +36,8 @@ def main():
         if msg.data == "call":
             client.call_async(Trigger.Request()).add_done_callback(lambda done: say("answer", done.result().message))
         elif msg.data == "publish":
+            while both.get_subscription_count() < 2:  # its own, and the gateway's
+                time.sleep(0.01)
             for number in range(20):
                 both.publish(String(data=f"same {number % 2}"))
         elif msg.data == "who":

@@ -110,6 +110,7 @@ class Topic:
             for new in hashes - self._outlets.keys():
                 self._outlets[new] = self._outlet(new, profile)
             if self._hearing is None:
+                self._echo = Echo()
                 self._hearing = self._gateway.node.create_subscription(
                     self._kind, self._name, self._from_ros, profile, raw=True, callback_group=self._gateway.group
                 )
@@ -155,7 +156,8 @@ class Topic:
             came_with = read_attachment(sample.attachment.to_bytes()) if sample.attachment is not None else None
             speaker = self._speakers.get(came_with.gid if came_with else b"") or next(iter(self._speakers.values()), None)
             if speaker is not None:
-                speaker.speak(sample.payload.to_bytes(), came_with, self._echo)
+                echo = self._echo if self._hearing is not None else Echo()  # unheard, it would take ROS's next one for its echo
+                speaker.speak(sample.payload.to_bytes(), came_with, echo)
         except Exception as error:  # a stranger's bytes, or a node that ends in this moment
             self._gateway.tell(f"A message on {self._name} was not passed on: {error}")
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.grade.chapters.measures.cheapest import Cell, cells_of, prices, way_back
 from coursekit.grade.chapters.measures.warehouse import delivered, expect_apart, expect_drivable, warehouse
 from coursekit.grade.exercise import exercise
-from coursekit.grade.figures.drives import driven, plans_in
+from coursekit.grade.figures.drives import driven, estimates_and_plans
 from coursekit.grade.figures.floors import closed_floor, crew, inflated, spots, way_over_costs
 from coursekit.grade.outputs import course_said, exit_code, last_words, said
 from coursekit.grade.plain import called, fields, shown, whole
@@ -163,12 +163,12 @@ def patrol(work: Work) -> None:
     seen = work.try_out(
         beside=[SIMULATION, f"launch nav2_bringup bringup_launch.py map:={_course_map()} use_sim_time:=True"],
         later=[(3.0, f"run {PACKAGE} patrol_exe --ros-args -p use_sim_time:=true")],
-        record=["/odom", "/plan"],
+        record=["/odom", "/plan", "/amcl_pose"],
         seconds=ROUND_SECONDS,
     )
     place = "pose.pose.position"
     track = [fields(one, (f"{place}.x", f"{place}.y"), "/odom") for _, one in course_said(seen, "/odom")]
-    work.illustrate(driven, _course_map(), track, plans_in(seen), STOPS)
+    work.illustrate(driven, _course_map(), track, *estimates_and_plans(seen), STOPS)
     _expect_stops(track, last_words(said(seen)))
     lines = [line for line in said(seen).splitlines() if line.startswith("stop ")]
     if lines != [f"stop {number}: SUCCEEDED" for number in range(1, len(STOPS) + 1)]:

@@ -13,32 +13,45 @@ from coursekit.view.figure import Cells, Dots, Figure, Line, Panel, Point, Shape
 
 if TYPE_CHECKING:
     from coursekit.grade.plan import Seen
+    from coursekit.nav.map_file import GridMap
 
 MOST_PLANS = 60
 ROOM = 0.9
 """What is shown around a round [m]."""
 
 
-def plans_in(seen: Seen) -> list[Any]:
-    """The paths that the course's planner published, as they came."""
-    return [message for _, message in course_said(seen, "/plan")]
+def estimates_and_plans(seen: Seen) -> tuple[list[Any], list[Any]]:
+    """The poses that amcl and the paths that the planner published, as they came."""
+    poses, plans = ([message for _, message in course_said(seen, topic)] for topic in ("/amcl_pose", "/plan"))
+    return poses, plans
 
 
-def driven(map_file: str, track: Sequence[Sequence[float]], plans: Sequence[Any], stops: Sequence[Point]) -> Figure:
-    """The map with the stops, the paths that were planned, and the true track."""
-    import numpy as np
-
+def driven(
+    map_file: str,
+    odometry: Sequence[Sequence[float]],
+    estimates: Sequence[Any],
+    plans: Sequence[Any],
+    stops: Sequence[Point],
+) -> Figure:
+    """The map with the stops, the paths that were planned, and where the robot was, by amcl and by odometry alone."""
     from coursekit.nav.map_file import load_map
 
-    grid = load_map(map_file)
-    codes = np.where(grid.cells < 0, 1, np.where(grid.cells > 65, 2, 0))
-    shapes: list[Shape] = [Cells(codes, ("free", "unknown", "wall"), (), grid.origin[:2], grid.resolution)]
-    shapes += [Line(track, "own", "driven", wide=True), Dots(track[:1], "own", "her start", 4.5)]
+    track = [_place(one, "pose.pose.position", "/amcl_pose") for one in estimates]
+    lines = [Line(odometry, "robot4", "by odometry alone"), Line(track, "own", "driven, as amcl finds", wide=True)]
+    shapes: list[Shape] = [_cells(load_map(map_file)), *lines]
     shapes += [Line(_path(one), "guess", "planned", dashed=True) for one in _first_of_each(plans)]
+    shapes.append(Dots(odometry[:1], "ink", "her start", 4.5))
     for number, stop in enumerate(stops, 1):
         shapes += [Dots([stop], "truth", "a stop", 5.0), Words(stop[0], stop[1] - 0.13, f"stop {number}")]
-    alt = f"The room from above: {len(stops)} stops, the planned paths, and the {_length(track):.1f} m that Vera drove."
-    return Figure([Panel(shapes, view=_around([*track, *stops]))], alt)
+    alt = f"The room from above: {len(stops)} stops, the planned paths, and the {_length(odometry):.1f} m that Vera drove."
+    return Figure([Panel(shapes, view=_around([*odometry, *stops]))], alt)
+
+
+def _cells(grid: GridMap) -> Cells:
+    import numpy as np
+
+    codes = np.where(grid.cells < 0, 1, np.where(grid.cells > 65, 2, 0))
+    return Cells(codes, ("free", "unknown", "wall"), (), grid.origin[:2], grid.resolution)
 
 
 def _around(points: Sequence[Sequence[float]]) -> View:
@@ -58,12 +71,16 @@ def _first_of_each(plans: Sequence[Any]) -> list[Any]:
 
 
 def _path(plan: Any) -> list[Point]:
-    places = [fields(one, ("pose.position.x", "pose.position.y"), "/plan") for one in field(plan, "poses", list, "/plan")]
-    return [(x, y) for x, y in places]
+    return [_place(one, "pose.position", "/plan") for one in field(plan, "poses", list, "/plan")]
+
+
+def _place(message: Any, position: str, topic: str) -> Point:
+    x, y = fields(message, (f"{position}.x", f"{position}.y"), topic)
+    return x, y
 
 
 def _length(track: Sequence[Sequence[float]]) -> float:
     return sum(math.dist(one[:2], other[:2]) for one, other in pairwise(track))
 
 
-__all__ = ["driven", "plans_in"]
+__all__ = ["driven", "estimates_and_plans"]

@@ -60,13 +60,14 @@ def plan(*places):
 
 def test_a_round_is_drawn_with_its_stops_and_the_first_plan_to_each():
     plans = [plan((0, 0), STOPS[0]), plan((0.5, 0), STOPS[0]), plan(STOPS[0], STOPS[1]), {"poses": []}]
-    figure = driven(_course_map(), [(0.0, 0.0), (1.2, 0.0)], plans, STOPS)
+    poses = [{"pose": {"pose": {"position": {"x": x, "y": 0.1}}}} for x in (0.0, 1.2)]
+    figure = driven(_course_map(), [(0.0, 0.0), (1.2, 0.0)], poses, plans, STOPS)
     assert sum(getattr(one, "label", "") == "planned" for one in figure.panels[0].shapes) == 2
-    assert {"driven", "a stop", "her start"} <= labels(figure) and "1.2 m" in figure.alt
+    assert {"driven, as amcl finds", "by odometry alone", "a stop", "her start"} <= labels(figure) and "1.2 m" in figure.alt
 
 
 def test_a_round_without_a_track_shows_its_stops():
-    assert "a stop" in labels(driven(_course_map(), [], [], STOPS))
+    assert "a stop" in labels(driven(_course_map(), [], [], [], STOPS))
 
 
 def test_a_turtle_s_line_lies_on_its_paper():

@@ -56,9 +56,12 @@ class PrivateModules:
             others = self._take_out()
             sys.modules.update(self.modules)
             importlib.invalidate_caches()
+            # Bytecode of a source that a cell changes again within the same second would be taken for the new one's.
+            keep, sys.dont_write_bytecode = sys.dont_write_bytecode, True
             try:
                 yield
             finally:
+                sys.dont_write_bytecode = keep
                 self.modules.update(self._take_out())
                 sys.modules.update(others)
                 self._depth -= 1

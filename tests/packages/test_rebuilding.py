@@ -17,6 +17,7 @@ setup(name="counting", version="0.0.0", packages=find_packages(), data_files=[
 MANIFEST = """<package format="3"><name>counting</name><version>0.0.0</version><description>d</description>
 <maintainer email="a@b.org">a</maintainer><license>MIT</license>
 <export><build_type>ament_python</build_type></export></package>"""
+ENV = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONDONTWRITEBYTECODE")}
 SECOND = 1_700_000_000
 TENTH_NS = 100_000_000
 
@@ -33,17 +34,16 @@ def package(tmp_path):
     return folder
 
 
-@pytest.mark.parametrize("words", [[], ["--symlink-install"]], ids=["copied", "linked"])
-def test_each_of_two_changes_within_a_second_is_built_and_imported(package, tmp_path, words):
+def test_each_of_two_changes_within_a_second_is_built_and_imported(package, tmp_path):
     module = package / "counting" / "value.py"
     found = []
     for tenth, value in enumerate(("1", "2", "30")):  # the first two are of the same size, which bytecode is known by
         module.write_text(f"VALUE = {value}\n")
         changed = SECOND * 10**9 + (1 + tenth) * TENTH_NS
         os.utime(module, ns=(changed, changed))
-        done = subprocess.run([*COLCON, *words], cwd=tmp_path, capture_output=True, text=True, check=False)
+        done = subprocess.run(COLCON, cwd=tmp_path, env=ENV, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
-        env = overlay_environment(tmp_path / "install", {**os.environ, "PYTHONPATH": ""})
+        env = overlay_environment(tmp_path / "install", ENV)
         ask = [sys.executable, "-c", "from counting.value import VALUE; print(VALUE)"]
         found.append(subprocess.run(ask, cwd=tmp_path, env=env, capture_output=True, text=True, check=True).stdout.strip())
     assert found == ["1", "2", "30"]

@@ -16,8 +16,8 @@ from . import events
 from .deaths import cause_of
 from .exercise import Exercise, find
 from .illustration import Illustration
-from .interruptions import Gone, NeedsWorkspace, TimeOver
-from .outputs import exception_in
+from .interruptions import Gone, NeedsWorkspace
+from .noted import NotedWork
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
@@ -52,7 +52,7 @@ def judge(
 
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     """The verdict on work wherever it is: all points only when its judge came to an end without an objection."""
-    noted = _Noted(work)
+    noted = NotedWork(work)
     illustration = getattr(work, "illustration", None) or Illustration()
     try:
         exercise.judge(noted)
@@ -69,7 +69,7 @@ def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     return Verdict(exercise.name, exercise.title, exercise.points, exercise.points)
 
 
-def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
+def _stopped(exercise: Exercise, error: Exception, noted: NotedWork) -> Verdict:
     """The verdict where an exception ended the check: the work's own costs the points, the check's own is told as such."""
     empty = Verdict(exercise.name, exercise.title, 0, exercise.points)
     if error is noted.raised or of_student(error):
@@ -79,7 +79,7 @@ def _stopped(exercise: Exercise, error: Exception, noted: _Noted) -> Verdict:
     return replace(empty, fault=fault_of(error))
 
 
-def _refused(exercise: Exercise, wrong: Wrong, noted: _Noted, tries: int) -> Verdict:
+def _refused(exercise: Exercise, wrong: Wrong, noted: NotedWork, tries: int) -> Verdict:
     """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died:
@@ -114,47 +114,6 @@ def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
     if not hints or tries < 2 or wrong.hint == NO_HINT or (wrong.cause and wrong.hint is None):
         return ""
     return hints[min(tries - 2 if wrong.hint is None else wrong.hint, len(hints) - 1)]
-
-
-class _Noted:
-    """Work as a judge asks about it; what its programs said last is remembered, and what its functions raised."""
-
-    def __init__(self, work: Any) -> None:
-        self._work = work
-        self._seen: Any = None
-        self.raised: Exception | None = None
-        """What a function of the student's raised last."""
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._work, name)
-
-    def function(self, name: str) -> Any:
-        """A function of the student's; what it raises is theirs."""
-        function = self._work.function(name)
-
-        def called(*args: Any, **named: Any) -> Any:
-            try:
-                return function(*args, **named)
-            except Exception as error:
-                self.raised = error
-                raise
-
-        return called
-
-    def timed_out(self) -> bool:
-        """Whether the last function that failed did so because its time was over."""
-        return isinstance(self.raised, TimeOver)
-
-    def try_out(self, *commands: str, **plan: Any) -> Any:
-        """Try out, and keep what was seen."""
-        self._seen = None
-        self._seen = self._work.try_out(*commands, **plan)
-        return self._seen
-
-    def death(self) -> str:
-        """The exception that ended one of the programs that were tried out last; empty when none did."""
-        outputs = getattr(self._seen, "outputs", [])
-        return next((told for one in outputs if isinstance(one, str) and (told := exception_in(one))), "")
 
 
 def check(name: str, **variants: Any) -> None:

@@ -50,7 +50,7 @@ _RULES = """.ck-drawn{{margin:10px 0 4px;font:12px/1.4 var(--jp-ui-font-family,s
 
 
 def style() -> str:
-    """The rules that a figure brings along: JupyterLab names its theme on the page, other pages leave it to the system.
+    """The rules of a figure's colours: JupyterLab and the course's pages name theirs, others leave it to the system.
 
     >>> "--own:#1f6fc0" in style() and "prefers-color-scheme:dark" in style()
     True
@@ -58,9 +58,10 @@ def style() -> str:
     light, dark = (";".join(f"--{kind}:{both[at]}" for kind, both in COLOURS.items()) for at in (0, 1))
     kinds = "".join(f".ck-drawn .{kind}{{--k:var(--{kind})}}" for kind in COLOURS)
     rules = _RULES.format().replace("\n", "")
-    dark_pages = f'[data-jp-theme-light="false"] .ck-drawn{{{dark}}}'
-    others = f"@media(prefers-color-scheme:dark){{body:not([data-jp-theme-light]) .ck-drawn{{{dark}}}}}"
-    return f".ck-drawn{{{light}}}{dark_pages}{others}{kinds}{rules}"
+    named = f'[data-jp-theme-light="false"] .ck-drawn,[data-theme="dark"] .ck-drawn{{{dark}}}'
+    unnamed = 'body:not([data-jp-theme-light],[data-theme="light"]) .ck-drawn'
+    others = f"@media(prefers-color-scheme:dark){{{unnamed}{{{dark}}}}}"
+    return f".ck-drawn{{{light}}}{named}{others}{kinds}{rules}"
 
 
 __all__ = ["COLOURS", "style"]

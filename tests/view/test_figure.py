@@ -32,7 +32,8 @@ def test_every_kind_has_a_colour_in_the_light_and_another_in_the_dark():
     made = html(plan(Line([(0, 0), (1, 1)], "own")))
     for kind, (light, dark) in COLOURS.items():
         assert f"--{kind}:{light}" in made and made.count(f"--{kind}:{dark}") >= 2 and light != dark
-    assert '[data-jp-theme-light="false"] .ck-drawn' in made and "prefers-color-scheme:dark" in made
+    assert '[data-jp-theme-light="false"] .ck-drawn,[data-theme="dark"] .ck-drawn' in made
+    assert '@media(prefers-color-scheme:dark){body:not([data-jp-theme-light],[data-theme="light"])' in made
 
 
 @pytest.mark.parametrize("paper", [0, 1])

@@ -264,6 +264,22 @@ def test_a_path_goes_to_the_page_as_a_line_that_is_never_too_thin(session, talke
     assert len(told["geometries"][0]["data"]["attributes"]["position"]["array"].data) == 4 * 3 * 4
 
 
+@pytest.mark.parametrize(
+    "kind, length, msg",
+    [
+        ("Path", "buffer_length", Path(poses=[PoseStamped(), PoseStamped()])),
+        ("Range", "buffer_length", Range(range=1.0, max_range=2.0, field_of_view=0.2)),
+        ("Wrench", "history_length", WrenchStamped()),
+        ("PointStamped", "history_length", PointStamped()),
+    ],
+)
+def test_as_many_of_the_last_messages_stay_as_are_wanted(session, talker, kind, length, msg):
+    _, _, things = show(session, talker, {"type": kind, length: 3}, *[msg] * 5)
+    assert len(things) == 3
+    _, _, things = show(session, talker, kind, *[msg] * 5)
+    assert len(things) == 1
+
+
 def test_the_pieces_of_a_line_have_their_colours(session, talker):
     msg = Marker(type=Marker.LINE_LIST, points=[Point(), Point(x=1.0), Point(), Point(y=1.0)])
     msg.scale.x = msg.color.a = 1.0

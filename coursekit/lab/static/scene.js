@@ -105,17 +105,18 @@ class Scene {
   placeTexts() {
     const { dom_element: pane } = this.view;
     const zoom = pane.clientHeight / 2 / Math.tan((FIELD * Math.PI) / 360);
-    const names = [];
+    const names = [], large = [];
     for (const text of this.texts.values()) {
       const { element, of, height } = text;
       const { x, y, depth, seen } = this.onScreen(this.node(of).object.getWorldPosition(this.vector()));
       element.style.display = seen ? "" : "none";
       if (!seen) { text.kept = false; continue; }
-      if (height) element.style.fontSize = `${Math.min(200, (height / depth) * zoom)}px`;
+      const high = Math.min(200, (height / depth) * zoom);
+      if (height) { element.style.fontSize = `${high}px`; large.push(boxOfLarge(x, y, element.textContent.length, high)); }
       else names.push({ text, x, y, depth });
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
-    thinOut(names);
+    thinOut(names, large);
   }
 
   // Where a place of MeshCat's world is in the picture, in pixels, and how far ahead.

@@ -26,19 +26,22 @@ function dotsStaySeen({ PointsMaterial }) {
   };
 }
 
-// Of small names that would cover each other the nearest stays; one that is seen stays rather than a new one.
-function thinOut(names) {
+// Of small names that would cover each other the nearest stays; one that is seen stays rather than a new one. Large ones all stay.
+function thinOut(names, large) {
   if (names.length > MOST_NAMES) return;
-  names.sort((a, b) => b.text.kept - a.text.kept || a.depth - b.depth);
-  const kept = [];
-  for (const name of names) {
-    const { text, x, y } = name;
-    text.kept = !kept.some((other) => Math.abs(y - other.y) < Math.max(text.rows, other.text.rows)
-      && x < other.x + other.text.width && other.x < x + text.width);
-    if (text.kept) kept.push(name);
+  names.sort((one, other) => other.text.kept - one.text.kept || one.depth - other.depth);
+  const kept = [...large];
+  for (const { text, x, y } of names) {
+    const box = { left: x, top: y, right: x + text.width, bottom: y + text.rows };
+    text.kept = !kept.some((other) => box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom);
+    if (text.kept) kept.push(box);
     else text.element.style.display = "none";
   }
 }
+
+// About where a large text is, its letters being so high.
+const boxOfLarge = (x, y, letters, height) =>
+  ({ left: x - 0.32 * height * letters - 6, right: x + 0.32 * height * letters - 6, top: y - 0.7 * height + 19, bottom: y + 0.7 * height + 19 });
 
 // A soft spot on the floor under each robot, as wide as the robot.
 class Shadows {

@@ -25,7 +25,7 @@ _ARROW: dict[str, Any] = {"color": [255, 25, 0], "alpha": 1.0, "shape": "Arrow",
 _POINTS: dict[str, Any] = {"size": 0.02, "size_pixels": 3, "alpha": 1.0, "color": [255, 255, 255], "color_transformer": "",
            "decay_time": 0.0, "style": "Flat Squares"}  # fmt: skip
 _COVARIANCE = {"covariance": True, "axes_length": 1.0, "axes_radius": 0.1}
-_SCREW = {"alpha": 1.0, "arrow_width": 0.5, "hide_small_values": True}
+_SCREW = {"alpha": 1.0, "arrow_width": 0.5, "hide_small_values": True, "history_length": 1}
 _TWIST = {**_SCREW, "linear_color": [204, 51, 51], "angular_color": [204, 204, 51], "linear_arrow_scale": 1.0,
           "angular_arrow_scale": 1.0}  # fmt: skip
 _WRENCH = {**_SCREW, "force_color": [204, 51, 51], "torque_color": [204, 204, 51], "force_arrow_scale": 2.0,
@@ -56,7 +56,9 @@ KINDS: dict[str, Kind] = {
     ),
     "Map": Kind("nav_msgs/msg/OccupancyGrid", "/map", {"alpha": 0.7, "color_scheme": "map"}, lasting=True),
     "LaserScan": Kind("sensor_msgs/msg/LaserScan", "/scan", {**_POINTS, "size": 0.03, "color": [230, 60, 40]}),
-    "Path": Kind("nav_msgs/msg/Path", "/plan", {"color": [40, 160, 90], "alpha": 1.0, "line_width": 0.02}),
+    "Path": Kind(
+        "nav_msgs/msg/Path", "/plan", {"color": [40, 160, 90], "alpha": 1.0, "line_width": 0.02, "buffer_length": 1}
+    ),
     "Pose": Kind("geometry_msgs/msg/PoseStamped", "/goal_pose", {**_ARROW, "axes_length": 1.0, "axes_radius": 0.1}),
     "PoseWithCovariance": Kind(
         "geometry_msgs/msg/PoseWithCovarianceStamped", "/amcl_pose", {**_ARROW, **_COVARIANCE}
@@ -82,7 +84,7 @@ KINDS: dict[str, Kind] = {
         {"color": [204, 41, 204], "alpha": 1.0, "radius": 0.2, "history_length": 1},
     ),
     "GridCells": Kind("nav_msgs/msg/GridCells", "/cells", {"color": [25, 255, 0], "alpha": 1.0}),
-    "Range": Kind("sensor_msgs/msg/Range", "/range", {"color": [255, 255, 255], "alpha": 0.5}),
+    "Range": Kind("sensor_msgs/msg/Range", "/range", {"color": [255, 255, 255], "alpha": 0.5, "buffer_length": 1}),
     "Wrench": Kind("geometry_msgs/msg/WrenchStamped", "/wrench", _WRENCH),
     "TwistStamped": Kind("geometry_msgs/msg/TwistStamped", "/twist", _TWIST),
     "AccelStamped": Kind("geometry_msgs/msg/AccelStamped", "/accel", _TWIST),

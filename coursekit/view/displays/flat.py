@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.tf import compose
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Lines, Triangles, ball, box, colour_of, scattered
 
 from .display import StampedDisplay
+from .kept import KeptDisplay
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -79,27 +79,20 @@ class GridCells(_Points):
         scene.put(self.key, "cells", *([Triangles(*body, self.colour)] if len(centres) else []), pose=pose)
 
 
-class PointStamped(_Points):
+class PointStamped(KeptDisplay, _Points):
     """The last `history_length` points."""
 
     kind = "PointStamped"
-
-    def __init__(self, config: DisplayConfig, number: int) -> None:
-        super().__init__(config, number)
-        self._made = 0
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """A ball of `radius`."""
         if self.points_of([msg.point], scene) is None:
             return
-        self._made += 1
         vertices, faces = ball()
-        scene.put(self.key, f"{self._made}", Triangles(vertices * 2 * self.options["radius"], faces, self.colour))
-        scene.remove(self.key, f"{self._made - max(1, int(self.options['history_length']))}")
+        self.keep(scene, Triangles(vertices * 2 * self.options["radius"], faces, self.colour))
         self.move(pose, scene)
 
     def move(self, pose: Pose, scene: Scene) -> None:
         """The newest to its place in its frame; those before stay."""
         point = self.shown.point
-        if scene.has(self.key, f"{self._made}"):
-            scene.place(self.key, f"{self._made}", compose(pose, (point.x, point.y, point.z, 0.0, 0.0, 0.0, 1.0)))
+        super().move(compose(pose, (point.x, point.y, point.z, 0.0, 0.0, 0.0, 1.0)), scene)

@@ -16,6 +16,7 @@ from .axes import axes
 from .covariance import doubt
 from .display import Display, NoTransform, StampedDisplay
 from .facts import Fact, header_facts, pose_facts
+from .kept import KeptDisplay
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -212,10 +213,11 @@ class Odometry(Display):
         return shapes_of_pose(self.options) + (doubt(msg.pose.covariance, here) if self.options["covariance"] else [])
 
 
-class Path(StampedDisplay):
-    """The newest path as a ribbon of `line_width` metres."""
+class Path(KeptDisplay):
+    """The last `buffer_length` paths as ribbons of `line_width` metres."""
 
     kind = "Path"
+    length = "buffer_length"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """A line through the poses."""
@@ -223,7 +225,7 @@ class Path(StampedDisplay):
         points = points[np.isfinite(points).all(axis=1)]
         self.say("Path", "Ok", f"{len(points)} poses")
         shapes = [ribbon(points, self.options["line_width"], colour_of(self.options["color"], self.options["alpha"]))]
-        scene.put(self.key, "path", *(shapes if len(points) > 1 else []), pose=pose)
+        self.keep(scene, *(shapes if len(points) > 1 else []), pose=pose)
 
 
 def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, float]) -> Band:

@@ -8,16 +8,17 @@ from typing import TYPE_CHECKING, Any
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Triangles, colour_of, tube
 
-from .display import StampedDisplay
+from .kept import KeptDisplay
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 
-class Range(StampedDisplay):
-    """The newest measurement."""
+class Range(KeptDisplay):
+    """The last `buffer_length` measurements."""
 
     kind = "Range"
+    length = "buffer_length"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """A cone along x from the sensor; none where nothing is in reach."""
@@ -26,9 +27,9 @@ class Range(StampedDisplay):
             far = msg.min_range if far < 0 else 0.0  # a switch: -inf is "something there", inf "nothing there"
         if not (math.isfinite(far) and msg.min_range <= far <= msg.max_range):
             self.say("Range", "Ok", f"Nothing between {msg.min_range:.3g} and {msg.max_range:.3g} m: {msg.range:.3g}")
-            scene.put(self.key, "cone", pose=pose)
+            self.keep(scene, pose=pose)
             return
         self.say("Range", "Ok", f"{far:.3g} m")
         wide = far * math.tan(min(max(msg.field_of_view, 0.0), 3.0) / 2)
         body = tube(0.0, far, 0.0, wide, sides=24)
-        scene.put(self.key, "cone", Triangles(*body, colour_of(self.options["color"], self.options["alpha"])), pose=pose)
+        self.keep(scene, Triangles(*body, colour_of(self.options["color"], self.options["alpha"])), pose=pose)

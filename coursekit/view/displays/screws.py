@@ -9,7 +9,7 @@ import numpy as np
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Colour, Triangles, arrow, colour_of, scattered, towards, tube
 
-from .display import StampedDisplay
+from .kept import KeptDisplay
 
 if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
@@ -19,8 +19,8 @@ _SMALL = 0.01
 _RING = 24
 
 
-class _Screw(StampedDisplay):
-    """Two vectors at the origin of the header's frame."""
+class _Screw(KeptDisplay):
+    """Two vectors at the origin of the header's frame, of the last `history_length` messages."""
 
     names = ("linear", "angular")
 
@@ -40,7 +40,7 @@ class _Screw(StampedDisplay):
         sizes = float(np.linalg.norm(along)), float(np.linalg.norm(about))
         self.say("Values", "Ok", f"{first} {sizes[0]:.3g}, {second} {sizes[1]:.3g}")
         shapes = [*self._arrow(along, first, False), *self._arrow(about, second, True)]
-        scene.put(self.key, "arrows", *shapes, pose=pose)
+        self.keep(scene, *shapes, pose=pose)
 
     def _arrow(self, vector: np.ndarray, name: str, ring: bool) -> list[Triangles]:
         scaled = vector * self.options[f"{name}_arrow_scale"]

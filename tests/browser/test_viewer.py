@@ -101,6 +101,10 @@ OBJECTS = """() => { const scene = document.querySelector('.ck-viewer')?.viewer;
   const node = scene?.view.scene_tree.find(['scene']); return node ? Object.keys(node.children).length : 0; }"""
 
 
+SHADOW = """() => { const [robot] = document.querySelector('.ck-viewer').viewer.shadows.robots.values();
+  return robot.spot.visible && robot.spot.position.toArray(); }"""
+
+
 def drawn(page, more=10, timeout=60_000):
     """Wait until so many more messages were drawn."""
     before = page.evaluate(DRAWN)
@@ -120,6 +124,8 @@ def test_a_robot_circles_and_survives_a_reload(notebook, picture):
     levels = panel.locator(".ck-row .ck-dot").evaluate_all("dots => dots.map((dot) => dot.title)")
     assert levels == ["Ok"] * 6
     assert panel.locator(".ck-text.ck-light", has_text="centre").count() == 1, "a light text needs a dark ground"
+    x, y, z = page.evaluate(SHADOW)
+    assert abs(math.hypot(x, y - 0.6) - 0.6) < 0.12 and abs(z) < 0.05, "the robot circles at 0.6 m, and its shadow below it"
 
     count = page.evaluate(OBJECTS)
     page.evaluate("window.jupyterapp.commands.execute('docmanager:save')")

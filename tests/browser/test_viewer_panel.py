@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from .test_accessible import THEME
+from .test_accessible import THEME, faults_of
 from .test_viewer import DRAWN, OBJECTS, drawn
 from .test_viewer_tools import PIXEL
 
@@ -127,6 +127,29 @@ def test_the_list_is_used_with_keys_alone(panel):
     opened.eventually("print(shown.stage.find('Axes').config.enabled)", "False")
     drawn(page, 5)
     assert page.evaluate("document.activeElement.type") == "checkbox", "news in the list do not take the focus away"
+
+
+def test_what_opens_in_the_viewer_passes_the_audit_in_the_light_and_in_the_dark(panel):
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
+    page = panel.page
+    panel.get_by_role("button", name="Properties of TF").click()
+    panel.get_by_label("Marker Scale of TF").wait_for(timeout=20_000)
+    panel.get_by_role("button", name="Select").click()
+    click_floor(panel, 0.0, 0.9)
+    panel.locator(".ck-picked dd").first.wait_for(timeout=20_000)
+    panel.get_by_role("button", name="Views").click()
+    panel.get_by_label("Name of this view").fill("mine")
+    panel.get_by_label("Name of this view").press("Enter")
+    panel.get_by_role("button", name="mine", exact=True).wait_for(timeout=20_000)
+    for theme, light in (("JupyterLab Light", "true"), ("JupyterLab Dark", "false")):
+        page.evaluate(THEME, theme)
+        page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
+        faults = faults_of(axe, page)
+        panel.get_by_role("button", name="Add", exact=True).click()
+        panel.locator(".ck-offer").first.wait_for(timeout=20_000)
+        faults += faults_of(axe, page)
+        page.keyboard.press("Escape")
+        assert not faults, "\n".join([theme, *faults])
 
 
 def test_a_view_is_saved_to_a_file_that_opens_again(panel):

@@ -17,7 +17,7 @@ from coursekit.systems import copies, layout
 from coursekit.wiring import COMPILED_HOST
 
 from .child import ChildProcess
-from .private_modules import use_private_modules
+from .private_modules import private_of_process, use_private_modules
 from .process import Process, current_process
 from .unavailable_packages import remark, remark_on_executable
 
@@ -208,6 +208,9 @@ def _program(path: Path) -> Callable[[], Any]:
         module = ModuleType("__main__")
         module.__file__ = str(path)
         module.__dict__["__builtins__"] = __builtins__
+        private = private_of_process()
+        if private is not None:
+            private.main = module
         exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
 
     return main

@@ -17,7 +17,7 @@ def with_own_modules(real: Callable[..., Any]) -> Callable[..., Any]:
         private = private_of_process()
         if private is None:
             return real(*args, **kwargs)
-        with private.in_place():
+        with private.in_place_with_main():
             return real(*args, **kwargs)
 
     return call

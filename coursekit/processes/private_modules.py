@@ -36,6 +36,8 @@ class PrivateModules:
         self.folders = list(folders)
         self.names = {name for folder in folders for name in top_level_names(Path(folder))}
         self.modules: dict[str, ModuleType] = {}
+        self.main: ModuleType | None = None
+        """The program itself, which calls itself `__main__`."""
         self._depth = 0
 
     def find(self, name: str, wanted: Sequence[str]) -> ModuleType | None:
@@ -65,6 +67,17 @@ class PrivateModules:
                 self.modules.update(self._take_out())
                 sys.modules.update(others)
                 self._depth -= 1
+
+    @contextmanager
+    def in_place_with_main(self) -> Iterator[None]:
+        """Make sys.modules show the program itself, too: what it has defined is looked up there."""
+        with self.in_place():
+            others = sys.modules["__main__"]
+            sys.modules["__main__"] = self.main or others
+            try:
+                yield
+            finally:
+                sys.modules["__main__"] = others
 
     def _take_out(self) -> dict[str, ModuleType]:
         mine = [name for name in list(sys.modules) if name.partition(".")[0] in self.names]

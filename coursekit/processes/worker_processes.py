@@ -124,7 +124,9 @@ def _be_a_worker() -> None:
         clock.thread = 0  # this thread is not one that locks made before the fork have to hand over
         patch_manager.leave_all()
         owner.set(None)
-        sys.modules.update(private.modules if private is not None else {})
+        if private is not None:
+            sys.modules.update(private.modules)
+            sys.modules["__main__"] = private.main or sys.modules["__main__"]
 
 
 if hasattr(os, "register_at_fork"):

@@ -51,3 +51,21 @@ def test_two_programs_get_each_its_own_class(tmp_path):
             (tmp_path / kind / "poses.py").write_text(f"KIND = {kind!r}\nclass Pose: pass\n")
             code, process = run(session, lambda kind=kind: main(tmp_path / kind))
             assert (code, process.output.strip()) == (0, f"{kind} True"), process.output
+
+
+SCRIPT = """import pickle
+
+
+class Pose:
+    x = 2.5
+
+
+print(type(pickle.loads(pickle.dumps(Pose()))) is Pose)
+"""
+
+
+def test_a_script_pickles_what_it_has_defined_itself(tmp_path):
+    (tmp_path / "script.py").write_text(SCRIPT)
+    with Session(virtual=True).use() as session:
+        process = session.start_executable(tmp_path / "script.py")
+        assert process.wait(30) == 0 and process.output == "True\n", process.output

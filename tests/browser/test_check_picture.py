@@ -34,6 +34,14 @@ def opened(notebook):
     return made
 
 
+def test_a_picture_is_there_after_a_reload(opened):
+    page = opened.page
+    page.evaluate("jupyterapp.commands.execute('docmanager:save')")
+    page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")
+    opened.load_again()
+    page.get_by_role("img", name=re.compile("^Cost over the distance")).wait_for()
+
+
 def test_a_picture_has_its_text_and_follows_the_theme(opened, picture):
     page = opened.page
     drawn = page.get_by_role("img", name=re.compile("^Cost over the distance from a wall"))
@@ -66,11 +74,3 @@ def test_pictures_have_no_fault_for_axe(opened):
         show(opened.page, light)
         found = axe.run(opened.page, context={"include": [[".ck-drawn"]]}, options=RULES).response
         assert found["passes"] and not found["violations"], found["violations"]
-
-
-def test_a_picture_is_there_after_a_reload(opened):
-    page = opened.page
-    page.evaluate("jupyterapp.commands.execute('docmanager:save')")
-    page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")
-    opened.load_again()
-    page.get_by_role("img", name=re.compile("^Cost over the distance")).wait_for()

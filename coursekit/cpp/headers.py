@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursekit.files import read_text
-from coursekit.interfaces.cpp_source import header, header_name
+from coursekit.interfaces.cpp_source import header, header_name, inner_headers
 from coursekit.interfaces.find import KINDS, interfaces_of, known_interfaces
 from coursekit.interfaces.registry import interface_of
 
@@ -18,12 +18,17 @@ def write_headers(folder: Path, names: Iterable[str]) -> list[Path]:
     for full_name in names:
         package, kind, name = full_name.split("/")
         path = folder / package / kind / f"{header_name(name)}.hpp"
-        text = header(interface_of(full_name), kind)
-        if not path.is_file() or read_text(path) != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+        _write(path, header(interface_of(full_name), kind))
+        for inner, text in inner_headers(package, kind, name).items():
+            _write(folder / inner, text)
         written.append(path)
     return written
+
+
+def _write(path: Path, text: str) -> None:
+    if not path.is_file() or read_text(path) != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
 
 
 def names_in(package: str) -> list[str]:

@@ -71,7 +71,7 @@ def runtime_folder(tools: Toolchain) -> Path:
     On a server it may stand ready for all students in the folder that COURSEKIT_SHARED names.
     """
     seen = hashlib.sha256(version_of(tools.cxx).encode())
-    for path in in_order([*_files(ROOM), UNDERLAY / "interfaces" / "cpp_source.py", *UNDERLAY.glob("share/*/*/*")]):
+    for path in in_order([*_files(ROOM), *UNDERLAY.glob("interfaces/cpp_*.py"), *UNDERLAY.glob("share/*/*/*")]):
         if path.suffix in (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py"):
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
     name = Path("cpp", seen.hexdigest()[:16])

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable, Iterator
 
 from coursekit.interfaces.compound import action_parts
+from coursekit.interfaces.cpp_builder import builder_lines
 from coursekit.interfaces.model import Action, Constant, Field, FieldType, Interface, Message, Service
 from coursekit.interfaces.registry import module_name
 
@@ -79,8 +80,16 @@ def header(interface: Interface, kind: str) -> str:
         *(f"using coursekit::yaml::{name};" for name in ("to_block_style_yaml", "to_flow_style_yaml", "to_yaml")),
         *_body(interface),
         f"}}  // namespace {interface.package}::{kind}",
+        *builder_lines(interface.package, kind, messages_of(interface)),
         "",
     ])  # fmt: skip
+
+
+def inner_headers(package: str, kind: str, name: str) -> dict[str, str]:
+    """The headers that rosidl has beside an interface's own, by their names: editors write their includes by themselves."""
+    own = header_name(name)
+    text = f'#pragma once\n#include "{package}/{kind}/{own}.hpp"\n'
+    return {f"{package}/{kind}/detail/{own}__{part}.hpp": text for part in ("struct", "builder", "traits")}
 
 
 def messages_of(interface: Interface) -> list[Message]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursekit.files import read_text
-from coursekit.interfaces.cpp_source import header, header_name
+from coursekit.interfaces.cpp_source import header, header_name, inner_headers
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.find import UNDERLAY
 from coursekit.interfaces.model import Interface, Message
@@ -140,10 +140,12 @@ def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
 
 def cpp_files(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the C++ headers of the definition files, relative to the folder that is searched for them, with their text."""
-    return {
-        f"{package}/{path.suffix[1:]}/{header_name(path.stem)}.hpp": header(parse_file(package, path), path.suffix[1:])
-        for path in files
-    }
+    made: dict[str, str] = {}
+    for path in files:
+        kind = path.suffix[1:]
+        made[f"{package}/{kind}/{header_name(path.stem)}.hpp"] = header(parse_file(package, path), kind)
+        made |= inner_headers(package, kind, path.stem)
+    return made
 
 
 def _docstring(text: str) -> str:

@@ -22,11 +22,11 @@ Executor::~Executor()
 Executor::Turn::Turn(Executor & executor_)
 : executor(executor_)
 {
-  if (executor.spinning_.exchange(true)) {
+  if (executor.spinning.exchange(true)) {
     throw std::runtime_error("spin() called while already spinning");
   }
 }
-Executor::Turn::~Turn() {executor.spinning_ = false;}
+Executor::Turn::~Turn() {executor.spinning = false;}
 
 void Executor::add_node(NodeBase node, bool)
 {
@@ -112,9 +112,35 @@ void Executor::spin_all(std::chrono::nanoseconds max_duration)
   Turn turn(*this);
   ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(1));
 }
+void Executor::wait_for_work(std::chrono::nanoseconds timeout)
+{
+  if (!found_) {
+    found_ = ask("next_work", Packer{}.i(id).i(timeout.count())).i();
+  }
+}
+bool Executor::get_next_ready_executable(AnyExecutable & found)
+{
+  return get_next_executable(found, std::chrono::nanoseconds(0));
+}
+bool Executor::get_next_executable(AnyExecutable & found, std::chrono::nanoseconds timeout)
+{
+  wait_for_work(timeout);
+  if (found.id) {
+    coursekit::note("drop", Packer{}.i(found.id));
+  }
+  found.id = found_.exchange(0);
+  return found.id != 0;
+}
+void Executor::execute_any_executable(AnyExecutable & found)
+{
+  if (found.id) {
+    ask("run_work", Packer{}.i(std::exchange(found.id, 0)));
+  }
+}
 void Executor::cancel()
 {
   cancelled_ = true;
+  spinning = false;
   coursekit::note("cancel", Packer{}.i(id));
 }
 

@@ -67,22 +67,15 @@ std::string expand_topic_or_service_name(
 
 std::vector<std::string> NodeBaseInterface::get_node_names() const
 {
-  Unpacker answer = ask("node_names", Packer{}.i(id));
-  std::vector<std::string> names(static_cast<size_t>(answer.i()));
-  for (auto & name : names) {
-    name = answer.s();
-  }
-  return names;
+  return ask("node_names", Packer{}.i(id)).texts();
 }
 std::map<std::string, std::vector<std::string>> NodeBaseInterface::names_and_types(const char * what, const Packer & with) const
 {
   Unpacker answer = ask(what, with);
   std::map<std::string, std::vector<std::string>> all;
   for (int64_t count = answer.i(); count > 0; --count) {
-    auto & types = all[answer.s()];
-    for (int64_t k = answer.i(); k > 0; --k) {
-      types.push_back(answer.s());
-    }
+    std::string name = answer.s();
+    all[name] = answer.texts();
   }
   return all;
 }

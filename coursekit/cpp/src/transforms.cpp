@@ -1,5 +1,6 @@
 // Buffers of transforms, which are the session's.
 #include "tf2_ros/buffer.h"
+#include "tf2_ros/buffer_server.h"
 #include "tf2_ros/transform_listener.h"
 
 using coursekit::Packer;
@@ -25,9 +26,9 @@ Unpacker asked(const char * what, const Packer & with)
   }
 }
 int64_t count(const tf2::TimePoint & time) {return time.time_since_epoch().count();}
-bool can(const Packer & with, std::string * why_not)
+bool can(const char * what, const Packer & with, std::string * why_not)
 {
-  auto answer = asked("tf_can", with);
+  auto answer = asked(what, with);
   bool can = answer.i();
   std::string why = answer.s();
   if (why_not) {
@@ -61,7 +62,14 @@ geometry_msgs::msg::TransformStamped BufferCore::lookupTransform(
 bool BufferCore::canTransform(
   const std::string & target, const std::string & source, const TimePoint & time, std::string * why_not) const
 {
-  return can(Packer{}.i(id).i(0).s(target).s(source).i(count(time)), why_not);
+  return can("tf_can", Packer{}.i(id).i(0).s(target).s(source).i(count(time)), why_not);
+}
+bool BufferCore::canTransform(
+  const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
+  const std::string & fixed, std::string * why_not) const
+{
+  Packer with = Packer{}.i(id).i(0).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
+  return can("tf_can_full", with, why_not);
 }
 bool BufferCore::_frameExists(const std::string & name) const
 {
@@ -78,12 +86,22 @@ std::string BufferCore::allFramesAsString() const {return asked("tf_text", Packe
 std::string BufferCore::allFramesAsYAML() const {return asked("tf_yaml", Packer{}.i(id)).s();}
 std::vector<std::string> BufferCore::getAllFrameNames() const
 {
-  auto answer = asked("tf_names", Packer{}.i(id));
-  std::vector<std::string> names(static_cast<size_t>(answer.i()));
-  for (auto & name : names) {
-    name = answer.s();
-  }
-  return names;
+  return asked("tf_names", Packer{}.i(id)).texts();
+}
+void BufferCore::_getFrameStrings(std::vector<std::string> & names) const {names = getAllFrameNames();}
+std::string BufferCore::_allFramesAsDot() const {return asked("tf_dot", Packer{}.i(id).i(0)).s();}
+std::string BufferCore::_allFramesAsDot(TimePoint now) const {return asked("tf_dot", Packer{}.i(id).i(count(now))).s();}
+bool BufferCore::_getParent(const std::string & frame, TimePoint, std::string & parent) const
+{
+  parent = asked("tf_parent", Packer{}.i(id).s(frame)).s();
+  return !parent.empty();
+}
+void BufferCore::_chainAsVector(
+  const std::string & target, TimePoint target_time, const std::string & source, TimePoint source_time,
+  const std::string & fixed, std::vector<std::string> & chain) const
+{
+  Packer with = Packer{}.i(id).i(0).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
+  chain = asked("tf_chain", with).texts();
 }
 }  // namespace tf2
 
@@ -108,7 +126,14 @@ bool Buffer::canTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
   std::string * why_not) const
 {
-  return can(Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
+  return can("tf_can", Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
+}
+bool Buffer::canTransform(
+  const std::string & target, const tf2::TimePoint & target_time, const std::string & source, const tf2::TimePoint & source_time,
+  const std::string & fixed, const tf2::Duration timeout, std::string * why_not) const
+{
+  Packer with = Packer{}.i(id).i(timeout.count()).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
+  return can("tf_can_full", with, why_not);
 }
 TransformStampedFuture Buffer::waitForTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
@@ -118,7 +143,8 @@ TransformStampedFuture Buffer::waitForTransform(
     throw CreateTimerInterfaceException("timer interface not set before call to waitForTransform");
   }
   auto promise = std::make_shared<std::promise<geometry_msgs::msg::TransformStamped>>();
-  TransformStampedFuture future = promise->get_future().share();
+  TransformStampedFuture future(promise->get_future().share());
+  future.setHandle(++waits_);
   int64_t end = coursekit::steady_now() + timeout.count();
   auto settled = [this, target, source, time, end, promise, future, callback] {
       if (canTransform(target, source, time)) {
@@ -142,9 +168,30 @@ TransformStampedFuture Buffer::waitForTransform(
       }
     };
   std::lock_guard<std::mutex> hold(lock_);
-  waiting_.remove_if([](auto & timer) {return timer->is_canceled();});
-  waiting_.push_back(rclcpp::detail::timer(*timers_->base, std::chrono::milliseconds(10), look, timers_->group, nullptr));
+  forget_ended();
+  waiting_.emplace_back(
+    future.getHandle(), rclcpp::detail::timer(*timers_->base, std::chrono::milliseconds(10), look, timers_->group, nullptr));
   return future;
+}
+void Buffer::forget_ended()
+{
+  waiting_.remove_if([](auto & wait) {return wait.second->is_canceled();});
+}
+void Buffer::cancel(const TransformStampedFuture & future)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  for (auto & wait : waiting_) {
+    if (wait.first == future.getHandle()) {
+      wait.second->cancel();
+    }
+  }
+  forget_ended();
+}
+BufferServer::BufferServer(
+  const tf2::BufferCore & buffer, const rclcpp::node_interfaces::NodeBaseInterface & node, const std::string & ns,
+  tf2::Duration check_period)
+{
+  id = asked("tf_server", Packer{}.i(buffer.id).i(node.id).s(ns).i(check_period.count())).i();
 }
 void TransformListener::listen(tf2::BufferCore & buffer, bool static_only)
 {

@@ -13,10 +13,12 @@ from rclpy.clock import Clock, ClockType, JumpHandle, JumpThreshold, TimeJump
 from rclpy.duration import Duration
 from rclpy.parameter import Parameter
 from tf2_ros import TransformListener
+from tf2_ros.buffer_server import BufferServer
 
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled import qos
+from coursekit.nodes.compiled.executing import Work
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
 from coursekit.nodes.compiled.node import CompiledNode
@@ -45,6 +47,10 @@ def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
         thing.destroy()
     elif isinstance(thing, JumpHandle):
         thing.unregister()
+    elif isinstance(thing, Work):
+        thing.drop()
+    elif isinstance(thing, BufferServer):
+        thing.destroy()
     elif isinstance(thing, LoadedComponent):
         thing.unload()
     elif isinstance(thing, TransformListener):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy.executors import (
+    ConditionReachedException,
     Executor,
     ExternalShutdownException,
     MultiThreadedExecutor,
@@ -94,11 +95,51 @@ def _run_one(executor: Executor) -> bool:
         task, _entity, _node = executor.wait_for_ready_callbacks(timeout_sec=0)
     except (TimeoutException, ShutdownException, ExternalShutdownException):
         return False
+    _run(task)
+    return True
+
+
+def _run(task: Any) -> None:
+    """Run a callback; what it raises is raised."""
     task()
     error = task.exception()
     if error is not None:
         raise error
-    return True
+
+
+class Work:
+    """A callback that has begun its group's execution, and that the program has not run yet."""
+
+    def __init__(self, executor: Any, task: Any, entity: Any) -> None:
+        self._executor, self._task, self._entity = executor, task, entity
+
+    def run(self) -> None:
+        """Run it."""
+        _run(self._task)
+
+    def drop(self) -> None:
+        """It will not be run: its group is free for others."""
+        if self._entity is not None:
+            self._executor._ended(self._entity)
+
+
+def do_next_work(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Wait for a callback, at most so long (negative: without end); its number, 0 for none."""
+    executor, nanoseconds = host.things[frame.integer()], frame.integer()
+    patience = None if nanoseconds < 0 else nanoseconds / 1e9
+    try:
+        task, entity, _node = executor.wait_for_ready_callbacks(patience, condition=executor.is_cancelled)
+    except (TimeoutException, ShutdownException, ExternalShutdownException):
+        return packed(0)
+    except ConditionReachedException:
+        executor.cancelled = False
+        return packed(0)
+    return packed(host.keep(Work(executor, task, entity)))
+
+
+def do_run_work(host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Run such a callback."""
+    host.things.pop(frame.integer()).run()
 
 
 def do_cancel(host: Host, _channel: Channel, frame: Unpacker) -> None:

@@ -8,6 +8,8 @@ from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformListener
+from tf2_ros.buffer_server import BufferServer
+from yaml import safe_load
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
@@ -50,6 +52,39 @@ def do_tf_can(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     buffer, timeout = _buffer(host, frame)
     can, why = buffer.can_transform(frame.text(), frame.text(), _time(frame), timeout, return_debug_tuple=True)
     return packed(int(can), why)
+
+
+def do_tf_can_full(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Whether there is a transform between two times, waited for, and why not."""
+    buffer, timeout = _buffer(host, frame)
+    asked = (frame.text(), _time(frame), frame.text(), _time(frame), frame.text())
+    can, why = buffer.can_transform_full(*asked, timeout, return_debug_tuple=True)
+    return packed(int(can), why)
+
+
+def do_tf_chain(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The names of the frames on the way from a source to a target."""
+    buffer, _timeout = _buffer(host, frame)
+    names = buffer._chain(frame.text(), _time(frame), frame.text(), _time(frame), frame.text())
+    return packed(len(names), *names)
+
+
+def do_tf_parent(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The name of the frame that one stands in; empty for none."""
+    tree = safe_load(host.things[frame.integer()].all_frames_as_yaml())
+    return packed((tree or {}).get(frame.text().lstrip("/"), {}).get("parent", ""))
+
+
+def do_tf_dot(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The tree as graphviz draws it, at a time or, with 0, at none."""
+    buffer, time = host.things[frame.integer()], frame.integer()
+    return packed(buffer._allFramesAsDot(Time(nanoseconds=time) if time else None))
+
+
+def do_tf_server(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Answer BufferClients out of a buffer, by an action of a node."""
+    buffer, node, name = host.things[frame.integer()], host.things[frame.integer()], frame.text()
+    return packed(host.keep(BufferServer(buffer, node, name, Duration(nanoseconds=frame.integer()))))
 
 
 def do_tf_set(host: Host, _channel: Channel, frame: Unpacker) -> None:

@@ -41,6 +41,11 @@ class BufferServer:
         )
         self.check_timer = node.create_timer(check_period.nanoseconds * 1e-9, self._check)
 
+    def destroy(self) -> None:
+        """Leave the graph."""
+        self.server.destroy()
+        self.node.destroy_timer(self.check_timer)
+
     def _accepted(self, handle: Any) -> None:
         timeout = Duration.from_msg(handle.request.timeout).nanoseconds
         end = self.node.get_clock().now().nanoseconds + timeout
@@ -73,11 +78,10 @@ class BufferServer:
                 result.transform = self.buffer.lookup_transform_full_core(*_advanced(goal))
             else:
                 result.transform = self.buffer.lookup_transform_core(*_simple(goal))
-            handle.succeed()
         except TransformException as error:
             result.error.error = next(code for kind, code in _CODES if isinstance(error, kind))
             result.error.error_string = str(error)
-            handle.abort()
+        handle.succeed()  # a transform that is not there is an answer, too
         return result
 
 

@@ -12,6 +12,11 @@ PROGRAM = """
 #include "ament_index_cpp/get_package_share_directory.hpp"
 #include "ament_index_cpp/has_resource.hpp"
 #include "rcutils/cmdline_parser.h"
+#include "rcutils/env.h"
+#include "rcutils/strdup.h"
+#include "rmw/error_handling.h"
+#include "sensor_msgs/distortion_models.hpp"
+#include "sensor_msgs/fill_image.hpp"
 #include "sensor_msgs/image_encodings.hpp"
 #include "sensor_msgs/point_cloud2_iterator.hpp"
 #include "tf2/LinearMath/Quaternion.h"
@@ -48,6 +53,14 @@ int main(int argc, char ** argv)
   tf2::Quaternion q(1, 2, 3, 4);
   q[3] = -q[3];  // the way to invert it on the page about quaternions
   const tf2::Quaternion & same = q;
+  sensor_msgs::msg::Image image;
+  sensor_msgs::fillImage(image, enc::MONO8, 2, 3, 4, "abcdefgh");
+  char * copy = rcutils_strdup("text", rcutils_get_default_allocator());
+  const char * found = nullptr;
+  rcutils_set_env("PROBE", "set");
+  std::cout << image.data.size() << image.step << image.data[7] << copy << (rcutils_get_env("PROBE", &found) == nullptr)
+            << found << sensor_msgs::distortion_models::PLUMB_BOB << rmw_error_is_set() << std::endl;
+  free(copy);
   std::cout << same[0] << same[1] << same[2] << same[3] << q.w() << std::endl;
 }
 """
@@ -57,7 +70,15 @@ def test_they_do_as_humbles(build):
     env = {**os.environ, "AMENT_PREFIX_PATH": str(UNDERLAY)}
     command = [build("small", PROGRAM), "-n", "five", "-z"]
     done = subprocess.run(command, env=env, capture_output=True, encoding="utf-8", check=True)
-    assert done.stdout == f"{UNDERLAY}/share/std_msgs\nnowhere 0\n0five1\n32 3 4.5 20\n31620\n123-4-4\n"
+    assert done.stdout.splitlines() == [
+        f"{UNDERLAY}/share/std_msgs",
+        "nowhere 0",
+        "0five1",
+        "32 3 4.5 20",
+        "31620",
+        "84htext1setplumb_bob0",
+        "123-4-4",
+    ]
 
 
 FILES = """

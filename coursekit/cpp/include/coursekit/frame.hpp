@@ -41,6 +41,15 @@ struct Unpacker
     at += size;
     return bytes.substr(at - size, size);
   }
+  /// The next texts, after how many they are.
+  std::vector<std::string> texts()
+  {
+    std::vector<std::string> all;
+    for (int64_t count = i(); count > 0; --count) {
+      all.push_back(s());
+    }
+    return all;
+  }
   template<class M>
   M m() {M message; from_cdr(s(), message); return message;}
   /// All that has not been read yet.

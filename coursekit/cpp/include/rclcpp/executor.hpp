@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <future>
 
+#include "rclcpp/any_executable.hpp"
 #include "rclcpp/future_return_code.hpp"
 #include "rclcpp/memory_strategy.hpp"
 #include "rclcpp/node.hpp"
@@ -58,7 +59,7 @@ public:
   }
   /// Have the spin that goes on return.
   virtual void cancel();
-  bool is_spinning() {return spinning_;}
+  bool is_spinning() {return spinning;}
 
   /// Run callbacks until the future is ready, at most so long (negative: without end).
   template<class F, class Rep = int64_t, class Period = std::milli>
@@ -93,10 +94,24 @@ protected:
     Executor & executor;
   };
 
-private:
+  // -- for executors of a program's own
+
+  /// Wait until a callback is ready, at most so long (negative: without end).
+  void wait_for_work(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  /// The next callback that is ready now; false where there is none.
+  bool get_next_ready_executable(AnyExecutable & found);
+  /// The same, waited for.
+  bool get_next_executable(AnyExecutable & found, std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  void execute_any_executable(AnyExecutable & found);
+
+  std::atomic_bool spinning{false};
   Context::SharedPtr context_;
+
+private:
   std::vector<NodeBase> nodes_;
   CallbackGroups added_;
-  std::atomic<bool> spinning_{false}, cancelled_{false};
+  std::atomic<bool> cancelled_{false};
+  /// What wait_for_work() has found; 0 for nothing.
+  std::atomic<int64_t> found_{0};
 };
 }  // namespace rclcpp

@@ -21,6 +21,22 @@
   using ConstRawPtr = const Name *; \
   explicit Name(rosidl_runtime_cpp::MessageInitialization = rosidl_runtime_cpp::MessageInitialization::ALL) {}
 
+/// A step of a builder's chain: it takes one field, and leads to the next step or to the message.
+#define COURSEKIT_STEP(Name, field, Next) \
+  class Init_ ## Name ## _ ## field \
+  { \
+public: \
+    explicit Init_ ## Name ## _ ## field(Name && message) \
+    : message_(std::move(message)) {} \
+    Next field(Name::_ ## field ## _type value) \
+    { \
+      message_.field = std::move(value); \
+      return Next(std::move(message_)); \
+    } \
+private: \
+    Name message_; \
+  };
+
 namespace rosidl_generator_traits
 {
 template<class T>

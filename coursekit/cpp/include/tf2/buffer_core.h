@@ -25,12 +25,27 @@ public:
   bool canTransform(
     const std::string & target, const std::string & source, const TimePoint & time, std::string * why_not = nullptr) const;
 
+  bool canTransform(
+    const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
+    const std::string & fixed, std::string * why_not = nullptr) const;
+
   bool setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static = false);
   void clear();
   std::string allFramesAsString() const;
   std::string allFramesAsYAML() const;
+  std::string allFramesAsYAML(TimePoint) const {return allFramesAsYAML();}
   std::vector<std::string> getAllFrameNames() const;
   bool _frameExists(const std::string & name) const;
+  void _getFrameStrings(std::vector<std::string> & names) const;
+  /// The tree as graphviz draws it.
+  std::string _allFramesAsDot() const;
+  std::string _allFramesAsDot(TimePoint now) const;
+  /// The frame that one stands in; false where it stands in none.
+  bool _getParent(const std::string & frame, TimePoint time, std::string & parent) const;
+  /// The frames on the way from a source to a target.
+  void _chainAsVector(
+    const std::string & target, TimePoint target_time, const std::string & source, TimePoint source_time,
+    const std::string & fixed, std::vector<std::string> & chain) const;
   Duration getCacheLength() const {return cache_time_;}
   void setUsingDedicatedThread(bool uses) {dedicated_thread_ = uses;}
   bool isUsingDedicatedThread() const {return dedicated_thread_;}

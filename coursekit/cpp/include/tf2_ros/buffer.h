@@ -8,7 +8,22 @@
 
 namespace tf2_ros
 {
-using TransformStampedFuture = std::shared_future<geometry_msgs::msg::TransformStamped>;
+using TransformRequestHandle = uint64_t;
+/// What will be found, and the number of the request by which it is cancelled.
+class TransformStampedFuture : public std::shared_future<geometry_msgs::msg::TransformStamped>
+{
+  using Base = std::shared_future<geometry_msgs::msg::TransformStamped>;
+
+public:
+  TransformStampedFuture() = default;
+  explicit TransformStampedFuture(Base future)
+  : Base(std::move(future)) {}
+  void setHandle(TransformRequestHandle handle) {handle_ = handle;}
+  TransformRequestHandle getHandle() const {return handle_;}
+
+private:
+  TransformRequestHandle handle_ = 0;
+};
 using TransformReadyCallback = std::function<void (const TransformStampedFuture &)>;
 
 /// Whose timers look whether a transform has come that is waited for.
@@ -35,7 +50,8 @@ public:
   using tf2::BufferCore::canTransform;
   using tf2::BufferCore::lookupTransform;
   geometry_msgs::msg::TransformStamped lookupTransform(
-    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const override;
+    const std::string & target, const std::string & source, const tf2::TimePoint & time,
+    const tf2::Duration timeout) const override;
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const std::string & source, const rclcpp::Time & time,
     const rclcpp::Duration timeout = rclcpp::Duration(0, 0)) const
@@ -44,7 +60,7 @@ public:
   }
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const tf2::TimePoint & target_time, const std::string & source,
-    const tf2::TimePoint & source_time, const std::string & fixed, const tf2::Duration timeout) const;
+    const tf2::TimePoint & source_time, const std::string & fixed, const tf2::Duration timeout) const override;
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const rclcpp::Time & target_time, const std::string & source, const rclcpp::Time & source_time,
     const std::string & fixed, const rclcpp::Duration timeout = rclcpp::Duration(0, 0)) const
@@ -54,12 +70,23 @@ public:
 
   bool canTransform(
     const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
-    std::string * why_not = nullptr) const;
+    std::string * why_not = nullptr) const override;
   bool canTransform(
     const std::string & target, const std::string & source, const rclcpp::Time & time,
     const rclcpp::Duration timeout = rclcpp::Duration(0, 0), std::string * why_not = nullptr) const
   {
     return canTransform(target, source, fromRclcpp(time), fromRclcpp(timeout), why_not);
+  }
+  bool canTransform(
+    const std::string & target, const tf2::TimePoint & target_time, const std::string & source,
+    const tf2::TimePoint & source_time, const std::string & fixed, const tf2::Duration timeout,
+    std::string * why_not = nullptr) const override;
+  bool canTransform(
+    const std::string & target, const rclcpp::Time & target_time, const std::string & source, const rclcpp::Time & source_time,
+    const std::string & fixed, const rclcpp::Duration timeout = rclcpp::Duration(0, 0), std::string * why_not = nullptr) const
+  {
+    return canTransform(
+      target, fromRclcpp(target_time), source, fromRclcpp(source_time), fixed, fromRclcpp(timeout), why_not);
   }
 
   void setCreateTimerInterface(CreateTimerInterface::SharedPtr timers) {timers_ = timers;}
@@ -74,9 +101,14 @@ public:
     return waitForTransform(target, source, fromRclcpp(time), fromRclcpp(timeout), std::move(callback));
   }
 
+  /// Wait for it no more.
+  void cancel(const TransformStampedFuture & future);
+
 private:
+  void forget_ended();
   CreateTimerInterface::SharedPtr timers_;
-  std::list<rclcpp::TimerBase::SharedPtr> waiting_;
+  std::list<std::pair<TransformRequestHandle, rclcpp::TimerBase::SharedPtr>> waiting_;
+  std::atomic<TransformRequestHandle> waits_{0};
   std::mutex lock_;
 };
 }  // namespace tf2_ros

@@ -28,6 +28,15 @@ public:
   virtual ~BufferInterface() = default;
   virtual geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const = 0;
+  virtual geometry_msgs::msg::TransformStamped lookupTransform(
+    const std::string & target, const tf2::TimePoint & target_time, const std::string & source, const tf2::TimePoint & source_time,
+    const std::string & fixed, const tf2::Duration timeout) const = 0;
+  virtual bool canTransform(
+    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
+    std::string * why_not) const = 0;
+  virtual bool canTransform(
+    const std::string & target, const tf2::TimePoint & target_time, const std::string & source, const tf2::TimePoint & source_time,
+    const std::string & fixed, const tf2::Duration timeout, std::string * why_not) const = 0;
 
   template<class T>
   T transform(const T & in, const std::string & target, tf2::Duration timeout = tf2::Duration::zero()) const
@@ -39,6 +48,39 @@ public:
   T & transform(const T & in, T & out, const std::string & target, tf2::Duration timeout = tf2::Duration::zero()) const
   {
     tf2::doTransform(in, out, lookupTransform(target, tf2::getFrameId(in), tf2::getTimestamp(in), timeout));
+    return out;
+  }
+  /// The same, with what comes out as another type.
+  template<class A, class B>
+  B & transform(const A & in, B & out, const std::string & target, tf2::Duration timeout = tf2::Duration::zero()) const
+  {
+    tf2::convert(transform(in, target, timeout), out);
+    return out;
+  }
+  /// As it is seen from a target at another time, by a frame that did not move in between.
+  template<class T>
+  T & transform(
+    const T & in, T & out, const std::string & target, const tf2::TimePoint & target_time, const std::string & fixed,
+    tf2::Duration timeout = tf2::Duration::zero()) const
+  {
+    tf2::doTransform(
+      in, out, lookupTransform(target, target_time, tf2::getFrameId(in), tf2::getTimestamp(in), fixed, timeout));
+    return out;
+  }
+  template<class T>
+  T transform(
+    const T & in, const std::string & target, const tf2::TimePoint & target_time, const std::string & fixed,
+    tf2::Duration timeout = tf2::Duration::zero()) const
+  {
+    T out;
+    return transform(in, out, target, target_time, fixed, timeout);
+  }
+  template<class A, class B>
+  B & transform(
+    const A & in, B & out, const std::string & target, const tf2::TimePoint & target_time, const std::string & fixed,
+    tf2::Duration timeout = tf2::Duration::zero()) const
+  {
+    tf2::convert(transform(in, target, target_time, fixed, timeout), out);
     return out;
   }
 };

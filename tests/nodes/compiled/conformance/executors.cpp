@@ -5,6 +5,55 @@
 
 using std_msgs::msg::Int32;
 
+/// An executor of one's own: it counts what it runs.
+class Counting : public rclcpp::Executor
+{
+public:
+  void spin() override
+  {
+    if (spinning.exchange(true)) {
+      throw std::runtime_error("spin() called while already spinning");
+    }
+    while (rclcpp::ok(context_) && spinning) {
+      rclcpp::AnyExecutable next;
+      if (get_next_executable(next)) {
+        execute_any_executable(next);
+        ++count;
+      }
+    }
+    spinning = false;
+  }
+  bool leave_one()
+  {
+    rclcpp::AnyExecutable next;
+    while (!get_next_executable(next, 1s)) {}  // the cancel ends the first wait
+    return true;
+  }
+  bool run_ready()
+  {
+    wait_for_work(1s);
+    rclcpp::AnyExecutable next;
+    bool found = get_next_ready_executable(next);
+    execute_any_executable(next);
+    return found;
+  }
+  int count = 0;
+};
+
+static void of_ones_own()
+{
+  Counting counting;
+  auto node = rclcpp::Node::make_shared("counted");
+  int ticks = 0;
+  auto timer = node->create_wall_timer(10ms, [&] {if (++ticks == 3) {counting.cancel();}});
+  counting.add_node(node);
+  counting.spin();
+  check("an executor of one's own runs callbacks", ticks == 3 && counting.count == 3);
+  check("what it leaves is not run", counting.leave_one() && ticks == 3);
+  check("and keeps nobody from running", counting.run_ready() && ticks == 4);
+  check("it is not spinning any more", !counting.is_spinning());
+}
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -188,6 +237,7 @@ int main(int argc, char ** argv)
     rival.add_callback_group(by_itself, base);
     equal("a group moves", rival.get_all_callback_groups().size(), 1u);
   }
+  of_ones_own();
   rclcpp::shutdown();
   check("shutdown ends ok", !rclcpp::ok());
 }

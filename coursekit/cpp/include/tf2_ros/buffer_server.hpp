@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2_ros/buffer_server.h"

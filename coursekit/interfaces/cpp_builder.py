@@ -1,0 +1,40 @@
+"""C++ source of messages' builders: `geometry_msgs::build<geometry_msgs::msg::Point>().x(1).y(2).z(3)`.
+
+Each step of a chain is a type that has only the next field, so that none is forgotten and all come in order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from coursekit.interfaces.model import Message
+
+
+def builder_lines(package: str, kind: str, messages: Iterable[Message]) -> list[str]:
+    """The builders of a header's messages, which stand before them."""
+    all_of_them = list(messages)
+    return [
+        f"namespace {package}::{kind}::builder",
+        "{",
+        *(step for message in all_of_them for step in _steps(message)),
+        f"}}  // namespace {package}::{kind}::builder",
+        f"namespace {package}",
+        "{",
+        "template<class M> auto build();",
+        *(_build(kind, message) for message in all_of_them),
+        f"}}  // namespace {package}",
+    ]
+
+
+def _steps(message: Message) -> list[str]:
+    """The last step first: each is followed by the one that it leads to."""
+    names = [field.name for field in message.fields]
+    following = [*(f"Init_{message.name}_{name}" for name in names[1:]), message.name]
+    steps = [f"COURSEKIT_STEP({message.name}, {name}, {to})" for name, to in zip(names, following, strict=False)]
+    return steps[::-1]
+
+
+def _build(kind: str, message: Message) -> str:
+    made = f"{kind}::{message.name}"
+    first = f"{kind}::builder::Init_{message.name}_{message.fields[0].name}({made}())" if message.fields else f"{made}()"
+    return f"template<> inline auto build<{made}>() {{return {first};}}"

@@ -176,7 +176,8 @@ def viewer(
     """Robots, frames and messages in 3D: what a file says (our YAML or an .rviz file), or these displays.
 
     A display is 'LaserScan', 'LaserScan /scan' or {'type': 'LaserScan', 'topic': '/scan', 'size': 0.05}. Bare, it shows
-    what the running rviz2 shows, else grid, robots and frames. `view` may set distance [m], yaw, pitch [rad] and target.
+    what the running rviz2 shows, else grid, robots and frames. `view` may set distance [m], yaw, pitch [rad] and target,
+    and a target_frame to go with.
     ValueError names what there is when a display or option is not known; OSError: there is no such file.
 
     In ROS 2: `rviz2 -d FILE`.

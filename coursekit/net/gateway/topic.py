@@ -156,7 +156,8 @@ class Topic:
             came_with = read_attachment(sample.attachment.to_bytes()) if sample.attachment is not None else None
             speaker = self._speakers.get(came_with.gid if came_with else b"") or next(iter(self._speakers.values()), None)
             if speaker is not None:
-                echo = self._echo if self._hearing is not None else Echo()  # unheard, it would take ROS's next one for its echo
+                # What is not heard back would have ROS's next message of the same words taken for its echo.
+                echo = self._echo if self._hearing is not None else Echo()
                 speaker.speak(sample.payload.to_bytes(), came_with, echo)
         except Exception as error:  # a stranger's bytes, or a node that ends in this moment
             self._gateway.tell(f"A message on {self._name} was not passed on: {error}")

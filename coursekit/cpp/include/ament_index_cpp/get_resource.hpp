@@ -10,7 +10,8 @@ namespace ament_index_cpp
 inline bool get_resource(const std::string & type, const std::string & name, std::string & content, std::string * where = nullptr)
 {
   if (type.empty() || name.empty()) {
-    throw std::runtime_error(std::string("ament_index_cpp::get_resource() resource ") + (type.empty() ? "type" : "name") + " must not be empty");
+    const std::string what = type.empty() ? "type" : "name";
+    throw std::runtime_error("ament_index_cpp::get_resource() resource " + what + " must not be empty");
   }
   for (auto & prefix : get_search_paths()) {
     if (has_resource_at(prefix, type, name)) {

@@ -149,6 +149,7 @@ _PATCHES = [
     Patch(f"{_PICKLER}.dumps", lambda found: classmethod(with_own_modules(found.__func__)), _OWN, _TEST, PRIVATE),
     Patch(f"{_PICKLER}.loads", lambda found: staticmethod(with_own_modules(found)), _OWN, _TEST, PRIVATE),
     Patch("multiprocessing.connection.Connection._recv", _waits_first, _OTHERS, _TEST, VIRTUAL),
+    Patch("multiprocessing.pool.wait", _looks_first, "a copy of `connection.wait` that the pool keeps", _TEST, VIRTUAL),
     Patch("multiprocessing.connection.wait", _looks_first, _OTHERS, _TEST, VIRTUAL),
     Patch("multiprocessing.synchronize.SemLock._make_methods", _with_acquire, _OTHERS, _TEST, VIRTUAL),
     Patch("multiprocessing.synchronize.SemLock.__enter__", always(_acquire), _OTHERS, _TEST, VIRTUAL),

@@ -51,10 +51,9 @@ class ViewerPage(ScenePanel):
 
     def on_topics(self, _message: dict[str, Any]) -> None:
         """The page wants to know which topics could be shown."""
-        node, found = self.stage.node, []
-        for topic, types in sorted(node.get_topic_names_and_types()):
-            kinds = [name for name, kind in KINDS.items() if kind.type in types]
-            found += [[topic, kind] for kind in kinds if node.count_publishers(topic)]
+        node = self.stage.node
+        published = [one for one in sorted(node.get_topic_names_and_types()) if node.count_publishers(one[0])]
+        found = [[topic, name] for topic, types in published for name, kind in KINDS.items() if kind.type in types]
         self.tell(type="topics", topics=found)
 
     def on_add(self, message: dict[str, Any]) -> None:

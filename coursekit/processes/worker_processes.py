@@ -44,12 +44,21 @@ def _ready(objects: list[Any], seconds: float) -> bool:
         return bool(selector.select(seconds))
 
 
+def _wait(clock: Any, happens: Callable[[], bool], timeout: float | None) -> bool:
+    """Let the others run until it happens, or for so many virtual seconds; `happens` waits for it for STEP real ones."""
+    end = None if timeout is None else clock.steady() + waited_ns(timeout)
+    while not happens():
+        if end is not None and clock.steady() >= end:
+            return False
+        clock.sleep(STEP)
+    return True
+
+
 def _let_others_run(objects: list[Any], timeout: float | None = None) -> None:
     """On the virtual clock: wait until one of them is ready, or for so many virtual seconds."""
     clock = _virtual_clock()
-    end = None if clock is None or timeout is None else clock.steady() + waited_ns(timeout)
-    while clock is not None and not _ready(objects, STEP) and (end is None or clock.steady() < end):
-        clock.sleep(STEP)
+    if clock is not None:
+        _wait(clock, lambda: _ready(objects, STEP), timeout)
 
 
 def _waits_first(real: Callable[..., Any]) -> Callable[..., Any]:
@@ -92,12 +101,7 @@ def _acquire(lock: Any, block: bool = True, timeout: float | None = None) -> boo
     clock = _virtual_clock()
     if clock is None or not block:
         return bool(lock._semlock.acquire(block, timeout))
-    end = None if timeout is None else clock.steady() + waited_ns(timeout)
-    while not lock._semlock.acquire(True, STEP):
-        if end is not None and clock.steady() >= end:
-            return False
-        clock.sleep(STEP)
-    return True
+    return _wait(clock, lambda: bool(lock._semlock.acquire(True, STEP)), timeout)
 
 
 def _with_acquire(real: Callable[..., Any]) -> Callable[..., Any]:

@@ -221,6 +221,14 @@ def close(page: Any) -> None:
         page.close()
 
 
+def set_theme(page: Any, *, light: bool) -> None:
+    """Have the page in the light or in the dark; its server remembers that."""
+    name = "JupyterLab Light" if light else "JupyterLab Dark"
+    page.evaluate("(name) => jupyterapp.commands.execute('apputils:change-theme', { theme: name })", name)
+    shown = "(light) => document.body.dataset.jpThemeLight === light"
+    page.wait_for_function(shown, arg=str(light).lower(), timeout=20_000)
+
+
 def settled(page: Any, read: Callable[[], Any], patience: float = 20.0) -> Any:
     """What `read` gives once it has been the same for half a second."""
     give_up = time.monotonic() + patience

@@ -2,6 +2,8 @@
 
 import pytest
 
+from tests.browser.pages import set_theme
+
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 
 LAB = "from coursekit.lab import *"
@@ -21,7 +23,6 @@ PANELS = {
     "network": "network_panel()",
     "plot": "plot('/turtle1/pose.x:y')",
 }
-THEME = "(name) => jupyterapp.commands.execute('apputils:change-theme', { theme: name })"
 RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}}
 
 
@@ -47,9 +48,8 @@ def faults_of(axe, page):
 def test_panels_have_no_fault(opened, picture):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
     page = opened.page
-    for theme, light in (("JupyterLab Light", "true"), ("JupyterLab Dark", "false")):
-        page.evaluate(THEME, theme)
-        page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
-        picture(page, f"accessible-{light}")
+    for light in (True, False):
+        set_theme(page, light=light)
+        picture(page, f"accessible-{'light' if light else 'dark'}")
         faults = faults_of(axe, page)
-        assert not faults, "\n".join([theme, *faults])
+        assert not faults, "\n".join(["light" if light else "dark", *faults])

@@ -4,6 +4,8 @@ import re
 
 import pytest
 
+from tests.browser.pages import set_theme
+
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 
 LAB = "from coursekit.lab import *"
@@ -15,16 +17,9 @@ def inflation_cost(distance, inscribed=0.2, scaling=3.0, radius=0.55):
     return int(252 * math.exp(-scaling * (distance - inscribed))) if distance <= radius else 0"""
 STEP_OUT = """def manage(free, homes, loads):
     return {name: [(row, column), (row, column + 1)] for name, (row, column) in homes.items()}"""
-THEME = "(name) => jupyterapp.commands.execute('apputils:change-theme', { theme: name })"
 PAPER = "(svg) => getComputedStyle(svg.querySelector('rect')).fill"
 RUNNING = "() => document.querySelector('.ck-drawn .mover').getAnimations().length"
 RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}}
-
-
-def show(page, light):
-    """Have the page in the light or in the dark."""
-    page.evaluate(THEME, f"JupyterLab {'Light' if light else 'Dark'}")
-    page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=str(light).lower())
 
 
 @pytest.fixture
@@ -48,7 +43,7 @@ def test_a_picture_has_its_text_and_follows_the_theme(opened, picture):
     drawn.wait_for()
     papers = []
     for light in (True, False):
-        show(page, light)
+        set_theme(page, light=light)
         papers.append(drawn.locator("svg").evaluate(PAPER))
         picture(page, f"check-{'light' if light else 'dark'}")
     assert papers == ["rgb(255, 255, 255)", "rgb(43, 53, 61)"]
@@ -71,6 +66,6 @@ def test_what_is_wrong_is_marked_and_robots_move_when_they_are_asked_to(opened, 
 def test_pictures_have_no_fault_for_axe(opened):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
     for light in (True, False):
-        show(opened.page, light)
+        set_theme(opened.page, light=light)
         found = axe.run(opened.page, context={"include": [[".ck-drawn"]]}, options=RULES).response
         assert found["passes"] and not found["violations"], found["violations"]

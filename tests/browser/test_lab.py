@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from tests.browser.pages import set_theme
+
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(240)]
 
 LAB = "from coursekit.lab import *"
@@ -140,9 +142,7 @@ def test_parameters_topics_and_log_are_seen_and_set(notebook, picture):
     assert row.locator('input[type="number"]').input_value() == "200"
     for name in ("parameters", "topics", "log"):
         picture(page.locator(f".ck-{name}"), name)
-    page.evaluate("window.jupyterapp.commands.execute('apputils:change-theme', {theme: 'JupyterLab Dark'})")
-    page.locator('body[data-jp-theme-light="false"]').wait_for(state="attached", timeout=20_000)
+    set_theme(page, light=False)
     page.wait_for_timeout(500)
     picture(page.locator(".jp-NotebookPanel"), "panels_dark")
-    page.evaluate("window.jupyterapp.commands.execute('apputils:change-theme', {theme: 'JupyterLab Light'})")
-    page.locator('body[data-jp-theme-light="true"]').wait_for(state="attached", timeout=20_000)
+    set_theme(page, light=True)

@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from .test_accessible import THEME, faults_of
+from .pages import set_theme
+from .test_accessible import faults_of
 from .test_viewer import DRAWN, OBJECTS, drawn
 from .test_viewer_tools import PIXEL
 
@@ -141,15 +142,14 @@ def test_what_opens_in_the_viewer_passes_the_audit_in_the_light_and_in_the_dark(
     panel.get_by_label("Name of this view").fill("mine")
     panel.get_by_label("Name of this view").press("Enter")
     panel.get_by_role("button", name="mine", exact=True).wait_for(timeout=20_000)
-    for theme, light in (("JupyterLab Dark", "false"), ("JupyterLab Light", "true")):
-        page.evaluate(THEME, theme)
-        page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
+    for light in (False, True):
+        set_theme(page, light=light)
         faults = faults_of(axe, page)
         panel.get_by_role("button", name="Add", exact=True).click()
         panel.locator(".ck-offer").first.wait_for(timeout=20_000)
         faults += faults_of(axe, page)
         page.keyboard.press("Escape")
-        assert not faults, "\n".join([theme, *faults])
+        assert not faults, "\n".join(["light" if light else "dark", *faults])
 
 
 def test_a_view_is_saved_to_a_file_that_opens_again(panel):
@@ -226,10 +226,10 @@ def test_a_camera_that_was_moved_is_kept_over_a_reload(panel):
 def test_the_sky_follows_the_theme_and_small_names_do_not_cover_each_other(panel, picture):
     page = panel.page
     sky = "() => document.querySelector('.ck-viewer').viewer.view.scene_tree.find(['Background']).object.top_color[0]"
-    page.evaluate(THEME, "JupyterLab Dark")
+    set_theme(page, light=False)
     page.wait_for_function(f"() => ({sky})() < 100", timeout=20_000)
     picture(panel, "viewer_dark")
-    page.evaluate(THEME, "JupyterLab Light")  # also for those that come after: a server remembers its theme
+    set_theme(page, light=True)  # also for those that come after
     page.wait_for_function(f"() => ({sky})() > 200", timeout=20_000)
     seen = panel.locator(".ck-text:not(.ck-big):visible")
     seen.filter(has_text="robot").wait_for(timeout=20_000)

@@ -118,9 +118,7 @@ public:
   void remove_service(ServiceBase::SharedPtr service) {remove(services_, service, "service");}
   void add_guard_condition(GuardCondition::SharedPtr guard)
   {
-    if (guard && guard->exchange_in_use_by_wait_set_state(true)) {
-      throw std::runtime_error("guard condition already in use by another wait set");
-    }
+    claim(guard, "guard condition");
     add(guards_, guard, "guard condition");
   }
   void remove_guard_condition(GuardCondition::SharedPtr guard)
@@ -130,9 +128,7 @@ public:
   }
   void add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void> = nullptr)
   {
-    if (waitable && waitable->exchange_in_use_by_wait_set_state(true)) {
-      throw std::runtime_error("waitable already in use by another wait set");
-    }
+    claim(waitable, "waitable");
     add(waitables_, waitable, "waitable");
   }
   void remove_waitable(Waitable::SharedPtr waitable)
@@ -151,6 +147,13 @@ public:
   const rcl_wait_set_t & get_rcl_wait_set() const {return state_;}
 
 private:
+  template<class T>
+  static void claim(const std::shared_ptr<T> & one, const char * what)
+  {
+    if (one && one->exchange_in_use_by_wait_set_state(true)) {
+      throw std::runtime_error(std::string(what) + " already in use by another wait set");
+    }
+  }
   template<class T>
   void add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
   {

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-import umsgpack
 from geometry_msgs.msg import (
     AccelStamped,
     Point,
@@ -22,28 +21,11 @@ from nav2_msgs.msg import Particle, ParticleCloud
 from nav_msgs.msg import GridCells, OccupancyGrid, Odometry, Path
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
-from std_msgs.msg import ColorRGBA
 from tf2_msgs.msg import TFMessage
-from visualization_msgs.msg import Marker
 
 from coursekit.lab.viewer import viewer
-from coursekit.view.scene import Changes, Thing
-from coursekit.view.scene_shapes import Band, Lines, Points, Triangles
-from coursekit.view.scene_wire import packed
-
-
-def show(session, talker, display, *messages):
-    """What a display draws after messages, and what it says."""
-    panel = viewer(fixed_frame="map", displays=[display])
-    config = panel.stage.displays[0].config
-    publisher = talker.create_publisher(type(messages[0]), config.topic, 10)
-    for msg in messages:
-        msg.header.frame_id = "map"
-        publisher.publish(msg)
-        session.clock.sleep(0.05)
-        panel.stage.update()
-    things = list(panel.stage.scene.things.values())
-    return [shape for thing in things for shape in thing.shapes], panel.status(config.name), things
+from coursekit.view.scene_shapes import Lines, Points, Triangles
+from tests.lab.viewer_stage import scan_of, show
 
 
 def test_axes_stand_in_their_frame_or_name_it(session, talker):
@@ -166,18 +148,12 @@ def test_a_temperature_is_a_dot_from_blue_to_red(session, talker):
         assert int(np.argmax(dot.colours[0])) == channel and label.text == f"{celsius:g} °C" and label.text in said
 
 
-def scan(far):
-    msg = LaserScan(ranges=[far], range_max=9.0)
-    msg.header.frame_id = "map"
-    return msg
-
-
 def test_scans_stay_as_long_as_decay_time_says(session, talker):
     panel = viewer(fixed_frame="map", displays=[{"type": "LaserScan", "decay_time": 1.0}])
     publisher = talker.create_publisher(LaserScan, "/scan", 10)
     counts = []
     for pause in (0.1, 0.1, 0.1, 1.5):
-        publisher.publish(scan(1.0))
+        publisher.publish(scan_of(1.0))
         session.clock.sleep(pause)
         panel.stage.update()
         counts.append(len(panel.stage.scene.things))
@@ -185,7 +161,7 @@ def test_scans_stay_as_long_as_decay_time_says(session, talker):
 
 
 def test_points_as_boxes(session, talker):
-    (shape,), _, _ = show(session, talker, {"type": "LaserScan", "style": "Boxes", "size": 0.1}, scan(2.0))
+    (shape,), _, _ = show(session, talker, {"type": "LaserScan", "style": "Boxes", "size": 0.1}, scan_of(2.0))
     assert isinstance(shape, Triangles) and shape.vertices[:, 0].max() == pytest.approx(2.05)
 
 
@@ -247,23 +223,6 @@ def test_a_map_stands_where_its_frame_is_now(session, talker):
     assert list(places()) == [-1.0, -3.0]
 
 
-def sent(shape):
-    """What the page is told of a shape."""
-    thing = Thing(1, (shape,))
-    _, (_, command) = packed(Changes(made=[thing]))
-    return umsgpack.unpackb(command)["object"]
-
-
-def test_a_path_goes_to_the_page_as_a_line_that_is_never_too_thin(session, talker):
-    msg = Path(poses=[PoseStamped(), PoseStamped(), PoseStamped()])
-    msg.poses[1].pose.position.x = msg.poses[2].pose.position.y = 2.0
-    (band,), _, _ = show(session, talker, {"type": "Path", "line_width": 0.1}, msg)
-    assert isinstance(band, Band) and band.ends[:, :2].tolist() == [[0, 0], [2, 0], [2, 0], [0, 2]]
-    told = sent(band)
-    assert told["object"]["type"] == "LineSegments" and told["object"]["userData"] == {"metres": 0.1, "least": 2.0}
-    assert len(told["geometries"][0]["data"]["attributes"]["position"]["array"].data) == 4 * 3 * 4
-
-
 @pytest.mark.parametrize(
     "kind, length, msg",
     [
@@ -278,24 +237,3 @@ def test_as_many_of_the_last_messages_stay_as_are_wanted(session, talker, kind, 
     assert len(things) == 3
     _, _, things = show(session, talker, kind, *[msg] * 5)
     assert len(things) == 1
-
-
-def test_the_pieces_of_a_line_have_their_colours(session, talker):
-    msg = Marker(type=Marker.LINE_LIST, points=[Point(), Point(x=1.0), Point(), Point(y=1.0)])
-    msg.scale.x = msg.color.a = 1.0
-    msg.colors = [ColorRGBA(r=1.0, a=1.0), ColorRGBA(r=1.0, a=1.0), ColorRGBA(b=1.0, a=1.0), ColorRGBA(b=1.0, a=1.0)]
-    (band,), _, _ = show(session, talker, "Marker", msg)
-    assert band.end_colours.tolist() == [[1, 0, 0], [1, 0, 0], [0, 0, 1], [0, 0, 1]]
-    msg.type, msg.points, msg.colors = Marker.LINE_STRIP, msg.points[:3], msg.colors[:3]
-    (band,), _, _ = show(session, talker, "Marker", msg)
-    assert band.end_colours.tolist() == [[1, 0, 0], [1, 0, 0], [1, 0, 0], [0, 0, 1]]
-
-
-def test_a_polygon_is_two_pixels_wide_and_dots_may_be_counted_in_pixels(session, talker):
-    msg = PolygonStamped()
-    msg.polygon.points = [Point32(), Point32(x=1.0)]
-    (line,), _, _ = show(session, talker, "Polygon", msg)
-    assert sent(line)["object"]["userData"] == {"least": 2.0}
-    (dots,), _, _ = show(session, talker, {"type": "LaserScan", "style": "Points", "size_pixels": 5}, scan(1.0))
-    (material,) = sent(dots)["materials"]
-    assert (material["size"], material["sizeAttenuation"]) == (5.0, False)

@@ -3,6 +3,8 @@
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import LaserScan
 
+from coursekit.lab.viewer import viewer
+
 
 def frame(node, parent, child, x=0.0, static=True):
     from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
@@ -29,3 +31,23 @@ def shapes(panel, name):
     key = panel.stage.find(name).key
     panel.stage.update()
     return [shape for (one, _), thing in panel.stage.scene.things.items() if one == key for shape in thing.shapes]
+
+
+def scan_of(far):
+    msg = LaserScan(ranges=[far], range_max=9.0)
+    msg.header.frame_id = "map"
+    return msg
+
+
+def show(session, talker, display, *messages):
+    """What a display draws after messages, and what it says."""
+    panel = viewer(fixed_frame="map", displays=[display])
+    config = panel.stage.displays[0].config
+    publisher = talker.create_publisher(type(messages[0]), config.topic, 10)
+    for msg in messages:
+        msg.header.frame_id = "map"
+        publisher.publish(msg)
+        session.clock.sleep(0.05)
+        panel.stage.update()
+    things = list(panel.stage.scene.things.values())
+    return [shape for thing in things for shape in thing.shapes], panel.status(config.name), things

@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
 
-.PHONY: lab test check bench class hub conformance docs web notebooks wheel windows clean
+.PHONY: lab test check bench soak class hub conformance docs web notebooks wheel windows clean
 
 $(VENV)/.lab: pyproject.toml requirements.lock
 	$(PYTHON) start.py setup
@@ -28,6 +28,9 @@ check: $(VENV)/.test
 
 bench: $(VENV)/.test
 	$(BIN)/python -m tests.benchmarks
+
+soak: $(VENV)/.test
+	$(BIN)/python -m tests.net.soak 30
 
 class: $(VENV)/.test
 	$(BIN)/python -m tests.grade

@@ -18,6 +18,8 @@ OPEN_SECONDS = 5.0
 LEASE_SECONDS = 2.0
 """A link that is silent this long is lost, and what waited in it with it [s]."""
 
+BUSY_SECONDS = 0.01
+"""How long a message waits for room before it is dropped: the threads of a busy computer may sleep for this long [s]."""
 SEND_BUFFER = 65536
 """What the system may keep of a link's messages before they go: a slow link shall drop them, not bring them seconds late."""
 
@@ -89,6 +91,7 @@ def _quiet(zenoh: Any, mode: str) -> Any:
     _set(config, "scouting/gossip/enabled", False)
     _set(config, "timestamping/enabled", True)
     _set(config, "transport/link/tx/lease", round(LEASE_SECONDS * 1000))
+    _set(config, "transport/link/tx/queue/congestion_control/drop/wait_before_drop", round(BUSY_SECONDS * 1e6))
     _set(config, "transport/link/tcp/so_sndbuf", SEND_BUFFER)
     if mode == "client":
         _set(config, "listen/endpoints", [])

@@ -14,12 +14,12 @@ from typing import Any
 import rclpy
 import zenoh
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 
 from ..wire.names import data_key
 from ..wire.token import ADMIN
 from .announced import PREFIX, Announced
+from .executor import InformingExecutor
 from .visitors import Visitors
 
 LOOK_SECONDS = 0.5
@@ -35,7 +35,7 @@ class Gateway:
         self.domain_id = domain_id
         name = f"{PREFIX}{time.time_ns()}"
         self.node = Node(name, start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
-        self.executor = MultiThreadedExecutor(8)
+        self.executor = InformingExecutor(8)
         self.executor.add_node(self.node)
         self.group = ReentrantCallbackGroup()
         self._refuse_a_second()
@@ -109,6 +109,7 @@ def settings(listen: Sequence[str], connect: Sequence[str], user: str, password:
         "scouting/gossip/enabled": False,
         "timestamping/enabled": True,
         "transport/link/tx/lease": 2000,
+        "transport/link/tx/queue/congestion_control/drop/wait_before_drop": 10_000,  # microseconds, as BUSY_SECONDS
         "listen/endpoints": list(listen),
         "connect/endpoints": list(connect),
         "connect/timeout_ms": -1,

@@ -5,8 +5,10 @@ from __future__ import annotations
 import itertools
 import time
 from collections import deque
+from collections.abc import Mapping
 from typing import Any
 
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.serialization import deserialize_message, serialize_message
 from zenoh import CongestionControl, Locality, ext
 
@@ -42,16 +44,13 @@ class Speaker:
                 return
         deserialize_message(data, self._kind)  # a stranger's bytes: the middleware would pass them on unread
         self._moving = self._type_name in VELOCITIES and any(data[4:])
-        echo.said(data)
-        self.publisher.publish(data)
+        echo.publish(self.publisher.publish, data)
 
     def stop(self, echo: Echo) -> None:
         """Stop what the last velocity drives: who sent it is gone."""
         if self._moving:
             self._moving = False
-            data = serialize_message(self._kind())
-            echo.said(data)
-            self.publisher.publish(data)
+            echo.publish(self.publisher.publish, serialize_message(self._kind()))
 
 
 class Topic:
@@ -67,6 +66,7 @@ class Topic:
         self._hearing: Any = None
         self._outlets: dict[str, Any] = {}
         self._numbers = itertools.count(1)
+        self._in_order = MutuallyExclusiveCallbackGroup()
 
     def add_speaker(self, gid: bytes, publisher: Any, *, latched: bool) -> None:
         """A publisher there."""
@@ -110,9 +110,8 @@ class Topic:
             for new in hashes - self._outlets.keys():
                 self._outlets[new] = self._outlet(new, profile)
             if self._hearing is None:
-                self._echo = Echo()
                 self._hearing = self._gateway.node.create_subscription(
-                    self._kind, self._name, self._from_ros, profile, raw=True, callback_group=self._gateway.group
+                    self._kind, self._name, self._from_ros, profile, raw=True, callback_group=self._in_order
                 )
 
     def close(self) -> None:
@@ -156,14 +155,12 @@ class Topic:
             came_with = read_attachment(sample.attachment.to_bytes()) if sample.attachment is not None else None
             speaker = self._speakers.get(came_with.gid if came_with else b"") or next(iter(self._speakers.values()), None)
             if speaker is not None:
-                # What is not heard back would have ROS's next message of the same words taken for its echo.
-                echo = self._echo if self._hearing is not None else Echo()
-                speaker.speak(sample.payload.to_bytes(), came_with, echo)
+                speaker.speak(sample.payload.to_bytes(), came_with, self._echo)
         except Exception as error:  # a stranger's bytes, or a node that ends in this moment
             self._gateway.tell(f"A message on {self._name} was not passed on: {error}")
 
-    def _from_ros(self, data: bytes) -> None:
-        if not self._echo.is_own(data):
+    def _from_ros(self, data: bytes, info: Mapping[str, Any]) -> None:
+        if not self._echo.is_own(data, info["source_timestamp"]):
             gid = self._gateway.announced.gid_of_publisher(self._name, self._type_name)
             attachment = Attachment(next(self._numbers), time.time_ns(), gid).data()
             for outlet in list(self._outlets.values()):

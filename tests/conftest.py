@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 
+import pytest
 from hypothesis import settings
 
 # Property tests have no time limit of their own, and try the same examples every time; with COURSEKIT_FUZZ, new ones.
@@ -27,7 +28,7 @@ def pytest_sessionstart(session):
 
 
 LONG = (
-    "tests/notebooks/test_going", "tests/notebooks/test_wrong", "tests/notebooks/",
+    "tests/notebooks/test_taking", "tests/notebooks/",
     "tests/grade/test_class", "tests/browser/", "tests/grade/", "tests/packages/", "tests/tutorials/",
 )  # fmt: skip
 """Files that take minutes with few tests, the longest first: begun last, one would keep a worker when all is done."""
@@ -36,6 +37,22 @@ LONG = (
 def pytest_collection_modifyitems(items):
     """Begin with what takes long; `--no-loadscope-reorder` keeps to that."""
     items.sort(key=lambda item: next((at for at, start in enumerate(LONG) if item.nodeid.startswith(start)), len(LONG)))
+
+
+ALONE = ("tests/notebooks/test_taking",)
+"""Files whose tests share nothing, and take minutes each: workers take them one by one, tests of other files together."""
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Instead of `--dist loadfile`."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class Scheduling(LoadFileScheduling):
+        def _split_scope(self, nodeid):
+            return nodeid if nodeid.startswith(ALONE) else super()._split_scope(nodeid)
+
+    return Scheduling(config, log) if config.getvalue("dist") == "loadfile" else None
 
 
 def make_cpp_runtime():

@@ -25,6 +25,7 @@ from .plot_panel import plot
 from .practice_robot import practice_robot, weak_link
 from .rqt_windows import show_rqt_windows
 from .service_panel import service_caller
+from .timeline import timeline
 from .topic_panel import topic_panel
 from .tour import drive_along
 from .turtle import turtlesim_window
@@ -62,6 +63,7 @@ __all__ = [
     "set_aside",
     "terminal",
     "terminals",
+    "timeline",
     "topic_panel",
     "turtlesim_window",
     "viewer",

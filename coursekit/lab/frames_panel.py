@@ -38,6 +38,7 @@ class FramesPanel(Panel):
 
     _esm = static("frames.js")
     _css = static("frames.css")
+    keeps_states = True
 
     def __init__(self, *, details: bool = False) -> None:
         super().__init__("frames")

@@ -34,6 +34,7 @@ class GraphPanel(Panel):
 
     _esm = static("graph.js")
     _css = static("graph.css")
+    keeps_states = True
 
     def __init__(self, view: str = "all", **options: bool) -> None:
         self._graph = current().graph(domain_id())

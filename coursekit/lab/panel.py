@@ -11,6 +11,7 @@ from coursekit.processes.session import current
 from .bundle import forms_of, with_text
 from .docking import View
 from .hidden import HiddenNode
+from .past import Past, cursor_of
 from .script import script, style
 
 UPDATE_SECONDS = 0.2
@@ -64,6 +65,8 @@ class Panel(View):
     """Until it is open, and after `close`."""
     of_cell = True
     """Whether it ends when the cell that made it is run again."""
+    keeps_states = False
+    """Whether what `shown` gives is kept, and shown again when the cursor goes back to it."""
 
     def __init__(self, node_name: str = "") -> None:
         super().__init__()
@@ -75,6 +78,8 @@ class Panel(View):
         self._lock = threading.Lock()
         self._alarm: Any = None
         self._follow_up: Any = None
+        self.past, self.cursor = Past(), cursor_of(self.session)
+        self.cursor.watchers.append(self.look_back)
         self.on_msg(self._hear)
         _open.append(self)
 
@@ -112,6 +117,17 @@ class Panel(View):
             due = self.session.clock.steady() + round(seconds * 1e9)
             self._follow_up = self.session.clock.call_at(due, self.changed)
 
+    def look_back(self) -> None:
+        """The cursor has moved: show that time, if this panel knows it."""
+        if self.keeps_states and self._seen:
+            self.tell(type="past", on=self.cursor.time is not None)
+            self._push()
+
+    def known_since(self) -> int | None:
+        """The oldest time that it can show again [ns]; None: it keeps none."""
+        span = self.past.span()
+        return span[0] if span else None
+
     def tell(self, **message: Any) -> None:
         """Send a message of its own."""
         if not self.closed:
@@ -122,7 +138,13 @@ class Panel(View):
     def _push(self) -> None:
         with self._lock:
             self._alarm = None
-        self.tell(type="shown", **self.shown())
+        state = self.shown()
+        if self.keeps_states:
+            size = sum(len(text) for text in state.values() if isinstance(text, str))
+            self.past.keep(self.session.clock.steady(), state, size)
+            if self.cursor.time is not None:
+                state = self.past.at(self.cursor.time)
+        self.tell(type="shown", **state)
 
     def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
         kind = str(message.get("type", ""))
@@ -134,6 +156,8 @@ class Panel(View):
         if kind == "ready":
             self._seen = True
             self._push()
+            if self.cursor.time is not None:
+                self.look_back()
             return
         react = getattr(self, f"on_{kind}", None)
         if react is not None and kind.isidentifier():
@@ -168,6 +192,7 @@ class Panel(View):
         self.closed = True
         if self in _open:
             _open.remove(self)
+        self.cursor.watchers.remove(self.look_back)
         for planned in (self._alarm, self._follow_up):
             if planned is not None:
                 planned.cancel()

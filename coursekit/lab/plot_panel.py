@@ -96,6 +96,23 @@ class PlotPanel(Panel):
         now = (self.session.clock.steady() - self._began) * 1e-9 if self._live else self._curves.span()[1]
         return {"news": news, "seconds": self.seconds, "live": self._live, "now": now}
 
+    def known_since(self) -> int | None:
+        """When its first value came [ns]."""
+        return self._began + round(self._curves.span()[0] * 1e9) if self._live and self._curves.curves else None
+
+    def look_back(self) -> None:
+        """The cursor has moved: have the page show that time."""
+        if self._live and self._seen:
+            time = self.cursor.time
+            self.tell(type="look", at=None if time is None else (time - self._began) * 1e-9)
+
+    def on_go(self, message: dict[str, Any]) -> None:
+        """The plot's own time line was moved: what other panels showed then is shown, too."""
+        at = message.get("at")
+        if self._live:
+            good = isinstance(at, int | float) and math.isfinite(at)
+            self.cursor.go(self._began + round(float(at) * 1e9) if good else None)  # type: ignore[arg-type]
+
     def _hear(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:
         if message.get("type") == "ready":
             self._sent = {}  # a page that is loaded anew has none

@@ -7,7 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import cv2
 
+from coursekit.view.scene import Changes, Scene
+from coursekit.view.scene_past import Moment, between, moment_of, size_of
 from coursekit.view.scene_wire import packed
+
+from .past import EVERY_SECONDS
 
 if TYPE_CHECKING:
     from .scene_panel import ScenePanel
@@ -34,11 +38,20 @@ class Stream:
         self._list: Any = None
         self._list_due = 0
         self._pictures: dict[str, int] = {}
+        self._jpegs: dict[str, bytes] = {}
+        """The newest pictures, by the names of their displays."""
+        self._jpegs_there: dict[str, bytes] = {}
+        """Those that the page has."""
+        self._kept: tuple[Moment, dict[str, bytes]] = {}, {}
+        """The newest moment that the panel's past has."""
+        self._keep_due = 0
+        self._page: Moment | None = None
+        """What the page shows while that is of the past."""
 
     def open(self) -> None:
         """A page shows nothing yet: send it all."""
         with self._lock:
-            self._whole, self._fitted, self._list, self._pictures = True, False, None, {}
+            self._whole, self._fitted, self._list, self._jpegs_there = True, False, None, {}
             self._acknowledged = self._sent
             start, self._running = not self._running, True
         if start:
@@ -77,19 +90,43 @@ class Stream:
             whole, self._whole = self._whole, False
         with stage.lock:
             scene = stage.update()
-            changes = scene.whole() if whole else scene.changes()
+            self._keep(scene)
+            anew = whole or (self._page is None and self.panel.cursor.time is not None)
+            changes = self._changes(scene, whole)
             view = self._view(whole)
-            led = {"follow": self.panel.follows(), "marked": self.panel.marked()}
+            led = {"follow": self.panel.follows(), "marked": self.panel.marked(), "past": self._page is not None}
         self._tell_list()
         pictures, images = self._images()
-        if not (changes or whole or view or pictures or led != self._led):
+        if not (changes or anew or view or pictures or led != self._led):
             return
         self._led = led
         message, buffers = packed(changes)
         self._sent += 1
-        message |= {"type": "scene", "n": self._sent, "whole": whole, "view": view, "images": pictures, **led}
+        message |= {"type": "scene", "n": self._sent, "whole": anew, "view": view, "images": pictures, **led}
         if not self._closed:
             self.panel.send(message, buffers=[*buffers, *images])
+
+    def _changes(self, scene: Scene, whole: bool) -> Changes:
+        """What the page has to do to show the scene, or the moment of the past that the cursor is at."""
+        live, time = scene.whole() if whole else scene.changes(), self.panel.cursor.time
+        if time is None and self._page is None:
+            return live
+        before = {} if whole or self._page is None else self._page
+        after = moment_of(scene) if time is None else (self.panel.past.at(time) or (moment_of(scene), {}))[0]
+        self._page = None if time is None else after
+        return between(before, after)
+
+    def _keep(self, scene: Scene) -> None:
+        """Keep what is shown now, a few times a second, if it is not what was kept before."""
+        now, (things, jpegs) = self.panel.session.clock.steady(), self._kept
+        if now < self._keep_due:
+            return
+        self._keep_due = now + round(EVERY_SECONDS * 1e9)
+        moment = moment_of(scene)
+        if between(things, moment) or jpegs != self._jpegs:
+            new = [jpeg for name, jpeg in self._jpegs.items() if jpegs.get(name) is not jpeg]
+            self._kept = moment, dict(self._jpegs)
+            self.panel.past.keep(now, self._kept, size_of(moment, things) + sum(map(len, new)))
 
     def _view(self, whole: bool) -> dict[str, Any] | None:
         """From where to look: at the start, and once more when there is something to look at."""
@@ -113,17 +150,17 @@ class Stream:
             self.panel.tell(type="shown", **shown)
 
     def _images(self) -> tuple[list[str], list[bytes]]:
-        """The names of pictures that are new, and as JPEG."""
-        names, data = [], []
+        """The names of pictures that the page does not have, and as JPEG."""
         for one in self.panel.stage.images():
-            if self._pictures.get(one.key) == one.drawn:
-                continue
-            self._pictures[one.key] = one.drawn
-            good, jpeg = cv2.imencode(".jpg", one.picture, (cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY))
-            if good:
-                names.append(one.config.name)
-                data.append(jpeg.tobytes())
-        return names, data
+            if self._pictures.get(one.key) != one.drawn:
+                self._pictures[one.key] = one.drawn
+                good, jpeg = cv2.imencode(".jpg", one.picture, (cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY))
+                self._jpegs |= {one.config.name: jpeg.tobytes()} if good else {}
+        time = self.panel.cursor.time
+        wanted = self._jpegs if time is None else (self.panel.past.at(time) or ({}, {}))[1]
+        news = {name: jpeg for name, jpeg in wanted.items() if self._jpegs_there.get(name) is not jpeg}
+        self._jpegs_there |= news
+        return list(news), list(news.values())
 
 
 __all__ = ["Stream"]

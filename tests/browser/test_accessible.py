@@ -22,13 +22,14 @@ PANELS = {
     "frames": "frames()",
     "network": "network_panel()",
     "plot": "plot('/turtle1/pose.x:y')",
+    "timeline": "timeline()",
 }
 RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}}
 
 
 @pytest.fixture
 def opened(notebook):
-    made = notebook(LAB, START, *PANELS.values(), width=1366, height=6400)
+    made = notebook(LAB, START, *PANELS.values(), width=1366, height=6500)
     made.run()
     made.page.wait_for_selector(".ck-world[data-messages]")
     return made

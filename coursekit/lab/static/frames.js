@@ -1,7 +1,7 @@
 // The live tree of frames: Python draws it, this shows it; a click tells where a frame is.
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "frames", "Frames");
+    const { panel, head, body } = frame(el, "frames", "Frames");
     const box = make("input", { type: "checkbox", onchange: () => model.send({ type: "details", on: box.checked }) });
     head.append(make("label", {}, box, "details"));
     const drawing = make("div", { className: "ck-drawing" });
@@ -11,6 +11,7 @@ export default {
     drawing.addEventListener("click", (event) => model.send({ type: "choose", name: named(event) }));
     drawing.addEventListener("keydown", (event) => event.key === "Enter" && model.send({ type: "choose", name: named(event) }));
     return listen(model, {
+      past: ({ on }) => panel.classList.toggle("ck-of-past", on),
       shown(message) {
         if (drawing.dataset.svg !== message.svg) drawing.innerHTML = drawing.dataset.svg = message.svg;
         box.checked = message.details;

@@ -16,7 +16,7 @@ function lightUp(drawing, name) {
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "graph", "Graph");
+    const { panel, head, body } = frame(el, "graph", "Graph");
     const view = make("select", { title: "what is shown", onchange: () => model.send({ type: "view", view: view.value }) });
     for (const [value, text] of Object.entries(VIEWS)) view.append(make("option", { value, textContent: text }));
     head.append(view);
@@ -34,6 +34,7 @@ export default {
     drawing.addEventListener("mouseover", (event) => lightUp(drawing, named(event)));
     drawing.addEventListener("mouseleave", () => lightUp(drawing, ""));
     return listen(model, {
+      past: ({ on }) => panel.classList.toggle("ck-of-past", on),
       shown(message) {
         if (drawing.dataset.svg !== message.svg) drawing.innerHTML = drawing.dataset.svg = message.svg;
         view.value = message.view;

@@ -29,18 +29,19 @@ export default {
     const canvas = make("canvas");
     canvas.setAttribute("role", "img");
     const legend = make("div", { className: "ck-legend" });
-    const slider = make("input", { type: "range", min: 0, max: 1, step: "any", value: 1, oninput: () => { follow = false; draw(); } });
+    const slider = make("input", { type: "range", min: 0, max: 1, step: "any", value: 1, oninput: () => { follow = false; held = true; at = Number(slider.value); draw(); model.send({ type: "go", at }); } });
+    slider.addEventListener("change", () => { held = false; });
     slider.setAttribute("aria-label", "time line");
     const when = make("span", { className: "ck-when ck-dim" });
     const span = make("select", { onchange: draw });
     span.setAttribute("aria-label", "how much is shown");
-    const live = make("button", { textContent: "Live", onclick: () => { follow = true; draw(); } });
+    const live = make("button", { textContent: "Live", onclick: () => { follow = true; draw(); model.send({ type: "go", at: null }); } });
     head.append(span, live);
     body.append(canvas, legend, make("div", { className: "ck-line" }, slider, when));
-    let curves = {}, now = 0, isLive = true, follow = true, pointer = null, known = false;
+    let curves = {}, now = 0, isLive = true, follow = true, held = false, at = 0, pointer = null, known = false;
 
     function begin() { return Math.min(now, ...Object.values(curves).filter((one) => one.length).map((one) => one[0][0])); }
-    function shownTo() { return follow ? now : Number(slider.value); }
+    function shownTo() { return follow ? now : at; }
 
     function draw() {
       const start = begin(), width = Number(span.value) || now - start || 1;
@@ -48,7 +49,7 @@ export default {
       slider.disabled = first >= now;  // all is in sight
       slider.min = slider.disabled ? now - 1 : first;
       slider.max = now;
-      if (follow) slider.value = now;
+      slider.value = shownTo();
       live.hidden = !isLive || follow;
       const to = shownTo(), from = to - width;
       when.textContent = follow && isLive ? `now, ${to.toFixed(1)} s` : `${to.toFixed(1)} of ${now.toFixed(1)} s`;
@@ -119,6 +120,12 @@ export default {
     const sized = new ResizeObserver(draw);
     sized.observe(canvas);
     const deaf = listen(model, {
+      look(said) {
+        if (held) return;  // that is where a hand has put it
+        follow = said.at === null;
+        at = said.at ?? at;
+        draw();
+      },
       shown(said) {
         now = said.now; isLive = said.live;
         if (!known) {

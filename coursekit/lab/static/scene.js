@@ -258,6 +258,7 @@ function drawScene(model, { panel, pane, labels, corner, ready, pictures = () =>
     scene.follow(message.follow);
     drawn(message);
     panel.dataset.messages = message.n;
+    panel.classList.toggle("ck-of-past", message.past);
     requestAnimationFrame(() => model.send({ type: "drawn", n: message.n }));
   };
   model.on("msg:custom", hear);

@@ -1,0 +1,49 @@
+"""Scenes of the past: what was in a scene at a time, and what turns one such moment into another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from .scene import Changes, Scene, Thing
+
+Moment = Mapping[int, Thing]
+"""The things of a scene as they were, by their numbers."""
+_POSE_BYTES = 200
+
+
+def moment_of(scene: Scene) -> Moment:
+    """What is in a scene now. Shapes are shared with it: they are replaced there, never changed."""
+    return {thing.number: replace(thing) for thing in scene.things.values()}
+
+
+def between(before: Moment, after: Moment) -> Changes:
+    """What a page has to do that shows one moment, to show the other.
+
+    >>> from coursekit.view.scene_shapes import Label
+    >>> scene = Scene()
+    >>> scene.put("tf", "laser", Label("laser"))
+    >>> first = moment_of(scene)
+    >>> scene.place("tf", "laser", (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
+    >>> scene.put("tf", "camera", Label("camera"))
+    >>> there = between(first, moment_of(scene))
+    >>> len(there.made), len(there.moved), between(moment_of(scene), first).gone
+    (1, 1, [2])
+    """
+    gone = [number for number in before if number not in after]
+    made = [thing for number, thing in after.items() if number not in before or before[number].shapes is not thing.shapes]
+    same = [thing for number, thing in after.items() if number in before and before[number].shapes is thing.shapes]
+    moved = [one for one in same if (one.pose, one.scale) != (before[one.number].pose, before[one.number].scale)]
+    return Changes(gone, made, moved)
+
+
+def size_of(moment: Moment, before: Moment) -> int:
+    """What a moment takes beside an earlier one [bytes]: shapes that both have are there once."""
+    new = [one for one in moment.values() if one.number not in before or before[one.number].shapes is not one.shapes]
+    values = [value for one in new for shape in one.shapes for value in vars(shape).values()]
+    return _POSE_BYTES * len(moment) + sum(value.nbytes for value in values if isinstance(value, np.ndarray))
+
+
+__all__ = ["Moment", "between", "moment_of", "size_of"]

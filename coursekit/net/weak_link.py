@@ -10,6 +10,7 @@ import asyncio
 import contextlib
 import socket
 import threading
+import time
 from collections.abc import Coroutine
 from typing import Any, TypeVar
 
@@ -140,12 +141,13 @@ class WeakLink:
         while piece := await self._loop.sock_recv(source, PIECE):
             if self._bytes_per_second:
                 await asyncio.sleep(len(piece) / self._bytes_per_second)
-            await on_the_way.put((self._loop.time() + self._seconds, piece))
+            await on_the_way.put((time.perf_counter() + self._seconds, piece))
 
     async def _bring(self, on_the_way: asyncio.Queue[tuple[float, bytes]], sink: socket.socket) -> None:
         while True:
             due, piece = await on_the_way.get()
-            await asyncio.sleep(due - self._loop.time())
+            while (left := due - time.perf_counter()) > 0:
+                await asyncio.sleep(left)  # again: on Windows, where a loop's clock ticks every 16 ms, it ends early
             await self._carries.wait()
             await self._loop.sock_sendall(sink, piece)
 

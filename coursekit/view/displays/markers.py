@@ -112,7 +112,7 @@ class Marker(Display):
         if fault:
             self.say("Markers", "Error", fault)
         elif self.count:
-            self.say("Markers", "Ok", f"{len(self.living)} markers")
+            self.say("Markers", "Ok", f"{len(self.living)} marker{'s' * (len(self.living) != 1)}")
 
     def _pose(self, msg: Any, stage: Stage) -> Pose:
         """Where it is: `frame_locked` ones follow their frame, others stay where it was at their time."""

@@ -106,6 +106,11 @@ class PlotPanel(Panel):
             time = self.cursor.time
             self.tell(type="look", at=None if time is None else (time - self._began) * 1e-9)
 
+    def leave(self) -> None:
+        """Without its time line nothing might lead the others back to what happens."""
+        if self._live:
+            self.cursor.go(None)
+
     def on_go(self, message: dict[str, Any]) -> None:
         """The plot's own time line was moved: what other panels showed then is shown, too."""
         at = message.get("at")

@@ -132,6 +132,9 @@ def test_a_plot_goes_back_with_the_others_and_leads_them(session, drive, page):
     assert line.ago == pytest.approx(2.5, abs=0.05)
     does("go", at=None)
     assert line.cursor.time is None and told(does, "look")[-1]["at"] is None
+    does("go", at=0.5)
+    panel.close()
+    assert line.cursor.time is None, "the others are not left in the past"
 
 
 def test_what_a_page_says_is_checked_and_without_a_time_line_all_is_live(session, drive, page):

@@ -179,7 +179,7 @@ DESERVE = {
     "the runner's own object found and replaced": (REPLACED_RUNNER, 0),
     "a thread, and an end, that never end": (RIGHT + OUTLIVING, 1),
     "a child that writes answers later": (WRITES_LATER, 0),
-    "a child that answers, too": (RIGHT + "import os\nos.fork()\n", (0, 1)),  # right, if the child is not heard before it
+    "a child that answers, too": (RIGHT + "import os\nos.fork()\n", 0),
     "a tracer that raises": (RIGHT + "import sys\nsys.settrace(lambda *_: 1 / 0)\nsys.setprofile(lambda *_: 1 / 0)\n", 1),
     "signals to everybody": (RIGHT + "import os\nos.kill(-1, 9)\nos.kill(os.getppid(), 9)\n", 1),
     "what starts it is stopped": (RIGHT + "import os, signal\nos.kill(os.getppid(), 19)\nos.kill(0, 19)\n", 0),
@@ -241,7 +241,7 @@ def test_each_attack_gets_what_it_deserves(tmp_path, attack):
     verdict = marked.verdicts[0]
     print(f"{attack}: {verdict.points:g} of {verdict.of:g}; {verdict.got or 'solved'} ({marked.tier})")
     assert marked.status == "graded"
-    assert verdict.points in (deserved if isinstance(deserved, tuple) else (deserved,)), verdict.text()
+    assert verdict.points == deserved, verdict.text()
     assert verdict.passed or verdict.got or verdict.gave
 
 

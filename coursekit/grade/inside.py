@@ -209,6 +209,7 @@ def main() -> int:
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1, 2):
         os.dup2(nothing, number)
+    getpid, own = os.getpid, os.getpid()  # past what a cell does to `os`
     runner = Runner()
     for line in questions:
         try:
@@ -216,6 +217,8 @@ def main() -> int:
         except BaseException as error:  # also of exceptions whose own text raises one
             late = isinstance(error, TookTooLong)
             answer = json.dumps({"error": f"RuntimeError: {CANNOT_BE_TOLD}", "timed_out": late})
+        if getpid() != own:
+            break  # a cell forked, and this is the child: one answers
         answers.write(answer + "\n")
         answers.flush()
     os._exit(0)

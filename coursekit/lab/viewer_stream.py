@@ -20,6 +20,8 @@ FRAME_SECONDS = 1 / 30
 LIST_SECONDS = 0.25
 """The list of displays is compared so often."""
 JPEG_QUALITY = 80
+Kept = tuple[Moment, dict[str, bytes]]
+"""What was shown at a time: the things, and the pictures beside them by the names of their displays."""
 
 
 class Stream:
@@ -42,7 +44,7 @@ class Stream:
         """The newest pictures, by the names of their displays."""
         self._jpegs_there: dict[str, bytes] = {}
         """Those that the page has."""
-        self._kept: tuple[Moment, dict[str, bytes]] = {}, {}
+        self._kept: Kept = {}, {}
         """The newest moment that the panel's past has."""
         self._keep_due = 0
         self._page: Moment | None = None
@@ -91,12 +93,14 @@ class Stream:
         with stage.lock:
             scene = stage.update()
             self._keep(scene)
-            anew = whole or (self._page is None and self.panel.cursor.time is not None)
-            changes = self._changes(scene, whole)
+            time = self.panel.cursor.time
+            then: Kept | None = None if time is None else self.panel.past.at(time) or (moment_of(scene), {})
+            anew = whole or (self._page is None and then is not None)
+            changes = self._changes(scene, whole, then)
             view = self._view(whole)
             led = {"follow": self.panel.follows(), "marked": self.panel.marked(), "past": self._page is not None}
         self._tell_list()
-        pictures, images = self._images()
+        pictures, images = self._images(then)
         if not (changes or anew or view or pictures or led != self._led):
             return
         self._led = led
@@ -106,15 +110,14 @@ class Stream:
         if not self._closed:
             self.panel.send(message, buffers=[*buffers, *images])
 
-    def _changes(self, scene: Scene, whole: bool) -> Changes:
+    def _changes(self, scene: Scene, whole: bool, then: Kept | None) -> Changes:
         """What the page has to do to show the scene, or the moment of the past that the cursor is at."""
-        live, time = scene.whole() if whole else scene.changes(), self.panel.cursor.time
-        if time is None and self._page is None:
+        live = scene.whole() if whole else scene.changes()
+        if then is None and self._page is None:
             return live
         before = {} if whole or self._page is None else self._page
-        after = moment_of(scene) if time is None else (self.panel.past.at(time) or (moment_of(scene), {}))[0]
-        self._page = None if time is None else after
-        return between(before, after)
+        self._page = then[0] if then is not None else None
+        return between(before, then[0] if then is not None else moment_of(scene))
 
     def _keep(self, scene: Scene) -> None:
         """Keep what is shown now, a few times a second, if it is not what was kept before."""
@@ -149,15 +152,14 @@ class Stream:
             self._list = shown
             self.panel.tell(type="shown", **shown)
 
-    def _images(self) -> tuple[list[str], list[bytes]]:
+    def _images(self, then: Kept | None) -> tuple[list[str], list[bytes]]:
         """The names of pictures that the page does not have, and as JPEG."""
         for one in self.panel.stage.images():
             if self._pictures.get(one.key) != one.drawn:
                 self._pictures[one.key] = one.drawn
                 good, jpeg = cv2.imencode(".jpg", one.picture, (cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY))
                 self._jpegs |= {one.config.name: jpeg.tobytes()} if good else {}
-        time = self.panel.cursor.time
-        wanted = self._jpegs if time is None else (self.panel.past.at(time) or ({}, {}))[1]
+        wanted = self._jpegs if then is None else then[1]
         news = {name: jpeg for name, jpeg in wanted.items() if self._jpegs_there.get(name) is not jpeg}
         self._jpegs_there |= news
         return list(news), list(news.values())

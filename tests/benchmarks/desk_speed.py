@@ -21,7 +21,6 @@ shown = ["Grid", "RobotModel", {"type": "LaserScan", "topic": "/scan"}, {"type":
 view = viewer(fixed_frame="map", displays=shown)
 desk(view, pad(linear=0.4))""",
 )
-LAB = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
 MEASURE = """async (presses) => {
   const scene = document.querySelector('.ck-viewer').viewer, field = document.querySelector('.ck-pad .ck-field');
   const rest = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -60,21 +59,10 @@ MEASURE = """async (presses) => {
 }"""
 
 
-def surroundings(folder: Path) -> dict[str, str]:
-    """The variables of a JupyterLab whose kernels have a session of their own."""
-    from coursekit.jupyter.kernel import write_kernelspec
-
-    own = {"JUPYTER_PATH": str(write_kernelspec(folder)), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws")}
-    own |= {"ROS_DOMAIN_ID": "46", "COURSEKIT_TIME": "wall"}
-    return {name: value for name, value in os.environ.items() if name != "COURSEKIT_ALONE"} | own
-
-
 def main() -> dict[str, float] | None:
     """Open a desk in Chromium and measure."""
-    import nbformat
-
     from tests.browser.conftest import chromium
-    from tests.browser.pages import Notebook, close, serving
+    from tests.browser.pages import Notebook, close, lab_in, write_notebook
 
     try:
         from playwright.sync_api import sync_playwright
@@ -83,11 +71,9 @@ def main() -> dict[str, float] | None:
     if chromium() is None:
         return None
     with tempfile.TemporaryDirectory() as place, sync_playwright() as driver:
-        folder = Path(place)
-        made = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in CELLS])
-        made.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
-        nbformat.write(made, folder / "desk.ipynb")
-        with serving(folder, [*LAB, f"--ServerApp.root_dir={folder}"], surroundings(folder)) as lab:
+        write_notebook(Path(place, "desk.ipynb"), CELLS)
+        os.environ.pop("COURSEKIT_ALONE", None)  # its kernel has a session
+        with lab_in(Path(place), 46) as lab:
             browser = driver.chromium.launch(executable_path=chromium(), args=["--no-sandbox"])
             page = browser.new_page(viewport={"width": 1366, "height": 768})
             Notebook(page, lab, "desk.ipynb").run()

@@ -1,20 +1,15 @@
 """JupyterLab on loopback and a headless Chromium that looks at it; skipped, loudly, without Chromium."""
 
 import contextlib
-import json
 import os
 import shutil
 import sys
 import warnings
 from pathlib import Path
 
-import nbformat
 import pytest
 
-from coursekit.jupyter.kernel import write_kernelspec
-from tests.browser.pages import Notebook, close, serving
-
-_NO_NEWS = {"fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": True}
+from tests.browser.pages import Notebook, close, lab_in, serving, write_notebook
 
 
 def chromium():
@@ -53,15 +48,7 @@ def browser():
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory, browser):
     """JupyterLab, with a ROS domain of its own."""
-    folder = tmp_path_factory.mktemp("lab")
-    settings = folder / "settings" / "@jupyterlab" / "apputils-extension"
-    settings.mkdir(parents=True)
-    (settings / "notification.jupyterlab-settings").write_text(json.dumps(_NO_NEWS))
-    own = {"ROS_DOMAIN_ID": str(100 + os.getpid() % 100), "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings")}
-    own |= {"JUPYTER_PATH": str(write_kernelspec(folder)), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws")}
-    command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
-    command += [f"--ServerApp.root_dir={folder}"]
-    with serving(folder, command, {**os.environ, **own, "COURSEKIT_TIME": "wall"}) as served:
+    with lab_in(tmp_path_factory.mktemp("lab"), 100 + os.getpid() % 100) as served:
         yield served
 
 
@@ -83,9 +70,7 @@ def notebook(lab, browser, request):
 
     def open_(*cells: str, width: int = 1100, height: int = 1000) -> Notebook:
         name = f"{request.node.name}.ipynb"
-        made = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
-        made.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
-        nbformat.write(made, lab.folder / name)
+        write_notebook(lab.folder / name, cells)
         pages.append(browser.new_page(viewport={"width": width, "height": height}))
         opened.append(Notebook(pages[-1], lab, name))
         return opened[-1]

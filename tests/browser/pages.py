@@ -1,10 +1,12 @@
 """Servers and notebooks as the browser tests see them."""
 
+import json
 import os
 import secrets
 import signal
 import socket
 import subprocess
+import sys
 import time
 import urllib.error
 import urllib.request
@@ -14,6 +16,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import nbformat
+
+from coursekit.jupyter.kernel import write_kernelspec
+
+_NO_NEWS = {"fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": True}
 PATIENCE_MS = 60_000
 ALL_RAN = """() => jupyterapp.shell.currentWidget.content.widgets
     .every((cell) => cell.model.type !== 'code' || cell.model.executionCount)"""
@@ -92,6 +99,35 @@ def serving(folder: Path, command: list[str], env: dict[str, str]) -> Iterator[L
             yield Lab(folder, f"http://127.0.0.1:{port}", token)
         finally:
             _end(server)
+
+
+@contextmanager
+def lab_in(folder: Path, domain_id: int) -> Iterator[Lab]:
+    """JupyterLab in a folder, with the wall clock and a ROS domain of its own."""
+    settings = folder / "settings" / "@jupyterlab" / "apputils-extension"
+    settings.mkdir(parents=True)
+    (settings / "notification.jupyterlab-settings").write_text(json.dumps(_NO_NEWS))
+    own = {"ROS_DOMAIN_ID": str(domain_id), "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings")}
+    own |= {"JUPYTER_PATH": str(write_kernelspec(folder)), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws")}
+    command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
+    command += [f"--ServerApp.root_dir={folder}"]
+    with serving(folder, command, {**os.environ, **own, "COURSEKIT_TIME": "wall"}) as served:
+        yield served
+
+
+def write_notebook(path: Path, cells: tuple[str, ...]) -> None:
+    """A notebook with these code cells."""
+    made = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
+    made.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    nbformat.write(made, path)
+
+
+def start_beside(file: str) -> str:
+    """A cell that runs a file of the workspace as a program beside the notebook."""
+    return f"""import runpy
+from coursekit.processes.session import current
+program = lambda: runpy.run_path(str(workspace() / "{file}"), run_name="__main__")
+started = current().start(program, name="{file[:-3]}")"""
 
 
 def _end(server: subprocess.Popen) -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from .pages import set_theme, settled
+from .pages import set_theme, settled, start_beside
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 
@@ -35,9 +35,7 @@ rclpy.spin(Drive())
 CELLS = (
     "from coursekit.lab import *",
     DRIVE,
-    """import runpy
-from coursekit.processes.session import current
-driver = current().start(lambda: runpy.run_path(str(workspace() / "drive.py"), run_name="__main__"), name="drive")""",
+    start_beside("drive.py"),
     "shown, line = viewer(fixed_frame='odom', displays=['Grid', 'TF'], height=260), timeline()",
     "import ipywidgets; ipywidgets.VBox([shown, line, plot('/cmd_vel.linear.x')])",
     "graph(live=True)",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from .pages import settled
+from .pages import settled, start_beside
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 
@@ -79,11 +79,7 @@ def main():
 if __name__ == "__main__":
     main()
 """.strip()
-START = """
-import runpy
-from coursekit.processes.session import current
-circle = current().start(lambda: runpy.run_path(str(workspace() / "circle.py"), run_name="__main__"), name="circle")
-"""
+START = start_beside("circle.py")
 VIEWER = "shown = viewer(fixed_frame='odom', displays=['Grid', 'RobotModel', {'type': 'TF', 'marker_scale': 0.6,\
  'show_names': False}, 'LaserScan', 'Path', 'MarkerArray'])\nshown"
 DRAWN = "() => Number(document.querySelector('.ck-viewer')?.dataset.messages ?? 0)"

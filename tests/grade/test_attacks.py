@@ -123,6 +123,15 @@ if os.fork() == 0:
     os._exit(0)
 def full_name(*_): return "x"
 """
+ANSWERS_TOO = """
+import os
+if os.fork() == 0:
+    for number in range(3, 12):
+        try: os.write(number, b'{"error": ""}\\n')
+        except OSError: pass
+    os._exit(0)
+os.wait()
+"""
 FULL_TMP = """
 try:
     with open("/tmp/full", "wb") as file:
@@ -179,7 +188,8 @@ DESERVE = {
     "the runner's own object found and replaced": (REPLACED_RUNNER, 0),
     "a thread, and an end, that never end": (RIGHT + OUTLIVING, 1),
     "a child that writes answers later": (WRITES_LATER, 0),
-    "a child that answers, too": (RIGHT + "import os\nos.fork()\n", 0),
+    "a child that answers, too": (RIGHT + ANSWERS_TOO, 0),
+    "a child that comes back from the cell, too": (RIGHT + "import os\nos.fork()\n", 1),
     "a tracer that raises": (RIGHT + "import sys\nsys.settrace(lambda *_: 1 / 0)\nsys.setprofile(lambda *_: 1 / 0)\n", 1),
     "signals to everybody": (RIGHT + "import os\nos.kill(-1, 9)\nos.kill(os.getppid(), 9)\n", 1),
     "what starts it is stopped": (RIGHT + "import os, signal\nos.kill(os.getppid(), 19)\nos.kill(0, 19)\n", 0),

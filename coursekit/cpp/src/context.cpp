@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "rclcpp/rclcpp.hpp"
+#include "rcutils/logging.h"
 
 namespace rclcpp
 {
@@ -323,14 +324,29 @@ Logger::Level Logger::get_effective_level() const
 }
 void log(const Logger & logger, int level, const char * file, const char * function, int line, const char * format, ...)
 {
-  va_list args, again;
+  rcutils_log_location_t location{function, file, static_cast<size_t>(line)};
+  va_list args;
   va_start(args, format);
-  va_copy(again, args);
-  std::string text(static_cast<size_t>(std::max(vsnprintf(nullptr, 0, format, args), 0)) + 1, '\0');
-  vsnprintf(&text[0], text.size(), format, again);
-  text.pop_back();
-  va_end(again);
+  rcutils_logging_get_output_handler()(&location, level, logger.get_name(), coursekit::system_now(), format, &args);
   va_end(args);
-  coursekit::note("log", Packer{}.s(logger.get_name()).i(level).s(text).s(file).s(function).i(line));
 }
 }  // namespace rclcpp
+
+static std::atomic<rcutils_logging_output_handler_t> output_handler{rcutils_logging_console_output_handler};
+
+rcutils_logging_output_handler_t rcutils_logging_get_output_handler() {return output_handler;}
+void rcutils_logging_set_output_handler(rcutils_logging_output_handler_t handler) {output_handler = handler;}
+void rcutils_logging_console_output_handler(
+  const rcutils_log_location_t * location, int severity, const char * name, int64_t, const char * format, va_list * args)
+{
+  va_list again;
+  va_copy(again, *args);
+  std::string text(static_cast<size_t>(std::max(vsnprintf(nullptr, 0, format, *args), 0)) + 1, '\0');
+  vsnprintf(&text[0], text.size(), format, again);
+  va_end(again);
+  text.pop_back();
+  coursekit::Packer line = coursekit::Packer{}.s(name ? name : "").i(severity).s(text);
+  coursekit::note(
+    "log", location ? line.s(location->file_name).s(location->function_name).i(static_cast<int64_t>(location->line_number)) :
+    line.s("").s("").i(0));
+}

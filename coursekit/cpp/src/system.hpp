@@ -44,4 +44,9 @@ int64_t real_steady_ns();
 
 /// Load a library; nullptr and the reason where that fails.
 void * load_library(const std::string & path, std::string & reason);
+/// Something that a loaded library exports; nullptr where it has none of that name.
+void * symbol_of(void * library, const std::string & name);
+void unload_library(void * library);
+/// The file that runs; empty where the system does not say.
+std::string executable();
 }  // namespace coursekit

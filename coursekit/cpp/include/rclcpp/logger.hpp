@@ -3,6 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "rcpputils/filesystem_helper.hpp"
+
 namespace rclcpp
 {
 class Logger
@@ -24,4 +26,6 @@ private:
   std::shared_ptr<const std::string> name_;
 };
 inline Logger get_logger(const std::string & name) {return Logger(name);}
+/// Where log files go: $ROS_LOG_DIR, else log in $ROS_HOME, else ~/.ros/log.
+rcpputils::fs::path get_logging_directory();
 }  // namespace rclcpp

@@ -35,6 +35,7 @@ struct ContentFilterOptions
   std::string filter_expression;
   std::vector<std::string> expression_parameters;
 };
+enum class IntraProcessBufferType {SharedPtr, UniquePtr, CallbackDefault};
 struct SubscriptionOptionsBase
 {
   SubscriptionEventCallbacks event_callbacks;
@@ -43,6 +44,8 @@ struct SubscriptionOptionsBase
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints{};
   std::shared_ptr<CallbackGroup> callback_group;
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
+  /// As what messages that stay in the program are kept: here as the callback wants them.
+  IntraProcessBufferType intra_process_buffer_type = IntraProcessBufferType::CallbackDefault;
   struct TopicStatisticsOptions
   {
     TopicStatisticsState state = TopicStatisticsState::NodeDefault;

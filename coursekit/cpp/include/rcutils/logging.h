@@ -1,5 +1,7 @@
-// Levels of loggers, asked in C.
+// Levels of loggers, and where their lines go, in C.
 #pragma once
+#include <cstdarg>
+#include <cstdint>
 #include <cstring>
 
 #include "rclcpp/logger.hpp"
@@ -59,3 +61,22 @@ inline bool rcutils_logging_logger_is_enabled_for(const char * name, int severit
 /// The level of all loggers that have none of their own.
 inline void rcutils_logging_set_default_logger_level(int level) {rcutils_logging_set_logger_level("", level);}
 inline int rcutils_logging_get_default_logger_level() {return rcutils_logging_get_logger_effective_level("");}
+
+typedef struct rcutils_log_location_t
+{
+  const char * function_name;
+  const char * file_name;
+  size_t line_number;
+} rcutils_log_location_t;
+/// Gets each line that is shown: its place, level, logger, time in nanoseconds, and what printf would be given.
+typedef void (* rcutils_logging_output_handler_t)(
+  const rcutils_log_location_t * location, int severity, const char * name, int64_t timestamp, const char * format,
+  va_list * args);
+rcutils_logging_output_handler_t rcutils_logging_get_output_handler();
+void rcutils_logging_set_output_handler(rcutils_logging_output_handler_t handler);
+/// The handler that there is from the beginning: the line goes to the terminal, to the log file and to /rosout.
+void rcutils_logging_console_output_handler(
+  const rcutils_log_location_t * location, int severity, const char * name, int64_t timestamp, const char * format,
+  va_list * args);
+inline rcutils_ret_t rcutils_logging_initialize() {return RCUTILS_RET_OK;}
+inline rcutils_ret_t rcutils_logging_shutdown() {return RCUTILS_RET_OK;}

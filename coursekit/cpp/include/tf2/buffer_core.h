@@ -5,36 +5,37 @@
 
 #include "coursekit/entity.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
+#include "tf2/buffer_core_interface.h"
 #include "tf2/exceptions.h"
 #include "tf2/time.h"
 #include "tf2/transform_datatypes.h"
 
 namespace tf2
 {
-class BufferCore : public coursekit::Entity
+class BufferCore : public coursekit::Entity, public BufferCoreInterface
 {
 public:
   explicit BufferCore(Duration cache_time = BUFFER_CORE_DEFAULT_CACHE_TIME);
   virtual ~BufferCore() = default;
 
   geometry_msgs::msg::TransformStamped lookupTransform(
-    const std::string & target, const std::string & source, const TimePoint & time) const;
+    const std::string & target, const std::string & source, const TimePoint & time) const override;
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
-    const std::string & fixed) const;
+    const std::string & fixed) const override;
   bool canTransform(
-    const std::string & target, const std::string & source, const TimePoint & time, std::string * why_not = nullptr) const;
-
+    const std::string & target, const std::string & source, const TimePoint & time,
+    std::string * why_not = nullptr) const override;
   bool canTransform(
     const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
-    const std::string & fixed, std::string * why_not = nullptr) const;
+    const std::string & fixed, std::string * why_not = nullptr) const override;
 
   bool setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static = false);
-  void clear();
+  void clear() override;
   std::string allFramesAsString() const;
   std::string allFramesAsYAML() const;
   std::string allFramesAsYAML(TimePoint) const {return allFramesAsYAML();}
-  std::vector<std::string> getAllFrameNames() const;
+  std::vector<std::string> getAllFrameNames() const override;
   bool _frameExists(const std::string & name) const;
   void _getFrameStrings(std::vector<std::string> & names) const;
   /// The tree as graphviz draws it.

@@ -1,5 +1,4 @@
-// A Unix socket to the session, standard output, and libraries.
-#include <dlfcn.h>
+// A Unix socket to the session, and standard output.
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -51,12 +50,4 @@ void close_connection(Connection connection) {close(static_cast<int>(connection)
 
 void print_as_in_a_terminal() {setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);}
 
-void * load_library(const std::string & path, std::string & reason)
-{
-  void * library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) {
-    reason = dlerror();
-  }
-  return library;
-}
 }  // namespace coursekit

@@ -1,4 +1,4 @@
-// A loopback port and its token instead of a Unix socket, standard output, and libraries.
+// A loopback port and its token instead of a Unix socket, and standard output.
 #include <winsock2.h>
 #include <ws2tcpip.h>
 
@@ -74,15 +74,4 @@ void print_as_in_a_terminal()
   _setmode(_fileno(stderr), _O_BINARY);
 }
 
-void * load_library(const std::string & path, std::string & reason)
-{
-  int units = MultiByteToWideChar(CP_UTF8, 0, path.c_str(), -1, nullptr, 0);
-  std::wstring wide(static_cast<size_t>(units), L'\0');
-  MultiByteToWideChar(CP_UTF8, 0, path.c_str(), -1, &wide[0], units);
-  HMODULE library = LoadLibraryW(wide.c_str());
-  if (!library) {
-    reason = "error " + std::to_string(GetLastError()) + " of Windows";
-  }
-  return reinterpret_cast<void *>(library);
-}
 }  // namespace coursekit

@@ -21,6 +21,17 @@ public:
     rows_[1] = Vector3(yx, yy, yz);
     rows_[2] = Vector3(zx, zy, zz);
   }
+  /// From twelve numbers of OpenGL: its three columns, each with a number more.
+  void setFromOpenGLSubMatrix(const tf2Scalar * m) {setValue(m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]);}
+  void getOpenGLSubMatrix(tf2Scalar * m) const
+  {
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        m[4 * column + row] = rows_[row][column];
+      }
+      m[4 * column + 3] = 0;
+    }
+  }
   void setIdentity() {setValue(1, 0, 0, 0, 1, 0, 0, 0, 1);}
   static const Matrix3x3 & getIdentity()
   {
@@ -60,6 +71,7 @@ public:
     q.setRPY(roll, pitch, yaw);
     setRotation(q);
   }
+  void setEulerZYX(tf2Scalar roll, tf2Scalar pitch, tf2Scalar yaw) {setRPY(roll, pitch, yaw);}
   void setEulerYPR(tf2Scalar yaw, tf2Scalar pitch, tf2Scalar roll) {setRPY(roll, pitch, yaw);}
   /// Roll, pitch and yaw; of the two solutions the second turns pitch over.
   void getRPY(tf2Scalar & roll, tf2Scalar & pitch, tf2Scalar & yaw, unsigned int solution = 1) const
@@ -98,6 +110,20 @@ public:
   }
   Matrix3x3 & operator*=(const Matrix3x3 & o) {return *this = *this * o;}
   bool operator==(const Matrix3x3 & o) const {return rows_[0] == o[0] && rows_[1] == o[1] && rows_[2] == o[2];}
+  Matrix3x3 operator+(const Matrix3x3 & o) const {return rows(rows_[0] + o[0], rows_[1] + o[1], rows_[2] + o[2]);}
+  Matrix3x3 operator-(const Matrix3x3 & o) const {return rows(rows_[0] - o[0], rows_[1] - o[1], rows_[2] - o[2]);}
+  Matrix3x3 & operator+=(const Matrix3x3 & o) {return *this = *this + o;}
+  Matrix3x3 & operator-=(const Matrix3x3 & o) {return *this = *this - o;}
+  /// With its columns longer by the three factors.
+  Matrix3x3 scaled(const Vector3 & s) const {return rows(rows_[0] * s, rows_[1] * s, rows_[2] * s);}
+  Matrix3x3 absolute() const {return rows(rows_[0].absolute(), rows_[1].absolute(), rows_[2].absolute());}
+  Matrix3x3 adjoint() const {return inverse() * determinant();}
+  Matrix3x3 operator*(tf2Scalar f) const {return rows(rows_[0] * f, rows_[1] * f, rows_[2] * f);}
+  Matrix3x3 transposeTimes(const Matrix3x3 & o) const {return transpose() * o;}
+  Matrix3x3 timesTranspose(const Matrix3x3 & o) const {return *this * o.transpose();}
+  tf2Scalar tdotx(const Vector3 & v) const {return getColumn(0).dot(v);}
+  tf2Scalar tdoty(const Vector3 & v) const {return getColumn(1).dot(v);}
+  tf2Scalar tdotz(const Vector3 & v) const {return getColumn(2).dot(v);}
   Matrix3x3 transpose() const
   {
     Vector3 x = getColumn(0), y = getColumn(1), z = getColumn(2);
@@ -112,6 +138,11 @@ public:
   }
 
 private:
+  static Matrix3x3 rows(const Vector3 & x, const Vector3 & y, const Vector3 & z)
+  {
+    return Matrix3x3(x.x(), x.y(), x.z(), y.x(), y.y(), y.z(), z.x(), z.y(), z.z());
+  }
   Vector3 rows_[3] = {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)};
 };
+inline Vector3 operator*(const Vector3 & v, const Matrix3x3 & m) {return Vector3(m.tdotx(v), m.tdoty(v), m.tdotz(v));}
 }  // namespace tf2

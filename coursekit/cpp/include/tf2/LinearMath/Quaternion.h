@@ -89,6 +89,10 @@ public:
     Quaternion end = dot(o) < 0 ? -o : o;
     return (*this * std::sin((1 - t) * theta) + end * std::sin(t * theta)) / std::sin(theta);
   }
+  tf2Scalar getAngleShortestPath() const {return 2 * std::acos(std::clamp(std::fabs(w_), -1.0, 1.0));}
+  /// Of the other and its opposite, which are one turn, the one that is further, and the one that is nearer.
+  Quaternion farthest(const Quaternion & o) const {return (*this - o).dot(*this - o) > (*this + o).dot(*this + o) ? o : -o;}
+  Quaternion nearest(const Quaternion & o) const {return (*this - o).dot(*this - o) < (*this + o).dot(*this + o) ? o : -o;}
   static const Quaternion & getIdentity()
   {
     static const Quaternion identity(0, 0, 0, 1);
@@ -108,5 +112,23 @@ inline Vector3 quatRotate(const Quaternion & q, const Vector3 & v)
 {
   Quaternion turned = q * Quaternion(v.x(), v.y(), v.z(), 0) * q.inverse();
   return Vector3(turned.x(), turned.y(), turned.z());
+}
+inline Quaternion operator*(const Quaternion & q, const Vector3 & v) {return q * Quaternion(v.x(), v.y(), v.z(), 0);}
+inline Quaternion operator*(const Vector3 & v, const Quaternion & q) {return Quaternion(v.x(), v.y(), v.z(), 0) * q;}
+/// The shortest turn from one unit vector to another.
+inline Quaternion shortestArcQuat(const Vector3 & from, const Vector3 & to)
+{
+  tf2Scalar cosine = from.dot(to);
+  if (cosine < -1 + TF2SIMD_EPSILON) {  // opposite: half a turn about any axis across
+    Vector3 other = std::fabs(from.z()) > 0.7 ? Vector3(1, 0, 0) : Vector3(0, 0, 1);
+    return Quaternion(from.cross(other).normalized(), TF2SIMD_PI);
+  }
+  Vector3 axis = from.cross(to);
+  tf2Scalar scale = std::sqrt((1 + cosine) * 2);
+  return Quaternion(axis.x() / scale, axis.y() / scale, axis.z() / scale, scale / 2);
+}
+inline Quaternion shortestArcQuatNormalize2(Vector3 & from, Vector3 & to)
+{
+  return shortestArcQuat(from.normalize(), to.normalize());
 }
 }  // namespace tf2

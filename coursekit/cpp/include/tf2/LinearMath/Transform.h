@@ -27,6 +27,22 @@ public:
   void setOrigin(const Vector3 & shift) {origin_ = shift;}
   void setRotation(const Quaternion & turn) {basis_.setRotation(turn);}
   void setIdentity() {*this = Transform();}
+  /// From OpenGL's sixteen numbers, column by column.
+  void setFromOpenGLMatrix(const tf2Scalar * m)
+  {
+    basis_.setFromOpenGLSubMatrix(m);
+    origin_ = Vector3(m[12], m[13], m[14]);
+  }
+  void getOpenGLMatrix(tf2Scalar * m) const
+  {
+    basis_.getOpenGLSubMatrix(m);
+    m[12] = origin_.x();
+    m[13] = origin_.y();
+    m[14] = origin_.z();
+    m[15] = 1;
+  }
+  void mult(const Transform & a, const Transform & b) {*this = a * b;}
+  Vector3 invXform(const Vector3 & v) const {return basis_.transpose() * (v - origin_);}
   static const Transform & getIdentity()
   {
     static const Transform identity;

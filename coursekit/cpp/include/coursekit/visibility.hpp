@@ -1,0 +1,25 @@
+// Programs are linked whole, so nothing needs to be exported; packages use these names in their own headers.
+#pragma once
+#define AMENT_INDEX_CPP_PUBLIC
+#define AMENT_INDEX_CPP_LOCAL
+#define MESSAGE_FILTERS_PUBLIC
+#define MESSAGE_FILTERS_LOCAL
+#define RCLCPP_ACTION_PUBLIC
+#define RCLCPP_ACTION_LOCAL
+#define RCLCPP_COMPONENTS_PUBLIC
+#define RCLCPP_COMPONENTS_LOCAL
+#define RCPPUTILS_PUBLIC
+#define RCPPUTILS_PUBLIC_TYPE
+#define RCPPUTILS_LOCAL
+#define RCUTILS_PUBLIC
+#define RCUTILS_PUBLIC_TYPE
+#define RCUTILS_LOCAL
+#define RCL_PUBLIC
+#define RCL_LOCAL
+#define RMW_PUBLIC
+#define RMW_LOCAL
+#define TF2_PUBLIC
+#define TF2_LOCAL
+#define TF2_ROS_PUBLIC
+#define TF2_ROS_LOCAL
+#define URDF_EXPORT

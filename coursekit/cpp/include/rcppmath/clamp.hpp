@@ -1,0 +1,8 @@
+// A value kept within limits.
+#pragma once
+#include <algorithm>
+
+namespace rcppmath
+{
+using std::clamp;
+}  // namespace rcppmath

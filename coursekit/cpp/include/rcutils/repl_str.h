@@ -1,0 +1,9 @@
+// A part of a text for another, in C: the program frees the new text.
+#pragma once
+#include "rcpputils/find_and_replace.hpp"
+#include "rcutils/strdup.h"
+
+inline char * rcutils_repl_str(const char * text, const char * from, const char * to, const rcutils_allocator_t * allocator)
+{
+  return rcutils_strdup(rcpputils::find_and_replace(text, from, to).c_str(), *allocator);
+}

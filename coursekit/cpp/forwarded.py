@@ -1,0 +1,71 @@
+"""Headers that only say where their content is: upstream has a file for each class, coursekit fewer."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+FORWARDED = {
+    "rclcpp/rclcpp.hpp": (
+        "allocator/allocator_deleter any_service_callback contexts/default_context create_client "
+        "create_generic_publisher create_generic_subscription create_publisher create_service create_subscription "
+        "create_timer executor_options executors/multi_threaded_executor executors/single_threaded_executor "
+        "executors/static_executor_entities_collector executors/static_single_threaded_executor generic_publisher "
+        "generic_subscription init_options intra_process_buffer_type intra_process_setting is_ros_compatible_type "
+        "loaned_message message_info node_impl node_interfaces/get_node_base_interface "
+        "node_interfaces/get_node_parameters_interface node_interfaces/get_node_timers_interface "
+        "node_interfaces/get_node_topics_interface node_interfaces/node_base node_interfaces/node_clock "
+        "node_interfaces/node_clock_interface node_interfaces/node_graph node_interfaces/node_graph_interface "
+        "node_interfaces/node_logging node_interfaces/node_logging_interface node_interfaces/node_parameters "
+        "node_interfaces/node_parameters_interface node_interfaces/node_services node_interfaces/node_services_interface "
+        "node_interfaces/node_time_source node_interfaces/node_time_source_interface node_interfaces/node_timers "
+        "node_interfaces/node_timers_interface node_interfaces/node_topics node_interfaces/node_topics_interface "
+        "node_interfaces/node_waitables node_interfaces/node_waitables_interface parameter_service publisher_base "
+        "publisher_factory qos_overriding_options serialization subscription_base subscription_content_filter_options "
+        "subscription_factory subscription_options subscription_traits subscription_wait_set_mask topic_statistics_state "
+        "type_support_decl wait_result wait_result_kind wait_set_policies/dynamic_storage "
+        "wait_set_policies/sequential_synchronization wait_set_policies/static_storage "
+        "wait_set_policies/thread_safe_synchronization wait_set_template"
+    ),
+    "rclcpp/exceptions.hpp": "exceptions/exceptions",
+    "rclcpp/memory_strategy.hpp": "memory_strategies strategies/message_pool_memory_strategy",
+    "coursekit/visibility.hpp": (
+        "/ament_index_cpp/visibility_control.h /message_filters/visibility_control.h /rclcpp_action/visibility_control.hpp "
+        "/rclcpp_components/visibility_control.hpp /rcpputils/visibility_control.hpp /rcutils/visibility_control.h "
+        "/rcl/visibility_control.h /rmw/visibility_control.h /tf2/visibility_control.h /tf2_ros/visibility_control.h "
+        "/urdf/visibility_control.hpp"
+    ),
+    "rclcpp_action/types.hpp": "qos",
+    "rcutils/types.h": (
+        "/rcl/macros.h /rmw/ret_types.h types/char_array.h types/rcutils_ret.h types/string_array.h types/uint8_array.h"
+    ),
+    "rcutils/format_string.h": "snprintf.h",
+    "rcutils/env.h": "get_env.h",
+    "rcutils/macros.h": "/rmw/macros.h",
+    "rcpputils/env.hpp": "get_env",
+    "rclcpp/qos_event.hpp": "/rmw/incompatible_qos_events_statuses.h /rmw/events_statuses/events_statuses.h",
+    "rclcpp/topic_endpoint_info.hpp": "/rmw/topic_endpoint_info.h",
+    "rosidl_typesupport_cpp/message_type_support.hpp": (
+        "/rosidl_runtime_cpp/message_type_support_decl.hpp /rosidl_runtime_cpp/service_type_support_decl.hpp "
+        "/rosidl_runtime_c/message_type_support_struct.h"
+    ),
+    "tf2/LinearMath/Quaternion.h": "LinearMath/QuadWord.h",
+    "tf2/buffer_core_interface.h": "buffer_core_interface.hpp",
+    "tf2/time_cache.h": "time_cache.hpp",
+    "tf2_ros/buffer.h": "async_buffer_interface.h create_timer_interface.h",
+    "message_filters/connection.h": "signal1.h signal9.h parameter_adapter.h",
+    "ament_index_cpp/get_package_prefix.hpp": "get_search_paths",
+    "libstatistics_collector/moving_average_statistics/moving_average.hpp": "moving_average_statistics/types",
+    "pluginlib/class_loader.hpp": "class_desc",
+}
+"""Headers whose names are Humble's: by the header that has what is in them, in its package where none is named."""
+
+
+def write_forwarded(folder: Path) -> None:
+    """Write `folder/package/name.hpp` for each of them: a file that includes the header that has it all."""
+    for target, names in FORWARDED.items():
+        package = target.partition("/")[0]
+        for name in names.split():
+            file = name if "." in name else f"{name}.hpp"
+            path = folder / file[1:] if file.startswith("/") else folder / package / file
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f'#pragma once\n#include "{target}"\n', encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Bring the catalogues of a language up to date with the English chapters: `python -m coursekit.building.catalogues es`."""
+"""Bring the catalogues of a language up to date with the English: `python -m coursekit.building.catalogues es`."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from coursekit.building.spoken import update_words
 from coursekit.grade.catalogue import brought_up_to_date
 from coursekit.grade.editions import catalogue_of, chapters, notebooks_folder, read
 
@@ -30,7 +31,7 @@ def main(words: Sequence[str] | None = None) -> int:
         print("Name a language by its code: python -m coursekit.building.catalogues es", file=sys.stderr)
         return 2
     for language in languages:
-        print(*update(notebooks_folder(), language), sep="\n")
+        print(*update(notebooks_folder(), language), update_words(language), sep="\n")
     return 0
 
 

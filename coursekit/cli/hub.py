@@ -25,7 +25,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """Add what the hub starts, and what its administrator types."""
     lab = commands.add_parser("hub-lab", help="the course for one student of a JupyterHub, which starts it (docs/hub.md)")
     lab.add_argument("--folder", default=FOLDER, help=f"the student's copy (default: {FOLDER})")
-    lab.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
+    lab.add_argument("--language", default="", help="of the course, such as es (default: that of the copy)")
     lab.add_argument("words", nargs="*", help="after --: another program, or options of the hub's")
     lab.set_defaults(main=run_lab)
     prepare = commands.add_parser("hub-prepare", help="compile once, for all students of a server, what each would compile")

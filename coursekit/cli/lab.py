@@ -12,6 +12,7 @@ from urllib.parse import quote
 from coursekit.packages.folder_name import refusal
 from coursekit.systems import rights
 from coursekit.systems.children import with_utf8
+from coursekit.words.gettext import LANGUAGE
 
 from . import compile_ahead, cpp
 from .terminal_settings import terminal_settings
@@ -21,13 +22,13 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """Add the two commands."""
     lab = commands.add_parser("lab", help="open the course in JupyterLab")
     lab.add_argument("--folder", default="course", help="your copy of the course (default: course)")
-    lab.add_argument("--language", default="en", help="of the chapters, where they are translated (default: en)")
+    lab.add_argument("--language", default="", help="of the course, such as es (default: that of your copy)")
     lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     lab.add_argument("jupyter", nargs=argparse.REMAINDER, help="further options for jupyter lab, after --")
     lab.set_defaults(main=open_lab)
     copy = commands.add_parser("course", help="make or update your copy of the course, without opening it")
     copy.add_argument("--folder", default="course")
-    copy.add_argument("--language", default="en")
+    copy.add_argument("--language", default="")
     copy.set_defaults(main=update_course)
 
 
@@ -66,13 +67,15 @@ def update_course(args: argparse.Namespace) -> int:
 
 
 def lab_environment(folder: Path) -> dict[str, str]:
-    """The environment of kernels and terminals: the underlay sourced, the course's folders named."""
+    """The environment of kernels and terminals: the underlay sourced, the course's folders and language named."""
+    from coursekit.grade.copy import Course
     from coursekit.jupyter.kernel import write_kernelspec
     from coursekit.packages.environment import source_underlay
 
     env = with_utf8(os.environ)
     source_underlay(env)
     env["COURSEKIT_COURSE"] = str(folder)
+    env[LANGUAGE] = Course(folder).language()
     env["COURSEKIT_WORKSPACE"] = str(folder / "ros2_ws")
     env["JUPYTER_PATH"] = os.pathsep.join(filter(None, [str(write_kernelspec(folder)), env.get("JUPYTER_PATH", "")]))
     return env

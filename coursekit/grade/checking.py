@@ -11,6 +11,7 @@ from typing import Any
 
 from coursekit.view.shell import running_shell
 from coursekit.view.working import Working
+from coursekit.words.gettext import gettext
 
 from . import events
 from .deaths import cause_of
@@ -125,28 +126,28 @@ def check(name: str, **variants: Any) -> None:
     read_checks(progress.file.parent.parent / OWN)
     exercise, illustration = find(name), Illustration()
     try:
-        with Working(f"Trying out {name}", late=ENDLESS):
+        with Working(gettext(f"Trying out {name}"), late=gettext(ENDLESS)):
             verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants, illustration)
     except KeyboardInterrupt:
-        raise CheckFailed(f"{name} was stopped, so it is not judged. Is there a loop that never ends?") from None
+        raise CheckFailed(gettext(f"{name} was stopped, so it is not judged. Is there a loop that never ends?")) from None
     verdict = _with_cell_before(verdict, _fault_before())
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict, illustration)
     if verdict.fault:
-        raise CheckFailed(f"{name} is not judged: its check has a fault; the lines above say where.")
+        raise CheckFailed(gettext(f"{name} is not judged: its check has a fault; the lines above say where."))
     if not verdict.passed:
-        raise CheckFailed(f"{name} is not solved yet; the lines above say what is missing.")
+        raise CheckFailed(gettext(f"{name} is not solved yet; the lines above say what is missing."))
 
 
 def hint(name: str) -> str:
     """The first hint of an exercise, the next one with every call."""
     exercise = find(name)
     if not exercise.hints:
-        return f"{name} has no hints."
+        return gettext(f"{name} has no hints.")
     number = Progress.of_course().count_hint(name)
     shown = min(number, len(exercise.hints))
-    return f"Hint {shown} of {len(exercise.hints)}: {exercise.hints[shown - 1]}"
+    return gettext(f"Hint {shown} of {len(exercise.hints)}: {exercise.hints[shown - 1]}")
 
 
 def _with_cell_before(verdict: Verdict, fault: str) -> Verdict:

@@ -97,9 +97,14 @@ class Course:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self._manifest = folder / ".coursekit" / "manifest.json"
+        self._language = folder / ".coursekit" / "language"
 
-    def update(self, notebooks: Path, language: str = ENGLISH) -> list[str]:
-        """Bring in new and changed chapters; a sentence for each thing that was done.
+    def language(self) -> str:
+        """The code of the language in which this copy is taken."""
+        return self._language.read_text(encoding="utf-8").strip() if self._language.is_file() else ENGLISH
+
+    def update(self, notebooks: Path, language: str = "") -> list[str]:
+        """Bring in new and changed chapters, in a language or in that of the copy; a sentence for each thing that was done.
 
         A chapter that the student has changed stays as it is; a new edition of it is put beside it as `NAME.new.ipynb`.
         To a folder whose notebooks came from elsewhere, such as a release or chapters of a teacher's own, nothing is added.
@@ -109,7 +114,7 @@ class Course:
         if there := self._from_elsewhere():
             return [f"Here already: {', '.join(there)}. No chapters of the course are added to this folder."]
         given = self._read_manifest()
-        said = []
+        language, said = language or self.language(), []
         for source in chapters(notebooks, language):
             text = json.dumps(student_notebook(read(source, language)), indent=1) + "\n"
             sentence = self._bring(source.name, text, given)
@@ -119,6 +124,7 @@ class Course:
             self._copy_beside(extra)
         self._manifest.parent.mkdir(parents=True, exist_ok=True)
         write_whole(self._manifest, json.dumps(given, indent=1, sort_keys=True))
+        write_whole(self._language, language + "\n")
         return said
 
     def take(self, released: Path) -> list[str]:

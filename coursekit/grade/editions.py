@@ -10,7 +10,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-ENGLISH = "en"
+from coursekit.words.gettext import ENGLISH
 
 
 def notebooks_folder() -> Path:

@@ -7,6 +7,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from coursekit.words.gettext import gettext
+
 _OURS = ("expected", "likely cause", "hint")
 """The rows that are a check's own words; the others are the student's, and shown as they are."""
 
@@ -85,7 +87,7 @@ class Verdict:
         >>> Verdict("ch02.q1", "Publish", 1, 2).score()
         '1 of 2 points'
         """
-        return "not judged" if self.fault else f"{self.points:g} of {points(self.of)}"
+        return gettext("not judged") if self.fault else gettext(f"{self.points:g} of {self.of:g} point{_s(self.of)}")
 
     def text(self) -> str:
         """For a terminal, and for notebooks without a browser.
@@ -93,14 +95,17 @@ class Verdict:
         >>> print(Verdict("ch02.q1", "Publish", 2, 2).text())
         ✔ ch02.q1 Publish: 2 of 2 points
         """
-        lines = [f"{'✔' if self.passed else '✘'} {self.name} {self.title}: {self.score()}"]
+        lines = [f"{'✔' if self.passed else '✘'} {self.name} {gettext(self.title)}: {self.score()}"]
         lines += [f"  {label}: {value}" for label, value in self._rows()]
         return "\n".join(lines)
 
     def _rows(self) -> list[tuple[str, str]]:
-        rows = [("expected", self.expected), ("you gave", self.gave), ("seen", self.got)]
-        rows += [("likely cause", self.cause), ("hint", self.hint), ("fault of the check", self.fault)]
-        rows += [("what to do", "Show this to your teacher: your work is not to blame.")] if self.fault else []
+        """The lines below the head, in the course's language; what the student gave stays as it is."""
+        rows = [(gettext("expected"), gettext(self.expected)), (gettext("you gave"), self.gave)]
+        rows += [(gettext("seen"), gettext(self.got)), (gettext("likely cause"), gettext(self.cause))]
+        rows += [(gettext("hint"), gettext(self.hint)), (gettext("fault of the check"), self.fault)]
+        to_do = gettext("Show this to your teacher: your work is not to blame.")
+        rows += [(gettext("what to do"), to_do)] if self.fault else []
         return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self, picture: str = "") -> str:
@@ -111,11 +116,11 @@ class Verdict:
             f"<td style='{_CELL};white-space:pre-wrap'>{_as_html(label, value)}</td></tr>"
             for label, value in self._rows()
         )
-        number, _, rest = ("not judged", "", "") if self.fault else self.score().partition(" ")
+        number, _, rest = (self.score(), "", "") if self.fault else self.score().partition(" ")
         table = f"<table style='margin:4px 0 0 0'>{rows}</table>" if rows else ""
         return (
             f"<div style='border-left:4px solid {colour};padding:6px 12px;margin:4px 0'>"
-            f"<b style='color:{colour}'>{mark} {html.escape(self.name)}</b> {html.escape(self.title)}: "
+            f"<b style='color:{colour}'>{mark} {html.escape(self.name)}</b> {html.escape(gettext(self.title))}: "
             f"<b>{number}</b> {rest}{table}{picture}</div>"
         )
 
@@ -126,10 +131,15 @@ def points(number: float) -> str:
     >>> points(1), points(2.5)
     ('1 point', '2.5 points')
     """
-    return f"{number:g} point{'' if number == 1 else 's'}"
+    return f"{number:g} point{_s(number)}"
+
+
+def _s(number: float) -> str:
+    return "" if number == 1 else "s"
 
 
 def _as_html(label: str, value: str) -> str:
     """In a check's own words, what stands between backticks is code."""
     escaped = html.escape(value)
-    return re.sub(r"`([^`\n]+)`", r"<code>\1</code>", escaped) if label in _OURS else escaped
+    ours = label in map(gettext, _OURS)
+    return re.sub(r"`([^`\n]+)`", r"<code>\1</code>", escaped) if ours else escaped

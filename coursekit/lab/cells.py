@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.processes.session import Session
+from coursekit.words.gettext import gettext
 
 from .panel import Panel, open_panels
 
@@ -58,7 +59,7 @@ class Cells:
             self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
         replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
         if replaced:
-            print(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}.")
+            print(gettext(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}."))
         self.session.in_cell = True
         self.on_begin()
 

@@ -9,6 +9,7 @@ import anywidget
 import ipywidgets
 
 from coursekit.processes.session import current
+from coursekit.words.gettext import gettext
 
 from .bundle import forms_of
 from .docking import View
@@ -55,7 +56,7 @@ class Desk:
 
         floor = _Floor()
         floor.on_msg(lambda *_: self.close())
-        self._sidecar = Sidecar(title=f"Desk: {notebook_name().removesuffix('.ipynb')}", anchor="split-right")
+        self._sidecar = Sidecar(title=gettext(f"Desk: {notebook_name().removesuffix('.ipynb')}"), anchor="split-right")
         self._sidecar.append_display_data(ipywidgets.VBox([self._column, floor]).add_class("ck-room"))
 
     def _still(self) -> dict[str, str]:
@@ -72,7 +73,7 @@ class Desk:
         if "__vsc_ipynb_file__" in running_variables():  # VS Code has no place beside a notebook: the cell shows it
             return self._column._repr_mimebundle_(**options)
         self._dock()
-        return {"text/plain": f"On the desk, beside this notebook: {', '.join(_named(one) for one in self.panels)}"}
+        return {"text/plain": gettext(f"On the desk, beside this notebook: {', '.join(map(_named, self.panels))}")}
 
 
 _desks: list[Desk] = []

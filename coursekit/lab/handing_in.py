@@ -22,6 +22,7 @@ from coursekit.grade.submissions import read_notebook
 from coursekit.processes.session import current
 from coursekit.systems import typed
 from coursekit.view.shell import running_shell
+from coursekit.words.gettext import gettext
 
 from .cells import last_runs
 from .errors import BadArgument, NotNow
@@ -58,7 +59,7 @@ class Evidence:
         self._picture = picture
 
     def __repr__(self) -> str:
-        return f"Wrote {self.file.parent.name}/{self.file.name}"
+        return gettext(f"Wrote {self.file.parent.name}/{self.file.name}")
 
     def _repr_png_(self) -> bytes | None:
         return None if current().clock.virtual else self._picture
@@ -96,8 +97,10 @@ class HandedIn:
 
     def _head(self) -> str:
         of = sum(one.of for one in self.marked.verdicts)
-        points = f"{self.marked.total():g} of {of:g} points in a clean run"
-        return f"Handed in: {self.file.name}, {self.at} ({points})" if self.at else f"Hand in: {self.file.name} ({points})"
+        points = gettext(f"{self.marked.total():g} of {of:g} points in a clean run")
+        if self.at:
+            return gettext(f"Handed in: {self.file.name}, {self.at} ({points})")
+        return gettext(f"Hand in: {self.file.name} ({points})")
 
     def __repr__(self) -> str:
         return "\n".join([self._head(), *self.marked.notes, *(one.text() for one in self.marked.verdicts)])
@@ -159,4 +162,5 @@ def _expect_saved(file: Path) -> None:
     saved = {str(cell.get("id", "")): "".join(cell["source"]) for cell in read_notebook(file)["cells"]}
     changed = [cell for cell, text in ran.items() if cell in saved and text.strip() != saved[cell].strip()]
     if changed or not set(list(ran)[-1:]) <= set(saved):
-        raise NotNow(f"{file.name} is not saved as it was run: press {typed.shortcut('S')}, then run this cell again.")
+        keys = typed.shortcut("S")
+        raise NotNow(gettext(f"{file.name} is not saved as it was run: press {keys}, then run this cell again."))

@@ -7,6 +7,8 @@ import os
 import shutil
 from pathlib import Path
 
+from coursekit.words.gettext import gettext
+
 from .errors import NotNow
 from .magics import workspace
 from .written import Written
@@ -21,7 +23,7 @@ def set_aside(*names: str) -> None:
     for name in names:
         for path in dict.fromkeys((workspace() / name, Path(name).resolve())):
             if path.exists():
-                print(f"{name} was there already. It is kept: {_keep(path)}")
+                print(gettext(f"{name} was there already. It is kept: {_keep(path)}"))
                 Written(path).forget()
 
 

@@ -17,6 +17,7 @@ from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
 from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 from coursekit.view.shell import running_shell
+from coursekit.words.gettext import gettext
 
 from . import missing_names, shell_lines
 from .cells import Cells
@@ -122,7 +123,7 @@ def reset() -> None:
         if process.wait(1.0) is None:
             process.kill()
             process.wait(2.0)
-    end_panels("It ended with reset().")
+    end_panels(gettext("It ended with reset()."))
     left = leave_network(session)
     nodes = sum(len(graph.nodes) for graph in session.graphs.values())
     for graph in session.graphs.values():

@@ -7,6 +7,7 @@ from base64 import b64decode
 from typing import Any
 
 from coursekit.processes.session import current
+from coursekit.words.gettext import gettext
 
 from .bundle import forms_of, with_text
 from .docking import View
@@ -39,11 +40,11 @@ def _own_style(name: str) -> str:
     return style(name).replace(f".ck-{kind} ", f".ck-panel.ck-{kind} ")
 
 
-def end_panels(why: str = "It has ended.") -> int:
+def end_panels(why: str = "") -> int:
     """End every open panel, with a still of it where a page shows it; how many there were."""
     count = len(_open)
     for panel in list(_open):
-        panel.end(why)
+        panel.end(why or gettext("It has ended."))
     while len(_ended) > STILLS:
         _ended.pop(0).close()
     return count

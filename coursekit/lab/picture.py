@@ -10,6 +10,7 @@ from typing import Any
 import cv2
 
 from coursekit.processes.session import current
+from coursekit.words.gettext import gettext
 
 from .bundle import forms_of
 from .docking import View
@@ -92,7 +93,7 @@ class Picture(View):
         image = self._read()
         message = {"title": self.heading(), "note": self.note(), "open": self.is_open(), "live": self._live}
         if image is None:
-            self.send({**message, "empty": "no image yet"})
+            self.send({**message, "empty": gettext("no image yet")})
             with self._lock:
                 self._under_way = 0
             return

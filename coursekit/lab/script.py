@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+
+from coursekit.words.gettext import language, words_of
 
 _STATIC = Path(__file__).parent / "static"
 _EXPORT = "export default {"
@@ -10,10 +13,16 @@ _EXPORT = "export default {"
 
 def script(*names: str) -> str:
     """The files of `static/` one after the other; the last exports the widget, which is veiled when its program is gone."""
-    veil, *parts = ((_STATIC / name).read_text(encoding="utf-8") for name in ("veil.js", *names))
+    before, veil, *parts = ((_STATIC / name).read_text(encoding="utf-8") for name in ("gettext.js", "veil.js", *names))
     own = "\n".join(parts)
     assert own.count(_EXPORT) == 1, f"{names[-1]} has to export one widget: {_EXPORT} ... }};"
-    return f"{veil}\n{own.replace(_EXPORT, 'const widget = {')}\nexport default veiled(widget);\n"
+    whole = f"{before}\n{veil}\n{own.replace(_EXPORT, 'const widget = {')}\nexport default veiled(widget);\n"
+    return f"const WORDS = {json.dumps(_words(whole), ensure_ascii=False)};\n{whole}"
+
+
+def _words(source: str) -> dict[str, str]:
+    """The words that a script says, in the course's language."""
+    return {text: said for text, said in words_of(language()).by_english.items() if f'gettext("{text}"' in source}
 
 
 def style(*names: str) -> str:

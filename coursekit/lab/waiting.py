@@ -8,6 +8,7 @@ from typing import Any
 from coursekit.cli.ask import full_name
 from coursekit.processes.session import Session, current
 from coursekit.view.working import Working
+from coursekit.words.gettext import gettext
 
 from .errors import NotNow
 from .hidden import HiddenNode
@@ -26,13 +27,13 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
     3 s, or longer where SLAM takes longer to begin.
     """
     session = current()
-    what = f"Waiting for a message on {until}" if until else "Waiting"
+    what = gettext(f"Waiting for a message on {until}") if until else gettext("Waiting")
     with Working(what, 0.0 if until else seconds):
         if not until:
             session.clock.sleep(seconds)
         elif not _wait_for(session, full_name(until), seconds, timeout_sec):
             if _nobody_runs(session):
-                raise NotNow(f"Nothing publishes {until}: no program runs. Run the cells above that start them.")
+                raise NotNow(gettext(f"Nothing publishes {until}: no program runs. Run the cells above that start them."))
             raise TimeoutError(
                 f"No message came on {until} within {timeout_sec:g} s. {_failed()}`graph()` shows its publishers; "
                 "the terminals show what the programs printed."

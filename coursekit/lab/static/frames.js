@@ -1,9 +1,9 @@
 // The live tree of frames: Python draws it, this shows it; a click tells where a frame is.
 export default {
   render({ model, el }) {
-    const { panel, head, body } = frame(el, "frames", "Frames");
+    const { panel, head, body } = frame(el, "frames", gettext("Frames"));
     const box = make("input", { type: "checkbox", onchange: () => model.send({ type: "details", on: box.checked }) });
-    head.append(make("label", {}, box, "details"));
+    head.append(make("label", {}, box, gettext("details")));
     const drawing = make("div", { className: "ck-drawing" });
     const where = make("div", { className: "ck-details", hidden: true });
     body.append(drawing, where);
@@ -18,7 +18,7 @@ export default {
         for (const part of drawing.querySelectorAll(".ck-part"))
           part.classList.toggle("ck-chosen", part.dataset.name === message.chosen);
         where.hidden = !message.where;
-        const close = make("button", { textContent: "Close", onclick: () => model.send({ type: "choose", name: "" }) });
+        const close = make("button", { textContent: gettext("Close"), onclick: () => model.send({ type: "choose", name: "" }) });
         where.replaceChildren(close, make("pre", { textContent: message.where }));
       },
     });

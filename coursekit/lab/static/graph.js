@@ -1,6 +1,6 @@
 // The live graph: Python draws it, this shows it; a click asks for details, the pointer lights up neighbours.
-const VIEWS = { nodes: "Nodes only", active: "Nodes and active topics", all: "Nodes and all topics" };
-const OPTIONS = { services: "services", actions: "actions", hidden: "hidden", debug: "debug" };
+const VIEWS = { nodes: gettext("Nodes only"), active: gettext("Nodes and active topics"), all: gettext("Nodes and all topics") };
+const OPTIONS = { services: gettext("services"), actions: gettext("actions"), hidden: gettext("hidden"), debug: gettext("debug") };
 
 function lightUp(drawing, name) {
   const lines = [...drawing.querySelectorAll(".ck-link")];
@@ -16,8 +16,8 @@ function lightUp(drawing, name) {
 
 export default {
   render({ model, el }) {
-    const { panel, head, body } = frame(el, "graph", "Graph");
-    const view = make("select", { title: "what is shown", onchange: () => model.send({ type: "view", view: view.value }) });
+    const { panel, head, body } = frame(el, "graph", gettext("Graph"));
+    const view = make("select", { title: gettext("what is shown"), onchange: () => model.send({ type: "view", view: view.value }) });
     for (const [value, text] of Object.entries(VIEWS)) view.append(make("option", { value, textContent: text }));
     head.append(view);
     const boxes = {};
@@ -42,7 +42,7 @@ export default {
         for (const part of drawing.querySelectorAll(".ck-part"))
           part.classList.toggle("ck-chosen", part.dataset.name === message.chosen);
         details.hidden = !message.details;
-        const close = make("button", { textContent: "Close", onclick: () => model.send({ type: "choose", name: "" }) });
+        const close = make("button", { textContent: gettext("Close"), onclick: () => model.send({ type: "choose", name: "" }) });
         details.replaceChildren(close, make("pre", { textContent: message.details }));
       },
     });

@@ -16,20 +16,20 @@ function jointRow(row, model) {
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "joints", "Joints");
+    const { head, body } = frame(el, "joints", gettext("Joints"));
     const node = make("span", { className: "ck-dim" });
     const button = (text, type) => make("button", { textContent: text, onclick: () => model.send({ type }) });
-    head.append(node, button("Center", "center"), button("Randomize", "randomize"));
+    head.append(node, button(gettext("Center"), "center"), button(gettext("Randomize"), "randomize"));
     const rows = new Map();
     return listen(model, {
       shown({ node: name, running, rows: shown }) {
-        node.textContent = running ? name : `${name} (ended)`;
+        node.textContent = running ? name : gettext("{0} (ended)", name);
         const known = [...rows].map(([joint, row]) => `${joint} ${row.key}`).join();
         if (known !== shown.map((row) => `${row.name} ${row.least} ${row.greatest}`).join()) {
           rows.clear();
           for (const row of shown) rows.set(row.name, jointRow(row, model));
           body.replaceChildren(...[...rows.values()].map((row) => row.element));
-          if (!shown.length) body.replaceChildren(make("div", { className: "ck-empty", textContent: "No joints yet: waiting for robot_description." }));
+          if (!shown.length) body.replaceChildren(make("div", { className: "ck-empty", textContent: gettext("No joints yet: waiting for robot_description.") }));
         }
         for (const row of shown) rows.get(row.name).set(row.value);
         body.classList.toggle("ck-ended", !running);

@@ -3,17 +3,17 @@ const LEVELS = ["DEBUG", "INFO", "WARN", "ERROR", "FATAL"];
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "log", "Log");
+    const { head, body } = frame(el, "log", gettext("Log"));
     const levels = {};
-    const group = make("span", { className: "ck-levels", title: "show this level and above" });
+    const group = make("span", { className: "ck-levels", title: gettext("show this level and above") });
     for (const level of LEVELS) {
       levels[level] = make("button", { className: `ck-level ck-${level}`, onclick: () => model.send({ type: "filter", level }) });
       group.append(levels[level]);
     }
-    const node = make("select", { title: "node", onchange: () => model.send({ type: "filter", node: node.value }) });
-    const search = make("input", { type: "search", placeholder: "search", oninput: () => model.send({ type: "filter", text: search.value }) });
-    const pause = make("button", { textContent: "Pause", onclick: () => model.send({ type: "pause", on: pause.textContent === "Pause" }) });
-    const clear = make("button", { textContent: "Clear", onclick: () => model.send({ type: "clear" }) });
+    const node = make("select", { title: gettext("node"), onchange: () => model.send({ type: "filter", node: node.value }) });
+    const search = make("input", { type: "search", placeholder: gettext("search"), oninput: () => model.send({ type: "filter", text: search.value }) });
+    const pause = make("button", { textContent: gettext("Pause"), onclick: () => model.send({ type: "pause", on: pause.textContent === gettext("Pause") }) });
+    const clear = make("button", { textContent: gettext("Clear"), onclick: () => model.send({ type: "clear" }) });
     head.append(group, node, search, pause, clear);
     const list = make("div", { className: "ck-lines", tabIndex: 0 });
     body.append(list);
@@ -26,10 +26,10 @@ export default {
           levels[level].setAttribute("aria-pressed", place >= least);
         }
         const names = ["", ...new Set([...nodes, ...(filters.node ? [filters.node] : [])])];
-        node.replaceChildren(...names.map((name) => make("option", { value: name, textContent: name || "all nodes" })));
+        node.replaceChildren(...names.map((name) => make("option", { value: name, textContent: name || gettext("all nodes") })));
         node.value = filters.node;
         if (document.activeElement !== search) search.value = filters.text;
-        pause.textContent = paused ? "Go on" : "Pause";
+        pause.textContent = paused ? gettext("Go on") : gettext("Pause");
         const atEnd = list.scrollTop + list.clientHeight >= list.scrollHeight - 12;
         const older = passing - lines.length;
         const rows = lines.map((line) =>
@@ -38,8 +38,8 @@ export default {
             make("span", { className: "ck-mark", textContent: line.level }),
             make("span", { className: "ck-from", textContent: line.node }),
             make("span", { className: "ck-said", textContent: line.text })));
-        if (older > 0) rows.unshift(make("div", { className: "ck-empty", textContent: `${older} older lines` }));
-        if (!rows.length) rows.push(make("div", { className: "ck-empty", textContent: "Nothing logged yet." }));
+        if (older > 0) rows.unshift(make("div", { className: "ck-empty", textContent: gettext("{0} older lines", older) }));
+        if (!rows.length) rows.push(make("div", { className: "ck-empty", textContent: gettext("Nothing logged yet.") }));
         list.replaceChildren(...rows);
         if (atEnd) list.scrollTop = list.scrollHeight;
       },

@@ -11,36 +11,36 @@ function traffic(title, rows, empty) {
 
 function others(sessions) {
   const rows = sessions.map((one) => make("tr", {}, make("td", { className: "ck-dim", textContent: one.name }),
-    make("td", { textContent: one.nodes.join(", ") || "(no nodes)" })));
+    make("td", { textContent: one.nodes.join(", ") || gettext("(no nodes)") })));
   const list = rows.length ? make("table", {}, make("tbody", {}, ...rows))
-    : make("div", { className: "ck-dim", textContent: "Nobody else is there yet." });
-  return make("section", {}, make("h4", { textContent: "Others" }), list);
+    : make("div", { className: "ck-dim", textContent: gettext("Nobody else is there yet.") });
+  return make("section", {}, make("h4", { textContent: gettext("Others") }), list);
 }
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "network", "Network");
+    const { head, body } = frame(el, "network", gettext("Network"));
     const state = make("span", { className: "ck-state" });
     state.setAttribute("role", "status");
-    const leave = make("button", { textContent: "Leave", onclick: () => model.send({ type: "leave" }) });
+    const leave = make("button", { textContent: gettext("Leave"), onclick: () => model.send({ type: "leave" }) });
     head.append(state, leave);
     return listen(model, {
       shown(now) {
         leave.hidden = !now.joined;
         if (!now.joined) {
           state.className = "ck-state";
-          state.textContent = "not joined";
-          body.replaceChildren(make("div", { className: "ck-empty" }, "Messages stay in this notebook. To join a network, type in a cell: ",
+          state.textContent = gettext("not joined");
+          body.replaceChildren(make("div", { className: "ck-empty" }, gettext("Messages stay in this notebook. To join a network, type in a cell: "),
             make("code", { textContent: now.how })));
           return;
         }
         state.className = `ck-state ${now.up ? "ck-up" : "ck-error"}`;
-        const only = now.listenOnly ? ", you only listen" : "";
+        const only = now.listenOnly ? gettext(", you only listen") : "";
         state.textContent = now.up ? `${now.address}, domain ${now.domain}: joined${only}`
           : `${now.address}: the link is gone; it is tried again`;
         const notes = now.notes.map((text) => make("div", { className: "ck-error", textContent: text }));
-        body.replaceChildren(others(now.others), traffic("Heard", now.heard, "Nothing yet: what nobody here asks for is not sent."),
-          traffic("Sent", now.sent, "Nothing yet."), ...notes);
+        body.replaceChildren(others(now.others), traffic(gettext("Heard"), now.heard, gettext("Nothing yet: what nobody here asks for is not sent.")),
+          traffic(gettext("Sent"), now.sent, gettext("Nothing yet.")), ...notes);
       },
     });
   },

@@ -5,12 +5,12 @@ export default {
     frame.className = "ck-pad";
     frame.innerHTML = `
       <div class="ck-bar"><span class="ck-dot"></span><span class="ck-title"></span></div>
-      <div class="ck-field" aria-label="teleop pad; drive with the arrow keys or WASD">
+      <div class="ck-field" aria-label="${gettext("teleop pad; drive with the arrow keys or WASD")}">
         <div class="ck-keys"><kbd data-code="KeyQ">Q</kbd><kbd data-code="ArrowUp KeyW">▲</kbd><kbd data-code="KeyE">E</kbd>
           <kbd data-code="ArrowLeft KeyA">◀</kbd><kbd data-code="ArrowDown KeyS">▼</kbd><kbd data-code="ArrowRight KeyD">▶</kbd></div>
         <div class="ck-read"><div class="ck-line"><label>linear</label><meter class="x" min="-1" max="1"></meter><output class="ox"></output></div>
           <div class="ck-line"><label>angular</label><meter class="t" min="-1" max="1"></meter><output class="ot"></output></div>
-          <div class="ck-hint">click here, then arrow keys or WASD</div></div>
+          <div class="ck-hint">${gettext("click here, then arrow keys or WASD")}</div></div>
       </div>`;
     const part = (name) => frame.querySelector(name);
     const strafe = model.get("holonomic");
@@ -38,7 +38,7 @@ export default {
     const hint = part(".ck-hint").textContent;
     const link = () => {
       const lost = model.get("lost");
-      part(".ck-hint").textContent = lost ? `The link to ${lost} is gone: the robot does not hear you.` : hint;
+      part(".ck-hint").textContent = lost ? gettext("The link to {0} is gone: the robot does not hear you.", lost) : hint;
       part(".ck-hint").style.color = lost ? "#ff8a80" : "";
     };
     model.on("change:lost", link);

@@ -19,7 +19,7 @@ function control(row, set) {
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "parameters", "Parameters");
+    const { head, body } = frame(el, "parameters", gettext("Parameters"));
     const node = make("span", { className: "ck-dim" });
     head.append(node);
     const lines = new Map();
@@ -33,7 +33,7 @@ export default {
       const set = (value) => { say(row.name, "", false); model.send({ type: "set", name: row.name, value }); };
       const note = lines.get(row.name)?.note ?? make("span", { className: "ck-note" });
       const extent = row.least === undefined ? "" : `  ${row.least} … ${row.greatest}`;
-      const about = make("span", { className: "ck-dim ck-about", textContent: row.type + extent + (row.locked ? "  read-only" : "") });
+      const about = make("span", { className: "ck-dim ck-about", textContent: row.type + extent + (row.locked ? `  ${gettext("read-only")}` : "") });
       const title = make("span", { className: "ck-name" }, make("b", { textContent: row.name }));
       if (row.description) title.append(make("span", { className: "ck-dim ck-description", textContent: row.description }));
       const controls = make("span", { className: "ck-control" }, ...control(row, set));
@@ -54,7 +54,7 @@ export default {
           lines.set(row.name, made);
           body.insertBefore(made.row, body.children[place] ?? null);
         });
-        if (!rows.length) body.replaceChildren(make("div", { className: "ck-empty", textContent: "This node has no parameters." }));
+        if (!rows.length) body.replaceChildren(make("div", { className: "ck-empty", textContent: gettext("This node has no parameters.") }));
       },
       accepted({ name }) { say(name, "set", false); },
       refused({ name, reason }) {

@@ -25,17 +25,17 @@ const short = (value) => Math.abs(value) >= 1e5 || (value && Math.abs(value) < 1
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "plot", "Plot");
+    const { head, body } = frame(el, "plot", gettext("Plot"));
     const canvas = make("canvas");
     canvas.setAttribute("role", "img");
     const legend = make("div", { className: "ck-legend" });
     const slider = make("input", { type: "range", min: 0, max: 1, step: "any", value: 1, oninput: () => { follow = false; held = true; at = Number(slider.value); draw(); model.send({ type: "go", at }); } });
     slider.addEventListener("change", () => { held = false; });
-    slider.setAttribute("aria-label", "time line");
+    slider.setAttribute("aria-label", gettext("time line"));
     const when = make("span", { className: "ck-when ck-dim" });
     const span = make("select", { onchange: draw });
-    span.setAttribute("aria-label", "how much is shown");
-    const live = make("button", { textContent: "Live", onclick: () => { follow = true; draw(); model.send({ type: "go", at: null }); } });
+    span.setAttribute("aria-label", gettext("how much is shown"));
+    const live = make("button", { textContent: gettext("Live"), onclick: () => { follow = true; draw(); model.send({ type: "go", at: null }); } });
     head.append(span, live);
     body.append(canvas, legend, make("div", { className: "ck-line" }, slider, when));
     let curves = {}, now = 0, isLive = true, follow = true, held = false, at = 0, pointer = null, known = false;
@@ -107,10 +107,10 @@ export default {
       legend.replaceChildren(...names.map((name, i) => {
         const at = curves[name][Math.max(0, place(curves[name], read + 1e-9) - 1)];
         const mark = make("i"); mark.style.background = inks[i % inks.length];
-        return make("span", {}, mark, `${name}  ${at && at[0] <= read + 1e-9 ? (at[1] === null ? "no number" : short(at[1])) : ""}`);
+        return make("span", {}, mark, `${name}  ${at && at[0] <= read + 1e-9 ? (at[1] === null ? gettext("no number") : short(at[1])) : ""}`);
       }));
-      if (!names.length) legend.replaceChildren(make("span", { className: "ck-dim", textContent: "No numbers yet: they come with the next message." }));
-      canvas.setAttribute("aria-label", names.length ? `curves of ${names.join(", ")}` : "no curves yet");
+      if (!names.length) legend.replaceChildren(make("span", { className: "ck-dim", textContent: gettext("No numbers yet: they come with the next message.") }));
+      canvas.setAttribute("aria-label", names.length ? gettext("curves of {0}", names.join(", ")) : gettext("no curves yet"));
     }
 
     function rule(pen, x1, y1, x2, y2) { pen.beginPath(); pen.moveTo(x1, y1); pen.lineTo(x2, y2); pen.stroke(); }
@@ -130,7 +130,7 @@ export default {
         now = said.now; isLive = said.live;
         if (!known) {
           const spans = [...new Set([...SPANS, said.seconds])].sort((a, b) => a - b);
-          span.replaceChildren(...spans.map((one) => make("option", { value: one, textContent: `${one} s` })), make("option", { value: "", textContent: "all" }));
+          span.replaceChildren(...spans.map((one) => make("option", { value: one, textContent: `${one} s` })), make("option", { value: "", textContent: gettext("all") }));
           span.value = said.live ? said.seconds : "";
           known = true;
         }

@@ -223,7 +223,7 @@ class Scene {
 
 // The wheel scrolls the page until the picture is clicked: who reads on must not get stuck in it.
 function wheelIsThePages(stage) {
-  const note = make("div", { className: "ck-wheel", textContent: "Click the picture, then the wheel zooms" });
+  const note = make("div", { className: "ck-wheel", textContent: gettext("Click the picture, then the wheel zooms") });
   let timer = null;
   stage.append(note);
   stage.addEventListener("pointerdown", () => stage.focus({ preventScroll: true }));
@@ -239,8 +239,8 @@ function wheelIsThePages(stage) {
 // Draws what Python streams; two buttons lead the camera. `ready(scene, library)` is called once MeshCat is there, `pictures` with
 // what is shown beside the scene, `drawn` after each message. Gives the function that ends it.
 function drawScene(model, { panel, pane, labels, corner, ready, pictures = () => {}, drawn = () => {} }) {
-  const home = make("button", { textContent: "Reset view", title: "look from where it was at first" });
-  const top = make("button", { textContent: "From above", title: "look straight down" });
+  const home = make("button", { textContent: gettext("Reset view"), title: gettext("look from where it was at first") });
+  const top = make("button", { textContent: gettext("From above"), title: gettext("look straight down") });
   corner.append(home, top);
   const early = [];
   let scene = null, view = null, closed = false;

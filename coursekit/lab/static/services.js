@@ -27,13 +27,13 @@ const values = (read) =>
 
 export default {
   render({ model, el }) {
-    const { head, body } = frame(el, "services", "Service caller");
-    const choice = make("select", { title: "service", onchange: () => model.send({ type: "choose", name: choice.value }) });
+    const { head, body } = frame(el, "services", gettext("Service caller"));
+    const choice = make("select", { title: gettext("service"), onchange: () => model.send({ type: "choose", name: choice.value }) });
     const kind = make("span", { className: "ck-dim" });
     head.append(choice, kind);
-    const empty = make("div", { className: "ck-empty", textContent: "No services: start a node that serves one." });
+    const empty = make("div", { className: "ck-empty", textContent: gettext("No services: start a node that serves one.") });
     const fields = make("form", { onsubmit: (event) => { event.preventDefault(); call(); } });
-    const button = make("button", { className: "ck-main", textContent: "Call", onclick: (event) => { event.preventDefault(); call(); } });
+    const button = make("button", { className: "ck-main", textContent: gettext("Call"), onclick: (event) => { event.preventDefault(); call(); } });
     const state = make("span", { className: "ck-dim" });
     const answer = make("pre", { className: "ck-answer", hidden: true });
     const foot = make("div", { className: "ck-foot" }, button, state);
@@ -53,14 +53,14 @@ export default {
         built = wanted;
         read = {};
         const inputs = form(message.fields, read);
-        const none = make("div", { className: "ck-dim", textContent: "The request has no fields." });
+        const none = make("div", { className: "ck-dim", textContent: gettext("The request has no fields.") });
         fields.replaceChildren(...(inputs.length || !message.chosen ? inputs : [none]));
         answer.hidden = true;
         state.textContent = "";
       },
-      waiting() { state.textContent = "waiting for the answer …"; answer.hidden = true; },
+      waiting() { state.textContent = gettext("waiting for the answer …"); answer.hidden = true; },
       answer(message) {
-        state.textContent = message.ok ? `answered in ${message.milliseconds} ms` : "not called";
+        state.textContent = message.ok ? gettext("answered in {0} ms", message.milliseconds) : gettext("not called");
         answer.textContent = message.text;
         answer.classList.toggle("ck-error", !message.ok);
         answer.hidden = false;

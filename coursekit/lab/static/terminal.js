@@ -1,7 +1,8 @@
 // One process: what it prints, how it is, Ctrl-C, "Run again", a line to type. All state is asked for on "ready".
 const LINES = 500;
 const COLOURS = ["#7d8b99", "#ff7b72", "#56d37d", "#e6c15c", "#6cb6ff", "#d2a8ff", "#5fd0d6", "#e6edf3"];
-const SIGNALS = { "exit code -2": "stopped by Ctrl-C", "exit code -15": "terminated", "exit code -9": "killed" };
+const STATES = { running: gettext("running"), finished: gettext("finished"), "exit code -2": gettext("stopped by Ctrl-C"),
+  "exit code -15": gettext("terminated"), "exit code -9": gettext("killed") };
 const ESCAPE = /\x1b\[([\d;]*)m|\x1b\[[\d;?]*[A-Za-ln-z]/g;
 
 // The style after one colour code ("1;31").
@@ -84,10 +85,10 @@ export default {
     panel.className = "ck-terminal";
     panel.innerHTML = `
       <div class="ck-bar"><span class="ck-dot"></span><span class="ck-title"></span><span class="ck-state"></span>
-      <button class="ck-again" title="Start the same command line anew">Run again</button>
-      <button class="ck-stop" title="Send Ctrl-C to this process">Ctrl-C</button></div>
+      <button class="ck-again" title="${gettext("Start the same command line anew")}">${gettext("Run again")}</button>
+      <button class="ck-stop" title="${gettext("Send Ctrl-C to this process")}">Ctrl-C</button></div>
       <div class="ck-screen" tabindex="0" role="log" data-lm-suppress-shortcuts="true"></div>
-      <input class="ck-line" aria-label="type a line" placeholder="type here, then Enter"
+      <input class="ck-line" aria-label="${gettext("type a line")}" placeholder="${gettext("type here, then Enter")}"
              autocomplete="off" spellcheck="false" data-lm-suppress-shortcuts="true">`;
     const part = (name) => panel.querySelector(`.ck-${name}`);
     const element = part("screen");
@@ -96,11 +97,11 @@ export default {
     const hear = (message) => {
       const atEnd = element.scrollTop + element.clientHeight >= element.scrollHeight - 12;
       if (message.whole) screen.clear();
-      if (message.skipped) screen.remark(`… ${message.skipped} earlier lines …`);
+      if (message.skipped) screen.remark(gettext("… {0} earlier lines …", message.skipped));
       screen.add(message.text);
       if (atEnd || message.whole) element.scrollTop = element.scrollHeight;
       part("title").title = message.command;
-      part("state").textContent = SIGNALS[message.state] ?? message.state;
+      part("state").textContent = STATES[message.state] ?? message.state;
       panel.dataset.again = message.again;
       const calm = ["finished", "exit code -2"].includes(message.state);
       panel.dataset.state = message.state === "running" ? "running" : calm ? "ok" : "failed";

@@ -1,7 +1,7 @@
 // The topics: a row each; a tick measures the rate and shows the last message.
 function row(one, model) {
   const tick = make("input", {
-    type: "checkbox", checked: one.watched, title: "measure the rate, show the last message",
+    type: "checkbox", checked: one.watched, title: gettext("measure the rate, show the last message"),
     onchange: (event) => model.send({ type: "watch", name: one.name, on: event.target.checked }),
   });
   const cells = [
@@ -10,8 +10,8 @@ function row(one, model) {
     make("td", { className: "ck-number", textContent: one.publishers }),
     make("td", { className: "ck-number", textContent: one.subscribers }),
     make("td", {
-      className: "ck-number", title: one.watched ? `${one.count} messages heard` : "",
-      textContent: !one.watched ? "" : one.rate ? `${one.rate.toFixed(2)} Hz` : one.count ? "silent" : "nothing yet",
+      className: "ck-number", title: one.watched ? gettext("{0} messages heard", one.count) : "",
+      textContent: !one.watched ? "" : one.rate ? `${one.rate.toFixed(2)} Hz` : one.count ? gettext("silent") : gettext("nothing yet"),
     }),
   ];
   const rows = [make("tr", {}, ...cells)];
@@ -22,7 +22,7 @@ function row(one, model) {
 
 export default {
   render({ model, el }) {
-    const { body } = frame(el, "topics", "Topics");
+    const { body } = frame(el, "topics", gettext("Topics"));
     const error = make("div", { className: "ck-error" });
     const table = make("div");
     body.append(table, error);
@@ -31,7 +31,7 @@ export default {
       shown({ rows }) {
         error.textContent = "";
         if (!rows.length) {
-          table.replaceChildren(make("div", { className: "ck-empty", textContent: "No topics: start a node." }));
+          table.replaceChildren(make("div", { className: "ck-empty", textContent: gettext("No topics: start a node.") }));
           return;
         }
         const focused = table.contains(document.activeElement) ? document.activeElement.closest("tr")?.rowIndex : null;

@@ -115,7 +115,7 @@ export default {
     frame.innerHTML = `
       <div class="ck-bar"><span class="ck-dot"></span><span class="ck-title">TurtleSim</span>
         <span class="ck-node"></span><span class="ck-pose"></span></div>
-      <div class="ck-sheet" aria-label="turtlesim window; drive with the arrow keys"><canvas></canvas>
+      <div class="ck-sheet" aria-label="${gettext("turtlesim window; drive with the arrow keys")}"><canvas></canvas>
         <div class="ck-empty"></div><div class="ck-hint"></div></div>`;
     const part = (name) => frame.querySelector(name);
     const sheet = part(".ck-sheet");
@@ -124,7 +124,7 @@ export default {
     let driven = model.get("turtle");
     const hint = () => {
       const focused = document.activeElement === sheet;
-      part(".ck-hint").textContent = focused ? `driving ${driven} with the arrow keys` : "click here, then drive with the arrow keys";
+      part(".ck-hint").textContent = focused ? gettext("driving {0} with the arrow keys", driven) : gettext("click here, then drive with the arrow keys");
     };
     const steer = steering(sheet, (message) => model.send(message));
     sheet.appendChild(touchStick(steer));

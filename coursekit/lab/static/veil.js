@@ -1,7 +1,7 @@
 // A view that its program has left stays as it was, says what to do, and takes no input: it never looks alive.
 // That is so when the kernel restarts or ends, and when Python says {type: "ended", text}, with a still where nothing is drawn yet.
 const GONE = new Set(["restarting", "autorestarting", "terminating", "dead"]);
-const AGAIN = "Run its cell again to have it live.";
+const AGAIN = gettext("Run its cell again to have it live.");
 
 // A panel in a cell has a button that puts it on the desk, where it stays in sight; on the desk it needs none.
 function offerDesk(model, inner) {
@@ -10,7 +10,7 @@ function offerDesk(model, inner) {
   const button = document.createElement("button");
   button.className = "ck-to-desk";
   button.textContent = "⇥";
-  button.title = "To the desk, beside the notebook";
+  button.title = gettext("To the desk, beside the notebook");
   button.setAttribute("aria-label", button.title);
   button.style.cssText = "margin-left: auto; order: 99; padding: 0 7px; font-size: 14px; line-height: 20px; cursor: pointer;"
     + "color: inherit; background: none; border: 1px solid color-mix(in srgb, currentColor 35%, transparent); border-radius: 5px;";
@@ -62,7 +62,7 @@ function veiled(widget) {
     };
     model.on("msg:custom", hear);
     const kernel = model.widget_manager?.kernel;
-    const status = (_kernel, now) => { if (GONE.has(now)) lower("The kernel was restarted."); };
+    const status = (_kernel, now) => { if (GONE.has(now)) lower(gettext("The kernel was restarted.")); };
     kernel?.statusChanged?.connect(status);
     const drawn = widget.render({ ...context, el: inner });
     Promise.resolve(drawn).then(() => offerDesk(model, inner));

@@ -50,14 +50,14 @@ function cornerPictures(element) {
 
 export default {
   render({ model, el }) {
-    const { panel, head, body } = frame(el, "viewer", "Viewer");
+    const { panel, head, body } = frame(el, "viewer", gettext("Viewer"));
     panel.classList.add("ck-scene");
     const fixed = make("select", { onchange: () => model.send({ type: "fix", frame: fixed.value }) });
     const tools = toolButtons(TOOLS), picks = toolButtons(PICKS);
     const worst = make("span", { className: "ck-dot" });
-    const fold = make("button", { title: "show or hide the list of displays" }, "Displays", worst);
+    const fold = make("button", { title: gettext("show or hide the list of displays") }, gettext("Displays"), worst);
     const sizes = foldable(panel, fold);
-    head.append(fold, make("label", { className: "ck-dim" }, "Fixed frame", fixed), ...Object.values(tools));
+    head.append(fold, make("label", { className: "ck-dim" }, gettext("Fixed frame"), fixed), ...Object.values(tools));
     const { kinds, hear } = knownKinds(model);
     const adding = addDialog(model, kinds), saving = saveDialog(model), views = viewsCard(model);
     const rows = make("div", { className: "ck-rows" });
@@ -68,7 +68,7 @@ export default {
     const aim = make("div", { className: "ck-aim", innerHTML: AIM });
     const told = make("div", { className: "ck-told" }), hint = make("div", { className: "ck-hint" });
     hint.setAttribute("role", "status");
-    const picked = make("div", { className: "ck-picked", hidden: true }, make("b"), make("button", { textContent: "×", ariaLabel: "Close the selection",
+    const picked = make("div", { className: "ck-picked", hidden: true }, make("b"), make("button", { textContent: "×", ariaLabel: gettext("Close the selection"),
       onclick: () => model.send({ type: "pick", number: null, at: null }) }), make("dl"));
     const corner = make("div", { className: "ck-corner" }), left = make("div", { className: "ck-corner ck-left" }, ...Object.values(picks));
     const stage = make("div", { className: "ck-stage", tabIndex: -1 }, pane, labels, aim, pictures, told, hint, left, corner, picked,

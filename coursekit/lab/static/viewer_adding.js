@@ -22,13 +22,13 @@ function opens(button, shown, fill = () => {}) {
 }
 
 function addDialog(model, kinds) {
-  const search = make("input", { type: "search", placeholder: "Search", oninput: () => sift() });
-  search.setAttribute("aria-label", "Search displays and topics");
-  const byType = make("button", { textContent: "By display type", onclick: () => turn(false) });
-  const byTopic = make("button", { textContent: "By topic", onclick: () => turn(true) });
+  const search = make("input", { type: "search", placeholder: gettext("Search"), oninput: () => sift() });
+  search.setAttribute("aria-label", gettext("Search displays and topics"));
+  const byType = make("button", { textContent: gettext("By display type"), onclick: () => turn(false) });
+  const byTopic = make("button", { textContent: gettext("By topic"), onclick: () => turn(true) });
   const offers = make("div", { className: "ck-offers" });
-  const shown = card("Add a display", "ck-add", make("div", { className: "ck-tabs" }, byType, byTopic, search), offers);
-  const button = make("button", { className: "ck-main", textContent: "Add", title: "a display more" });
+  const shown = card(gettext("Add a display"), "ck-add", make("div", { className: "ck-tabs" }, byType, byTopic, search), offers);
+  const button = make("button", { className: "ck-main", textContent: gettext("Add"), title: gettext("a display more") });
   let topics = [], byTopics = false;
   const offer = (name, about, message) => make("button", { className: "ck-offer", onclick: () => { model.send({ type: "add", ...message }); set(false); } },
     make("b", { textContent: name }), make("span", { textContent: about }));
@@ -41,7 +41,7 @@ function addDialog(model, kinds) {
     offers.replaceChildren(...byTopics
       ? topics.map(([topic, kind]) => offer(topic, kind, { kind, topic }))
       : Object.entries(known).map(([kind, { about }]) => offer(kind, about, { kind })));
-    if (byTopics && !topics.length) offers.append(make("p", { className: "ck-dim", textContent: "Nobody publishes anything that can be shown." }));
+    if (byTopics && !topics.length) offers.append(make("p", { className: "ck-dim", textContent: gettext("Nobody publishes anything that can be shown.") }));
     sift();
   };
   const turn = (topic) => {
@@ -59,9 +59,9 @@ function saveDialog(model) {
   const name = make("input", { type: "text", value: "view.rviz", spellcheck: false });
   const save = () => { model.send({ type: "save", name: name.value }); set(false); };
   name.addEventListener("keydown", (event) => { if (event.key === "Enter") save(); });
-  const shown = card("Save to a file", "ck-save", make("label", {}, "File", name), make("button", { className: "ck-main", textContent: "Save", onclick: save }),
-    make("p", { className: "ck-dim", textContent: "RViz opens a file that ends in .rviz, too." }));
-  const button = make("button", { textContent: "Save…", title: "the displays and the view to a file" });
+  const shown = card(gettext("Save to a file"), "ck-save", make("label", {}, gettext("File"), name), make("button", { className: "ck-main", textContent: gettext("Save"), onclick: save }),
+    make("p", { className: "ck-dim", textContent: gettext("RViz opens a file that ends in .rviz, too.") }));
+  const button = make("button", { textContent: gettext("Save…"), title: gettext("the displays and the view to a file") });
   const set = opens(button, shown);
   return { button, shown };
 }

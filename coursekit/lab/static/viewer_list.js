@@ -20,7 +20,7 @@ function editorOf(property, label, send) {
     const set = (value) => {
       const all = choices.includes(value) ? choices : [...choices, value];
       if (choice.options.length !== all.length)
-        choice.replaceChildren(...all.map((one) => make("option", { value: one, textContent: one || "whatever fits" })));
+        choice.replaceChildren(...all.map((one) => make("option", { value: one, textContent: one || gettext("whatever fits") })));
       choice.value = value;
     };
     return { element: choice, set };
@@ -42,15 +42,15 @@ class Row {
     const { name } = row;
     this.box = make("input", { type: "checkbox", onchange: () => send("switch", { on: this.box.checked }) });
     this.dot = make("span", { className: "ck-dot" });
-    this.open = make("button", { className: "ck-open", textContent: "›", title: `Properties of ${name}`, onclick: () => this.unfold() });
-    this.open.setAttribute("aria-label", `Properties of ${name}`);
+    this.open = make("button", { className: "ck-open", textContent: "›", title: gettext("Properties of {0}", name), onclick: () => this.unfold() });
+    this.open.setAttribute("aria-label", gettext("Properties of {0}", name));
     this.open.setAttribute("aria-expanded", "false");
     this.lines = make("div", { className: "ck-lines" });
     this.properties = make("div", { className: "ck-properties", hidden: true });
     const parts = [this.open, make("label", {}, this.box, make("b", { textContent: name })), this.dot];
     if (row.topic !== null) {
       this.topic = make("input", { type: "text", className: "ck-topic", spellcheck: false, onchange: () => send("topic", { topic: this.topic.value }) });
-      this.topic.setAttribute("aria-label", `topic of ${name}`);
+      this.topic.setAttribute("aria-label", gettext("topic of {0}", name));
       parts.push(this.topic);
     }
     this.element = make("div", { className: "ck-row" }, ...parts, this.lines, this.properties);
@@ -65,11 +65,11 @@ class Row {
     this.editors = {};
     const { properties } = (await this.kinds())[this.kind];
     for (const property of properties) {
-      const editor = editorOf(property, `${property.name} of ${this.name}`, (value) => this.send("property", { key: property.key, value }));
+      const editor = editorOf(property, gettext("{0} of {1}", property.name, this.name), (value) => this.send("property", { key: property.key, value }));
       this.editors[property.key] = editor;
       this.properties.append(make("span", { textContent: property.name }), editor.element);
     }
-    this.properties.append(make("button", { textContent: "Remove this display", className: "ck-remove", onclick: () => this.send("remove") }));
+    this.properties.append(make("button", { textContent: gettext("Remove this display"), className: "ck-remove", onclick: () => this.send("remove") }));
     this.show(this.last);
   }
 

@@ -1,6 +1,6 @@
 // RViz's tools. Three act where the picture is clicked, and it can be turned meanwhile; three are dragged on the floor.
-const PICKS = { select: ["Select", "s", "Click a thing to see what it is"], focus: ["Focus", "c", "Click a thing to look at it"],
-  measure: ["Measure", "n", "Click two points to measure their distance"] };
+const PICKS = { select: ["Select", "s", gettext("Click a thing to see what it is")], focus: ["Focus", "c", gettext("Click a thing to look at it")],
+  measure: ["Measure", "n", gettext("Click two points to measure their distance")] };
 const TOOLS = { goal: ["2D Goal Pose", "g"], estimate: ["2D Pose Estimate", "p"], point: ["Publish Point", "u"] };
 const STEADY = 5; // pixels: a press that moves further turns the camera
 
@@ -120,7 +120,7 @@ function useTools(stage, scene, buttons, model, { ruler, hint }) {
     if (!found) return;
     if (tool === "focus") { scene.focus(found.at); choose(tool); return; }
     ruler.set(ruler.ends.length === 1 ? [ruler.ends[0], found.at] : [found.at]);
-    if (ruler.ends.length === 2) hint.textContent = `Length: ${ruler.length.toFixed(3)} m. Click two points to measure again, Escape to end`;
+    if (ruler.ends.length === 2) hint.textContent = gettext("Length: {0} m. Click two points to measure again, Escape to end", ruler.length.toFixed(3));
   };
   stage.addEventListener("pointerdown", (event) => { press = event.button === 0 && event.target.closest(".ck-pane") ? inside(event) : null; }, { capture: true });
   stage.addEventListener("pointerup", (event) => {

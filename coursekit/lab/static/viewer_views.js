@@ -7,8 +7,8 @@ function viewsCard(model) {
   const kind = make("select", {}, ...Object.entries(CAMERAS).map(([value, textContent]) => make("option", { value, textContent })));
   const frame = make("select", {});
   for (const one of [kind, frame]) one.addEventListener("change", () => model.send({ type: "follow", frame: frame.value, kind: kind.value }));
-  const name = make("input", { type: "text", placeholder: "name of this view", spellcheck: false });
-  name.setAttribute("aria-label", "Name of this view");
+  const name = make("input", { type: "text", placeholder: gettext("name of this view"), spellcheck: false });
+  name.setAttribute("aria-label", gettext("Name of this view"));
   const keep = () => {
     if (!name.value.trim()) { name.focus(); return; }
     model.send({ type: "view", does: "save", name: name.value });
@@ -16,13 +16,13 @@ function viewsCard(model) {
   };
   name.addEventListener("keydown", (event) => { if (event.key === "Enter") keep(); });
   const saved = make("ul", { className: "ck-views" });
-  const shown = card("Views", "ck-looking", make("label", {}, "Type", kind), make("label", {}, "Target frame", frame),
-    make("div", { className: "ck-keep" }, name, make("button", { textContent: "Save", onclick: keep })), saved);
-  const button = make("button", { textContent: "Views", title: "follow a frame, keep views" });
+  const shown = card(gettext("Views"), "ck-looking", make("label", {}, gettext("Type"), kind), make("label", {}, gettext("Target frame"), frame),
+    make("div", { className: "ck-keep" }, name, make("button", { textContent: gettext("Save"), onclick: keep })), saved);
+  const button = make("button", { textContent: gettext("Views"), title: gettext("follow a frame, keep views") });
   opens(button, shown);
   const line = (one) => make("li", {},
-    make("button", { textContent: one, title: `look from "${one}"`, onclick: () => model.send({ type: "view", does: "use", name: one }) }),
-    make("button", { textContent: "×", ariaLabel: `Forget ${one}`, title: `forget "${one}"`, onclick: () => model.send({ type: "view", does: "forget", name: one }) }));
+    make("button", { textContent: one, title: gettext("look from \"{0}\"", one), onclick: () => model.send({ type: "view", does: "use", name: one }) }),
+    make("button", { textContent: "×", ariaLabel: gettext("Forget {0}", one), title: gettext("forget \"{0}\"", one), onclick: () => model.send({ type: "view", does: "forget", name: one }) }));
   const show = ({ frames, looking }) => {
     const all = [...new Set(["", ...frames, looking.frame])];
     if (frame.dataset.all !== all.join()) {

@@ -48,19 +48,19 @@ function useHands(stage, scene, model, state) {
 
 export default {
   render({ model, el }) {
-    const { panel, head, body } = frame(el, "world", "World");
+    const { panel, head, body } = frame(el, "world", gettext("World"));
     panel.classList.add("ck-scene");
     const press = (button) => model.send({ type: "press", button });
-    const play = make("button", { textContent: "Pause", onclick: () => press(play.dataset.does) });
-    const step = make("button", { textContent: "Step", title: "let 0.05 s pass", onclick: () => press("step") });
-    const reset = make("button", { textContent: "Reset", title: "everything back to where it began", onclick: () => press("reset") });
+    const play = make("button", { textContent: gettext("Pause"), onclick: () => press(play.dataset.does) });
+    const step = make("button", { textContent: gettext("Step"), title: gettext("let 0.05 s pass"), onclick: () => press("step") });
+    const reset = make("button", { textContent: gettext("Reset"), title: gettext("everything back to where it began"), onclick: () => press("reset") });
     const speed = make("select", { onchange: () => model.send({ type: "speed", speed: Number(speed.value) }) });
     const lasers = make("input", { type: "checkbox", onchange: () => model.send({ type: "lasers", on: lasers.checked }) });
-    const box = make("button", { textContent: "Add a box", title: "then click the floor", onclick: () => state.box(!state.boxing) });
+    const box = make("button", { textContent: gettext("Add a box"), title: gettext("then click the floor"), onclick: () => state.box(!state.boxing) });
     const time = make("span", { className: "ck-dim ck-time" });
-    const remove = make("button", { textContent: "Remove", hidden: true, onclick: () => state.remove() });
-    head.append(play, step, reset, make("label", { className: "ck-dim" }, "Speed", speed), box,
-      make("label", { className: "ck-dim" }, lasers, "Laser"), remove, time);
+    const remove = make("button", { textContent: gettext("Remove"), hidden: true, onclick: () => state.remove() });
+    head.append(play, step, reset, make("label", { className: "ck-dim" }, gettext("Speed"), speed), box,
+      make("label", { className: "ck-dim" }, lasers, gettext("Laser")), remove, time);
     const pane = make("div", { className: "ck-pane" }), labels = make("div", { className: "ck-labels" });
     const told = make("div", { className: "ck-told" }), nothing = make("div", { className: "ck-nothing", hidden: true });
     const corner = make("div", { className: "ck-corner" });
@@ -72,7 +72,7 @@ export default {
       choose(name) {
         state.chosen = name;
         remove.hidden = name === null;
-        remove.textContent = `Remove ${name}`;
+        remove.textContent = gettext("Remove {0}", name);
       },
       remove() { model.send({ type: "remove", name: state.chosen }); state.choose(null); },
       box(on) {
@@ -91,14 +91,14 @@ export default {
       told.textContent = message.told;
       state.names = message.names;
       if (state.chosen !== null && !Object.values(state.names).includes(state.chosen)) state.choose(null);
-      play.textContent = message.paused ? "Play" : "Pause";
+      play.textContent = message.paused ? gettext("Play") : gettext("Pause");
       play.dataset.does = message.paused ? "play" : "pause";
       step.disabled = !message.paused;
       lasers.checked = message.lasers;
       if (speed.options.length !== message.speeds.length)
         speed.replaceChildren(...message.speeds.map((times) => make("option", { value: times, textContent: `${times} x` })));
       if (document.activeElement !== speed) speed.value = message.speed;
-      time.textContent = `${message.time.toFixed(1)} s` + (message.paused ? ", stands still" : `, ${message.factor.toFixed(2)} x real time`);
+      time.textContent = `${message.time.toFixed(1)} s` + (message.paused ? gettext(", stands still") : gettext(", {0} x real time", message.factor.toFixed(2)));
     };
     const ready = (scene, { THREE }) => {
       scene.daylight(THREE);

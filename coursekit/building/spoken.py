@@ -1,0 +1,104 @@
+"""The words of panels and checks that are to be translated, found in the sources that say them."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import polib
+
+from coursekit.files import read_text
+from coursekit.words.gettext import FIELD, catalogue_of
+
+PACKAGE = Path(__file__).parents[1]
+_JUDGES = ("checking", "deaths", "outputs", "plain", "reader", "reading", "trial", "verdict", "work")
+_CODE = re.compile(
+    r"(run|launch|ros2|from|import|colcon|action|padding|var\(|<|#|--|-r|%|\^)|.*(\\|\(\^|\.\*|\(\[|\(\?|surrogatepass)"
+)
+"""Texts that are no words: command lines, styles, patterns."""
+_OF_SCRIPT = re.compile(r'\bgettext\("((?:[^"\\]|\\.)*)"')
+
+
+def spoken() -> dict[str, str]:
+    """Every text that is said, with the file that says it first; a field that a program fills in is `{0}`, `{1}`, ..."""
+    found: dict[str, str] = {}
+    for file, texts in _all():
+        for text in texts:
+            found.setdefault(text, file.relative_to(PACKAGE).as_posix())
+    return found
+
+
+def _all() -> Iterator[tuple[Path, Iterator[str]]]:
+    grade = PACKAGE / "grade"
+    for file in [*sorted(grade.glob("chapters/**/*.py")), *(grade / f"{name}.py" for name in _JUDGES)]:
+        yield file, _of_judge(ast.parse(read_text(file)))  # becomes part of a verdict, which is translated where it is shown
+    for file in sorted((PACKAGE / "lab" / "static").glob("*.js")):
+        yield file, (text.replace('\\"', '"') for text in _OF_SCRIPT.findall(read_text(file)))
+    for file in sorted(one for room in ("grade", "lab", "view") for one in (PACKAGE / room).rglob("*.py")):
+        yield file, _of_calls(ast.parse(read_text(file)))
+
+
+def _of_calls(tree: ast.Module) -> Iterator[str]:
+    """What is given to gettext()."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "gettext":
+            yield from (
+                template(one)
+                for one in node.args
+                if isinstance(one, (ast.Constant, ast.JoinedStr)) and _words(template(one))
+            )
+
+
+def _of_judge(tree: ast.Module) -> Iterator[str]:
+    """The sentences in a judge's source, which are its texts with a space, and the words that stand in some of them."""
+    silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
+    texts = [node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr))]
+    for node in sorted(texts, key=lambda one: (one.lineno, one.col_offset, isinstance(one, ast.Constant))):
+        if isinstance(node, ast.JoinedStr):
+            silent |= {id(inner) for inner in ast.walk(node) if inner is not node}
+            yield from _alternatives(node)
+        text = template(node)
+        if id(node) not in silent and " " in text.strip() and _words(text) and not _CODE.match(text):
+            yield text
+
+
+def _words(text: str) -> bool:
+    return any(map(str.isalpha, FIELD.sub("", text)))
+
+
+def _alternatives(node: ast.JoinedStr) -> Iterator[str]:
+    """The words between which a sentence chooses: `{'taken' if good else 'refused'}`, `{names or 'none'}`."""
+    for inner in ast.walk(node):
+        choices = [inner.body, inner.orelse] if isinstance(inner, ast.IfExp) else []
+        choices += inner.values if isinstance(inner, ast.BoolOp) else []
+        for one in choices:
+            text = template(one) if isinstance(one, ast.Constant) else ""
+            if len(text) > 2 and text.replace(" ", "").isalpha():
+                yield text
+
+
+def template(node: ast.Constant | ast.JoinedStr) -> str:
+    """A constant's text, or an f-string's with its fields numbered; empty for what is no text.
+
+    >>> template(ast.parse("f'{name} at {place!r} m'", mode="eval").body)
+    '{0} at {1} m'
+    """
+    if isinstance(node, ast.Constant):
+        return node.value if isinstance(node.value, str) else ""
+    numbers = iter(range(len(node.values)))
+    parts = (str(one.value) if isinstance(one, ast.Constant) else f"{{{next(numbers)}}}" for one in node.values)
+    return "".join(parts)
+
+
+def update_words(language: str) -> str:
+    """Write the catalogue of a language's words: what is new without a translation, without what nobody says any more."""
+    file = catalogue_of(language)
+    old = {one.msgid: one.msgstr for one in polib.pofile(str(file))} if file.is_file() else {}
+    made = polib.POFile(wrapwidth=0)
+    made.metadata = {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
+    for text, where in spoken().items():
+        made.append(polib.POEntry(msgid=text, msgstr=old.get(text, ""), comment=where))
+    made.save(str(file))
+    return f"{file.name}: {len(made) - len(made.translated_entries())} of {len(made)} texts to translate"

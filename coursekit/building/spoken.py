@@ -31,9 +31,10 @@ def spoken() -> dict[str, str]:
 
 
 def _all() -> Iterator[tuple[Path, Iterator[str]]]:
-    grade = PACKAGE / "grade"
-    for file in [*sorted(grade.glob("chapters/**/*.py")), *(grade / f"{name}.py" for name in _JUDGES)]:
-        yield file, _of_judge(ast.parse(read_text(file)))  # becomes part of a verdict, which is translated where it is shown
+    grade, view = PACKAGE / "grade", PACKAGE / "view"
+    judges = [*(grade / f"{name}.py" for name in _JUDGES), view / "graph_faults.py", view / "frame_facts.py"]
+    for file in [*sorted(grade.glob("chapters/**/*.py")), *judges]:
+        yield file, _of_judge(ast.parse(read_text(file)))  # part of what is translated where it is shown
     for file in sorted((PACKAGE / "lab" / "static").glob("*.js")):
         yield file, (text.replace('\\"', '"') for text in _OF_SCRIPT.findall(read_text(file)))
     for file in sorted(one for room in ("grade", "lab", "view") for one in (PACKAGE / room).rglob("*.py")):
@@ -100,5 +101,5 @@ def update_words(language: str) -> str:
     made.metadata = {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
     for text, where in spoken().items():
         made.append(polib.POEntry(msgid=text, msgstr=old.get(text, ""), comment=where))
-    made.save(str(file))
+    file.write_text(str(made).removeprefix("#\n") + "\n", encoding="utf-8")
     return f"{file.name}: {len(made) - len(made.translated_entries())} of {len(made)} texts to translate"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 
 from coursekit.tf.errors import seconds_text
+from coursekit.words.gettext import gettext
 
 from .drawing import Curve, Drawing, Rect, Text, text_width
 from .frame_facts import Frame, FrameFacts, note
@@ -23,7 +24,7 @@ def draw(facts: FrameFacts, details: bool = False) -> Drawing:
     boxes = [_box(frame, notes[frame.name]) for frame in frames]
     edges = [(frame.parent, frame.name) for frame in frames if frame.parent]
     layout = arrange(boxes, edges, gap=56.0)
-    said = [line for fault in facts.faults for line in textwrap.wrap(fault, 90)]
+    said = [line for fault in facts.faults for line in textwrap.wrap(gettext(fault), 90)]
     if not frames:
         said = ["No tf data received"]
     width = max([layout.width, *(text_width(line, FAULT_SIZE) + 28.0 for line in said)])

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from coursekit.words.gettext import gettext
+
 from .frame_facts import FrameFacts, note
 
 
@@ -16,7 +18,7 @@ def described(facts: FrameFacts) -> str:
     for root in facts.roots:
         lines.append(root)
         lines += _below(facts, root, "")
-    return "\n".join(lines + [f"! {fault}" for fault in facts.faults])
+    return "\n".join(lines + [f"! {gettext(fault)}" for fault in facts.faults])
 
 
 def _below(facts: FrameFacts, name: str, indent: str) -> Iterator[str]:

@@ -134,32 +134,31 @@ def _topics(facts: Facts) -> Iterator[Fault]:
         if name in gone and name not in published:
             yield _gone(name, gone[name], facts)
         elif name not in published:
-            yield _lonely(name, nodes_at(name, facts.subscriptions), "publishes", "listens to", published, facts)
+            yield _lonely(name, published, facts, heard=True)
         elif name not in heard:
             other = _alike(name, facts.publishers, facts.subscriptions)
             if other is None or other in published:  # else it is said at the other name
-                yield _lonely(name, nodes_at(name, facts.publishers), "subscribes to", "publishes", heard, facts)
+                yield _lonely(name, heard, facts, heard=False)
 
 
 def _gone(name: str, publisher: str, facts: Facts) -> Fault:
     nodes = nodes_at(name, facts.subscriptions)
-    waits = "waits" if len(nodes) == 1 else "wait"
+    waiting = f"{_listed(nodes)} waits for it." if len(nodes) == 1 else f"{_listed(nodes)} wait for it."
     return Fault(
         f"{publisher} is gone: no node publishes {name} any more",
-        f"Start {publisher} again, and read the last lines of its terminal; {_listed(nodes)} {waits} for it.",
+        f"Start {publisher} again, and read the last lines of its terminal; {waiting}",
         (name,),
         ends=tuple((node, name) for node in nodes),
     )
 
 
-def _lonely(name: str, nodes: list[str], missing: str, present: str, others: Sequence[str], facts: Facts) -> Fault:
-    mine, theirs = facts.subscriptions, facts.publishers
-    if missing != "publishes":
-        mine, theirs = theirs, mine
-    other = _alike(name, mine, theirs)
-    said = f"no node {missing} {name}"
+def _lonely(name: str, others: Sequence[str], facts: Facts, *, heard: bool) -> Fault:
+    mine, theirs = (facts.subscriptions, facts.publishers) if heard else (facts.publishers, facts.subscriptions)
+    nodes, other = nodes_at(name, mine), _alike(name, mine, theirs)
+    said = f"no node publishes {name}" if heard else f"no node subscribes to {name}"
     if other is None or other not in others:
-        return Fault(said, f"{_listed(nodes)} {present} it.", (name,), serious=False)
+        there = f"{_listed(nodes)} listens to it." if heard else f"{_listed(nodes)} publishes it."
+        return Fault(said, there, (name,), serious=False)
     there = _listed(nodes_at(other, theirs))
     cure = f"Remap it ({nodes[0]} with --ros-args -r {name}:={other}) or change the name; {other} is used by {there}."
     return Fault(f"{said}; did you mean {other}?", cure, (name,), ends=tuple((node, name) for node in nodes))

@@ -6,6 +6,8 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
+from coursekit.words.gettext import gettext
+
 from .drawing import Curve, Drawing, Rect, Text, text_width
 from .graph_facts import End, Facts, nodes_at, types_of
 from .graph_faults import Fault
@@ -233,7 +235,7 @@ def _draw_faults(drawing: Drawing, faults: Sequence[Fault]) -> None:
     y = drawing.height + 8
     for number, fault in enumerate(faults, 1):
         drawing.add(*_badge(22, y, number))
-        for text, ink, bold in ((fault.text, RED, True), (fault.cure, "#3d4a55", False)):
+        for text, ink, bold in ((gettext(fault.text), RED, True), (gettext(fault.cure), "#3d4a55", False)):
             for line in textwrap.wrap(text, columns, break_long_words=False):
                 drawing.add(
                     Text(40, y + 4, line, CURE_SIZE, ink, bold=bold, kind="ck-fault" if bold else "ck-cure")

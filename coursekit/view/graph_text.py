@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from coursekit.words.gettext import gettext
+
 from .graph_facts import End, Facts, nodes_at, types_of
 from .graph_faults import Fault
 
 
-def described(
-    facts: Facts, faults: Sequence[Fault], *, services: bool, actions: bool, dead_ends: bool
-) -> str:
+def described(facts: Facts, faults: Sequence[Fault], *, services: bool, actions: bool, dead_ends: bool) -> str:
     """The graph, a line for each topic; sorted, the same every time.
 
     `dead_ends` takes in topics that have only publishers or only subscribers, and says so.
@@ -27,7 +27,7 @@ def described(
         lines += [_line("action", name, facts.action_clients, facts.action_servers) for name in facts.actions]
     for fault in faults:
         if fault.serious:
-            lines += [f"! {fault.text}", f"  cure: {fault.cure}"]
+            lines += [f"! {gettext(fault.text)}", f"  {gettext('cure')}: {gettext(fault.cure)}"]
     return "\n".join(lines)
 
 
@@ -71,9 +71,7 @@ def _of_node(node: Any) -> str:
         ("Service Clients", node.clients),
     ):
         lines.append(f"  {title}:")
-        lines += sorted(
-            {f"    {one.name}: {one.type_name}" for one in list(endpoints) if "/_" not in one.name}
-        )
+        lines += sorted({f"    {one.name}: {one.type_name}" for one in list(endpoints) if "/_" not in one.name})
     if node.remote:
         lines.append(f"  Runs elsewhere; heard at {node.remote}")
     if node.process is not None:

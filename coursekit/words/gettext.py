@@ -21,7 +21,7 @@ _LONGEST = 500
 """Letters of a sentence; what is longer holds something of the student's, and is shown as it is."""
 _DEEPEST = 3
 """A field's own words may have fields again."""
-_LEAST, _LEAST_INSIDE = 4, 10
+_LEAST, _LEAST_INSIDE = 4, 9
 """Letters outside of its fields that an entry needs, or it would stand for anything; more within another's field, which may
 hold what a student's program said."""
 

@@ -26,7 +26,7 @@ export default {
     const error = make("div", { className: "ck-error" });
     const table = make("div");
     body.append(table, error);
-    const titles = ["topic", "type", "publishers", "subscribers", "rate"];
+    const titles = [gettext("topic"), gettext("type"), gettext("publishers"), gettext("subscribers"), gettext("rate")];
     return listen(model, {
       shown({ rows }) {
         error.textContent = "";

@@ -1,6 +1,8 @@
 // The mean of the last values.
 #pragma once
+#include <cstddef>
 #include <deque>
+#include <cstddef>
 #include <numeric>
 
 namespace rcppmath
@@ -9,7 +11,7 @@ template<class T>
 class RollingMeanAccumulator
 {
 public:
-  explicit RollingMeanAccumulator(size_t rolling_window_size)
+  explicit RollingMeanAccumulator(std::size_t rolling_window_size)
   : size_(rolling_window_size) {}
   void accumulate(T value)
   {
@@ -22,7 +24,7 @@ public:
   T getRollingMean() const {return std::accumulate(values_.begin(), values_.end(), T{}) / values_.size();}
 
 private:
-  size_t size_;
+  std::size_t size_;
   std::deque<T> values_;
 };
 }  // namespace rcppmath

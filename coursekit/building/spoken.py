@@ -101,5 +101,5 @@ def update_words(language: str) -> str:
     made.metadata = {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
     for text, where in spoken().items():
         made.append(polib.POEntry(msgid=text, msgstr=old.get(text, ""), comment=where))
-    file.write_text(str(made).removeprefix("#\n") + "\n", encoding="utf-8")
+    file.write_text(str(made).removeprefix("#\n"), encoding="utf-8")
     return f"{file.name}: {len(made) - len(made.translated_entries())} of {len(made)} texts to translate"

@@ -22,7 +22,8 @@ def script(*names: str) -> str:
 
 def _words(source: str) -> dict[str, str]:
     """The words that a script says, in the course's language."""
-    return {text: said for text, said in words_of(language()).by_english.items() if f'gettext("{text}"' in source}
+    known = words_of(language()).by_english.items()
+    return {text: said for text, said in known if f"gettext({json.dumps(text, ensure_ascii=False)}" in source}
 
 
 def style(*names: str) -> str:

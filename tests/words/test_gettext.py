@@ -76,6 +76,7 @@ def test_a_verdict_in_spanish(in_spanish):
 def test_a_panel_takes_its_words_along(in_spanish):
     from coursekit.lab.panel import static
 
+    assert r'"look from \"{0}\"": "mirar desde \"{0}\""' in static("viewer.js", "viewer_views.js")
     assert '"Nothing logged yet.": "Todavía no se registra nada."' in static("log.js")
     assert "Nadie publica nada" not in static("log.js")  # another panel's
 

@@ -20,6 +20,9 @@ SCAN_HEIGHT = 0.175
 """Where the true world is cut when nothing else is said [m]."""
 _COLOURS = {"truth": "#16a34a", "odometry": "#ea7317", "SLAM": "#2563eb"}
 
+_INK = "#76828c"
+"""Of the scale: read on a light page and on a dark one."""
+
 
 class MapView:
     """A map that was received or read; shows itself. `grid` has its cells, `comparison` how good it is, if that is known."""
@@ -38,19 +41,24 @@ class MapView:
         return "\n".join(lines + ([str(self.comparison)] if self.comparison else []))
 
     def _repr_png_(self) -> bytes:
-        return self.png()
+        return self.png(paper="none")  # in a page that is light or dark
 
-    def png(self, width: float = 8.0) -> bytes:
-        """The picture, `width` inches wide: white free, black wall, grey unknown; the true walls in red."""
+    def png(self, width: float = 8.0, paper: str = "white") -> bytes:
+        """The picture, `width` inches wide: white free, black wall, grey unknown; the true walls in red.
+
+        `paper` is the colour around the map, "none" for what is behind it.
+        """
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
         left, right, low, high = _window(self.grid)
-        figure: Any = Figure(figsize=(width, max(1.5, width * (high - low) / (right - left))), dpi=110)
+        size = width, max(1.5, width * (high - low) / (right - left))
+        figure: Any = Figure(figsize=size, dpi=110, facecolor=paper)
         axes = figure.add_axes((0.06, 0.07, 0.93, 0.92))
         self._draw(axes)
         axes.set(xlim=(left, right), ylim=(low, high), aspect="equal")
-        axes.tick_params(labelsize=7)
+        axes.tick_params(labelsize=7, color=_INK, labelcolor=_INK)
+        axes.spines[:].set_color(_INK)
         file = io.BytesIO()
         FigureCanvasAgg(figure).print_png(file)
         return file.getvalue()

@@ -3,6 +3,7 @@
 #include "rclcpp/parameter.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/utilities.hpp"
+#include "rcutils/allocator.h"
 
 namespace rclcpp
 {
@@ -30,6 +31,7 @@ public:
   COURSEKIT_OPTION(QoS, clock_qos, ClockQoS())
   COURSEKIT_OPTION(QoS, parameter_event_qos, ParameterEventsQoS())
   COURSEKIT_OPTION(QoS, rosout_qos, RosoutQoS())
+  COURSEKIT_OPTION(rcl_allocator_t, allocator, rcl_get_default_allocator())
   COURSEKIT_OPTION(PublisherOptionsBase, parameter_event_publisher_options, {})
   template<class T>
   NodeOptions & append_parameter_override(const std::string & name, const T & value)

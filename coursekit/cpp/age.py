@@ -1,4 +1,4 @@
-"""Which state of the runtime a compiled program was linked with: one of another state speaks another language."""
+"""Which state of the runtime a compiled program or library was made for: one of another state speaks another language."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 from coursekit.files import in_order, read_bytes
 
 MARK = b"coursekit-runtime:"
-"""What stands before the key in every program; `src/link.cpp` has it, too."""
+"""What stands before the key in every program and every library that is loaded; `src/link.cpp` has it, too."""
 _LENGTH = 16
 _ROOM = Path(__file__).parent
 
@@ -21,6 +21,12 @@ def runtime_key() -> str:
         for path in in_order(path for path in (_ROOM / folder).rglob("*") if path.is_file()):
             seen.update(path.relative_to(_ROOM).as_posix().encode() + b"\0" + read_bytes(path))
     return seen.hexdigest()[:_LENGTH]
+
+
+def age_source() -> str:
+    """C++ that puts the mark and the key into a library."""
+    declared = 'extern "C" {extern __attribute__((visibility("default"))) const char coursekit_age[];}'
+    return f'{declared}\nconst char coursekit_age[] = "{MARK.decode()}{runtime_key()}";\n'
 
 
 def is_of_another_age(program: Path) -> bool:

@@ -13,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from coursekit.cpp.age import runtime_key
+from coursekit.cpp.age import age_source, runtime_key
 from coursekit.cpp.forwarded import write_forwarded
 from coursekit.cpp.headers import write_headers
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
@@ -72,6 +72,7 @@ def make_runtime(folder: Path, tools: Toolchain) -> None:
         write_headers(made / "include", known_interfaces())
         _write_configs(made)
         write_forwarded(made / "include")
+        (made / "age.cpp").write_text(age_source(), encoding="utf-8")
         _build_library(made, Path(name) / "build", tools)
         try:
             made.rename(folder)

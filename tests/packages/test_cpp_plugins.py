@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from coursekit.cpp.age import MARK
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from tests.needs import ON_WINDOWS
 from tests.packages.test_cpp_workspace import colcon, scripted, sourced
@@ -266,3 +267,12 @@ def test_a_component_is_loaded_from_its_library(workspace, by_name):
         "[INFO] [1700000000.100000000] [lathe]: turns",
         "Could not load library libk_missing.so:",
     ], said.stderr
+
+
+def test_a_library_of_another_version_is_not_loaded(workspace, tmp_path):
+    data, old = (workspace / "install/k_tools/lib/liblathe.so").read_bytes(), tmp_path / "liblathe.so"
+    at = data.index(MARK) + len(MARK)
+    old.write_bytes(data[:at] + b"0" * 16 + data[at + 16 :])
+    said = scripted(workspace, RUN.format(words=[str(old)])).stdout
+    assert f"Could not load library {old}: it was built by another version of coursekit than this program." in said
+    assert "Build its workspace again: `colcon build`." in said and "turns" not in said

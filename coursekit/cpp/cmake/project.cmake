@@ -62,7 +62,7 @@ endmacro()
 
 function(_coursekit_add_loadable target)
   set(loadable ${target}__loadable)
-  _add_library(${loadable} MODULE $<TARGET_OBJECTS:${target}>)
+  _add_library(${loadable} MODULE $<TARGET_OBJECTS:${target}> "${COURSEKIT_CPP}/age.cpp")
   set_target_properties(${loadable} PROPERTIES OUTPUT_NAME ${target} LINKER_LANGUAGE CXX)
   set_property(TARGET ${loadable} APPEND PROPERTY LINK_LIBRARIES $<TARGET_PROPERTY:${target},LINK_LIBRARIES>)
   if(APPLE)

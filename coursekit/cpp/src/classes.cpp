@@ -1,12 +1,14 @@
 // The classes that this program and the libraries it has loaded have.
+#include <fstream>
+#include <iterator>
 #include <map>
-#include <utility>
 #include <mutex>
+#include <utility>
 
 #include "ament_index_cpp/get_package_prefix.hpp"
 #include "class_loader/exceptions.hpp"
 #include "class_loader/registry.hpp"
-#include "system.hpp"
+#include "state.hpp"
 
 namespace class_loader::registry
 {
@@ -38,6 +40,15 @@ std::string found(const std::string & path)
   }
   return path;
 }
+/// Whether it was built here for another runtime than this one; a library of the system's does not say.
+bool is_of_another_age(const std::string & path)
+{
+  const std::string own = coursekit::age(), mark = own.substr(0, own.find(':') + 1);
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const size_t at = bytes.find(mark);
+  return at != bytes.npos && bytes.compare(at, own.size(), own) != 0;
+}
 }  // namespace
 
 bool enter(const std::string & base, const std::string & name, Maker maker)
@@ -51,9 +62,15 @@ void load(const std::string & path)
   if (path.empty() || known().loaded.count(path)) {
     return;
   }
+  const std::string file = found(path);
+  if (is_of_another_age(file)) {
+    throw LibraryLoadException(
+            "Could not load library " + path + ": it was built by another version of coursekit than this program. Build its "
+            "workspace again: `colcon build`.");
+  }
   std::string before = std::exchange(known().loading, path);
   std::string reason;
-  void * library = coursekit::load_library(found(path), reason);
+  void * library = coursekit::load_library(file, reason);
   known().loading = before;
   if (!library) {
     throw LibraryLoadException("Could not load library " + path + ": " + reason);

@@ -215,6 +215,8 @@ struct AtStart
 } at_start;
 }  // namespace
 
+const char * age() {return const_cast<const char *>(g_age);}
+
 Connection connect_to_session(Purpose purpose)
 {
   const char * address = getenv("COURSEKIT_LINK");

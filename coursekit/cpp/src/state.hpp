@@ -27,6 +27,8 @@ extern std::atomic<bool> g_stop;
 enum Purpose : char {MAIN = 'M', THREAD = 'T', WORKER = 'W', CONTROL = 'C'};
 /// Connect to the session; ends the program where it cannot.
 Connection connect_to_session(Purpose purpose);
+/// Which state of the runtime this is, behind a mark that ends with a colon.
+const char * age();
 /// Give the calling thread a connection that was made for it, before it asks anything.
 void use_connection(Connection connection);
 /// Wait until the session lets the calling thread begin.

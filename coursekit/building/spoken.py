@@ -10,6 +10,7 @@ from pathlib import Path
 import polib
 
 from coursekit.files import read_text
+from coursekit.lab.script import said_in
 from coursekit.words.gettext import FIELD, catalogue_of
 
 PACKAGE = Path(__file__).parents[1]
@@ -18,7 +19,6 @@ _CODE = re.compile(
     r"(run|launch|ros2|from|import|colcon|action|padding|var\(|<|#|--|-r|%|\^)|.*(\\|\(\^|\.\*|\(\[|\(\?|surrogatepass)"
 )
 """Texts that are no words: command lines, styles, patterns."""
-_OF_SCRIPT = re.compile(r'\bgettext\("((?:[^"\\]|\\.)*)"')
 
 
 def spoken() -> dict[str, str]:
@@ -36,7 +36,7 @@ def _all() -> Iterator[tuple[Path, Iterator[str]]]:
     for file in [*sorted(grade.glob("chapters/**/*.py")), *judges]:
         yield file, _of_judge(ast.parse(read_text(file)))  # part of what is translated where it is shown
     for file in sorted((PACKAGE / "lab" / "static").glob("*.js")):
-        yield file, (text.replace('\\"', '"') for text in _OF_SCRIPT.findall(read_text(file)))
+        yield file, said_in(read_text(file))
     for file in sorted(one for room in ("grade", "lab", "view") for one in (PACKAGE / room).rglob("*.py")):
         yield file, _of_calls(ast.parse(read_text(file)))
 
@@ -45,11 +45,7 @@ def _of_calls(tree: ast.Module) -> Iterator[str]:
     """What is given to gettext()."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "gettext":
-            yield from (
-                template(one)
-                for one in node.args
-                if isinstance(one, (ast.Constant, ast.JoinedStr)) and _words(template(one))
-            )
+            yield from filter(_words, (template(one) for one in node.args if isinstance(one, (ast.Constant, ast.JoinedStr))))
 
 
 def _of_judge(tree: ast.Module) -> Iterator[str]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 from coursekit.words.gettext import language, words_of
 
 _STATIC = Path(__file__).parent / "static"
 _EXPORT = "export default {"
+_SAID = re.compile(r'\bgettext\(("(?:[^"\\]|\\.)*")')
 
 
 def script(*names: str) -> str:
@@ -20,10 +23,19 @@ def script(*names: str) -> str:
     return f"const WORDS = {json.dumps(_words(whole), ensure_ascii=False)};\n{whole}"
 
 
+def said_in(source: str) -> Iterator[str]:
+    """The words that a script says, in English.
+
+    >>> list(said_in('title: gettext("look from \\\\"{0}\\\\"", one)'))
+    ['look from "{0}"']
+    """
+    return map(json.loads, _SAID.findall(source))
+
+
 def _words(source: str) -> dict[str, str]:
-    """The words that a script says, in the course's language."""
-    known = words_of(language()).by_english.items()
-    return {text: said for text, said in known if f"gettext({json.dumps(text, ensure_ascii=False)}" in source}
+    """The words that a script says, in the course's language; none where that is English."""
+    known = words_of(language()).by_english
+    return {text: known[text] for text in said_in(source) if text in known}
 
 
 def style(*names: str) -> str:
@@ -31,4 +43,4 @@ def style(*names: str) -> str:
     return "\n".join((_STATIC / name).read_text(encoding="utf-8") for name in names)
 
 
-__all__ = ["script", "style"]
+__all__ = ["said_in", "script", "style"]

@@ -1,5 +1,4 @@
 // Libraries and the program's file by the names that rcpputils gives them.
-#include <filesystem>
 #include <stdexcept>
 
 #include "rcpputils/env.hpp"
@@ -35,12 +34,7 @@ SharedLibrary::SharedLibrary(const std::string & library_path)
     throw std::runtime_error("Could not load library " + library_path + ": " + reason);
   }
 }
-SharedLibrary::~SharedLibrary()
-{
-  if (library_) {
-    coursekit::unload_library(library_);
-  }
-}
+SharedLibrary::~SharedLibrary() {unload_library();}
 void SharedLibrary::unload_library()
 {
   if (library_) {
@@ -54,10 +48,11 @@ bool SharedLibrary::has_symbol(const std::string & symbol_name)
 }
 void * SharedLibrary::get_symbol(const std::string & symbol_name)
 {
-  if (!has_symbol(symbol_name)) {
+  void * found = library_ ? coursekit::symbol_of(library_, symbol_name) : nullptr;
+  if (!found) {
     throw std::runtime_error("Could not find symbol '" + symbol_name + "' in the library '" + path_ + "'");
   }
-  return coursekit::symbol_of(library_, symbol_name);
+  return found;
 }
 std::string get_platform_library_name(const std::string & library_name, bool debug)
 {
@@ -85,10 +80,10 @@ std::string get_executable_name()
   if (path.empty()) {
     throw std::runtime_error("failed to get executable name");
   }
-  std::filesystem::path name = std::filesystem::path(path).filename();
 #ifdef _WIN32
-  name = name.stem();
+  return fs::path(path).stem().string();
+#else
+  return fs::path(path).filename().string();
 #endif
-  return name.string();
 }
 }  // namespace rcpputils

@@ -339,14 +339,15 @@ void rcutils_logging_set_output_handler(rcutils_logging_output_handler_t handler
 void rcutils_logging_console_output_handler(
   const rcutils_log_location_t * location, int severity, const char * name, int64_t, const char * format, va_list * args)
 {
-  va_list again;
+  va_list first, again;  // the caller's own stay as they are: another handler may read them, too
+  va_copy(first, *args);
   va_copy(again, *args);
-  std::string text(static_cast<size_t>(std::max(vsnprintf(nullptr, 0, format, *args), 0)) + 1, '\0');
+  std::string text(static_cast<size_t>(std::max(vsnprintf(nullptr, 0, format, first), 0)) + 1, '\0');
   vsnprintf(&text[0], text.size(), format, again);
   va_end(again);
+  va_end(first);
   text.pop_back();
+  const rcutils_log_location_t place = location ? *location : rcutils_log_location_t{"", "", 0};
   coursekit::Packer line = coursekit::Packer{}.s(name ? name : "").i(severity).s(text);
-  coursekit::note(
-    "log", location ? line.s(location->file_name).s(location->function_name).i(static_cast<int64_t>(location->line_number)) :
-    line.s("").s("").i(0));
+  coursekit::note("log", line.s(place.file_name).s(place.function_name).i(static_cast<int64_t>(place.line_number)));
 }

@@ -183,6 +183,12 @@ static void hear(const rcutils_log_location_t * where, int severity, const char 
   vsnprintf(line, sizeof(line), format, *args);
   heard += std::to_string(severity) + " " + name + " " + line + (where->line_number > 0 ? ";" : "?");
 }
+static void show_and_hear(
+  const rcutils_log_location_t * where, int severity, const char * name, int64_t time, const char * format, va_list * args)
+{
+  rcutils_logging_console_output_handler(where, severity, name, time, format, args);
+  hear(where, severity, name, time, format, args);
+}
 
 static void log_lines()
 {
@@ -194,6 +200,11 @@ static void log_lines()
   rcutils_logging_set_output_handler(before);
   RCLCPP_INFO(rclcpp::get_logger("ears"), "not heard");
   equal("lines for a handler of its own", heard, "30 ears 3 walls;20 console_bridge said elsewhere;");
+  heard.clear();
+  rcutils_logging_set_output_handler(show_and_hear);
+  RCLCPP_WARN(rclcpp::get_logger("ears"), "%d of %s", 5, "seven");
+  rcutils_logging_set_output_handler(before);
+  equal("the terminal's handler leaves the arguments to others", heard, "30 ears 5 of seven;");
 }
 
 int main(int argc, char ** argv)

@@ -15,10 +15,13 @@ from coursekit.words.gettext import FIELD, catalogue_of
 
 PACKAGE = Path(__file__).parents[1]
 _JUDGES = ("checking", "deaths", "outputs", "plain", "reader", "reading", "trial", "verdict", "work")
+_MARKING = ("examiner", "handing_in")
 _CODE = re.compile(
     r"(run|launch|ros2|from|import|colcon|action|padding|var\(|<|#|--|-r|%|\^)|.*(\\|\(\^|\.\*|\(\[|\(\?|surrogatepass)"
 )
 """Texts that are no words: command lines, styles, patterns."""
+_PLAIN = ("BadArgument", "NotNow", "NotThere")
+"""Errors that a notebook shows as two lines in the course's language."""
 
 
 def spoken() -> dict[str, str]:
@@ -32,9 +35,15 @@ def spoken() -> dict[str, str]:
 
 def _all() -> Iterator[tuple[Path, Iterator[str]]]:
     grade, view = PACKAGE / "grade", PACKAGE / "view"
-    judges = [*(grade / f"{name}.py" for name in _JUDGES), view / "graph_faults.py", view / "frame_facts.py"]
+    judges = [*(grade / f"{name}.py" for name in (*_JUDGES, *_MARKING)), view / "graph_faults.py", view / "frame_facts.py"]
+    judges += [*sorted(grade.glob("figures/*.py")), view / "scene_stage.py", view / "displays" / "silence.py"]
+    judges += [PACKAGE / "suggestions.py"]
     for file in [*sorted(grade.glob("chapters/**/*.py")), *judges]:
         yield file, _of_judge(ast.parse(read_text(file)))  # part of what is translated where it is shown
+    for file in sorted((PACKAGE / "lab").glob("*.py")):
+        yield file, _of_errors(ast.parse(read_text(file)))
+    displays = PACKAGE / "nodes" / "rviz" / "properties.py"
+    yield displays, _of_judge(_constants(ast.parse(read_text(displays)))["ABOUT"])
     for file in sorted((PACKAGE / "lab" / "static").glob("*.js")):
         yield file, said_in(read_text(file))
     for file in sorted(one for room in ("grade", "lab", "view") for one in (PACKAGE / room).rglob("*.py")):
@@ -48,7 +57,22 @@ def _of_calls(tree: ast.Module) -> Iterator[str]:
             yield from filter(_words, (template(one) for one in node.args if isinstance(one, (ast.Constant, ast.JoinedStr))))
 
 
-def _of_judge(tree: ast.Module) -> Iterator[str]:
+def _of_errors(tree: ast.Module) -> Iterator[str]:
+    """What errors of the lab say, also where a constant of their file has the words."""
+    constants = _constants(tree)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and ast.unparse(node.exc.func) in _PLAIN:
+            yield from _of_judge(node.exc)
+            for one in ast.walk(node.exc):
+                if isinstance(one, ast.Name) and isinstance(words := constants.get(one.id), ast.Constant):
+                    yield from _of_judge(words)
+
+
+def _constants(tree: ast.Module) -> dict[str, ast.expr]:
+    return {ast.unparse(one.targets[0]): one.value for one in tree.body if isinstance(one, ast.Assign)}
+
+
+def _of_judge(tree: ast.AST) -> Iterator[str]:
     """The sentences in a judge's source, which are its texts with a space, and the words that stand in some of them."""
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
     texts = [node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr))]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
+from coursekit.words.gettext import gettext
 
 from .exercise import all_exercises
 from .verdict import Verdict
@@ -75,10 +76,10 @@ class Progress:
         return found
 
     def __repr__(self) -> str:
-        lines = ["chapter  points"]
+        lines = [gettext("chapter  points")]
         for chapter, (points, of, _) in self.chapters().items():
             full = round(20 * points / of) if of else 0
-            lines.append(f"{chapter:<8} {points:>4g} of {of:<4g} {'█' * full}{'·' * (20 - full)}")
+            lines.append(f"{chapter:<8} {points:>4g} {gettext('of')} {of:<4g} {'█' * full}{'·' * (20 - full)}")
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
@@ -91,14 +92,15 @@ class Progress:
                 for name, title, got, most in exercises
             )
             rows.append(
-                f"<tr><td style='text-align:left'>{escape(chapter)}</td><td>{points:g} of {of:g}</td>"
+                f"<tr><td style='text-align:left'>{escape(chapter)}</td><td>{gettext(f'{points:g} of {of:g}')}</td>"
                 f"<td style='text-align:left'>{marks}</td></tr>"
             )
-        return f"<table><tr><th>chapter</th><th>points</th><th>exercises</th></tr>{''.join(rows)}</table>"
+        heads = "".join(f"<th>{one}</th>" for one in (gettext("chapter"), gettext("points"), gettext("exercises")))
+        return f"<table><tr>{heads}</tr>{''.join(rows)}</table>"
 
 
 def _told(name: str, title: str, got: float, most: float) -> str:
-    return escape(f"{name} {title}: {got:g} of {most:g}", quote=False)
+    return escape(f"{name} {gettext(title)}: {gettext(f'{got:g} of {most:g}')}", quote=False)
 
 
 def _colour(got: float, most: float) -> str:

@@ -109,8 +109,8 @@ def give_to(cell: str, process: Any) -> None:
 def _describe(one: Any) -> str:
     """A node by its name, a process as it was typed; one that the course started by a path has a name of its own."""
     if hasattr(one, "full_name"):
-        return f"node {one.full_name}"
-    return f"process {one.name if Path(one.argv[0]).is_absolute() else ' '.join(one.argv)}"
+        return gettext(f"node {one.full_name}")
+    return gettext(f"process {one.name if Path(one.argv[0]).is_absolute() else ' '.join(one.argv)}")
 
 
 def _end_one(one: Any) -> bool:

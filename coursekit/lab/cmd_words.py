@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import shutil
 
+from coursekit.words.gettext import gettext
+
 _NOT_NEEDED = "cells know what `%colcon build` has built, so leave it out"
 _INSTEAD = {
     "source": _NOT_NEEDED,
@@ -34,7 +36,7 @@ def hint(line: str) -> str:
     for part in _BETWEEN.split(line):
         word = (part.split() or [""])[0]
         if word in _INSTEAD and (word == "." or shutil.which(word) is None):
-            return f"`!` runs Windows' cmd, which has no `{word}`: {_INSTEAD[word]}."
+            return gettext(f"`!` runs Windows' cmd, which has no `{word}`: {_INSTEAD[word]}.")
     return ""
 
 

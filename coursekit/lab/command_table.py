@@ -15,6 +15,7 @@ from IPython.core.magic import Magics, cell_magic, magics_class
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import current
 from coursekit.systems.words import split_words
+from coursekit.words.gettext import gettext
 
 from .bundle import with_text
 from .cells import give_to, this_cell
@@ -87,7 +88,7 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
         self.button = ipywidgets.Button(
             icon="play",
             disabled=not row.runs,
-            tooltip="run it" if row.runs else "for a terminal: it changes the shell",
+            tooltip=gettext("run it") if row.runs else gettext("for a terminal: it changes the shell"),
             layout=ipywidgets.Layout(flex="0 0 36px", width="auto"),
         )
         self.button.on_click(self._run)
@@ -100,7 +101,7 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
         try:
             self.terminal = start(self.line.value, self._magics)
         except (LookupError, ValueError) as error:
-            self._below(ipywidgets.Label(str(error)))
+            self._below(ipywidgets.Label(gettext(str(error))))
             return
         give_to(self._cell, self.terminal.process)
         self._below(self.terminal)

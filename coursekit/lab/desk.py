@@ -65,7 +65,7 @@ class Desk:
         return next(({"image/png": one["image/png"]} for one in forms if "image/png" in one), {})
 
     def __repr__(self) -> str:
-        return "\n".join(["On the desk:", *map(repr, self.panels)]) if self.panels else NOTHING
+        return "\n".join([gettext("On the desk:"), *map(repr, self.panels)]) if self.panels else gettext(NOTHING)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if not self.panels or current().clock.virtual:

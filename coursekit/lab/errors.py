@@ -5,6 +5,8 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
+from coursekit.words.gettext import gettext
+
 _OURS = Path(__file__).parents[1]
 
 
@@ -15,7 +17,8 @@ class Plain(Exception):
         """IPython shows this instead of a traceback."""
         theirs = [one for one in traceback.extract_tb(self.__traceback__) if _OURS not in Path(one.filename).parents]
         called = theirs[-1].line if theirs else ""
-        return [f"{called}\n{self}" if called else str(self)]
+        said = gettext(str(self))
+        return [f"{called}\n{said}" if called else said]
 
 
 class BadArgument(Plain, ValueError):

@@ -7,6 +7,8 @@ from typing import Any
 
 import yaml
 
+from coursekit.words.gettext import gettext
+
 from .errors import BadArgument
 
 _WHOLE = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "octet", "byte", "char"}
@@ -94,10 +96,10 @@ def _value(field: dict[str, Any], value: Any, path: str) -> Any:
         return readers[control](value)
     except (ValueError, yaml.YAMLError):
         wanted = {
-            "whole": "a whole number",
-            "number": "a number",
-            "list": "a list such as [1, 2]",
-            "check": "true or false",
+            "whole": gettext("a whole number"),
+            "number": gettext("a number"),
+            "list": gettext("a list such as [1, 2]"),
+            "check": gettext("true or false"),
         }
         raise BadArgument(f"{path}: '{value}' is not {wanted[control]}") from None
 

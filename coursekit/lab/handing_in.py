@@ -103,10 +103,10 @@ class HandedIn:
         return gettext(f"Hand in: {self.file.name} ({points})")
 
     def __repr__(self) -> str:
-        return "\n".join([self._head(), *self.marked.notes, *(one.text() for one in self.marked.verdicts)])
+        return "\n".join([self._head(), *map(gettext, self.marked.notes), *(one.text() for one in self.marked.verdicts)])
 
     def _repr_html_(self) -> str:
-        notes = "".join(f"<p>{html.escape(note)}</p>" for note in self.marked.notes)
+        notes = "".join(f"<p>{html.escape(gettext(note))}</p>" for note in self.marked.notes)
         return f"<p><b>{html.escape(self._head())}</b></p>{notes}" + "".join(one.html() for one in self.marked.verdicts)
 
 
@@ -154,7 +154,7 @@ def _notebook(given: str | Path) -> Path:
     if len(found) == 1 and not given:
         return found[0].resolve()
     names = ", ".join(one.name for one in found) or "none"
-    raise FileNotFoundError(f'Which notebook? Say it: hand_in("02_topics.ipynb"). There are: {names}.')
+    raise FileNotFoundError(gettext(f'Which notebook? Say it: hand_in("02_topics.ipynb"). There are: {names}.'))
 
 
 def _expect_saved(file: Path) -> None:

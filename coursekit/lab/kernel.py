@@ -82,7 +82,7 @@ def _serve_terminals(session: Session) -> None:
     """Have the terminals of the domain: the notebook that is opened last has them, until a cell of another is run."""
     _state["server"] = serve(session, domain_id(), notebook_name(), take=True)
     if _state["server"] is None:
-        print("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor")
+        print(gettext("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor"))
 
 
 def notebook_name() -> str:
@@ -129,9 +129,9 @@ def reset() -> None:
     for graph in session.graphs.values():
         graph.clear()
     _forget_interpreter_contexts(session)
-    print(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty.")
+    print(gettext(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty."))
     if left:
-        print("The network was left. To join it again: %network ADDRESS")
+        print(gettext("The network was left. To join it again: %network ADDRESS"))
 
 
 def leave_network(session: Session) -> bool:

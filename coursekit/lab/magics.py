@@ -16,6 +16,7 @@ from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import current
 from coursekit.systems.letter_case import other_spelling
 from coursekit.systems.words import split_words
+from coursekit.words.gettext import gettext
 
 from .cells import adopt
 from .errors import NotThere
@@ -59,7 +60,7 @@ def edit(path: str, old: str, new: str) -> None:
     if Written(file).edit(old, new):
         print(f"{path}:", *(f"    {line}" for line in new.splitlines()), sep="\n")
     else:
-        print(f"{path}: this edit was made before, and the lines were changed since. They stay as they are.")
+        print(gettext(f"{path}: this edit was made before, and the lines were changed since. They stay as they are."))
 
 
 @magics_class
@@ -119,11 +120,12 @@ class CourseMagics(Magics):
         other = other_spelling(workspace() / name)
         if other:
             right = (Path(name).parent / other).as_posix()
-            print(f"Not written: {right} is there, and the same file on this computer. Type its name: %%write {right}")
+            same = f"Not written: {right} is there, and the same file on this computer. Type its name: %%write {right}"
+            print(gettext(same))
             return
         written = Written(workspace() / name)
         total = len((written.append(cell) if append else written.write(cell)).splitlines())
-        print(f"Wrote {workspace().name}/{name} ({total} lines)")
+        print(gettext(f"Wrote {workspace().name}/{name} ({total} lines)"))
 
     @line_magic
     def show(self, line: str) -> None:
@@ -213,7 +215,7 @@ def _end(process: Any) -> None:
     """Press Ctrl-C, and more if that does not help."""
     process.interrupt()
     if process.wait(5.0) is None:
-        print(f"{process.name} ignores Ctrl-C; it was terminated.")
+        print(gettext(f"{process.name} ignores Ctrl-C; it was terminated."))
         process.kill()
         process.wait(2.0)
 

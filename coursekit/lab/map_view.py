@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from coursekit.nav.map_file import GridMap, load_map
+from coursekit.words.gettext import gettext
 
 from .hidden import HiddenNode
 from .messages import listen
@@ -70,7 +71,7 @@ class MapView:
         extent = (x, x + columns * cell, y, y + rows * cell)
         axes.imshow(shades, cmap="gray", vmin=0, vmax=1, origin="lower", extent=extent, interpolation="nearest")
         if self.outline is not None:
-            axes.plot(*self.outline[::2].T, ".", color="#dc2626", markersize=0.6, label="true walls")
+            axes.plot(*self.outline[::2].T, ".", color="#dc2626", markersize=0.6, label=gettext("true walls"))
         for name, track in self.tour.tracks.items() if self.tour else ():
             if np.isfinite(track).any():
                 axes.plot(*track[:, :2].T, color=_COLOURS[name], linewidth=1.2, label=name)

@@ -12,6 +12,7 @@ from typing import Any
 from IPython.core.inputtransformer2 import TransformerManager
 
 from coursekit.files import read_text
+from coursekit.words.gettext import gettext
 
 
 def install(shell: Any) -> None:
@@ -35,8 +36,8 @@ def advice(name: str, cells: Iterable[str]) -> str:
     """
     if not any(name in _made_by(source) for source in cells):
         return ""
-    first = "After a restart run those above first: menu Run, Run All Above Selected Cell."
-    return f"`{name}` is made in another cell. {first}"
+    first = gettext("After a restart run those above first: menu Run, Run All Above Selected Cell.")
+    return gettext(f"`{name}` is made in another cell. {first}")
 
 
 def _made_by(source: str) -> Iterator[str]:

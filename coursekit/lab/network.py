@@ -12,6 +12,7 @@ from IPython.core.magic import Magics, line_magic, magics_class
 from coursekit.cli.attach import domain_id
 from coursekit.processes.session import current
 from coursekit.systems.words import split_words
+from coursekit.words.gettext import gettext
 
 from .errors import BadArgument
 
@@ -41,7 +42,7 @@ class NetworkMagics(Magics):
         if words.address is None:
             print(report(link_of(session, domain)))
         elif words.address == "off":
-            print("Left the network." if leave(session, domain) else "No network was joined.")
+            print(gettext("Left the network.") if leave(session, domain) else gettext("No network was joined."))
         else:
             try:
                 _join(words)
@@ -59,7 +60,7 @@ def _join(words: argparse.Namespace) -> None:
     user = words.user or asked.user
     password = asked.password if user == asked.user else ""
     if user and not password:
-        password = getpass.getpass(f"Password of {user}: ")
+        password = getpass.getpass(gettext(f"Password of {user}: "))
     credentials = Credentials(user, password, words.certificate or asked.certificate)
     sure = (lambda _moves: True) if words.yes else _confirmed
     address = words.address if words.address is not None else ""
@@ -68,11 +69,12 @@ def _join(words: argparse.Namespace) -> None:
 
 def _confirmed(moves: list[str]) -> bool:
     """Ask the user; where nobody can be asked, the answer is no."""
-    print("This would move a robot as soon as you join:", *(f"  {one}" for one in moves), sep="\n")
+    print(gettext("This would move a robot as soon as you join:"), *(f"  {one}" for one in moves), sep="\n")
     try:
-        return input("Is the robot's way free, and somebody at its stop button? Type yes to join: ").strip().lower() == "yes"
+        asked = gettext("Is the robot's way free, and somebody at its stop button? Type yes to join: ")
+        return input(asked).strip().lower() == "yes"
     except (EOFError, RuntimeError, NotImplementedError):
-        print("Nobody can be asked here. If you are sure: %network ADDRESS --yes")
+        print(gettext("Nobody can be asked here. If you are sure: %network ADDRESS --yes"))
         return False
 
 

@@ -10,6 +10,7 @@ import yaml
 from coursekit.cli.ask import full_name
 from coursekit.cli.param_text import type_name
 from coursekit.suggestions import did_you_mean
+from coursekit.words.gettext import gettext
 
 from .errors import NotThere
 from .hidden import appears
@@ -99,7 +100,7 @@ class ParameterPanel(Panel):
         """Set a parameter and print how it went; whether the node accepted it."""
         result = self.hidden.result(self._client.set_parameters([self._parameter(name, value)])).results[0]
         reason = f": {result.reason}" if result.reason else ""
-        print(f"{name} = {value}" if result.successful else f"{self.node_name} refused {name} = {value}{reason}")
+        print(f"{name} = {value}" if result.successful else gettext(f"{self.node_name} refused {name} = {value}{reason}"))
         return bool(result.successful)
 
     def _parameter(self, name: str, value: Any, typed: bool = False) -> Any:
@@ -175,7 +176,7 @@ class ParameterPanel(Panel):
         try:
             parameter = self._parameter(name, _typed(row, message.get("value")), typed=True)
         except (ValueError, TypeError, yaml.YAMLError):
-            self._refuse(name, f"'{message.get('value')}' is no {type_name(row.kind)}")
+            self._refuse(name, gettext(f"'{message.get('value')}' is no {type_name(row.kind)}"))
             return
         self._client.set_parameters([parameter], callback=lambda future: self._was_set(name, future))
 

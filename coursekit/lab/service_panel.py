@@ -7,6 +7,7 @@ from typing import Any
 from coursekit.cli.ask import full_name
 from coursekit.suggestions import did_you_mean
 from coursekit.view.graph_facts import nodes_at, take, types_of
+from coursekit.words.gettext import gettext
 
 from .errors import NotThere
 from .form import filled, schema
@@ -132,7 +133,7 @@ def _fields(message: Any) -> list[str]:
 
 
 def _answer(response: Any) -> str:
-    return as_yaml(response) if _fields(response) else "(done; the response has no fields)"
+    return as_yaml(response) if _fields(response) else gettext("(done; the response has no fields)")
 
 
 def service_caller(service: str = "") -> ServiceCaller:

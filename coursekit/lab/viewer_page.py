@@ -13,6 +13,7 @@ from coursekit.view.displays import Display
 from coursekit.view.looking import ORBIT
 from coursekit.view.picking import Picked, pick, told
 from coursekit.view.scene_stage import Stage
+from coursekit.words.gettext import gettext
 
 from .scene_panel import ScenePanel
 from .viewer_tools import Tools
@@ -35,7 +36,7 @@ class ViewerPage(ScenePanel):
         looking = {"frame": stage.looking.frame, "type": stage.looking.type, "views": [*stage.config.views]}
         return {
             "height": self.height_px, "fixed": stage.fixed_frame, "frames": sorted(stage.buffer.frames),
-            "told": self.tools.told, "level": level, "remark": text, "rows": [_row(one) for one in stage.displays],
+            "told": self.tools.told, "level": level, "remark": gettext(text), "rows": [_row(one) for one in stage.displays],
             "skipped": stage.config.skipped, "looking": looking, "picked": self._picked(),
         }  # fmt: skip
 
@@ -46,8 +47,7 @@ class ViewerPage(ScenePanel):
 
     def on_kinds(self, _message: dict[str, Any]) -> None:
         """The page wants to know what there may be: kinds, what each shows, and what can be changed of it."""
-        known = {name: {"about": ABOUT[name], "properties": [asdict(one) for one in properties(name)]} for name in KINDS}
-        self.tell(type="kinds", kinds=known)
+        self.tell(type="kinds", kinds={name: _known(name) for name in KINDS})
 
     def on_topics(self, _message: dict[str, Any]) -> None:
         """The page wants to know which topics could be shown."""
@@ -110,7 +110,7 @@ class ViewerPage(ScenePanel):
 
     def _save(self, name: str) -> None:
         self.save(name)
-        self.tools.told = f'Saved. Open it with viewer("{name}") or rviz2 -d {name}'
+        self.tools.told = gettext(f'Saved. Open it with viewer("{name}") or rviz2 -d {name}')
 
     def save(self, path: Any) -> None:
         """Write what is shown to a file."""
@@ -173,7 +173,7 @@ class ViewerPage(ScenePanel):
         try:
             does()
         except (ValueError, LookupError, TypeError, OSError) as error:
-            self.tools.told = str(error)
+            self.tools.told = gettext(str(error))
 
     def _row_of(self, message: dict[str, Any]) -> Display | None:
         return next((one for one in self.stage.displays if one.key == f"{message.get('row')}"), None)
@@ -183,8 +183,13 @@ def _finite(number: Any) -> bool:
     return isinstance(number, int | float) and math.isfinite(number)
 
 
+def _known(kind: str) -> dict[str, Any]:
+    """What one kind of display shows, and what can be changed of it."""
+    return {"about": gettext(ABOUT[kind]), "properties": [asdict(one) for one in properties(kind)]}
+
+
 def _row(one: Display) -> dict[str, Any]:
-    lines = [{"what": what, "level": level, "text": text} for what, (level, text) in one.statuses.items()]
+    lines = [{"what": what, "level": level, "text": gettext(text)} for what, (level, text) in one.statuses.items()]
     config, kind = one.config, KINDS[one.kind]
     shown = {"row": one.key, "name": config.name, "kind": config.kind, "topic": config.topic if kind.type else None}
     state = {"on": config.enabled, "level": one.level, "lines": lines if config.enabled else []}

@@ -140,7 +140,8 @@ class Stream:
         if not (self._fitted or whole):
             return None
         anew, self._anew = self._anew, False
-        return {**stage.camera().as_dict(), "anew": anew}
+        camera = stage.camera()
+        return {**camera.as_dict(), "flat": camera.flat, "anew": anew}
 
     def _tell_list(self) -> None:
         now = self.panel.session.clock.steady()

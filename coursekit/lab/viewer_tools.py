@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from coursekit.view.scene_stage import Stage
+from coursekit.words.gettext import gettext
 
 COVARIANCE = {0: 0.25, 7: 0.25, 35: (math.pi / 12) ** 2}
 """Of 2D Pose Estimate: half a metre and fifteen degrees."""
@@ -68,7 +69,7 @@ class Tools:
         if topic not in self._publishers:
             self._publishers[topic] = self.node.create_publisher(type(msg), topic, 1)
         self._publishers[topic].publish(msg)
-        self.told = f"{topic}: {words} in {self.stage.fixed_frame}"
+        self.told = gettext(f"{topic}: {words} in {self.stage.fixed_frame}")
 
 
 def _fill(pose: Any, x: float, y: float, yaw: float) -> None:

@@ -34,10 +34,11 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
         elif not _wait_for(session, full_name(until), seconds, timeout_sec):
             if _nobody_runs(session):
                 raise NotNow(gettext(f"Nothing publishes {until}: no program runs. Run the cells above that start them."))
-            raise TimeoutError(
+            said = gettext(
                 f"No message came on {until} within {timeout_sec:g} s. {_failed()}`graph()` shows its publishers; "
                 "the terminals show what the programs printed."
             )
+            raise TimeoutError(said)
 
 
 def _nobody_runs(session: Session) -> bool:
@@ -50,7 +51,7 @@ def _nobody_runs(session: Session) -> bool:
 
 def _failed() -> str:
     """The terminals whose programs ended with an error, as a sentence each."""
-    return "".join(f"{shown.title} ended with {shown.state}. " for shown in failed())
+    return "".join(gettext(f"{shown.title} ended with {shown.state}. ") for shown in failed())
 
 
 def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:

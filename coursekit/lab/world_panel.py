@@ -10,6 +10,7 @@ from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.nodes.gazebo.simulators import Simulator, simulators
 from coursekit.sim import Prism, Thing, WorldError
 from coursekit.view.world_scene import WorldScene
+from coursekit.words.gettext import gettext
 
 from .errors import BadArgument
 from .panel import static
@@ -197,11 +198,10 @@ class WorldView(ScenePanel):
         try:
             does()
         except (LookupError, WorldError, BadArgument, ValueError) as error:
-            self._say(str(error.args[0]))
+            self._say(gettext(str(error.args[0])))
 
     def _say(self, text: str) -> None:
         self._said = text
-
 
 
 def _floor(message: dict[str, Any]) -> tuple[float, float]:

@@ -9,6 +9,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from coursekit.words.gettext import gettext
+
 from .cells import run_number, this_cell
 from .changes import appended, edited, undone
 from .errors import NotNow, NotThere
@@ -71,7 +73,7 @@ class Written:
             text = undone(text, old, former[3])
         changed = edited(text, old, new)
         if changed is None and not any(one[2:] == [old, new] for one in self.edits):
-            missing = f"{self.path.name} does not contain {old!r}."
+            missing = gettext(f"{self.path.name} does not contain {old!r}.")
             raise NotThere(f"{missing} Were the cells above run? Print it with: %show {self._shown()}")
         if former:
             self.edits.remove(former)
@@ -98,8 +100,12 @@ class Written:
 
 def _cure(error: OSError) -> str:
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        return "The file is as it was. Make room (build/ and log/ of a workspace can be deleted), then run the cell again."
-    return "Is the folder yours to write in? `coursekit lab --folder ~/course` makes a copy of the course elsewhere."
+        return gettext(
+            "The file is as it was. Make room (build/ and log/ of a workspace can be deleted), then run the cell again."
+        )
+    return gettext(
+        "Is the folder yours to write in? `coursekit lab --folder ~/course` makes a copy of the course elsewhere."
+    )
 
 
 def _write(path: Path, text: str) -> None:

@@ -10,15 +10,16 @@ from html import escape
 
 import numpy as np
 
+from coursekit.words.gettext import gettext
+
 from .figure import FARTHEST, Arrow, Cells, Dots, Figure, Line, Mover, Panel, Point, Shape, View, Words, drawable, view_of
-from .figure_motion import BOX, moving
+from .figure_motion import box, moving
 from .figure_style import style
 
 WIDTHS = {1: 520.0, 2: 350.0, 3: 250.0}
 """Of a panel, by how many there are [pixels]."""
 TALLEST, CHART = 340.0, 210.0
 RIGHT, MOST_RINGS = 18, 24
-WRONG = "what is wrong"
 
 
 def html(figure: Figure) -> str:
@@ -27,8 +28,8 @@ def html(figure: Figure) -> str:
     panels = "".join(_panel(one, wide) for one in figure.panels)
     legend = "".join(_legend(figure))
     return (
-        f'<figure class="ck-drawn"><style>{style()}</style>{BOX if "mover" in panels else ""}'
-        f'<div class="drawn-parts" role="img" aria-label="{escape(figure.alt)}">{panels}</div>'
+        f'<figure class="ck-drawn"><style>{style()}</style>{box() if "mover" in panels else ""}'
+        f'<div class="drawn-parts" role="img" aria-label="{escape(gettext(figure.alt))}">{panels}</div>'
         f"{f'<figcaption>{legend}</figcaption>' if legend else ''}</figure>"
     )
 
@@ -44,7 +45,7 @@ def _panel(panel: Panel, wide: float) -> str:
     inner += "".join(_movers([one for one in panel.shapes if isinstance(one, Mover)], frame))
     grid = "".join(_grid(view, frame, panel.axes)) if panel.axes else ""
     rings = "".join(_ring(at, frame) for at in drawable(panel.rings)[:MOST_RINGS])
-    title = f'<p class="drawn-title">{escape(panel.title)}</p>' if panel.title else ""
+    title = f'<p class="drawn-title">{escape(gettext(panel.title))}</p>' if panel.title else ""
     size = f'width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
     return f'<div class="drawn-part">{title}<svg {size} aria-hidden="true">{back}{grid}{inner}{rings}</svg></div>'
 
@@ -151,7 +152,8 @@ def _arrow(arrow: Arrow, frame: _Frame) -> str:
 def _words(words: Words, frame: _Frame) -> str:
     x, y = frame.at(words.x, words.y)
     side, shift = ("end", -8) if words.before or x > frame.width - 60 else ("start", 8)
-    return f'<text class="{words.kind}" x="{_n(x + shift)}" y="{_n(y + 4)}" text-anchor="{side}">{escape(words.text)}</text>'
+    text = escape(gettext(words.text))
+    return f'<text class="{words.kind}" x="{_n(x + shift)}" y="{_n(y + 4)}" text-anchor="{side}">{text}</text>'
 
 
 def _ring(place: Point, frame: _Frame) -> str:
@@ -171,8 +173,8 @@ def _grid(view: View, frame: _Frame, names: tuple[str, str]) -> Iterator[str]:
         x, y = frame.at(value, low)
         yield f'<text class="ink" x="{_n(x)}" y="{_n(y + 14)}" text-anchor="middle">{value:g}</text>'
     x, y = frame.width - RIGHT, frame.height - 5
-    yield f'<text class="ink" x="{_n(x)}" y="{_n(y)}" text-anchor="end">{escape(names[0])}</text>'
-    yield f'<text class="ink" x="6" y="13">{escape(names[1])}</text>'
+    yield f'<text class="ink" x="{_n(x)}" y="{_n(y)}" text-anchor="end">{escape(gettext(names[0]))}</text>'
+    yield f'<text class="ink" x="6" y="13">{escape(gettext(names[1]))}</text>'
 
 
 def _ticks(low: float, high: float, most: int) -> list[float]:
@@ -193,9 +195,9 @@ def _legend(figure: Figure) -> Iterator[str]:
     for sign, kind, label in itertools.chain.from_iterable(map(_keys, (one for p in figure.panels for one in p.shapes))):
         if label and label not in seen:
             seen.add(label)
-            yield f'<span class="drawn-key"><i class="{sign} {kind}"></i>{escape(label)}</span>'
+            yield f'<span class="drawn-key"><i class="{sign} {kind}"></i>{escape(gettext(label))}</span>'
     if any(panel.rings for panel in figure.panels):
-        yield f'<span class="drawn-key"><i class="round"></i>{WRONG}</span>'
+        yield f'<span class="drawn-key"><i class="round"></i>{gettext("what is wrong")}</span>'
 
 
 def _keys(shape: Shape) -> Iterator[tuple[str, str, str]]:

@@ -5,12 +5,18 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 
+from coursekit.words.gettext import gettext
+
 Point = tuple[float, float]
 MOST_STEPS = 400
 """Of longer ways every so-manieth place is kept."""
 TICK, SHORTEST, LONGEST = 0.15, 4.0, 30.0
 """Seconds for each tick, and for the whole way at least and at most."""
-BOX = '<label class="drawn-play"><input type="checkbox">see them move</label>'
+
+
+def box() -> str:
+    """What the reader ticks to see them move."""
+    return f'<label class="drawn-play"><input type="checkbox">{gettext("see them move")}</label>'
 
 
 def moving(places: Sequence[Point], kind: str, ticks: int) -> str:
@@ -45,4 +51,4 @@ def _straight(before: tuple[int, Point], one: tuple[int, Point], after: tuple[in
     return all(abs(there - here) < 0.05 for there, here in zip(wish, one[1], strict=True))
 
 
-__all__ = ["BOX", "moving"]
+__all__ = ["box", "moving"]

@@ -99,13 +99,11 @@ def _things(facts: Facts, view: str, services: bool, actions: bool) -> Iterator[
             lonely = kind == "topic" and not (left and right)
             note = ", ".join(types_of(name, sources, targets))
             if lonely:
-                note += " · no subscriber" if left else " · no publisher"
+                note += gettext(" · no subscriber") if left else gettext(" · no publisher")
             yield Thing(kind, name, note, group(name), dashed=lonely or not right)
 
 
-def _kinds(
-    facts: Facts, services: bool, actions: bool
-) -> list[tuple[str, list[str], Sequence[End], Sequence[End]]]:
+def _kinds(facts: Facts, services: bool, actions: bool) -> list[tuple[str, list[str], Sequence[End], Sequence[End]]]:
     found: list[tuple[str, list[str], Sequence[End], Sequence[End]]] = [
         ("topic", facts.topics, facts.publishers, facts.subscriptions)
     ]
@@ -168,7 +166,7 @@ def _drawing(layout: Layout, things: dict[str, Thing], links: list[Link], faults
     for link, route in zip(links, layout.routes, strict=True):
         _draw_labels(drawing, link, route)
     if not things:
-        drawing.add(Text(110, 35, "The graph is empty: no node runs.", CURE_SIZE, GREY, "middle"))
+        drawing.add(Text(110, 35, gettext("The graph is empty: no node runs."), CURE_SIZE, GREY, "middle"))
     _draw_faults(drawing, faults)
     return drawing
 
@@ -181,9 +179,7 @@ def _draw_thing(drawing: Drawing, thing: Thing, layout: Layout) -> None:
     radius = box.height / 2 if thing.kind == "node" else 6.0
     stroke = RED if thing.badges else line
     shapes: list[Rect | Text | Curve] = [
-        Rect(
-            left, top, box.width, box.height, radius, fill, stroke, 1.4, thing.dashed, kind=f"ck-{thing.kind}"
-        ),
+        Rect(left, top, box.width, box.height, radius, fill, stroke, 1.4, thing.dashed, kind=f"ck-{thing.kind}"),
         Text(
             x,
             y + (-2 if thing.note else 4.5),
@@ -237,9 +233,7 @@ def _draw_faults(drawing: Drawing, faults: Sequence[Fault]) -> None:
         drawing.add(*_badge(22, y, number))
         for text, ink, bold in ((gettext(fault.text), RED, True), (gettext(fault.cure), "#3d4a55", False)):
             for line in textwrap.wrap(text, columns, break_long_words=False):
-                drawing.add(
-                    Text(40, y + 4, line, CURE_SIZE, ink, bold=bold, kind="ck-fault" if bold else "ck-cure")
-                )
+                drawing.add(Text(40, y + 4, line, CURE_SIZE, ink, bold=bold, kind="ck-fault" if bold else "ck-cure"))
                 y += 17
         y += 8
     drawing.height = y + 4

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from coursekit.nodes.rviz.config import make_view
+from coursekit.nodes.rviz.config import FLAT, going_with, make_view
 from coursekit.suggestions import did_you_mean
 
 from .displays import NoTransform
@@ -49,7 +49,7 @@ class Looking:
         place = self.place() or (0.0, 0.0, 0.0, 0.0)
         x, y = _turned(view["target"][:2], place[3])
         target = place[0] + x, place[1] + y, place[2] + view["target"][2]
-        return Camera(view["distance"], view["yaw"] + place[3], view["pitch"], target)
+        return Camera(view["distance"], view["yaw"] + place[3], view["pitch"], target, self.type == FLAT)
 
     def move(self, given: Mapping[str, Any]) -> None:
         """A hand has moved the camera to distance, yaw, pitch and target of the fixed frame. Raises ValueError."""
@@ -57,9 +57,14 @@ class Looking:
         self.moved = self._in_frame(make_view(numbers) or {})
 
     def follow(self, frame: str, type_: str = ORBIT) -> None:
-        """Look at a frame and go with it, '' at what stands still; a ThirdPersonFollower turns with it, too."""
+        """Look at a frame and go with it, '' at what stands still; a ThirdPersonFollower turns with it, too.
+
+        A TopDownOrtho looks straight down, x to the right.
+        """
         now = self.stage.camera().as_dict()
         self.frame, self.type = frame, type_
+        if type_ == FLAT:
+            now |= {"yaw": -math.pi / 2, "pitch": math.pi / 2}
         self.moved = self._in_frame(now)
         if frame:
             self.moved["target"] = [0.0, 0.0, 0.0]
@@ -74,13 +79,12 @@ class Looking:
 
     def view(self) -> dict[str, Any] | None:
         """What a file keeps of it."""
-        follows = {"target_frame": self.frame, "type": self.type} if self.frame else {}
-        return {**self.moved, **follows} if self.moved else self.stage.config.view
+        return {**self.moved, **going_with(self.frame, self.type)} if self.moved else self.stage.config.view
 
     def save(self, name: str) -> None:
         """Keep where one looks from under a name."""
-        follows = {"target_frame": self.frame, "type": self.type} if self.frame else {}
-        self.stage.config.views[name] = {**self._in_frame(self.stage.camera().as_dict()), **follows}
+        now = self._in_frame(self.stage.camera().as_dict())
+        self.stage.config.views[name] = {**now, **going_with(self.frame, self.type)}
 
     def use(self, name: str) -> None:
         """Look from where it was saved; LookupError names what there is."""

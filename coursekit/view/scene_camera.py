@@ -13,6 +13,8 @@ from .scene import Scene
 FIELD = math.radians(45)
 """Height of what is seen, as an angle"""
 NEAR = 0.02
+AFAR = 30.0
+"""So many times further away, and narrower by as much, a camera sees parallel lines as parallel to the eye."""
 
 
 @dataclass(frozen=True)
@@ -23,12 +25,19 @@ class Camera:
     yaw: float = 0.9
     pitch: float = 0.5
     target: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    flat: bool = False
+    """As a map shows it: what is far away is as large as what is near."""
+
+    @property
+    def stretch(self) -> float:
+        """How many times further away it really is."""
+        return AFAR if self.flat else 1.0
 
     def eye(self) -> np.ndarray:
         """Where it is."""
         flat = math.cos(self.pitch)
         way = [flat * math.cos(self.yaw), flat * math.sin(self.yaw), math.sin(self.pitch)]
-        return np.array(self.target) + self.distance * np.array(way)
+        return np.array(self.target) + self.distance * self.stretch * np.array(way)
 
     def seen(self, points: np.ndarray) -> np.ndarray:
         """Points (n, 3) as right, up and depth [m] seen from it."""

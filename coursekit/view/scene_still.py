@@ -26,7 +26,7 @@ class Still:
     def __init__(self, camera: Camera, width: int = 640, height: int = 400) -> None:
         self.camera = camera
         self.width, self.height = width * FINE, height * FINE
-        self.zoom = self.height / 2 / math.tan(FIELD / 2)
+        self.zoom = camera.stretch * self.height / 2 / math.tan(FIELD / 2)
         steps = np.linspace(0.0, 1.0, self.height)[:, None, None]
         flat = np.array(_TOP) * (1 - steps) + np.array(_BOTTOM) * steps
         self.image = np.ascontiguousarray(np.broadcast_to(flat, (self.height, self.width, 3)).round().astype(np.uint8))

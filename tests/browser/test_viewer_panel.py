@@ -210,6 +210,28 @@ def test_the_camera_goes_with_a_frame_and_views_are_kept(panel, picture):
     assert json.loads(opened.ask("import json; print(json.dumps(shown.views))")) == ["at the robot"]
 
 
+def test_from_straight_above_parallel_lines_stay_parallel_and_tools_hit_the_floor(panel, picture):
+    page = panel.page
+    panel.get_by_role("button", name="Views").click()
+    views = panel.get_by_role("dialog", name="Views")
+    views.get_by_label("Type").select_option("TopDownOrtho")
+    page.wait_for_function("() => document.querySelector('.ck-viewer').viewer.flat", timeout=20_000)
+    where = "(at) => { const { x, y } = document.querySelector('.ck-viewer').viewer.pixel(at); return [x, y]; }"
+    (low, high), ahead = (page.evaluate(where, [1.0, 0.0, z]) for z in (0.0, 1.0)), page.evaluate(where, [0.0, 1.0, 0.0])
+    middle = page.evaluate(where, [0.0, 0.0, 0.0])
+    wide = low[0] - middle[0]
+    assert wide > 20 and abs(low[1] - middle[1]) < 1, "x is to the right"
+    assert abs(low[0] - high[0]) < 0.02 * wide, "height moves nothing"
+    assert middle[1] - ahead[1] == pytest.approx(wide, rel=0.01) and abs(ahead[0] - middle[0]) < 1, "y is up"
+    picture(panel, "viewer_above")
+    panel.get_by_role("button", name="Views").click()
+    panel.get_by_role("button", name="Focus").click()
+    click_floor(panel, 1.5, -0.5)
+    looks_at(page, 1.5, -0.5)
+    panel.get_by_role("button", name="Reset view").click()
+    page.wait_for_function("() => !document.querySelector('.ck-viewer').viewer.flat", timeout=20_000)
+
+
 def test_a_camera_that_was_moved_is_kept_over_a_reload(panel):
     page, opened = panel.page, panel.opened
     panel.get_by_role("button", name="Focus").click()

@@ -2,9 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from coursekit.lab.viewer import viewer
+from coursekit.view.scene_still import Still
 from tests.lab.viewer_stage import frame
 
 
@@ -104,3 +106,24 @@ def test_views_are_kept_used_and_forgotten(session, talker, page):
     assert panel.views == ["robot"]
     with pytest.raises(LookupError, match="There are: robot"):
         panel.look("near")
+
+
+def test_from_straight_above_what_is_high_is_as_large_as_what_is_low(session, page):
+    panel = viewer(fixed_frame="map", displays=["Grid"], view={"distance": 4.0, "pitch": 0.3, "target": [1.0, 2.0, 0.0]})
+    does = page(panel)
+    does("open")
+    does("follow", frame="", kind="TopDownOrtho")
+    camera = panel.stage.camera()
+    assert camera.flat and camera.pitch == pytest.approx(math.pi / 2) and camera.target == (1.0, 2.0, 0.0)
+    still = Still(camera, 640, 400)
+    low, high, ahead = still._pixels(camera.seen(np.array([[2.0, 2.0, 0.0], [2.0, 2.0, 1.0], [1.0, 3.0, 0.0]])))
+    assert np.abs(low - high).max() < 0.01 * np.abs(low - [640, 400]).max(), "height moves nothing"
+    assert low[0] > 640 and low[1] == pytest.approx(400), "x is to the right"
+    assert ahead[1] < 400 and ahead[0] == pytest.approx(640), "y is up"
+    session.clock.sleep(0.5)
+    assert [one for one in does.heard if one["type"] == "scene"][-1]["view"]["flat"]
+    does("view", does="save", name="above")
+    does("home")
+    assert not panel.stage.camera().flat
+    does("view", does="use", name="above")
+    assert panel.stage.camera().flat and panel.stage.config.views["above"]["type"] == "TopDownOrtho"

@@ -70,12 +70,23 @@ def test_saved_views_and_their_frames_are_read_back(name, tmp_path):
     assert again.views["behind"]["type"] == "ThirdPersonFollower"
 
 
+def test_a_view_from_straight_above_has_the_fields_that_rviz_gives_it(tmp_path):
+    above = {"type": "TopDownOrtho", "distance": 6.0, "yaw": -math.pi / 2, "target": [1.0, 2.0, 0.0]}
+    config = make_config("map", ["Grid"], above)
+    save(config, tmp_path / "view.rviz")
+    current = yaml.safe_load((tmp_path / "view.rviz").read_text())["Visualization Manager"]["Views"]["Current"]
+    assert current["Class"] == "rviz_default_plugins/TopDownOrtho"
+    assert (current["Scale"], current["Angle"], current["X"], current["Y"]) == (100.0, 0.0, 1.0, 2.0)
+    assert "Pitch" not in current and "Focal Point" not in current
+    assert read(tmp_path / "view.rviz").view == config.view and config.view["pitch"] == math.pi / 2
+
+
 @pytest.mark.parametrize(
     "view, text",
     [
         ({"target": [1.0]}, "three numbers"),
         ({"distance": math.inf}, "a number that is none"),
-        ({"type": "Fly"}, "there are Orbit, ThirdPersonFollower"),
+        ({"type": "Fly"}, "there are Orbit, ThirdPersonFollower, TopDownOrtho"),
     ],
 )
 def test_a_view_that_cannot_be_is_refused(view, text):

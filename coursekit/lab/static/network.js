@@ -36,8 +36,8 @@ export default {
         }
         state.className = `ck-state ${now.up ? "ck-up" : "ck-error"}`;
         const only = now.listenOnly ? gettext(", you only listen") : "";
-        state.textContent = now.up ? `${now.address}, domain ${now.domain}: joined${only}`
-          : `${now.address}: the link is gone; it is tried again`;
+        state.textContent = now.up ? gettext("{0}, domain {1}: joined{2}", now.address, now.domain, only)
+          : gettext("{0}: the link is gone; it is tried again", now.address);
         const notes = now.notes.map((text) => make("div", { className: "ck-error", textContent: text }));
         body.replaceChildren(others(now.others), traffic(gettext("Heard"), now.heard, gettext("Nothing yet: what nobody here asks for is not sent.")),
           traffic(gettext("Sent"), now.sent, gettext("Nothing yet.")), ...notes);

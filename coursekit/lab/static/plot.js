@@ -52,7 +52,7 @@ export default {
       slider.value = shownTo();
       live.hidden = !isLive || follow;
       const to = shownTo(), from = to - width;
-      when.textContent = follow && isLive ? `now, ${to.toFixed(1)} s` : `${to.toFixed(1)} of ${now.toFixed(1)} s`;
+      when.textContent = follow && isLive ? gettext("now, {0} s", to.toFixed(1)) : gettext("{0} of {1} s", to.toFixed(1), now.toFixed(1));
       paint(from, to);
     }
 

@@ -1,5 +1,8 @@
 // A scene in 3D: MeshCat draws what Python sends; this adds labels, the camera, and where the pointer is on the floor.
 const FIELD = 45;
+const AFAR = 30; // so many times further away, and narrower by as much, a camera sees parallel lines as parallel
+const tan = (degrees) => Math.tan((degrees * Math.PI) / 360);
+const NARROW_FIELD = (Math.atan(tan(FIELD) / AFAR) * 360) / Math.PI;
 const REACH = 6; // pixels beside a dot or a line that still hit it
 
 // MeshCat's own code, once per page: Python sends it, it is not part of any widget's state.
@@ -33,8 +36,7 @@ class Scene {
     dotsStaySeen(library.THREE);
     this.shadows = new Shadows(library.THREE, view);
     this.after = []; // called when a picture was drawn
-    view.camera.fov = FIELD;
-    view.camera.far = 500;
+    this.flatten(false);
     const resize = view.set_3d_pane_size.bind(view), size = new library.THREE.Vector2(1, 1);
     view.set_3d_pane_size = () => {
       if (!pane.clientWidth) return;
@@ -104,7 +106,7 @@ class Scene {
 
   placeTexts() {
     const { dom_element: pane } = this.view;
-    const zoom = pane.clientHeight / 2 / Math.tan((FIELD * Math.PI) / 360);
+    const zoom = pane.clientHeight / 2 / tan(this.view.camera.fov);
     const names = [], large = [];
     for (const text of this.texts.values()) {
       const { element, of, height } = text;
@@ -131,12 +133,23 @@ class Scene {
   // Where a point [x, y, z] of the fixed frame is in the picture.
   pixel([x, y, z]) { return this.onScreen(this.vector().set(x, z, -y)); }
 
+  // As a map shows it, far things as large as near ones and from straight above; or as an eye sees it.
+  flatten(flat) {
+    const { camera, controls } = this.view;
+    this.flat = flat;
+    this.stretch = flat ? AFAR : 1;
+    camera.fov = flat ? NARROW_FIELD : FIELD;
+    camera.far = 500 * this.stretch;
+    controls.maxPolarAngle = flat ? 1e-3 : Math.PI;
+  }
+
   // MeshCat's world has y up: (x, y, z) of ROS is (x, z, -y) there.
-  look({ distance, yaw, pitch, target: [x, y, z] }) {
-    const flat = Math.cos(Math.min(pitch, Math.PI / 2 - 1e-3)), high = Math.sin(pitch);
+  look({ distance, yaw, pitch, target: [x, y, z], flat = false }) {
+    this.flatten(flat);
+    const away = distance * this.stretch, along = away * Math.cos(Math.min(pitch, Math.PI / 2 - 1e-3));
     const { camera, controls } = this.view;
     controls.target.set(x, z, -y);
-    camera.position.set(x + distance * flat * Math.cos(yaw), z + distance * high, -(y + distance * flat * Math.sin(yaw)));
+    camera.position.set(x + along * Math.cos(yaw), z + away * Math.sin(pitch), -(y + along * Math.sin(yaw)));
     camera.updateProjectionMatrix();
     controls.update();
     this.view.set_3d_pane_size();
@@ -148,7 +161,7 @@ class Scene {
     const { camera, controls } = this.view;
     const { x, y, z } = camera.position.clone().sub(controls.target), distance = Math.hypot(x, y, z);
     const at = controls.target;
-    return { distance, yaw: Math.atan2(-z, x), pitch: Math.asin(y / distance), target: [at.x, -at.z, at.y] };
+    return { distance: distance / this.stretch, flat: this.flat, yaw: Math.atan2(-z, x), pitch: Math.asin(y / distance), target: [at.x, -at.z, at.y] };
   }
 
   // The camera stays where it is and looks at a point; from now on it turns about that.
@@ -183,7 +196,7 @@ class Scene {
     const at = { x: ((event.clientX - box.left) / box.width) * 2 - 1, y: 1 - ((event.clientY - box.top) / box.height) * 2 };
     camera.updateMatrixWorld();
     this.rays.setFromCamera(at, camera);
-    const near = (REACH / box.height) * 2 * Math.tan((FIELD * Math.PI) / 360) * camera.position.distanceTo(controls.target);
+    const near = (REACH / box.height) * 2 * tan(camera.fov) * camera.position.distanceTo(controls.target);
     this.rays.params.Points.threshold = this.rays.params.Line.threshold = near;
     const numbers = new Map(Object.entries(this.view.scene_tree.find(["scene"]).children).map(([number, node]) => [node.object, number]));
     for (const { object, point } of this.rays.intersectObjects([...numbers.keys()], true)) {

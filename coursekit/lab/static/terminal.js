@@ -101,7 +101,7 @@ export default {
       screen.add(message.text);
       if (atEnd || message.whole) element.scrollTop = element.scrollHeight;
       part("title").title = message.command;
-      part("state").textContent = STATES[message.state] ?? message.state;
+      part("state").textContent = STATES[message.state] ?? gettext("exit code {0}", message.state.replace("exit code ", ""));
       panel.dataset.again = message.again;
       const calm = ["finished", "exit code -2"].includes(message.state);
       panel.dataset.state = message.state === "running" ? "running" : calm ? "ok" : "failed";

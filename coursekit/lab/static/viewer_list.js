@@ -106,7 +106,7 @@ class DisplayList {
     this.wrong.className = `ck-say ck-${level}`;
     this.wrong.textContent = remark;
     this.skipped.hidden = !skipped.length;
-    this.skipped.textContent = `not known here: ${skipped.join(", ")}`;
+    this.skipped.textContent = gettext("not known here: {0}", skipped.join(", "));
     const there = new Set(rows.map((row) => row.row));
     for (const [key, row] of this.rows) if (!there.has(key)) { row.element.remove(); this.rows.delete(key); }
     for (const row of rows) {

@@ -1,6 +1,6 @@
 // The camera: which frame it goes with, and views that are kept.
 const STILL = "<Fixed Frame>";
-const CAMERAS = { Orbit: "Orbit", ThirdPersonFollower: "Third Person Follower" };
+const CAMERAS = { Orbit: "Orbit", ThirdPersonFollower: "Third Person Follower", TopDownOrtho: "Top Down Ortho" };
 const CALM = 300; // milliseconds after which a moved camera is told
 
 function viewsCard(model) {
@@ -31,7 +31,6 @@ function viewsCard(model) {
     }
     if (document.activeElement !== frame) frame.value = looking.frame;
     if (document.activeElement !== kind) kind.value = looking.type;
-    kind.disabled = !looking.frame;
     if (saved.dataset.all !== looking.views.join("\n")) {
       saved.replaceChildren(...looking.views.map(line));
       saved.dataset.all = looking.views.join("\n");

@@ -13,8 +13,9 @@ from .kinds import DURABILITIES, KINDS, QOS, RELIABILITIES, kind_name
 
 _WORDS = {"reliability": RELIABILITIES, "durability": DURABILITIES}
 VIEW: dict[str, Any] = {"distance": 10.0, "yaw": 0.785, "pitch": 0.785, "target": [0.0, 0.0, 0.0]}
-VIEW_TYPES = ("Orbit", "ThirdPersonFollower")
-"""RViz's cameras that are known here; the second turns with its target frame."""
+FLAT = "TopDownOrtho"
+VIEW_TYPES = ("Orbit", "ThirdPersonFollower", FLAT)
+"""RViz's cameras that are known here: the second turns with its target frame, the third looks straight down as a map."""
 VIEWS = (*VIEW, "target_frame", "type")
 
 
@@ -120,12 +121,23 @@ def make_view(given: Any) -> dict[str, Any] | None:
         raise ValueError(f"view: target {given['target']!r} is no point; write three numbers [m].")
     if made.get("type", "Orbit") not in VIEW_TYPES:
         raise ValueError(f"view: there is no type {made['type']!r}; there are {', '.join(VIEW_TYPES)}.")
+    frame, kind = str(made.get("target_frame") or ""), made.get("type", "Orbit")
+    if kind == FLAT:
+        made["pitch"] = math.pi / 2
     numbers = {key: float(made[key]) for key in ("distance", "yaw", "pitch")}
     if not all(map(math.isfinite, numbers.values())):
         raise ValueError(f"view: {given!r} has a number that is none.")
-    frame = str(made.get("target_frame") or "")
-    follows = {"target_frame": frame, "type": made.get("type", "Orbit")} if frame else {}
-    return {**numbers, "target": made["target"], **follows}
+    return {**numbers, "target": made["target"], **going_with(frame, kind)}
 
 
-__all__ = ["VIEW_TYPES", "Config", "DisplayConfig", "display_config", "make_config", "make_view"]
+def going_with(frame: str, kind: str) -> dict[str, Any]:
+    """What a view holds of its target frame and its camera; an Orbit that goes with nothing needs no word.
+
+    >>> going_with("base_link", "Orbit"), going_with("", "Orbit")
+    ({'target_frame': 'base_link', 'type': 'Orbit'}, {})
+    """
+    named = {"target_frame": frame} if frame else {}
+    return {**named, "type": kind} if frame or kind == FLAT else {}
+
+
+__all__ = ["FLAT", "VIEW_TYPES", "Config", "DisplayConfig", "display_config", "going_with", "make_config", "make_view"]

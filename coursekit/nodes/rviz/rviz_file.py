@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from .config import VIEW_TYPES, Config, DisplayConfig, display_config, make_view
+from .config import FLAT, VIEW_TYPES, Config, DisplayConfig, display_config, make_view
 from .kinds import KINDS, QOS, kind_name
-from .rviz_saving import FIXED
+from .rviz_saving import FIXED, SCALE
 
 MOST_DISPLAYS = 500
 _RENAMED = {"size_(m)": "size", "size_(pixels)": "size_pixels"}
@@ -113,10 +113,10 @@ def _view(current: Mapping[str, Any]) -> dict[str, Any] | None:
         focus = current.get("Focal Point") or {}
         kind = str(current.get("Class", "")).rpartition("/")[2]
         given: dict[str, Any] = {"target": [float(focus.get(axis, 0.0)) for axis in "XYZ"]}
-        if kind == "TopDownOrtho":
+        if kind == FLAT:
             given["target"] = [float(current.get(axis, 0.0)) for axis in "XY"] + [0.0]
-            distance = 600.0 / max(1e-3, float(current.get("Scale", 10.0)))
-            given |= {"distance": distance, "yaw": -math.pi / 2, "pitch": math.pi / 2}
+            distance = SCALE / max(1e-3, float(current.get("Scale", 10.0)))
+            given |= {"distance": distance, "yaw": float(current.get("Angle", 0.0)) - math.pi / 2}
         else:
             given |= {key.lower(): float(current[key]) for key in ("Distance", "Yaw", "Pitch")}
         frame = str(current.get("Target Frame") or FIXED)

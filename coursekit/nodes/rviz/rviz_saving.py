@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from .config import Config, DisplayConfig
+from .config import FLAT, Config, DisplayConfig
 from .kinds import KINDS, QOS
 from .properties import rviz_name
 
@@ -15,6 +15,8 @@ _STEEPEST = math.pi / 2 - 0.001
 """RViz's cameras do not look straight down."""
 _SHAPED = ("alpha", "color", "axes_length", "axes_radius", "head_length", "head_radius", "shaft_length", "shaft_radius")
 FIXED = "<Fixed Frame>"
+SCALE = 600.0
+"""Pixels of a metre that is one metre away: RViz's window is about 500 high, and the cameras here see 45 degrees."""
 
 
 def to_rviz(config: Config) -> dict[str, Any]:
@@ -81,16 +83,14 @@ def _value(value: Any) -> Any:
 def _view(view: Mapping[str, Any], name: str) -> dict[str, Any]:
     x, y, z = view.get("target", (0.0, 0.0, 0.0))
     kind = view.get("type", "Orbit")
-    return {
-        "Class": f"rviz_default_plugins/{kind}",
-        "Name": name,
-        "Target Frame": view.get("target_frame") or FIXED,
-        "Distance": view.get("distance", 10.0),
-        "Yaw": view.get("yaw", 0.785),
-        "Pitch": max(-_STEEPEST, min(_STEEPEST, view.get("pitch", 0.785))),
-        "Focal Point": {"X": x, "Y": y, "Z": z},
-        "Value": f"{kind} (rviz)",
-    }
+    distance, yaw = view.get("distance", 10.0), view.get("yaw", 0.785)
+    if kind == FLAT:
+        seen = {"Scale": SCALE / distance, "Angle": yaw + math.pi / 2, "X": x, "Y": y}
+    else:
+        pitch = max(-_STEEPEST, min(_STEEPEST, view.get("pitch", 0.785)))
+        seen = {"Distance": distance, "Yaw": yaw, "Pitch": pitch, "Focal Point": {"X": x, "Y": y, "Z": z}}
+    frame = view.get("target_frame") or FIXED
+    return {"Class": f"rviz_default_plugins/{kind}", "Name": name, "Target Frame": frame, **seen, "Value": f"{kind} (rviz)"}
 
 
-__all__ = ["FIXED", "to_rviz"]
+__all__ = ["FIXED", "SCALE", "to_rviz"]

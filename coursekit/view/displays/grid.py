@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,15 +16,23 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 
+FINER = 5
+"""A square is divided by so many, so that its fifths can be read off: 0.2 m of a metre."""
+MOST_FINE = 40
+"""Squares along a side, beyond which the fine lines would only be a grey haze."""
+FAINT = 0.3
+"""Of the alpha of the lines between the squares."""
+
+
 class Grid(Display):
-    """Squares of `cell_size` metres."""
+    """Squares of `cell_size` metres, with fine lines within them."""
 
     kind = "Grid"
 
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Draw it once; follow its frame."""
         if not scene.has(self.key, "grid"):
-            scene.put(self.key, "grid", self._lines())
+            scene.put(self.key, "grid", *self._lines())
         frame = self.options["reference_frame"]
         if not frame:
             return
@@ -33,10 +42,16 @@ class Grid(Display):
         except NoTransform as error:
             self.say("Transform", "Error", str(error))
 
-    def _lines(self) -> Lines:
+    def _lines(self) -> Iterator[Lines]:
         count = max(1, min(1000, int(self.options["plane_cell_count"])))
-        at = (np.arange(count + 1) - count / 2) * self.options["cell_size"]
-        edge = np.full_like(at, at[-1])
-        flat = np.zeros_like(at)
+        fine, alpha = np.arange(count * FINER + 1), float(self.options["alpha"])
+        if count <= MOST_FINE:
+            yield self._across(count, fine[fine % FINER != 0] / FINER, FAINT * alpha)
+        yield self._across(count, np.arange(count + 1.0), alpha)
+
+    def _across(self, count: int, numbers: np.ndarray, alpha: float) -> Lines:
+        """Both ways over all squares, at these numbers of squares from the edge."""
+        size = self.options["cell_size"]
+        at, edge, flat = (numbers - count / 2) * size, np.full_like(numbers, count / 2 * size), np.zeros_like(numbers)
         along = np.stack([np.stack([-edge, at, flat], 1), np.stack([edge, at, flat], 1)], 1).reshape(-1, 3)
-        return Lines(np.concatenate([along, along[:, [1, 0, 2]]]), colour_of(self.options["color"], self.options["alpha"]))
+        return Lines(np.concatenate([along, along[:, [1, 0, 2]]]), colour_of(self.options["color"], alpha))

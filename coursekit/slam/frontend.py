@@ -34,6 +34,7 @@ class Tracker:
         self._base_pose = Pose2D()
         """and where it is in the frame of the first submap."""
         self._odometry: Pose2D | None = None
+        self._stamp = 0.0
         self._speed = Pose2D()
         self._wheels, self._told = Calibration(), Pose2D()
         self._usual = 0.8
@@ -83,9 +84,11 @@ class Tracker:
     def _motion(self, scan: Scan, odometry: Pose2D | None) -> tuple[Pose2D, bool]:
         """The motion since the last scan, by odometry, else as fast as before."""
         before, self._odometry = self._odometry, odometry
+        seconds, self._stamp = scan.stamp - self._stamp, scan.stamp
         if odometry is not None and before is not None:
             motion = before.to(odometry)
-            if all(map(math.isfinite, motion)) and math.hypot(motion.x, motion.y) < self.params.odometry_jump:
+            farthest = self.params.odometry_jump * max(1.0, seconds)
+            if all(map(math.isfinite, motion)) and math.hypot(motion.x, motion.y) < farthest:
                 self._told = motion
                 return (self._wheels.correct(motion) if self.params.matching else motion), True
             return Pose2D(), False

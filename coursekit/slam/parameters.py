@@ -66,7 +66,7 @@ class SlamParameters:
     blind_sigma: float = 0.3
     """Without odometry a guess errs by this much [m], [rad]."""
     odometry_jump: float = 5.0
-    """Odometry that moves this far between two scans has been reset: it tells nothing."""
+    """Odometry that moves this far between two scans, and in each second between them, has been reset: it tells nothing."""
     odometry_distance_sigma: tuple[float, float] = (0.02, 0.1)
     """Odometry errs by this much, plus this part of the way."""
     odometry_angle_sigma: tuple[float, float] = (0.02, 0.1)

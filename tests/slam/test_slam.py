@@ -158,6 +158,16 @@ def test_odometry_that_is_reset_or_absurd_is_not_followed() -> None:
     assert result.pose.distance(way[0].to(way[-1])) < 0.1
 
 
+def test_a_long_way_without_a_scan_is_bridged_by_the_odometry() -> None:
+    """A busy computer takes no scan for eight seconds, and the robot drives on."""
+    way, slam, off = list(drive(ROUND, 0.1)), Slam(), []
+    for number, (pose, ranges) in enumerate(zip(way, seen(FULL, 360, 1, 0.1), strict=True)):
+        if not 60 <= number < 140:
+            found = slam.add_ranges(0.1 * number, ranges, FULL, pose).pose
+            off.append(found.distance(way[0].to(pose)))
+    assert way[59].distance(way[140]) > 6.0 and max(off) < 0.2
+
+
 def test_an_empty_session_has_an_empty_trajectory_and_map() -> None:
     slam = Slam(start=Pose2D(1.0, 2.0, 0.5))
     slam.finish()

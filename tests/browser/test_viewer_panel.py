@@ -223,6 +223,9 @@ def test_from_straight_above_parallel_lines_stay_parallel_and_tools_hit_the_floo
     assert wide > 20 and abs(low[1] - middle[1]) < 1, "x is to the right"
     assert abs(low[0] - high[0]) < 0.02 * wide, "height moves nothing"
     assert middle[1] - ahead[1] == pytest.approx(wide, rel=0.01) and abs(ahead[0] - middle[0]) < 1, "y is up"
+    arrow = "(line) => [line.x2.baseVal.value, line.y2.baseVal.value]"
+    x, y, z = (panel.locator(f".ck-compass .ck-{axis} line").evaluate(arrow) for axis in "xyz")
+    assert x[0] > 14 and y[1] < -14 and max(map(abs, z)) < 1, "the arrows in the corner say so, too"
     picture(panel, "viewer_above")
     panel.get_by_role("button", name="Views").click()
     panel.get_by_role("button", name="Focus").click()

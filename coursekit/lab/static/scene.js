@@ -278,6 +278,7 @@ function drawScene(model, { panel, pane, labels, corner, ready, pictures = () =>
   meshcat(model).then((library) => {
     if (closed) return;
     panel.viewer = scene = new Scene(library, pane, labels);
+    labels.after(new Compass(scene).element);
     ready(scene, library);
     home.addEventListener("click", () => { scene.touched = false; model.send({ type: "home" }); });
     top.addEventListener("click", () => {

@@ -43,6 +43,30 @@ function thinOut(names, large) {
 const boxOfLarge = (x, y, letters, height) =>
   ({ left: x - 0.32 * height * letters - 6, right: x + 0.32 * height * letters - 6, top: y - 0.7 * height + 19, bottom: y + 0.7 * height + 19 });
 
+// Which way the axes of the fixed frame point: small arrows in a corner, that turn with the camera.
+const AXES = { x: [1, 0, 0], y: [0, 0, -1], z: [0, 1, 0] }; // MeshCat's world has y up
+const ARROW = 15; // pixels
+
+class Compass {
+  constructor(scene) {
+    const axis = (name) => `<g class="ck-${name}"><line/><text>${name}</text></g>`;
+    this.element = make("div", { className: "ck-compass", ariaHidden: "true",
+      innerHTML: `<svg viewBox="-26 -26 52 52">${Object.keys(AXES).map(axis).join("")}</svg>` });
+    this.scene = scene;
+    scene.after.push(() => this.draw());
+  }
+
+  draw() {
+    const away = this.scene.view.camera.getWorldQuaternion(this.turned ??= this.scene.view.camera.quaternion.clone()).invert();
+    for (const [name, axis] of Object.entries(AXES)) {
+      const { x, y } = this.scene.vector().set(...axis).applyQuaternion(away);
+      const [line, letter] = this.element.querySelector(`.ck-${name}`).children;
+      line.setAttribute("x2", (ARROW * x).toFixed(1)); line.setAttribute("y2", (-ARROW * y).toFixed(1));
+      letter.setAttribute("x", (1.45 * ARROW * x).toFixed(1)); letter.setAttribute("y", (-1.45 * ARROW * y).toFixed(1));
+    }
+  }
+}
+
 // A soft spot on the floor under each robot, as wide as the robot.
 class Shadows {
   constructor(three, view) {

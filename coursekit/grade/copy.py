@@ -82,13 +82,18 @@ def edition_of(text: str) -> str:
     return hashlib.sha256(json.dumps(["".join(cell["source"]) for cell in cells]).encode()).hexdigest()
 
 
+def _facts(file: Path) -> dict[str, Any]:
+    """What the course wrote into a notebook's metadata; nothing of a file that is none."""
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))["metadata"]["coursekit"]
+    except (OSError, ValueError, LookupError, TypeError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
 def _handed_out(file: Path) -> bool:
     """Whether a teacher released this copy, perhaps with values of the student's own."""
-    try:
-        metadata = json.loads(file.read_text(encoding="utf-8"))["metadata"]
-    except (ValueError, LookupError, TypeError):
-        return False
-    return HANDED_OUT in metadata.get("coursekit", {})
+    return HANDED_OUT in _facts(file)
 
 
 class Course:
@@ -100,8 +105,11 @@ class Course:
         self._language = folder / ".coursekit" / "language"
 
     def language(self) -> str:
-        """The code of the language in which this copy is taken."""
-        return self._language.read_text(encoding="utf-8").strip() if self._language.is_file() else ENGLISH
+        """The code of the language in which this copy is taken; a release says it in its notebooks."""
+        if self._language.is_file():
+            return self._language.read_text(encoding="utf-8").strip()
+        told = (_facts(self.folder / name).get("language") for name in self._from_elsewhere())
+        return next((str(one) for one in told if one), ENGLISH)
 
     def update(self, notebooks: Path, language: str = "") -> list[str]:
         """Bring in new and changed chapters, in a language or in that of the copy; a sentence for each thing that was done.
@@ -112,6 +120,8 @@ class Course:
         self.folder.mkdir(parents=True, exist_ok=True)
         (self.folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         if there := self._from_elsewhere():
+            if language:
+                write_whole(self._language, language + "\n", parents=True)
             return [f"Here already: {', '.join(there)}. No chapters of the course are added to this folder."]
         given = self._read_manifest()
         language, said = language or self.language(), []

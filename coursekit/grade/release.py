@@ -77,7 +77,7 @@ def release(
     whose they are; with `personal` they ask for numbers of their own, too; with `moodle` all zips are in one that Moodle
     deals out. The page tells students to install `wheel`. Chapters with a catalogue are in that `language`.
     """
-    sources = {file.name: read(file, language) for file in sorted(notebooks)}
+    sources = {file.name: _in_language(read(file, language), language) for file in sorted(notebooks)}
     written = []
     if variants:
         archives = {one: _copy_of(one, variants, sources, out, personal) for one in variants.roster.people}
@@ -95,6 +95,13 @@ def release(
     facts |= {"exercises": str(len(every)), "points": f"{sum(every):g}"}
     write_whole(page, _PAGE.format(rows=rows, **{name: html.escape(text) for name, text in facts.items()}))
     return [*written, page]
+
+
+def _in_language(notebook: dict[str, Any], language: str) -> dict[str, Any]:
+    """The notebook, which says in what language its panels and checks are to speak; English needs no word."""
+    if language != ENGLISH:
+        notebook["metadata"].setdefault("coursekit", {})["language"] = language
+    return notebook
 
 
 def _copy_of(person: Person, variants: Variants, sources: Mapping[str, Any], out: Path, personal: bool) -> Path:

@@ -47,6 +47,25 @@ def test_a_release_takes_a_language(notebooks, tmp_path):
     assert texts(out) == ["Hola"]
 
 
+def test_a_released_folder_speaks_its_language_until_the_student_wants_another(notebooks, tmp_path):
+    for out, language in (("week1", "es"), ("week2", "en")):
+        main(["release", "01", "--language", language, "--notebooks", str(notebooks), "--out", str(tmp_path / out)])
+        course = Course(tmp_path / out)
+        course.update(notebooks)
+        assert course.language() == language
+    course = Course(tmp_path / "week1")
+    course.update(notebooks, "en")
+    assert course.language() == "en" and texts(tmp_path / "week1") == ["Hola"]
+
+
+def test_a_notebook_with_odd_metadata_is_english(notebooks, tmp_path):
+    (tmp_path / "own").mkdir()
+    for number, odd in enumerate(({"coursekit": []}, {"coursekit": {"language": ""}}, [], None)):
+        (tmp_path / "own" / f"{number}.ipynb").write_text(json.dumps({"cells": [], "metadata": odd}))
+    (tmp_path / "own" / "none.ipynb").write_bytes(b"\xff")
+    assert Course(tmp_path / "own").language() == "en"
+
+
 def test_the_teacher_s_notebook_is_no_language_and_never_handed_out(notebooks, tmp_path):
     (notebooks / "teacher").mkdir()
     (notebooks / "teacher" / "teacher.ipynb").write_text((notebooks / "01_a.ipynb").read_text())

@@ -22,6 +22,7 @@ os._exit(0)
 def run(folder, *cells):
     """What went wrong in each cell, and the variable `said` afterwards."""
     surroundings = {"COURSEKIT_COURSE": str(folder), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws"), "HOME": str(folder)}
+    surroundings["PYTHONUNBUFFERED"] = ""  # IPython 8, Python 3.10's last, keeps only the end of what comes in pieces
     (folder / "ros2_ws" / "src").mkdir(parents=True)
     ours = [sys.executable, "-c", PROGRAM, json.dumps(cells)]
     done = subprocess.run(ours, env={**os.environ, **surroundings}, capture_output=True, cwd=folder, check=True)

@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from pathlib import Path
 
 import numpy as np
 
+from coursekit.files import read_text
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_compare import outline_points
-from coursekit.sim import Lidar, load_world
+from coursekit.sim import Lidar, World
+from coursekit.sim.world_file import read_world
 from coursekit.slam.wall_field import WallField
 
 Pose = tuple[float, float, float]
 CLEAR = 0.35
 """A robot stands at least so far from walls [m]."""
+HEIGHT = 0.2
+"""Of the LiDAR above the floor [m]."""
+
+
+@functools.lru_cache(maxsize=8)
+def _building(text: str, file: str) -> tuple[World, WallField]:
+    """A world by its file's text, and how far its walls are: made once for all puzzles in it."""
+    world = read_world(text, file)
+    cut = world.cut(HEIGHT)
+    return world, WallField(outline_points(cut.edges, cut.circles))
 
 
 class Puzzle:
@@ -24,10 +37,9 @@ class Puzzle:
     """
 
     def __init__(self, world: Path, number: int = 0, off: float = 0.3, turned: float = 0.15) -> None:
-        made, chance = load_world(world), np.random.default_rng(800 + number)
-        cut = made.cut(0.2)
+        made, self.gap = _building(read_text(world), str(world))
+        cut, chance = made.cut(HEIGHT), np.random.default_rng(800 + number)
         outline = outline_points(cut.edges, cut.circles)
-        self.gap = WallField(outline)
         lidar = Lidar(range_max=6.0, noise=0.01)
         place = made.start
         while not self._good(place, lidar.look(cut, place)) or place == made.start:

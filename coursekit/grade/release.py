@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 import zipfile
 from collections.abc import Mapping, Sequence
@@ -10,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
-from coursekit.systems.words import join_words
 
 from .copy import HANDED_OUT, edition_of, student_notebook
 from .editions import ENGLISH, read
@@ -18,29 +16,13 @@ from .exercise import exercises_in
 from .handing_out import write_for_moodle, write_list
 from .harmless import name_of_files
 from .own_checks import OWN, own_files
+from .release_page import page
 from .roster import Person, student_word
 from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 WHEEL = "ADDRESS-OF-THE-WHEEL"
 """Stands for the address of the wheel until a teacher gives it."""
-_PAGE = """<h2>{title}</h2>
-<p>Once, in a terminal, with Python 3.10 or newer:</p>
-<pre>python3 -m venv ros-env
-ros-env/bin/pip install {wheel}</pre>
-<p>(Windows: <code>py -3 -m venv ros-env</code>, then <code>ros-env\\Scripts\\pip install {wheel}</code>, and
-<code>ros-env\\Scripts\\coursekit</code> below.)</p>
-<p>Download <b>{archive}</b> and unpack it: it holds a folder <code>{folder}</code>. (Extract All of Windows puts that
-into another folder: move it out.) Put <code>{folder}</code> next to <code>ros-env</code>, and open the notebooks with
-<code>ros-env/bin/coursekit lab --folder {folder}</code>. Run the cells from top to bottom; write where it says
-<code># YOUR CODE HERE</code>, and run the check below it.</p>
-<table><tr><th>Notebook</th><th>Exercises</th><th>Points</th></tr>
-{rows}<tr><th>All</th><th>{exercises}</th><th>{points}</th></tr></table>
-<p>Hand in the notebooks, saved, with the names that they have; or the file that <code>hand_in()</code> makes of each: type
-that in a new cell at the end of the notebook (the first time with your name: <code>hand_in(by="Ann Lee")</code>), and run
-it. Its file also holds the pictures that <code>evidence()</code> made: where the assignment asks for evidence, hand in
-this file.</p>
-"""
 
 
 def released(notebook: dict[str, Any]) -> dict[str, Any]:
@@ -87,14 +69,9 @@ def release(
         files = _written(sources, out, out.name)
         written = [*files, _zipped(files, out)]
     asked = {name: [one.points for one in exercises_in(source).values()] for name, source in sources.items()}
-    rows = "\n".join(_row(html.escape(Path(name).stem), points) for name, points in asked.items())
-    page = out / "page.html"
-    archive = "the zip with your name" if variants else f"{out.name}.zip"
-    every = [points for one in asked.values() for points in one]
-    facts = {"title": out.name, "folder": join_words([out.name]), "archive": archive, "wheel": wheel}
-    facts |= {"exercises": str(len(every)), "points": f"{sum(every):g}"}
-    write_whole(page, _PAGE.format(rows=rows, **{name: html.escape(text) for name, text in facts.items()}))
-    return [*written, page]
+    file = out / "page.html"
+    write_whole(file, page(out.name, "" if variants else f"{out.name}.zip", wheel, asked, language))
+    return [*written, file]
 
 
 def _in_language(notebook: dict[str, Any], language: str) -> dict[str, Any]:
@@ -142,7 +119,3 @@ def _zipped(files: Sequence[Path], out: Path) -> Path:
         for file in files:
             packed.write(file, f"{out.name}/{file.relative_to(files[0].parent).as_posix()}")
     return archive
-
-
-def _row(name: str, points: Sequence[float]) -> str:
-    return f"<tr><td>{name}</td><td>{len(points)}</td><td>{sum(points):g}</td></tr>"

@@ -45,6 +45,8 @@ def test_a_release_takes_a_language(notebooks, tmp_path):
     out = tmp_path / "week1"
     assert main(["release", "01", "--language", "es", "--notebooks", str(notebooks), "--out", str(out)]) == 0
     assert texts(out) == ["Hola"]
+    page = (out / "page.html").read_text(encoding="utf-8")
+    assert "Descarga <b>week1.zip</b>" in page and "<th>Puntos</th>" in page and "Download" not in page
 
 
 def test_a_released_folder_speaks_its_language_until_the_student_wants_another(notebooks, tmp_path):

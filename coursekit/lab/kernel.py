@@ -7,6 +7,7 @@ import contextlib
 import os
 import sys
 import time
+import warnings
 from typing import Any
 
 import ipywidgets
@@ -28,6 +29,8 @@ from .panel import end_panels
 
 SUBSHELL_SECONDS = 0.5
 """A page that makes no subshell in this time is none, or is busy [s]."""
+NO_FOLDERS_KEPT = "This is now an optional IPython functionality"
+"""What IPython 8, the last for Python 3.10, warns of at every %cd: that it does not remember folders for the next kernel."""
 _state: dict[str, Any] = {}
 
 
@@ -46,6 +49,7 @@ def start() -> Session:
     shell = running_shell()
     if shell is not None and getattr(shell, "kernel", None) is not None:
         session.embedded = True
+        warnings.filterwarnings("ignore", message=NO_FOLDERS_KEPT)
         hear_all(shell.kernel)
         keep_output_in_cells(shell)
         cells = Cells(session, shell, lambda: _begin_cell(session, shell.kernel))

@@ -94,7 +94,7 @@ class Selection {
 // One tool at a time; null is moving the camera.
 function useTools(stage, scene, buttons, model, { ruler, hint }) {
   let tool = null, start = null, press = null;
-  const svg = stage.querySelector("svg"), line = svg.querySelector(".ck-drag");
+  const svg = stage.querySelector(".ck-aim svg"), line = svg.querySelector(".ck-drag");
   const choose = (name) => {
     tool = tool === name ? null : name;
     for (const [key, button] of Object.entries(buttons)) button.setAttribute("aria-pressed", String(key === tool));

@@ -17,6 +17,9 @@ from coursekit.words.gettext import LANGUAGE
 from . import compile_ahead, cpp
 from .terminal_settings import terminal_settings
 
+QUIET = ("--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR")
+"""Of what the server says the address is left; `coursekit lab -- --log-level=INFO` shows the rest."""
+
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the two commands."""
@@ -116,7 +119,9 @@ def open_lab(args: argparse.Namespace) -> int:
     if args.no_browser or not _has_browser():
         command.append("--no-browser")
         print("Open the address that begins with http://127.0.0.1 below in a browser.")
-    command += [word for word in args.jupyter if word != "--"]
+    own = [word for word in args.jupyter if word != "--"]
+    quiet = [] if any("log" in word for word in own) else QUIET
+    command += [*quiet, *own]
     print("SLAM is compiled in the background: the first time this takes a minute or two, and you can begin at once.")
     compile_ahead.start_in_background(env)
     cpp.offer(env)

@@ -83,3 +83,13 @@ def test_a_tilde_is_home_where_no_shell_has_made_it_so(tmp_path, monkeypatch, ca
     assert main(["course", "--folder", "~/course"]) == 0
     assert (tmp_path / "course" / "00_start_here.ipynb").is_file()
     assert not (tmp_path / "~").exists()
+
+
+def test_the_server_says_no_more_than_its_address_unless_it_is_asked_to(tmp_path, monkeypatch) -> None:
+    commands: list[list[str]] = []
+    monkeypatch.setattr("coursekit.cli.lab.become", lambda command, env: commands.append(command) or 0)
+    monkeypatch.setattr("coursekit.cli.compile_ahead.start_in_background", lambda env: None)
+    for more in ([], ["--", "--log-level=INFO"]):
+        assert main(["lab", "--no-browser", "--folder", str(tmp_path / "course"), *more]) == 0
+    quiet, told = ([word for word in command if "log" in word.partition("=")[0]] for command in commands)
+    assert quiet == ["--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR"] and told == ["--log-level=INFO"]

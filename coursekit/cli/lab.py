@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -19,6 +20,8 @@ from .terminal_settings import terminal_settings
 
 QUIET = ("--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR")
 """Of what the server says the address is left; `coursekit lab -- --log-level=INFO` shows the rest."""
+_SAYS_MORE = re.compile(r"--(debug$|([\w.]+[.])?log[-_]level\b)").match
+"""Whether an option of Jupyter says how much is said: it is refused twice."""
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -120,8 +123,7 @@ def open_lab(args: argparse.Namespace) -> int:
         command.append("--no-browser")
         print("Open the address that begins with http://127.0.0.1 below in a browser.")
     own = [word for word in args.jupyter if word != "--"]
-    quiet = [] if any("log" in word for word in own) else QUIET
-    command += [*quiet, *own]
+    command += [*([] if any(map(_SAYS_MORE, own)) else QUIET), *own]
     print("SLAM is compiled in the background: the first time this takes a minute or two, and you can begin at once.")
     compile_ahead.start_in_background(env)
     cpp.offer(env)

@@ -8,11 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from coursekit.files import read_text
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_compare import outline_points
-from coursekit.sim import Lidar, World
-from coursekit.sim.world_file import read_world
+from coursekit.sim import Cut, Lidar
+from coursekit.sim.world_file import read_world, world_text
 from coursekit.slam.wall_field import WallField
 
 Pose = tuple[float, float, float]
@@ -23,11 +22,12 @@ HEIGHT = 0.2
 
 
 @functools.lru_cache(maxsize=8)
-def _building(text: str, file: str) -> tuple[World, WallField]:
-    """A world by its file's text, and how far its walls are: made once for all puzzles in it."""
+def _building(text: str, file: str) -> tuple[Pose2D, Cut, np.ndarray, WallField]:
+    """Of a world by its file's text: the start, the walls, points along them, their distances; made once for all puzzles."""
     world = read_world(text, file)
     cut = world.cut(HEIGHT)
-    return world, WallField(outline_points(cut.edges, cut.circles))
+    outline = outline_points(cut.edges, cut.circles)
+    return world.start, cut, outline, WallField(outline)
 
 
 class Puzzle:
@@ -37,12 +37,11 @@ class Puzzle:
     """
 
     def __init__(self, world: Path, number: int = 0, off: float = 0.3, turned: float = 0.15) -> None:
-        made, self.gap = _building(read_text(world), str(world))
-        cut, chance = made.cut(HEIGHT), np.random.default_rng(800 + number)
-        outline = outline_points(cut.edges, cut.circles)
+        start, cut, outline, self.gap = _building(world_text(world), str(world))
+        chance = np.random.default_rng(800 + number)
         lidar = Lidar(range_max=6.0, noise=0.01)
-        place = made.start
-        while not self._good(place, lidar.look(cut, place)) or place == made.start:
+        place = start
+        while not self._good(place, lidar.look(cut, place)) or place == start:
             x, y = chance.uniform(outline.min(axis=0), outline.max(axis=0))
             place = Pose2D(round(float(x), 2), round(float(y), 2), round(float(chance.uniform(-3, 3)), 2))
         ranges = lidar.measure(lidar.look(cut, place), chance)

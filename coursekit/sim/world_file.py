@@ -67,14 +67,18 @@ _Loader.add_constructor("tag:yaml.org,2002:map", _mapping)
 
 def load_world(path: str | Path) -> World:
     """The world of a YAML file. Raises WorldError, also when there is no such file."""
+    return read_world(world_text(path), str(Path(path)))
+
+
+def world_text(path: str | Path) -> str:
+    """What stands in a world's file. Raises WorldError when it cannot be read."""
     file = Path(path)
     try:
-        text = read_text(file)
+        return read_text(file)
     except (OSError, UnicodeDecodeError) as error:
         beside = [one.name for one in file.parent.glob("*.yaml")] if file.parent.is_dir() else []
         cure = f"Check the path. {known(file.name, beside)}"
         raise WorldError(f"cannot be read: {error}", file=str(file), cure=cure) from None
-    return read_world(text, str(file))
 
 
 def read_world(text: str, file: str = "world") -> World:

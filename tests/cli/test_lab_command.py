@@ -89,7 +89,8 @@ def test_the_server_says_no_more_than_its_address_unless_it_is_asked_to(tmp_path
     commands: list[list[str]] = []
     monkeypatch.setattr("coursekit.cli.lab.become", lambda command, env: commands.append(command) or 0)
     monkeypatch.setattr("coursekit.cli.compile_ahead.start_in_background", lambda env: None)
-    for more in ([], ["--", "--log-level=INFO"]):
-        assert main(["lab", "--no-browser", "--folder", str(tmp_path / "course"), *more]) == 0
-    quiet, told = ([word for word in command if "log" in word.partition("=")[0]] for command in commands)
-    assert quiet == ["--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR"] and told == ["--log-level=INFO"]
+    for more in ([], ["--ServerApp.certfile=/etc/login.pem"], ["--log-level=INFO"], ["--debug"]):
+        assert main(["lab", "--no-browser", "--folder", str(tmp_path / "course"), "--", *more]) == 0
+    quiet, also, told, debug = ([word for word in command if "log" in word.partition("=")[0]] for command in commands)
+    assert quiet == also == ["--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR"] and told == ["--log-level=INFO"]
+    assert not debug and commands[-1][-1] == "--debug"

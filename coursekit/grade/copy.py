@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -82,13 +83,20 @@ def edition_of(text: str) -> str:
     return hashlib.sha256(json.dumps(["".join(cell["source"]) for cell in cells]).encode()).hexdigest()
 
 
-def _facts(file: Path) -> dict[str, Any]:
-    """What the course wrote into a notebook's metadata; nothing of a file that is none."""
-    try:
-        found = json.loads(file.read_text(encoding="utf-8"))["metadata"]["coursekit"]
-    except (OSError, ValueError, LookupError, TypeError):
-        return {}
+def facts_of(notebook: Mapping[str, Any]) -> dict[str, Any]:
+    """What the course wrote into a notebook's metadata: the release, whose copy it is, the cells as they were given."""
+    metadata = notebook.get("metadata")
+    found = metadata.get("coursekit") if isinstance(metadata, dict) else None
     return found if isinstance(found, dict) else {}
+
+
+def _facts(file: Path) -> dict[str, Any]:
+    """The same of a file; nothing of one that is no notebook."""
+    try:
+        notebook = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return facts_of(notebook) if isinstance(notebook, dict) else {}
 
 
 def _handed_out(file: Path) -> bool:

@@ -12,7 +12,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from .copy import GIVEN, given_digest, without_solution
+from .copy import GIVEN, facts_of, given_digest, without_solution
 from .harmless import shown
 from .variants import CHECK
 
@@ -80,13 +80,6 @@ def grade_id(cell: Any) -> str:
     grading = metadata.get("nbgrader") if isinstance(metadata, dict) else None
     found = grading.get("grade_id") if isinstance(grading, dict) else ""
     return found if isinstance(found, str) else ""
-
-
-def facts_of(notebook: Mapping[str, Any]) -> dict[str, Any]:
-    """What the course wrote into a notebook's metadata: the release, whose copy it is, the cells as they were given."""
-    metadata = notebook.get("metadata")
-    found = metadata.get("coursekit") if isinstance(metadata, dict) else None
-    return found if isinstance(found, dict) else {}
 
 
 @dataclass(frozen=True)

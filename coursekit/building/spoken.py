@@ -10,12 +10,13 @@ from pathlib import Path
 import polib
 
 from coursekit.files import read_text
+from coursekit.grade.statuses import STATUSES
 from coursekit.lab.script import said_in
 from coursekit.words.gettext import FIELD, catalogue_of
 
 PACKAGE = Path(__file__).parents[1]
 _JUDGES = ("checking", "deaths", "outputs", "plain", "reader", "reading", "trial", "verdict", "work")
-_MARKING = ("examiner", "handing_in")
+_MARKING = ("examiner", "handing_in", "repair", "choosing", "collector", "mark", "recognising", "archives", "pieces")
 _CODE = re.compile(
     r"(run|launch|ros2|from|import|colcon|action|padding|var\(|<|#|--|-r|%|\^)|.*(\\|\(\^|\.\*|\(\[|\(\?|surrogatepass)"
 )
@@ -40,6 +41,7 @@ def _all() -> Iterator[tuple[Path, Iterator[str]]]:
     judges += [PACKAGE / "suggestions.py"]
     for file in [*sorted(grade.glob("chapters/**/*.py")), *judges]:
         yield file, _of_judge(ast.parse(read_text(file)))  # part of what is translated where it is shown
+    yield grade / "statuses.py", iter(STATUSES)
     for file in sorted((PACKAGE / "lab").glob("*.py")):
         yield file, _of_errors(ast.parse(read_text(file)))
     displays = PACKAGE / "nodes" / "rviz" / "properties.py"

@@ -6,6 +6,8 @@ import zipfile
 from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 
+from coursekit.words.gettext import gettext, speaking
+
 from .harmless import cell, number, shown
 from .identifying import Identifier
 from .lateness import late_by
@@ -50,12 +52,14 @@ def _mark(one: Record, form: Form) -> str:
 
 
 def _said(one: Record) -> str:
-    """A sentence for the student."""
+    """A sentence for the student; it begins with why nothing could be marked, where that is so."""
     marked = one.marked()
     late = marked.minutes_late
-    words = marked.notes[-1:] if one.handed.entries and not one.handed.chosen else []  # why none of it could be marked
-    words += [f"{number(v.points)} of {number(v.of)} for {v.name}" for v in marked.verdicts]
-    return "; ".join([*words, *([f"{late_by(late)} late"] if late else []), *one.comments().values()])
+    with speaking(one.language()):
+        words = list(map(gettext, marked.notes[-1:])) if one.handed.entries and not one.handed.chosen else []
+        words += [gettext(f"{number(v.points)} of {number(v.of)} for {v.name}") for v in marked.verdicts]
+        words += [gettext(f"{late_by(late)} late")] if late else []
+    return "; ".join([*words, *one.comments().values()])
 
 
 def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:

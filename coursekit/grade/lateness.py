@@ -25,7 +25,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from .harmless import counted, identity_of
+from coursekit.words.gettext import gettext
+
+from .harmless import identity_of
 from .roster import Person, Roster
 from .tables import decoded, read_table
 
@@ -207,5 +209,6 @@ def late_by(minutes: float) -> str:
     """
     whole = max(1, int(minutes))
     days, hours, left = whole // 1440, whole % 1440 // 60, whole % 60
-    parts = [counted(days, "day") if days else "", f"{hours} h" if hours else "", f"{left} min" if left and not days else ""]
+    told = gettext("1 day") if days == 1 else gettext(f"{days} days")
+    parts = [told if days else "", f"{hours} h" if hours else "", f"{left} min" if left and not days else ""]
     return " ".join(part for part in parts if part)

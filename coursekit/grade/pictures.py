@@ -7,6 +7,8 @@ import html
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath
 
+from coursekit.words.gettext import gettext
+
 from .bundle import read_bundle
 from .harmless import shown
 
@@ -36,4 +38,4 @@ def as_html(bundles: Sequence[Path]) -> str:
         source, label = base64.b64encode(data).decode(), html.escape(shown(name, 80), quote=True)
         image = f"<img alt='{label}' src='data:image/png;base64,{source}'>"
         shapes.append(f"<figure>{image}<figcaption>{label}</figcaption></figure>")
-    return f"<h2>Evidence</h2><div class='evidence'>{''.join(shapes)}</div>" if shapes else ""
+    return f"<h2>{gettext('Evidence')}</h2><div class='evidence'>{''.join(shapes)}</div>" if shapes else ""

@@ -98,6 +98,8 @@ class Known:
     """The answers, by exercise."""
     work: str = ""
     """A digest of all that was written."""
+    language: str = ""
+    """The code of the language that it was released in; '' if its content does not say."""
 
     @property
     def level(self) -> int:
@@ -149,10 +151,9 @@ class Chapter:
                     work.append(f"{name}\0{text.strip()}")
             elif not name and text.strip() and cell.get("cell_type") == "code" and self._is_own(text):
                 work.append(text.strip())
-        mark = facts.get("copy")
         digest = hashlib.sha256("\0".join(work).encode("utf-8", "replace")).hexdigest()
-        copy = mark if isinstance(mark, str) else ""
-        return Known(self.name, tuple(dict.fromkeys(begun)), bool(work), copy, code, digest)
+        copy, language = (fact if isinstance(fact, str) else "" for fact in map(facts.get, ("copy", "language")))
+        return Known(self.name, tuple(dict.fromkeys(begun)), bool(work), copy, code, digest, language)
 
     def _named(self, cells: Sequence[Any]) -> Iterator[tuple[Any, str]]:
         """Each cell with its name; one that lost it is the student's last cell above the check of its exercise."""

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from time import time as now
 
+from coursekit.words.gettext import ENGLISH
+
 from .handed import Handed
 from .harmless import number, unique
 from .lateness import DAY_S, Policy
@@ -55,6 +57,10 @@ class Record:
     def key(self) -> str:
         """What the person's files are called."""
         return self.handed.key
+
+    def language(self) -> str:
+        """The language of the notebooks that the person handed in; English where none says."""
+        return next((piece.known.language for piece in self.handed.chosen.values() if piece.known.language), ENGLISH)
 
     def chapters(self) -> list[str]:
         """Those chapters of the run that the person handed in."""

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
+from coursekit.words.gettext import gettext, language, speaking
 
 from .harmless import lines, number, shown
 from .lateness import late_by
@@ -20,7 +21,7 @@ from .record import COMMENT, ON_EXERCISE, Record
 from .verdict import Verdict
 
 _PAGE = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>{student}</title>
+<html lang="{language}"><head><meta charset="utf-8"><title>{student}</title>
 <style>{style}
 body{{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem}}
 h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
@@ -32,48 +33,83 @@ h1{{font-size:1.5rem}} h2{{font-size:1.1rem;margin-top:1.8rem}}
 figcaption{{color:var(--soft);font-size:.8rem}}
 pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-height:26rem;font-size:.82rem;
 white-space:pre-wrap;overflow-wrap:anywhere}}</style></head>
-<body><h1>{student}</h1><p class="total"><b>{points}</b> of {of} points in {chapters}{how}</p>{comments}{notes}
+<body><h1>{student}</h1><p class="total">{total}{how}</p>{comments}{notes}
 {verdicts}{evidence}<footer>
-<span class="status">{status}</span>{late}{tier}</footer></body></html>
+<span class="status">{footer}</span></footer></body></html>
 """
 
 
 def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
     """The report as HTML; `fields(exercise)` is what stands below each verdict, where it is marked by hand.
 
-    Students see first what they can improve; who marks finds the exercises in the same place on everybody's page.
+    Students see first what they can improve, in the language of their notebooks; who marks finds the exercises in the
+    same place on everybody's page.
     """
-    marked, total, code = record.marked(), record.total(), record.code()
+    with speaking(record.language() if fields is None else language()):
+        return _page(record, fields)
+
+
+def _page(record: Record, fields: Callable[[str], str] | None) -> str:
+    marked, code = record.marked(), record.code()
     improve = [_beside(one, record, code) for one in marked.verdicts if not one.passed]
     right = [_beside(one, record, code) for one in marked.verdicts if one.passed]
-    parts = ["<h2>To improve</h2>" if improve else "", *improve, "<h2>Right</h2>" if right else "", *right]
+    parts = [_head(gettext("To improve")) if improve else "", *improve, _head(gettext("Right")) if right else "", *right]
     if fields is not None:
         parts = [_beside(one, record, code, fields(one.name)) for one in marked.verdicts]
-    notes = "".join(f"<li>{_text(note)}</li>" for note in [*record.handed.open, *marked.notes])
+    notes = "".join(f"<li>{_text(_note(note))}</li>" for note in [*record.handed.open, *marked.notes])
     whole = record.extra.get(COMMENT, "")
     return _PAGE.format(
+        language=language(),
         style=STYLE,
         student=_text(record.label),
-        points="no mark yet" if total is None else number(total),
-        of=number(record.of()),
-        chapters=_text(record.told_chapters()),
+        total=_total(record),
         how=_how(record),
-        comments=f"<p class='comment'><b>{COMMENT}</b>: {_paragraphs(whole)}</p>" if whole else "",
+        comments=f"<p class='comment'><b>{gettext('comment')}</b>: {_paragraphs(whole)}</p>" if whole else "",
         notes=f"<ul>{notes}</ul>" if notes else "",
         verdicts="\n".join(part for part in parts if part),
         evidence=as_html(record.handed.bundles()),
-        status=_text(record.status().capitalize()),
-        tier=f"; run in the sandbox <code>{_text(marked.tier)}</code>" if marked.tier else "",
-        late=f"; {late_by(marked.minutes_late)} late by {_text(record.time_from())}" if marked.minutes_late else "",
+        footer=_footer(record, marked),
     )
+
+
+def _head(title: str) -> str:
+    return f"<h2>{title}</h2>"
+
+
+def _soft(text: str) -> str:
+    return f"<p class='how'>{text}</p>"
+
+
+def _note(note: str) -> str:
+    """A note in the reader's language; where it begins with the name of a file, what is said of that."""
+    whole = gettext(note)
+    where, colon, said = note.partition(": ")
+    return f"{where}: {gettext(said)}" if colon and whole == note else whole
+
+
+def _total(record: Record) -> str:
+    total, of, chapters = record.total(), number(record.of()), _text(record.told_chapters())
+    if total is None:
+        return gettext(f"<b>no mark yet</b> of {of} points in {chapters}")
+    return gettext(f"<b>{number(total)}</b> of {of} points in {chapters}")
 
 
 def _how(record: Record) -> str:
     """What became of the sum of the points."""
     if record.total_by_hand():
-        return ", given by hand"
+        return gettext(", given by hand")
     off = record.told_off()
-    return f", after {off} taken off for being late" if off else ""
+    return gettext(f", after {off} taken off for being late") if off else ""
+
+
+def _footer(record: Record, marked: Marked) -> str:
+    """How it stands, how late it was, and where it was run."""
+    parts = [_text(gettext(record.status()).capitalize())]
+    if marked.minutes_late:
+        parts.append(gettext(f"{late_by(marked.minutes_late)} late by {_text(gettext(record.time_from()))}"))
+    if marked.tier:
+        parts.append(gettext(f"run in the sandbox <code>{_text(marked.tier)}</code>"))
+    return "; ".join(parts)
 
 
 def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = "") -> str:
@@ -82,13 +118,13 @@ def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = 
     if not form and (comment := record.extra.get(verdict.name + ON_EXERCISE)):
         said += f"<p class='comment'>{_paragraphs(comment)}</p>"
     text = code.get(verdict.name, "")
-    own = f"<pre>{html.escape(lines(text))}</pre>" if text else "<p class='how'>Nothing was handed in for this.</p>"
+    own = f"<pre>{html.escape(lines(text))}</pre>" if text else _soft(gettext("Nothing was handed in for this."))
     return f"<div class='work' id='{_text(verdict.name)}'><div>{said}</div><div>{own}</div></div>"
 
 
 def said_of(verdict: Verdict, record: Record) -> str:
     """A verdict, and whether its points were given by hand."""
-    hand = "<p class='how'>These points were given by hand.</p>" if verdict.name in record.by_hand else ""
+    hand = _soft(gettext("These points were given by hand.")) if verdict.name in record.by_hand else ""
     return _plain(verdict).html() + hand
 
 

@@ -11,7 +11,7 @@ import pytest
 from coursekit.cli.coursekit import main
 from coursekit.grade.statuses import STATUSES
 
-from .handed import NOON, TOPICS, answer, edited, grade, lines, rows, text, write, zipped
+from .handed import NOON, TOPICS, answer, edited, grade, lines, notebook, rows, text, write, zipped
 
 
 def test_moodle_s_own_table_comes_back_with_the_grades_and_the_pages_as_its_zip(folder):
@@ -52,6 +52,25 @@ def test_a_comment_reaches_also_whoever_handed_in_nothing(folder):
     with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
         (own,) = [one for one in packed.namelist() if "_102_" in one]
         assert "Come and see me." in packed.read(own).decode()
+
+
+def test_a_student_reads_their_page_in_the_language_of_the_notebook_that_they_handed_in(folder):
+    spanish = notebook("q1")
+    spanish["metadata"].setdefault("coursekit", {})["language"] = "es"
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, json.dumps(spanish), when=NOON + 26 * 3600)
+    (folder.parent / "policy.toml").write_text("due = 2026-11-23T12:00:00\npercent_per_day = 10\n")
+    words = ("--roster", folder.parent / "plain.csv", "--policy", folder.parent / "policy.toml", "--for", "moodle")
+    grade(folder, *words, "--chapters", "02")
+    with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
+        pages = {one.split("_")[1]: packed.read(one).decode() for one in packed.namelist()}
+    assert '<html lang="es">' in pages["102"] and '<html lang="en">' in pages["101"]
+    late = "1 día 2 h de retraso"
+    for words in ("Por mejorar", "puntos en 02_topics, con 20 % menos por entrega tardía", late, "esperado"):
+        assert words in pages["102"] and words not in pages["101"], words
+    for words in ("To improve", "points in 02_topics", "expected"):
+        assert words in pages["101"] and words not in pages["102"], words
+    ana, ben = (" ".join(line) for line in lines(folder.parent / "grades.moodle.csv")[1:])
+    assert late in ben and "1 of 1 for ch02.q1" in ana and "1 de 1 en ch02.q1" in ben
 
 
 def test_canvas_gets_a_column_and_its_points_possible(folder):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import sys
+from typing import TYPE_CHECKING, Any
 
 from coursekit.core.virtual_clock import is_virtual_thread
 
@@ -10,6 +11,9 @@ from .current_process import current_process
 
 if TYPE_CHECKING:
     from .session import Session
+
+_OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywidgets", "tornado", "traitlets", "zmq")
+_OF_PYTHON = ("concurrent", "coursekit", "queue", "threading")
 
 session: Session | None = None
 """The one that is in use; `coursekit.processes.session` sets it."""
@@ -24,4 +28,31 @@ def virtual_session_here() -> Session | None:
     return here if process is not None or not here.embedded or here.in_cell else None
 
 
-__all__ = ["virtual_session_here"]
+def waiting_session() -> Any:
+    """The virtual session on whose clock the caller waits; None for a kernel's own libraries, which wait for real."""
+    session = virtual_session_here()
+    if session is None or not session.embedded or current_process() is not None:
+        return session
+    return None if _caller() in _OF_THE_KERNEL else session
+
+
+def starting_session() -> Any:
+    """The virtual session on whose clock a thread runs; None for one in which IPython waits for a program of the system."""
+    session = virtual_session_here()
+    if session is None or not session.embedded or current_process() is not None:
+        return session
+    return None if _caller() == "IPython" else session
+
+
+def _caller() -> str:
+    """The library that called, past those of Python and our own."""
+    frame: Any = sys._getframe(2)
+    while frame is not None:
+        top = str(frame.f_globals.get("__name__", "")).partition(".")[0]
+        if top not in _OF_PYTHON:
+            return top
+        frame = frame.f_back
+    return ""
+
+
+__all__ = ["starting_session", "virtual_session_here", "waiting_session"]

@@ -6,7 +6,18 @@ document docs/patches.md is made from this table: `python -m tests.processes.pat
 
 from __future__ import annotations
 
-from . import atexit_hooks, console_keys, import_hooks, keyboard, private_modules, selecting, streams, threads
+from . import (
+    atexit_hooks,
+    clocks,
+    console_keys,
+    import_hooks,
+    keyboard,
+    locks,
+    private_modules,
+    selecting,
+    streams,
+    threads,
+)
 from .patching import IMPORTS, PRIVATE, VIRTUAL, Change, Patch, always, patch_manager
 from .pickling import with_own_modules
 
@@ -51,16 +62,16 @@ TABLE: tuple[Patch, ...] = (
     Patch("threading.Thread.start", always(threads.start), "a thread belongs to the process that starts it", _THREADS),
     Patch("threading.Thread.join", always(threads.join), "Ctrl-C ends the wait for a thread", _THREADS),
     Patch("threading.Thread.is_alive", always(threads.is_alive), "a greenlet is a thread to its program", _THREADS),
-    Patch("threading.Condition.wait", always(threads.condition_wait), "events, queues and futures use the session's clock",
+    Patch("threading.Condition.wait", always(locks.condition_wait), "events, queues and futures use the session's clock",
           _THREADS),
     Patch("threading.current_thread", always(threads.current_thread), "a greenlet is a thread to its program", _THREADS,
           VIRTUAL),
-    Patch("threading.Lock", always(threads.VirtualLock), _LOCK, _THREADS, VIRTUAL),
-    Patch("threading.RLock", always(threads.VirtualRLock), _LOCK, _THREADS, VIRTUAL),
-    Patch("queue.SimpleQueue", always(threads.PythonQueue), "the one written in C blocks all greenlets", _THREADS, VIRTUAL),
-    *(Patch(f"time.{name}", threads.clock_reader(name), _OWN_CLOCK, _THREADS, VIRTUAL) for name in threads.CLOCKS),
-    Patch("threading._time", always(threads.monotonic), "a copy of time.monotonic that threading keeps", _THREADS, VIRTUAL),
-    Patch("queue.time", always(threads.monotonic), "a copy of time.monotonic that queue keeps", _THREADS, VIRTUAL),
+    Patch("threading.Lock", always(locks.VirtualLock), _LOCK, _THREADS, VIRTUAL),
+    Patch("threading.RLock", always(locks.VirtualRLock), _LOCK, _THREADS, VIRTUAL),
+    Patch("queue.SimpleQueue", always(locks.PythonQueue), "the one written in C blocks all greenlets", _THREADS, VIRTUAL),
+    *(Patch(f"time.{name}", clocks.clock_reader(name), _OWN_CLOCK, _THREADS, VIRTUAL) for name in clocks.CLOCKS),
+    Patch("threading._time", always(clocks.monotonic), "a copy of time.monotonic that threading keeps", _THREADS, VIRTUAL),
+    Patch("queue.time", always(clocks.monotonic), "a copy of time.monotonic that queue keeps", _THREADS, VIRTUAL),
     Patch("builtins.__import__", always(private_modules.import_), "two runs of a program share no globals", _MODULES,
           PRIVATE),
     *(Patch(f"{module}.import_module", always(private_modules.import_module), "two runs of a program share no globals",
@@ -70,7 +81,7 @@ TABLE: tuple[Patch, ...] = (
       for name in ("dump", "dumps", "load", "loads")),
     Change("sys.path", private_modules.own_path, "packages of a process's workspace can be imported", _MODULES,
            PRIVATE),
-)  # fmt: skip
+)
 
 patch_manager.register(*TABLE)
 patch_manager.on_open.append(import_hooks.lend_to_imported)

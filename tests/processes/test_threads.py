@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 
+from coursekit.processes.locks import VirtualLock, VirtualRLock
 from coursekit.processes.session import Session
-from coursekit.processes.threads import VirtualLock, VirtualRLock
 
 
 def on_condition() -> None:

@@ -31,6 +31,6 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
             notebook = released(json.loads(source.read_text(encoding="utf-8")))
             made.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
             build_data["force_include"][str(made)] = f"coursekit/notebooks/{source.name}"
-        for catalogue in sorted((Path(self.root) / "notebooks").glob("*/*.po")):
-            where = catalogue.relative_to(self.root).as_posix()
-            build_data["force_include"][str(catalogue)] = f"coursekit/{where}"
+        beside = (Path(self.root) / "notebooks").glob("*/*.*")  # translations, and the pictures of the texts
+        for file in sorted(one for one in beside if one.suffix in (".po", ".svg")):
+            build_data["force_include"][str(file)] = f"coursekit/{file.relative_to(self.root).as_posix()}"

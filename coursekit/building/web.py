@@ -7,6 +7,7 @@ folder, each other language in one of its own.
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -14,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.grade.copy import student_notebook
-from coursekit.grade.editions import ENGLISH, chapters, languages, notebooks_folder, read
+from coursekit.grade.editions import ENGLISH, IMAGES, chapters, languages, notebooks_folder, read
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
 CONF = """project = "coursekit"
@@ -84,6 +85,7 @@ def write_sources(folder: Path, language: str, others: Sequence[str]) -> None:
     for chapter in chapters(notebooks_folder(), language):
         (folder / chapter.name).write_text(json.dumps(web_notebook(read(chapter, language))), encoding="utf-8")
         names.append(chapter.stem)
+    shutil.copytree(notebooks_folder() / IMAGES, folder / IMAGES)
     top = "" if language == ENGLISH else "../"
     elsewhere = [_link(one, f"{top}{'' if one == ENGLISH else one + '/'}index.html") for one in others]
     tree = "\n".join(["```{toctree}", ":maxdepth: 1", "", *names, "```"])

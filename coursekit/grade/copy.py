@@ -11,7 +11,7 @@ from typing import Any
 
 from coursekit.files import write_whole
 
-from .editions import ENGLISH, chapters, read
+from .editions import ENGLISH, IMAGES, chapters, read
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
 HANDED_OUT = "handed_out"
@@ -138,8 +138,8 @@ class Course:
             sentence = self._bring(source.name, text, given)
             if sentence:
                 said.append(sentence)
-        for extra in sorted(path for path in notebooks.glob("*") if path.is_dir() and path.name == "images"):
-            self._copy_beside(extra)
+        if (notebooks / IMAGES).is_dir():
+            self._copy_beside(notebooks / IMAGES, again=True)
         self._manifest.parent.mkdir(parents=True, exist_ok=True)
         write_whole(self._manifest, json.dumps(given, indent=1, sort_keys=True))
         write_whole(self._language, language + "\n")
@@ -186,12 +186,13 @@ class Course:
         given[name] = edition
         return f"{name}: you have worked on it, so it stays; the new edition is {beside.name}"
 
-    def _copy_beside(self, source: Path) -> None:
+    def _copy_beside(self, source: Path, *, again: bool = False) -> None:
+        """Copy a folder's files; those that are there already only `again`, where they are no student's."""
         target = self.folder / source.name
         target.mkdir(exist_ok=True)
         for file in source.iterdir():
-            if not (target / file.name).exists():
-                (target / file.name).write_bytes(file.read_bytes())
+            if again or not (target / file.name).exists():
+                write_whole(target / file.name, file.read_bytes())
 
     def _read_manifest(self) -> dict[str, str]:
         try:

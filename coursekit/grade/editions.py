@@ -7,10 +7,16 @@ with the English name.
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from coursekit.words.gettext import ENGLISH
+
+IMAGES = "images"
+"""The folder beside the chapters with the pictures that their texts show, in every language."""
+_SHOWN = re.compile(rf"!\[[^\]]*\]\({IMAGES}/([\w.-]+)\)")
 
 
 def notebooks_folder() -> Path:
@@ -60,6 +66,17 @@ def read(chapter: Path, language: str = ENGLISH) -> dict[str, Any]:
     from .catalogue import translated  # not above: where wheels are built there is the standard library alone
 
     return translated(notebook, catalogue)
+
+
+def pictures_of(notebook: Mapping[str, Any], folder: Path) -> list[Path]:
+    """The files of the pictures that a notebook's texts show, which are beside it or, for a translation, one folder up."""
+    texts = ("".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown")
+    names = sorted({name for text in texts for name in _SHOWN.findall(text)})
+    return [file for name in names if (file := _first_file(folder / IMAGES / name, folder.parent / IMAGES / name))]
+
+
+def _first_file(*files: Path) -> Path | None:
+    return next((file for file in files if file.is_file()), None)
 
 
 def catalogue_of(chapter: Path, language: str) -> Path:

@@ -11,7 +11,7 @@ from typing import Any
 from coursekit.files import write_whole
 
 from .copy import HANDED_OUT, edition_of, student_notebook
-from .editions import ENGLISH, read
+from .editions import ENGLISH, IMAGES, pictures_of, read
 from .exercise import exercises_in
 from .handing_out import write_for_moodle, write_list
 from .harmless import name_of_files
@@ -53,21 +53,23 @@ def release(
     moodle: bool = False,
     language: str = ENGLISH,
 ) -> list[Path]:
-    """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written.
+    """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written, but pictures.
 
     With `variants` each student of the class has a folder and a zip of their own, whose notebooks carry a mark that says
     whose they are; with `personal` they ask for numbers of their own, too; with `moodle` all zips are in one that Moodle
     deals out. The page tells students to install `wheel`. Chapters with a catalogue are in that `language`.
     """
     sources = {file.name: _in_language(read(file, language), language) for file in sorted(notebooks)}
+    pictures = {one.name: one for file in notebooks for one in pictures_of(sources[file.name], file.parent)}
+    beside = [*pictures.values(), *own_files(exercises_in(*sources.values()).values())]
     written = []
     if variants:
-        archives = {one: _copy_of(one, variants, sources, out, personal) for one in variants.roster.people}
+        archives = {one: _copy_of(one, variants, sources, out, personal, beside) for one in variants.roster.people}
         written = [*archives.values(), write_list(out, archives, variants.roster.form)]
         written += [write_for_moodle(out, archives)] if moodle else []
     else:
-        files = _written(sources, out, out.name)
-        written = [*files, _zipped(files, out)]
+        files = _written(sources, out, out.name, beside)
+        written = [*(one for one in files if one.parent.name != IMAGES), _zipped(files, out)]
     asked = {name: [one.points for one in exercises_in(source).values()] for name, source in sources.items()}
     file = out / "page.html"
     write_whole(file, page(out.name, "" if variants else f"{out.name}.zip", wheel, asked, language))
@@ -81,15 +83,17 @@ def _in_language(notebook: dict[str, Any], language: str) -> dict[str, Any]:
     return notebook
 
 
-def _copy_of(person: Person, variants: Variants, sources: Mapping[str, Any], out: Path, personal: bool) -> Path:
+def _copy_of(
+    person: Person, variants: Variants, sources: Mapping[str, Any], out: Path, personal: bool, beside: Sequence[Path]
+) -> Path:
     """A student's own zip."""
     student = variants.roster.label(person)
     copies = variants.copies(student, sources) if personal else sources
     folder = out / (student_word(student) or name_of_files(person.identity))
-    return _zipped(_written(copies, folder, out.name, variants.copy_mark(person)), out)
+    return _zipped(_written(copies, folder, out.name, beside, variants.copy_mark(person)), out)
 
 
-def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = "") -> list[Path]:
+def _written(notebooks: Mapping[str, Any], folder: Path, name: str, beside: Sequence[Path], mark: str = "") -> list[Path]:
     """The notebooks as they are handed out; they say so, and a new edition of the course leaves them alone."""
     folder.mkdir(parents=True, exist_ok=True)
     files = []
@@ -100,16 +104,14 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, mark: str = 
         made["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
         files.append(folder / file)
         write_whole(files[-1], json.dumps(made, indent=1) + "\n")
-    return [*files, *_own_checks(folder, notebooks)]
+    return [*files, *(_copied(file, folder) for file in beside)]
 
 
-def _own_checks(folder: Path, notebooks: Mapping[str, Any]) -> list[Path]:
-    """A teacher's own checks, which go with the notebooks: without them nothing could be checked at home."""
-    made = []
-    for file in own_files(exercises_in(*notebooks.values()).values()):
-        made.append(folder / OWN / file.name)
-        made[-1].parent.mkdir(exist_ok=True)
-        made[-1].write_bytes(file.read_bytes())
+def _copied(file: Path, folder: Path) -> Path:
+    """The copy of what goes with the notebooks: their pictures, and a teacher's own checks, or nothing could be checked."""
+    made = folder / (OWN if file.suffix == ".py" else IMAGES) / file.name
+    made.parent.mkdir(exist_ok=True)
+    made.write_bytes(file.read_bytes())
     return made
 
 

@@ -55,6 +55,8 @@ def test_an_empty_folder_becomes_the_whole_course(folder):
     _said(_python(folder).parent / name, "course", folder=folder)
     chapters = {one.name for one in (ROOT / "notebooks").glob("*.ipynb")}
     assert {one.name for one in (folder / "course").glob("*.ipynb")} == chapters
+    pictures = {one.name for one in (ROOT / "notebooks" / "images").iterdir()}
+    assert {one.name for one in (folder / "course" / "images").iterdir()} == pictures
 
 
 def test_it_has_every_file_of_the_underlay(folder):

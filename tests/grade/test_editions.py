@@ -34,6 +34,15 @@ def test_a_translated_chapter_stands_for_the_english_one(notebooks, tmp_path):
     assert texts(tmp_path / "english") == ["Hello", "Bye"]
 
 
+def test_pictures_of_the_texts_go_with_the_chapters_and_are_kept_up_to_date(notebooks, tmp_path):
+    for content in ("<svg/>", "<svg><title>new</title></svg>"):
+        (notebooks / "images").mkdir(exist_ok=True)
+        (notebooks / "images" / "node.svg").write_text(content)
+        Course(tmp_path / "course").update(notebooks)
+        assert (tmp_path / "course" / "images" / "node.svg").read_text() == content
+    assert languages(notebooks) == ["en", "es"]
+
+
 def test_a_language_that_is_not_there_is_said_with_those_that_are(notebooks, tmp_path):
     with pytest.raises(ValueError, match="'fr'. There are: en, es."):
         chapters(notebooks, "fr")

@@ -72,7 +72,9 @@ def test_the_command_writes_folder_zip_and_page(tmp_path, capsys):
     assert said[:4] == [(tmp_path / "week2" / name).as_posix() for name in names]
     assert "--wheel ADDRESS" in said[4] and "teachers.md" in said[5]
     with zipfile.ZipFile(tmp_path / "week2" / "week2.zip") as packed:
-        assert packed.namelist() == ["week2/02_topics.ipynb", "week2/03_services.ipynb"]
+        pictures = [f"week2/images/{name}.svg" for name in ("workspace", "deadlock")]
+        assert packed.namelist() == ["week2/02_topics.ipynb", "week2/03_services.ipynb", *pictures]
+        assert packed.read(pictures[0]) == (NOTEBOOKS[0].parent / "images" / "workspace.svg").read_bytes()
     page = (tmp_path / "week2" / "page.html").read_text()
     assert "<td>02_topics</td><td>4</td><td>7</td>" in page and "<th>All</th><th>8</th><th>14</th>" in page
     assert "evidence()" in page and "in a new cell at the end of the notebook" in page
@@ -109,6 +111,7 @@ def test_moodle_deals_out_each_copy_to_the_student_whose_it_is(tmp_path):
             (person,) = Identifier(people).by_name(folder).people
             assert fields[1] == person.number == platform_name(folder).number and fields[2:4] == ["assignsubmission", "file"]
             with zipfile.ZipFile(packed.open(name)) as own:
+                assert "week2/images/workspace.svg" in own.namelist()
                 marks.add((person.name, json.loads(own.read(f"week2/{TOPICS}"))["metadata"]["coursekit"]["copy"]))
             assert file.endswith(".zip")
     known = Variants.read(worksheet).copy_marks()

@@ -45,17 +45,22 @@ def tools_for(target: str) -> Toolchain:
 def install(folder: Path, tools: Toolchain, programs: dict[str, str]) -> Path:
     """Build the programs, texts by name, as a package `far`; the prefix that it is installed in."""
     source, build, prefix = folder / "src", folder / "build", folder / "install"
-    source.mkdir(parents=True)
-    for name, text in programs.items():
-        (source / f"{name}.cpp").write_text(text, encoding="utf-8")
-    (source / "CMakeLists.txt").write_text(CMAKE.format(programs=" ".join(programs)), encoding="utf-8")
-    (source / "package.xml").write_text(PACKAGE, encoding="utf-8")
+    write(source, programs)
     reuse_compiler(build, runtime_folder(tools))
     cache = initial_cache(build, prefix, tools)
     _run(tools, "-G", tools.generator, "-C", cache, f"-DCMAKE_INSTALL_PREFIX={prefix}", "-S", source, "-B", build)
     _run(tools, "--build", build)
     _run(tools, "--install", build)
     return prefix
+
+
+def write(source: Path, programs: dict[str, str]) -> None:
+    """Write the package's files."""
+    source.mkdir(parents=True)
+    for name, text in programs.items():
+        (source / f"{name}.cpp").write_text(text, encoding="utf-8")
+    (source / "CMakeLists.txt").write_text(CMAKE.format(programs=" ".join(programs)), encoding="utf-8")
+    (source / "package.xml").write_text(PACKAGE, encoding="utf-8")
 
 
 def _run(tools: Toolchain, *words: str | Path) -> None:

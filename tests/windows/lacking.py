@@ -1,4 +1,4 @@
-"""What Wine 8 lacks and Windows has: two libraries, made by zig; threads for OpenCV; and Git's small commands."""
+"""What Wine lacks and Windows has: three libraries, made by zig; threads for OpenCV; and Git's small commands."""
 
 from __future__ import annotations
 
@@ -16,6 +16,11 @@ OURS = b"ckw-ms-win-crt-math-l1-1-0.dll"
 _DOUBLE = "cabs carg ccos ccosh cexp cimag clog clog10 conj cpow cproj creal csin csinh csqrt ctan ctanh"
 COMPLEX = {name + end for name in _DOUBLE.split() for end in ("", "f")}
 """What complex_functions.c computes."""
+SYSTEM = b"ntdll.dll"
+CALLS = b"ckntd.dll"
+"""By what name programs import the system's own calls, and the name as long that zig gets instead."""
+ANSWERED = {"NtLockFile", "NtUnlockFile", "NtQueryAttributesFile"}
+"""What system_calls.c answers."""
 _IMPORTS = """
 import sys, pefile
 for file in sys.argv[2:]:
@@ -44,16 +49,31 @@ def add_random_bytes() -> None:
 def add_complex_functions() -> None:
     """Complex maths for numpy and scipy: their modules are pointed to a library of ours that has it, the rest is Wine's."""
     wanted: set[str] = set()
-    for file, names in _imports_of_maths().items():
+    for file, names in _imports((MATHS, OURS), "*.pyd", "*.dll").items():
         if names & COMPLEX:
             file.write_bytes(file.read_bytes().replace(MATHS, OURS))
         data = file.read_bytes()
         wanted |= names if OURS in data else set()
-    exports = HOME / "complex.def"
-    lines = [f"  {name}=shim_{name}" for name in sorted(COMPLEX)]
-    lines += [f"  {name}=ucrtbase.{name}" for name in sorted(wanted - COMPLEX)]
-    exports.write_text("\n".join(["EXPORTS", *lines, ""]), encoding="utf-8")
+    exports = _exports("complex.def", COMPLEX, "ucrtbase", wanted - COMPLEX)
     _link(OURS.decode(), HERE / "complex_functions.c", exports, "-lucrtbase", "-fno-builtin")
+
+
+def add_system_calls() -> None:
+    """What zig asks of the system: its program is pointed to a library of ours that answers as Windows does."""
+    wanted: set[str] = set()
+    for file, names in _imports((SYSTEM, CALLS), "zig.exe").items():
+        file.write_bytes(file.read_bytes().replace(SYSTEM + b"\0", CALLS + b"\0"))
+        wanted |= names
+    exports = _exports("system_calls.def", ANSWERED, "ntdll", wanted - ANSWERED)
+    _link(CALLS.decode(), HERE / "system_calls.c", exports, "-lntdll")
+
+
+def _exports(name: str, ours: set[str], library: str, theirs: set[str]) -> Path:
+    """What a library of ours offers: functions of its own, and those of one of Wine's that it passes on."""
+    file = HOME / name
+    lines = [f"  {one}=shim_{one}" for one in sorted(ours)] + [f"  {one}={library}.{one}" for one in sorted(theirs)]
+    file.write_text("\n".join(["EXPORTS", *lines, ""]), encoding="utf-8")
+    return file
 
 
 def add_commands() -> None:
@@ -70,18 +90,15 @@ def one_thread_for_opencv() -> None:
     file.write_text("import cv2; cv2.setNumThreads(1)\n", encoding="utf-8")
 
 
-def _imports_of_maths() -> dict[Path, set[str]]:
+def _imports(libraries: tuple[bytes, ...], *patterns: str) -> dict[Path, set[str]]:
+    """What files of installed packages import from these libraries, by file."""
     site = VENV / "Lib" / "site-packages"
-    files = [file for end in ("*.pyd", "*.dll") for file in site.rglob(end) if {MATHS, OURS} & _named(file)]
-    names = f"{MATHS.decode()} {OURS.decode()}"
+    every = (file for pattern in patterns for file in site.rglob(pattern))
+    files = [file for file in every if any(name in file.read_bytes() for name in libraries)]
+    names = b" ".join(libraries).decode()
     said = subprocess.run([_tools, "-c", _IMPORTS, names, *files], check=True, stdout=subprocess.PIPE).stdout
     found = (line.split("|") for line in said.decode().splitlines())
     return {Path(file): set(functions) for file, *functions in found}
-
-
-def _named(file: Path) -> set[bytes]:
-    data = file.read_bytes()
-    return {name for name in (MATHS, OURS) if name in data}
 
 
 def _link(name: str, *words: Path | str) -> None:

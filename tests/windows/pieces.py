@@ -61,8 +61,9 @@ class FromOutside:
 OUTSIDE = (
     FromOutside("JupyterLab", "tests/browser/test_windows.py"),
     FromOutside("C++", "tests/windows/test_cpp.py"),
+    FromOutside("C++ there", "tests/windows/test_cpp_there.py"),
 )
-"""A student's way in the lab of Windows' Python; nodes in C++ that zig compiles for Windows."""
+"""A student's way in the lab of Windows' Python; nodes in C++ that zig compiles for Windows, here and there."""
 
 
 def chapter(name: str) -> Piece:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import select
 import shutil
 import subprocess
@@ -26,6 +27,19 @@ _UNWANTED = ("PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED", "PIP_FIND_LINKS", "V
 def is_there() -> bool:
     """Whether this computer has Wine."""
     return shutil.which("wine") is not None
+
+
+def version() -> int:
+    """Wine's version; 0 where there is none.
+
+    >>> version() >= 0
+    True
+    """
+    if not is_there():
+        return 0
+    done = subprocess.run(["wine", "--version"], env=environment(), stdout=subprocess.PIPE, encoding="utf-8", check=False)
+    found = re.search(r"wine-(\d+)", done.stdout)
+    return int(found[1]) if found else 0
 
 
 def windows_path(path: Path) -> str:

@@ -17,7 +17,7 @@ path::path(const std::string & text)
   for (char & c : text_) {
     c = c == '/' || c == '\\' ? kPreferredSeparator : c;
   }
-  for (auto & part : files::path(text_)) {
+  for (const auto & part : files::path(text_)) {
     parts_.push_back(part.string());
   }
 }

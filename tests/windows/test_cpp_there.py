@@ -58,7 +58,7 @@ def test_a_package_is_created_built_and_run(src: Path) -> None:
     said_by(SCRIPTS / "ros2.exe", *words, folder=src)
     assert "Finished <<< words" in said_by(SCRIPTS / "colcon.exe", "build", folder=src.parent)
     said = said_by("cmd", "/c", "call install\\setup.bat && ros2 run words hello", folder=src.parent)
-    assert said == "hello world words package\n"
+    assert said.splitlines()[-1] == "hello world words package"  # Wine's cmd also shows a comment of the script
 
 
 def test_nodes_that_were_built_there_talk(src: Path) -> None:

@@ -9,6 +9,7 @@ import importlib.util
 import os
 import re
 import shutil
+import subprocess
 import sys
 
 import pytest
@@ -30,6 +31,12 @@ def tools(tmp_path_factory):
     for name in ("env", "sh", "bash"):
         (folder / name).symlink_to(shutil.which(name))
     return ENV | {"PATH": f"{BIN}{os.pathsep}{folder}"}
+
+
+def test_coursekit_cpp_makes_the_runtime(tools):
+    command = [os.path.join(BIN, "coursekit"), "cpp"]
+    done = subprocess.run(command, env=tools, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0 and "C++ is ready" in done.stdout and "ziglang" in done.stdout, done.stdout + done.stderr
 
 
 @pytest.fixture(scope="module")

@@ -119,5 +119,8 @@ def named(names: Iterable[str]) -> list[Piece | FromOutside]:
 FAST = [*map(fast, ROOMS), *map(chapter, CHAPTERS)]
 _BUILDS = ("test_build_state.py", "test_colcon.py", "test_links.py", "test_quiet.py")
 """They build for minutes, and Wine 8 refuses to start one of some twenty programs (WinError 1359) on a busy computer."""
-IN_CI = [fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8")]
+IN_CI = [
+    fast("core"), fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8"),
+    fast("lab"), fast("cli"),
+]  # fmt: skip
 """What passed every time that it was run, in the order of what it tells of Windows for its time."""

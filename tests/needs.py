@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import sys
 from pathlib import Path
 
@@ -28,6 +29,11 @@ def in_wine() -> bool:
     import ctypes
 
     return hasattr(ctypes.windll.ntdll, "wine_get_version")  # type: ignore[attr-defined]
+
+
+def is_private(file: Path) -> bool:
+    """Whether its owner alone may read a file; Windows has no such modes, there it lies in a folder of the user's."""
+    return ON_WINDOWS or stat.S_IMODE(file.stat().st_mode) == 0o600
 
 
 def slashed(text: str | Path) -> str:

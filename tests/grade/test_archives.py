@@ -44,6 +44,8 @@ def test_an_archive_holds_the_chapters_without_their_solutions(archives, kind):
     assert ("docs/teachers.md" if kind == "sdist" else "coursekit/teachers.md") in files
     chapters = {path.name for path in NOTEBOOKS.glob("*.ipynb")}
     assert {Path(name).name for name in files if name.endswith(".ipynb")} == chapters
+    pictures = {path.name for path in NOTEBOOKS.glob("images/*")}
+    assert {Path(name).name for name in files if "/notebooks/images/" in name} == pictures
     for name, content in files.items():
         text = content.decode("utf-8", "replace")
         said = [one for one in found_in(text) if not (one == "a marker" and name in KNOW_THE_MARKER)]
@@ -56,7 +58,7 @@ def test_the_copy_and_the_release_hold_no_solution(tmp_path):
     texts = [path.read_text() for path in [*tmp_path.glob("course/*.ipynb"), *tmp_path.glob("release/*.ipynb")]]
     with zipfile.ZipFile(next(path for path in written if path.suffix == ".zip")) as packed:
         texts += [io.TextIOWrapper(packed.open(name), "utf-8").read() for name in packed.namelist()]
-    assert len(texts) == 3 * len(list(NOTEBOOKS.glob("*.ipynb")))
+    assert len(texts) == 3 * len(list(NOTEBOOKS.glob("*.ipynb"))) + len(list(NOTEBOOKS.glob("images/*")))
     assert [found_in(text) for text in texts] == [[]] * len(texts)
 
 

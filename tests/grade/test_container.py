@@ -12,6 +12,7 @@ import pytest
 from coursekit.cli.coursekit import main
 from coursekit.grade import container, container_image, sandbox
 from coursekit.systems import which
+from tests.needs import ON_WINDOWS
 
 ENGINE = """#!{python}
 import json, sys
@@ -34,10 +35,13 @@ def computer(tmp_path, monkeypatch):
     monkeypatch.setattr(sandbox, "start", lambda *_, **__: pytest.fail("a submission was run outside of the container"))
 
     def make(*names, info=0, build=0):
+        text = ENGINE.format(python=sys.executable, log=str(log), info=info, build=build)
         for name in names:
-            file = programs / name
-            file.write_text(ENGINE.format(python=sys.executable, log=str(log), info=info, build=build))
+            file = programs / (f"{name}.py" if ON_WINDOWS else name)
+            file.write_text(text)
             file.chmod(0o755)
+            if ON_WINDOWS:  # it starts programs by their endings
+                (programs / f"{name}.bat").write_text(f'@"{sys.executable}" "{file}" %*\n')
 
     make.asked = lambda: [json.loads(line) for line in log.read_text().splitlines()]
     make.folder = tmp_path

@@ -3,13 +3,13 @@
 import csv
 import html
 import json
-import stat
 import zipfile
 
 import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade.statuses import STATUSES
+from tests.needs import is_private
 
 from .handed import NOON, TOPICS, answer, edited, grade, lines, notebook, rows, text, write, zipped
 
@@ -124,7 +124,7 @@ def test_names_are_hidden_and_who_is_who_lies_apart(folder):
     found = grade(folder, *words)[1]
     assert all(name.startswith("P-") and len(name) == 10 for name in found) and len(found) == 2
     who = folder.parent / "grades.names.csv"
-    assert stat.S_IMODE(who.stat().st_mode) == 0o600
+    assert is_private(who)
     assert {row[0]: row[1] for row in lines(who)[1:]}.keys() == found.keys()
     shown = [
         folder.parent / "grades.csv",

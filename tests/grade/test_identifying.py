@@ -126,7 +126,7 @@ def test_every_copy_carries_a_mark_that_only_the_teacher_can_read(group):
     assert len(marks) == 2 and marks == set(Variants.read(group / "roster.csv").copy_marks())
     assert not [one for one in (secret, "Ben", "uni.example") if one in copy_of(group, "BenIto")]
     with zipfile.ZipFile(group / "week2" / "BenIto.zip") as packed:
-        assert packed.namelist() == [f"week2/{TOPICS}"]
+        assert packed.namelist() == [f"week2/{TOPICS}", "week2/images/workspace.svg"]
 
 
 def test_without_a_list_a_release_says_which_it_is(tmp_path):

@@ -1,8 +1,6 @@
 """Kept results count as long as all that they depend on is the same, and only if this account wrote them."""
 
 import json
-import os
-import stat
 
 import pytest
 
@@ -10,6 +8,7 @@ from coursekit.cli.coursekit import main
 from coursekit.grade import bar, batch, keys, results
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.verdict import Verdict
+from tests.needs import is_private
 
 from .handed import SERVICES, TOPICS, cheap_mark, grade, rows, text, write
 
@@ -140,9 +139,9 @@ def test_another_s_result_under_one_s_own_name_is_none(folder):
 def test_the_secret_is_the_account_s_alone(folder):
     again(folder)
     file = keys.config_folder() / "marks.key"
-    assert stat.S_IMODE(file.stat().st_mode) == 0o600
+    assert is_private(file)
     file.chmod(0o644)
-    assert again(folder) == [] and stat.S_IMODE(file.stat().st_mode) == 0o600
+    assert again(folder) == [] and is_private(file)
     file.unlink()
     assert again(folder) == ["Ann", "Ben"]
 
@@ -152,7 +151,7 @@ def test_a_result_is_an_honest_seal_over_its_payload(folder):
     again(folder)
     (file,) = (place.parent / "grades" / "results").glob("ann-*/result.json")
     found = json.loads(file.read_text())
-    assert found["hmac"] == keys.mac(keys.own_key(), found["payload"]) and stat.S_IMODE(os.stat(file).st_mode) == 0o600
+    assert found["hmac"] == keys.mac(keys.own_key(), found["payload"]) and is_private(file)
 
 
 def test_a_grader_that_is_broken_marks_nobody(folder, monkeypatch, capsys):

@@ -6,8 +6,12 @@ import urllib.request
 
 import pytest
 
+from tests.needs import posix
+
 from .handed import WALLS, cheap_mark, grade, rows
 from .reviewing import make_class, reviewing
+
+pytestmark = posix("submissions are marked in a container, and `--review` is refused with the reason (test_container)")
 
 
 @pytest.fixture(scope="module")

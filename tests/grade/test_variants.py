@@ -1,7 +1,6 @@
 """Copies that ask for values of their own: drawn with a secret, written in, and judged by those that the teacher draws."""
 
 import json
-import stat
 from pathlib import Path
 
 import pytest
@@ -18,6 +17,7 @@ from coursekit.grade.submissions import Submission
 from coursekit.grade.variants import Variants, declared, personal, told
 from coursekit.grade.verdict import CheckFailed
 from coursekit.grade.work import Work
+from tests.needs import is_private
 
 from .handed import WALLS, rows
 from .kinds import solution_cells
@@ -145,7 +145,7 @@ def handed_out(tmp_path, capsys):
 
 def test_a_release_has_a_copy_for_each_student_and_the_secret_stays_with_the_teacher(handed_out):
     secret = handed_out / "students.secret"
-    assert stat.S_IMODE(secret.stat().st_mode) == 0o600
+    assert is_private(secret)
     texts = {name: (handed_out / "week5" / name / "05_part.ipynb").read_text() for name in ("AnnLee", "BenIto")}
     assert texts["AnnLee"] != texts["BenIto"]
     for text in texts.values():

@@ -259,7 +259,7 @@ for cell in ("me = 'Vera'\\nfrom coursekit.grade.checking import check", *sys.ar
 
 
 def checked_after(folder, *cells):
-    own = {"COURSEKIT_WORKSPACE": str(folder / "ros2_ws"), "IPYTHONDIR": str(folder)}
+    own = {"COURSEKIT_WORKSPACE": str(folder / "ros2_ws"), "IPYTHONDIR": str(folder), "PYTHONUTF8": "1"}
     done = [sys.executable, "-c", CELLS, *cells]
     return subprocess.run(done, cwd=folder, env=os.environ | own, capture_output=True, encoding="utf-8", check=True).stdout
 

@@ -9,6 +9,7 @@ import pytest
 from coursekit.grade import folders, sandbox
 from coursekit.grade.confined import confined
 from coursekit.systems import which
+from tests.needs import posix
 
 walls = pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
 
@@ -130,6 +131,7 @@ SPARSE = "import os, time\nfor n in range(9):\n    os.truncate(os.open(str(n), 5
 MANY = "import time\nfor n in range(60_000):\n    open(str(n), 'w').close()\ntime.sleep(60)"
 
 
+@posix("nothing of a student's runs there outside of a container")
 @pytest.mark.parametrize(
     ("code", "why"),
     [(DEEP, "folders in folders"), (SPARSE, "MB of files"), (MANY, "more than 50000 files")],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import posixpath
 import re
 from pathlib import Path
@@ -38,9 +39,10 @@ def where(work: Work) -> None:
         wanted = f"the file that {uri} means"
         got = text(called(function, uri, told=f"where({uri!r})"), f"where({uri!r}) as a str")
         if not _is_file(got, find_file(uri)):
-            tail = shown("/".join(got.split("/")[-3:]), 80)
+            parts = got.replace(os.sep, "/").split("/")
+            tail = shown("/".join(parts[-3:]), 80)
             whole = "The path after NAME is kept whole."
-            cause = whole if "/share/" in got else "A package's files are in its share folder, not in its prefix."
+            cause = whole if "share" in parts else "A package's files are in its share folder, not in its prefix."
             raise Wrong(wanted, gave=f"...{tail}, which is not it", cause=cause, hint=0)
     for uri in ("file:///tmp/tyre.stl", "meshes/package://tyre.stl"):
         _expect_value_error(function, (uri,), f"a ValueError from where({uri!r})")

@@ -22,6 +22,13 @@ def not_root(monkeypatch):
 
 
 @pytest.fixture(autouse=True)
+def marked_here(request, monkeypatch):
+    """No container is asked for on Windows and macOS: what runs a student's work is made up, but in test_container."""
+    if "computer" not in request.fixturenames:
+        monkeypatch.setattr("coursekit.grade.container.is_needed", lambda: False)
+
+
+@pytest.fixture(autouse=True)
 def same_day(monkeypatch):
     """It is a week after what was handed in, whatever this computer's clock says."""
     monkeypatch.setattr("coursekit.grade.record.now", lambda: NOON + 7 * 86400)

@@ -26,7 +26,7 @@ def archives(tmp_path_factory):
     with tarfile.open(next(folder.glob("*.tar.gz"))) as packed:
         packed.extractall(folder / "unpacked", filter="data")
     unpacked = next((folder / "unpacked").iterdir())
-    source = {str(path.relative_to(unpacked)): path.read_bytes() for path in unpacked.rglob("*") if path.is_file()}
+    source = {path.relative_to(unpacked).as_posix(): path.read_bytes() for path in unpacked.rglob("*") if path.is_file()}
     _build(unpacked, "wheel", folder)
     with zipfile.ZipFile(next(folder.glob("*.whl"))) as packed:
         return {"sdist": source, "wheel": {name: packed.read(name) for name in packed.namelist()}}

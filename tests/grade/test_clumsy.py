@@ -8,6 +8,8 @@ from io import BytesIO
 
 import pytest
 
+from tests.needs import posix
+
 from .handed import (
     NOON,
     SERVICES,
@@ -210,6 +212,7 @@ def test_marking_where_the_work_lies_never_takes_its_own_results_for_work(folder
     assert "left out" not in capsys.readouterr().out and (folder / "grades.feedback.zip").is_file()
 
 
+@posix("folders are not opened there, and what is refused has other names")
 @pytest.mark.parametrize("closed", ["Ben Ito", "week 2", TOPICS])
 def test_what_this_user_may_not_read_is_told_and_never_just_missing(folder, monkeypatch, closed):
     write(folder / "Ben Ito" / "week 2" / TOPICS, text("q1"))

@@ -17,6 +17,7 @@ from coursekit.grade.archives import Archive, BadArchive, Bounds, parts_of
 from coursekit.grade.harmless import cell, lines, name_of_files, shown
 from coursekit.grade.recognising import Recogniser, parse_notebook
 from coursekit.grade.walking import walk
+from tests.needs import posix
 
 from .handed import SOURCES, TOPICS, cheap_mark, collected, grade, notebook, text, write, zipped
 
@@ -136,6 +137,7 @@ def test_a_bad_notebook_has_a_reason_and_the_others_their_marks(folder, what):
     assert found["Ben"]["status"] in ("unreadable", "graded", "question")
 
 
+@posix("there are no such pipes, and folders are not opened")
 def test_folders_in_folders_links_pipes_and_names_that_are_no_text(folder, tmp_path, request):
     request.addfinalizer(lambda: folders.remove(folder / "Ben"))  # too deep for whoever clears up after the tests
     place = os.open(folder, os.O_RDONLY)
@@ -303,6 +305,7 @@ def test_any_json_with_cells_can_be_recognised(cells, metadata):
     assert found.chapter == TOPICS and "ch02.q1" in found.begun
 
 
+@posix("most of these are no names there")
 @settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(some.lists(some.text(some.characters(exclude_characters="\0/", exclude_categories=["Cs"]), min_size=1, max_size=30),
                   min_size=1, max_size=6))  # fmt: skip

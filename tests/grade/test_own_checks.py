@@ -173,8 +173,9 @@ def test_the_notebook_runs_in_a_kernel_that_is_not_ours(tmp_path):
     made = json.loads((tmp_path / "claw.ipynb").read_text())
     assert len({cell["id"] for cell in made["cells"]}) == len(made["cells"])
     env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT")}
-    done = subprocess.run([sys.executable, "-c", PLAIN_SHELL], cwd=tmp_path, env=env | {"COURSEKIT_TIME": "virtual"},
-                          capture_output=True, encoding="utf-8")  # fmt: skip
+    env |= {"COURSEKIT_TIME": "virtual", "PYTHONUTF8": "1"}
+    command = [sys.executable, "-c", PLAIN_SHELL]
+    done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, encoding="utf-8")
     assert done.returncode == 0 and "2 of 2 points" in done.stdout, done.stdout + done.stderr
 
 

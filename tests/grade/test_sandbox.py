@@ -193,6 +193,7 @@ def test_control_groups_are_used_where_the_system_lends_them(monkeypatch):
     assert confined(1 << 30, 100) == []
 
 
+@posix("nothing of a student's runs there outside of a container")
 def test_without_walls_its_temporary_files_are_its_own(tmp_path):
     """numba unpickles what it has compiled: never from a folder in which others may write."""
     code = "import os; e = os.environ; print(e['TMPDIR'], e['NUMBA_CACHE_DIR'], os.stat(e['TMPDIR']).st_mode & 0o77)"

@@ -35,7 +35,7 @@ pre{{background:var(--code);padding:.6rem .8rem;margin:4px 0;overflow:auto;max-h
 white-space:pre-wrap;overflow-wrap:anywhere}}</style></head>
 <body><h1>{student}</h1><p class="total">{total}{how}</p>{comments}{notes}
 {verdicts}{evidence}<footer>
-<span class="status">{footer}</span></footer></body></html>
+{footer}</footer></body></html>
 """
 
 
@@ -104,7 +104,7 @@ def _how(record: Record) -> str:
 
 def _footer(record: Record, marked: Marked) -> str:
     """How it stands, how late it was, and where it was run."""
-    parts = [_text(gettext(record.status()).capitalize())]
+    parts = [f'<span class="status">{_text(gettext(record.status()).capitalize())}</span>']
     if marked.minutes_late:
         parts.append(gettext(f"{late_by(marked.minutes_late)} late by {_text(gettext(record.time_from()))}"))
     if marked.tier:

@@ -20,16 +20,15 @@ ENGLISH = "en"
 LANGUAGE = "COURSEKIT_LANGUAGE"
 """The variable of the environment that names the language by its code."""
 FIELD = re.compile(r"\{(\d+)\}")
-_LONGEST = 500
-"""Letters of a sentence; what is longer holds something of the student's, and is shown as it is."""
+_LONGEST_CODE, _LONGEST = 8, 500
+"""Letters of a language's code; and of a sentence: what is longer holds something of the student's, and is shown as it is."""
 _DEEPEST = 3
 """A field's own words may have fields again."""
 _LEAST, _LEAST_INSIDE = 4, 9
 """Letters outside of its fields that an entry needs, or it would stand for anything; more within another's field, which may
 hold what a student's program said."""
-
-
 _reader: ContextVar[str] = ContextVar("reader", default="")
+"""The language of whom something is written for; '' where it is the course's."""
 
 
 def language() -> str:
@@ -41,11 +40,13 @@ def language() -> str:
 def speaking(code: str) -> Iterator[None]:
     """Have what is said inside be in this language, whatever the course's is: a teacher marks for students of several.
 
+    What is no language of ours is English: the code may come from a file of a student's.
+
     >>> with speaking("es"):
     ...     print(language())
     es
     """
-    before = _reader.set(code)
+    before = _reader.set(code if _is_ours(code) else ENGLISH)
     try:
         yield
     finally:
@@ -64,11 +65,16 @@ def gettext(text: str) -> str:
 @functools.cache
 def words_of(code: str) -> Words:
     """The translations into a language; none for English, and for languages that nobody has translated the course into."""
-    if code == ENGLISH or not code.isalpha() or not (file := catalogue_of(code)).is_file():
+    if not _is_ours(code):
         return Words({})
     import polib
 
-    return Words({one.msgid: one.msgstr for one in polib.pofile(str(file)).translated_entries()})
+    return Words({one.msgid: one.msgstr for one in polib.pofile(str(catalogue_of(code))).translated_entries()})
+
+
+def _is_ours(code: str) -> bool:
+    """Whether there is a catalogue for a language."""
+    return code.isascii() and code.isalpha() and len(code) <= _LONGEST_CODE and catalogue_of(code).is_file()
 
 
 def catalogue_of(code: str) -> Path:

@@ -73,6 +73,16 @@ def test_a_student_reads_their_page_in_the_language_of_the_notebook_that_they_ha
     assert late in ben and "1 of 1 for ch02.q1" in ana and "1 de 1 en ch02.q1" in ben
 
 
+@pytest.mark.parametrize("code", ['en"><script>x</script>', "../words/es", "x" * 5000, "fr", 7, None])
+def test_a_language_that_is_none_is_english(folder, code):
+    odd = notebook("q1")
+    odd["metadata"].setdefault("coursekit", {})["language"] = code
+    write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, json.dumps(odd))
+    key = grade(folder, "--roster", folder.parent / "moodle.csv", "--chapters", "02")[1]["Ben Ito"]["key"]
+    page = (folder.parent / "grades" / f"{key}.html").read_text(encoding="utf-8")
+    assert '<html lang="en">' in page and "To improve" in page and "<script>" not in page
+
+
 def test_canvas_gets_a_column_and_its_points_possible(folder):
     write(folder.parent / "c" / f"itoben_14_15_{TOPICS}", text("q1"))
     grade(folder.parent / "c", "--roster", folder.parent / "canvas.csv", "--for", "canvas", "--chapters", "02")

@@ -21,7 +21,7 @@ LANGUAGE = "COURSEKIT_LANGUAGE"
 """The variable of the environment that names the language by its code."""
 FIELD = re.compile(r"\{(\d+)\}")
 _LONGEST_CODE, _LONGEST = 8, 500
-"""Letters of a language's code; and of a sentence: what is longer holds something of the student's, and is shown as it is."""
+"""Letters of a language's code; and of a sentence: a longer one holds something of the student's, and is shown as it is."""
 _DEEPEST = 3
 """A field's own words may have fields again."""
 _LEAST, _LEAST_INSIDE = 4, 9

@@ -191,8 +191,9 @@ class Course:
         target = self.folder / source.name
         target.mkdir(exist_ok=True)
         for file in source.iterdir():
-            if again or not (target / file.name).exists():
-                write_whole(target / file.name, file.read_bytes())
+            there, data = target / file.name, file.read_bytes()
+            if not there.exists() or (again and there.read_bytes() != data):
+                write_whole(there, data)
 
     def _read_manifest(self) -> dict[str, str]:
         try:

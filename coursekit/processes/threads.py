@@ -1,7 +1,7 @@
 """Threads that belong to their process, and that the virtual clock can run one at a time.
 
 A thread started by a process inherits what is the process's (output, argv, Ctrl-C). On the virtual clock it becomes a
-greenlet, and so does whatever it waits for (locks.py): the others run meanwhile.
+greenlet; while it waits, the others run (locks.py).
 """
 
 from __future__ import annotations

@@ -39,10 +39,10 @@ def where(work: Work) -> None:
         wanted = f"the file that {uri} means"
         got = text(called(function, uri, told=f"where({uri!r})"), f"where({uri!r}) as a str")
         if not _is_file(got, find_file(uri)):
-            parts = got.replace(os.sep, "/").split("/")
-            tail = shown("/".join(parts[-3:]), 80)
+            path = got.replace(os.sep, "/")
+            tail = shown("/".join(path.split("/")[-3:]), 80)
             whole = "The path after NAME is kept whole."
-            cause = whole if "share" in parts else "A package's files are in its share folder, not in its prefix."
+            cause = whole if "/share/" in path else "A package's files are in its share folder, not in its prefix."
             raise Wrong(wanted, gave=f"...{tail}, which is not it", cause=cause, hint=0)
     for uri in ("file:///tmp/tyre.stl", "meshes/package://tyre.stl"):
         _expect_value_error(function, (uri,), f"a ValueError from where({uri!r})")

@@ -23,6 +23,8 @@ _STANDARD = {
     "setprecision": "iomanip",
 }  # fmt: skip
 _Q = "['‘’`\"]"
+_BEFORE, _BEHIND = r"(?:[^'’(\n]* )?", r"(?=[<('’\s]|$)"
+"""A linker names a function with what it returns before it, and what it takes behind it."""
 Mending = Callable[[re.Match[str]], str]
 
 
@@ -97,7 +99,8 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
      "the function given to std::bind() takes other arguments: one placeholder, std::placeholders::_1, ..., for each."),
     (r"invalid use of non-static member function", "write std::bind(&Class::function, this, ...): with &Class::, and this."),
     (r"undefined reference to [`‘']?main|undefined symbol: main", "a program needs int main(int argc, char ** argv)."),
-    (r"undefined reference to [`‘'](?P<name>[\w:~]+)|undefined symbol: (?P<other>[\w:~]+)",
+    (rf"undefined reference to [`‘']{_BEFORE}(?P<name>[\w:~]+){_BEHIND}"
+     rf"|undefined symbol: {_BEFORE}(?P<other>[\w:~]+){_BEHIND}",
      lambda found: f"{_name(found)} is declared and not defined: is its .cpp in add_executable(), its library linked?"),
     (rf"error: expected {_Q}[{{}}()]|expected unqualified-id|expected declaration",
      "count the braces above this place: one is missing, or one too many."),

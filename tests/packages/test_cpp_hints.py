@@ -35,6 +35,8 @@ SAID = {
     "a.cpp:7:9: error: invalid use of non-static member function ‘void A::f()’": "&Class::function",
     "(.text+0x1b): undefined reference to `main'": "int main",
     "a.cpp:8: undefined reference to `Robot::turn()'": "Robot::turn is declared and not defined",
+    "a.cpp:8: undefined reference to `std::list<a::B, std::less<a::B> > Robot::path<a::B, 3>(int)'": "Robot::path is d",
+    "ld.lld: error: undefined symbol: Robot::turn()": "Robot::turn is declared and not defined",
     "a.cpp:30:1: error: expected ‘}’ at end of input": "count the braces",
 }
 

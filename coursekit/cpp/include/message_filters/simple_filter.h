@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 
+#include "message_filters/message_traits.h"
 #include "rclcpp/rclcpp.hpp"
 
 namespace message_filters
@@ -46,16 +47,6 @@ private:
   ConstMessagePtr message_;
   rclcpp::Time received_;
 };
-
-namespace message_traits
-{
-/// When a message was measured: its header's stamp.
-template<class M>
-struct TimeStamp
-{
-  static rclcpp::Time value(const M & message) {return rclcpp::Time(message.header.stamp, RCL_ROS_TIME);}
-};
-}  // namespace message_traits
 
 /// Callbacks by number; one may disconnect itself or others while it is called.
 template<class ... A>

@@ -116,7 +116,7 @@ public:
   void add(const MEvent & event) {add(event.getMessage());}
   void add(const MConstPtr & message)
   {
-    if (tf2::getFrameId(*message).empty()) {
+    if (Frame::value(*message).empty()) {
       fail(message, filter_failure_reasons::EmptyFrameID);
       return;
     }
@@ -140,6 +140,11 @@ public:
   }
 
 private:
+  using Frame = message_filters::message_traits::FrameId<M>;
+  static tf2::TimePoint stamp_of(const M & message)
+  {
+    return tf2::TimePoint(std::chrono::nanoseconds(message_filters::message_traits::TimeStamp<M>::value(message).nanoseconds()));
+  }
   struct Waiting
   {
     MConstPtr message;
@@ -160,9 +165,9 @@ private:
       std::lock_guard<std::mutex> hold(lock_);
       targets = targets_;
     }
-    auto stamp = tf2::getTimestamp(*message);
+    auto stamp = stamp_of(*message);
     for (auto & target : targets) {
-      auto can = [&](tf2::TimePoint when) {return buffer_.canTransform(target, tf2::getFrameId(*message), when);};
+      auto can = [&](tf2::TimePoint when) {return buffer_.canTransform(target, Frame::value(*message), when);};
       if (!can(stamp) || (tolerance_ns_ && !can(stamp + std::chrono::nanoseconds(tolerance_ns_)))) {
         return false;
       }
@@ -195,7 +200,7 @@ private:
   {
     RCLCPP_INFO(
       node_->get_logger(), "Message Filter dropping message: frame '%s' at time %.3f for reason '%s'",
-      tf2::getFrameId(*message).c_str(), tf2::timeToSec(tf2::getTimestamp(*message)),
+      Frame::value(*message).c_str(), tf2::timeToSec(stamp_of(*message)),
       get_filter_failure_reason_string(reason).c_str());
     if (failed_) {
       failed_(message, reason);

@@ -1,6 +1,8 @@
 #include "check.hpp"
 #include "geometry_msgs/msg/point_stamped.hpp"
 #include "message_filters/subscriber.h"
+#include "sensor_msgs/msg/laser_scan.hpp"
+#include "std_msgs/msg/string.hpp"
 #include "tf2/LinearMath/Matrix3x3.h"
 #include "tf2/LinearMath/Quaternion.h"
 #include "tf2/LinearMath/Transform.h"
@@ -87,6 +89,21 @@ int main(int argc, char ** argv)
   point.header.frame_id = "";
   publisher->publish(point);
   check("what has no frame too", spin_until(node, [&] {return failed == 2;}));
+  // it asks a message's header, not tf2's functions for what it transforms
+  using sensor_msgs::msg::LaserScan;
+  namespace traits = message_filters::message_traits;
+  tf2_ros::MessageFilter<LaserScan> scans(buffer, "map", 10, node, 500ms);
+  std::vector<float> farthest;
+  scans.registerCallback([&](const LaserScan::ConstSharedPtr & scan) {farthest.push_back(scan->range_max);});
+  auto scan = std::make_shared<LaserScan>();
+  scan->header.stamp = node->now();
+  check("what has a header tells its frame and time", traits::HasHeader<LaserScan>::value &&
+    !traits::HasHeader<std_msgs::msg::String>::value && traits::FrameId<LaserScan>::value(*scan).empty() &&
+    traits::TimeStamp<LaserScan>::value(*scan) == scan->header.stamp);
+  *traits::FrameId<LaserScan>::pointer(*scan) = "base";
+  scan->range_max = 8;
+  scans.add(std::shared_ptr<const LaserScan>(scan));
+  check("a scan is passed on, too", farthest == std::vector<float>{8});
   throws<tf2::ExtrapolationException>("too far ahead", [&] {
       buffer.lookupTransform("map", "base", node->now() + rclcpp::Duration(60s));
     });

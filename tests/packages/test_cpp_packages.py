@@ -47,6 +47,34 @@ def test_a_package_that_ros2_pkg_creates_builds_and_runs(tmp_path):
     assert sourced(tmp_path, "ros2 run first_steps hello").stdout == "hello world first_steps package\n"
 
 
+AUTO = """cmake_minimum_required(VERSION 3.8)
+project(automatic)
+find_package(ament_cmake_auto REQUIRED)
+ament_auto_find_build_dependencies()
+file(GLOB programs src/*.cpp)
+foreach(path ${programs})
+  get_filename_component(name ${path} NAME_WE)
+  ament_auto_add_executable(${name} ${path})
+endforeach()
+ament_auto_package()
+"""
+
+
+def test_a_dependency_that_comes_into_package_xml_is_found_by_the_next_build(tmp_path):
+    package = created(tmp_path, "automatic")
+    manifest = (package / "package.xml").read_text().replace("ament_cmake</buildtool", "ament_cmake_auto</buildtool")
+    (package / "package.xml").write_text(manifest)
+    (package / "CMakeLists.txt").write_text(AUTO)
+    assert colcon(tmp_path, "build").returncode == 0
+    lines = ("#include <std_msgs/msg/string.hpp>", "#include <cstdio>", "int main() {std::puts(std_msgs::msg::String().data.c_str());}")
+    text = "\n".join(lines)
+    (package / "src" / "late.cpp").write_text(text)
+    (package / "package.xml").write_text(manifest.replace("  <export>", "  <depend>std_msgs</depend>\n  <export>"))
+    done = colcon(tmp_path, "build")
+    assert done.returncode == 0, done.stderr
+    assert sourced(tmp_path, "ros2 run automatic late").stdout == "\n"
+
+
 FIRST_TEST = """#include <gtest/gtest.h>
 TEST(first, sum) {ASSERT_EQ(4, 2 + 2);}
 int main(int argc, char ** argv) {testing::InitGoogleTest(&argc, argv); return RUN_ALL_TESTS();}

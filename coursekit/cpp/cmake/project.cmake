@@ -6,6 +6,11 @@
 
 include_guard(GLOBAL)
 
+# What a package depends on may stand in its package.xml alone.
+if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/package.xml")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/package.xml")
+endif()
+
 if(NOT CMAKE_CXX_STANDARD)
   set(CMAKE_CXX_STANDARD 17)
 endif()

@@ -14,6 +14,7 @@ import tempfile
 from pathlib import Path
 
 from coursekit.cpp.age import age_source, runtime_key
+from coursekit.cpp.exported import exported_by, version_of_package
 from coursekit.cpp.forwarded import write_forwarded
 from coursekit.cpp.headers import write_headers
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
@@ -42,8 +43,23 @@ NOT_COMPILED = {
     "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util", "tf2_kdl",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
+_MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")
 SHARED = "COURSEKIT_SHARED"
-_CONFIG = 'set(_coursekit_name "{name}")\ninclude("${{COURSEKIT_CMAKE}}/underlay.cmake")\n'
+_CONFIG = """set(_coursekit_name "{name}")
+set({name}_VERSION "{version}")
+include("${{COURSEKIT_CMAKE}}/underlay.cmake")
+foreach(_coursekit_exported {exported})
+  if(NOT ${{_coursekit_exported}}_FOUND)
+    find_package(${{_coursekit_exported}} QUIET)
+  endif()
+endforeach()
+"""
+_VERSION = """set(PACKAGE_VERSION "{version}")
+set(PACKAGE_VERSION_COMPATIBLE TRUE)
+if(PACKAGE_VERSION AND PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION)
+  set(PACKAGE_VERSION_COMPATIBLE FALSE)
+endif()
+"""
 
 
 def runtime_folder(tools: Toolchain) -> Path:
@@ -52,8 +68,9 @@ def runtime_folder(tools: Toolchain) -> Path:
     On a server it may stand ready for all students in the folder that COURSEKIT_SHARED names.
     """
     seen = hashlib.sha256(version_of(tools.cxx).encode())
-    for path in in_order([*_files(ROOM), *UNDERLAY.glob("interfaces/cpp_*.py"), *UNDERLAY.glob("share/*/*/*")]):
-        if path.suffix in (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py"):
+    globs = ("interfaces/cpp_*.py", "share/*/*/*", "share/*/package.xml")
+    for path in in_order([*_files(ROOM), *(path for one in globs for path in UNDERLAY.glob(one))]):
+        if path.suffix in _MADE_OF or path.name == "package.xml":
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
     name = Path("cpp", seen.hexdigest()[:16])
     shared = Path(os.environ.get(SHARED) or cache_folder())
@@ -83,9 +100,12 @@ def make_runtime(folder: Path, tools: Toolchain) -> None:
 
 def _write_configs(folder: Path) -> None:
     for name in {*PACKAGES, *(path.parent.name for path in UNDERLAY.glob("share/*/package.xml"))} - NOT_COMPILED:
-        path = folder / "share" / name / "cmake" / f"{name}Config.cmake"
-        path.parent.mkdir(parents=True)
-        path.write_text(_CONFIG.format(name=name), encoding="utf-8")
+        place = folder / "share" / name / "cmake"
+        place.mkdir(parents=True)
+        exported, version = exported_by(name, UNDERLAY / "share"), version_of_package(name, UNDERLAY / "share")
+        config = _CONFIG.format(name=name, version=version, exported=" ".join(exported))
+        (place / f"{name}Config.cmake").write_text(config, encoding="utf-8")
+        (place / f"{name}ConfigVersion.cmake").write_text(_VERSION.format(version=version), encoding="utf-8")
 
 
 def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:

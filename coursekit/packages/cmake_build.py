@@ -25,6 +25,7 @@ _MAKES = re.compile(
     r"^\s*(add_executable|add_library|ament_auto_add_(executable|library)|ament_add_g(test|mock)|pybind11_add_module)\s*\(",
     re.M | re.I,
 )
+_RUNTIME = re.compile(r"/cpp/([0-9a-f]{16})/share/")
 _COLOR = re.compile(rb"\x1b\[[\d;]*m")
 _OF_CMAKE = re.compile(rb"\[\d+/\d+\] |ninja: |FAILED: |--|loading initial cache file |\Z")
 
@@ -144,8 +145,14 @@ def test_commands(build: Path, tools: Toolchain, names: list[str]) -> list[list[
 
 
 def reuse_compiler(build: Path, runtime: Path) -> None:
-    """Spare CMake its questions to the compiler: the answers are kept from the build of the runtime."""
-    if not (build / "CMakeCache.txt").exists():
+    """Spare CMake its questions to the compiler: the answers are kept from the build of the runtime.
+
+    What CMake remembers of another runtime is forgotten: find_package() would go on finding that one's packages.
+    """
+    cache = build / "CMakeCache.txt"
+    if cache.exists() and set(_RUNTIME.findall(read_text(cache, errors="replace"))) - {runtime.name}:
+        cache.unlink()
+    if not cache.exists():
         shutil.copytree(runtime / "compiler", build / "CMakeFiles", dirs_exist_ok=True)
 
 

@@ -60,8 +60,11 @@ _TARGETS = (
     "pybind11_add_module",
 )
 
-
-_TESTS = ("ament_add_pytest_test", "add_launch_test", "ament_add_gtest", "ament_add_gmock", "ament_add_test", "add_test")
+_TESTS = (
+    "ament_add_pytest_test", "ament_add_ros_isolated_pytest_test", "add_launch_test",
+    "ament_add_gtest", "ament_add_gmock", "ament_add_ros_isolated_gtest", "ament_add_ros_isolated_gmock",
+    "ament_auto_add_gtest", "ament_add_test", "ament_add_ros_isolated_test", "add_test",
+)  # fmt: skip
 
 
 class _Returned(Exception):

@@ -13,7 +13,10 @@ from xml.sax.saxutils import quoteattr
 from coursekit.packages.cmake_run import Call, Reading
 from coursekit.packages.cmake_text import CMakeError
 
-_COMPILED = ("ament_add_gtest", "ament_add_gmock")
+_COMPILED = (
+    "ament_add_gtest", "ament_add_gmock", "ament_auto_add_gtest",
+    "ament_add_ros_isolated_gtest", "ament_add_ros_isolated_gmock",
+)  # fmt: skip
 _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
 
 
@@ -116,4 +119,8 @@ def _file(call: Call, path: str) -> Path:
     return found
 
 
-_RUNNABLE = {"ament_add_pytest_test": _pytest, "add_launch_test": _launch_test}
+_RUNNABLE = {
+    "ament_add_pytest_test": _pytest,
+    "ament_add_ros_isolated_pytest_test": _pytest,
+    "add_launch_test": _launch_test,
+}

@@ -66,9 +66,9 @@ def test_a_dependency_that_comes_into_package_xml_is_found_by_the_next_build(tmp
     (package / "package.xml").write_text(manifest)
     (package / "CMakeLists.txt").write_text(AUTO)
     assert colcon(tmp_path, "build").returncode == 0
-    lines = ("#include <std_msgs/msg/string.hpp>", "#include <cstdio>", "int main() {std::puts(std_msgs::msg::String().data.c_str());}")
-    text = "\n".join(lines)
-    (package / "src" / "late.cpp").write_text(text)
+    headers = "#include <std_msgs/msg/string.hpp>\n#include <cstdio>\n"
+    main = "int main() {std::puts(std_msgs::msg::String().data.c_str());}\n"
+    (package / "src" / "late.cpp").write_text(headers + main)
     (package / "package.xml").write_text(manifest.replace("  <export>", "  <depend>std_msgs</depend>\n  <export>"))
     done = colcon(tmp_path, "build")
     assert done.returncode == 0, done.stderr

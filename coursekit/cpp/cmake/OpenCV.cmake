@@ -19,7 +19,6 @@ endif()
 
 get_target_property(OpenCV_INCLUDE_DIRS coursekit_opencv INTERFACE_INCLUDE_DIRECTORIES)
 set(OpenCV_FOUND TRUE)
-set(OpenCV_VERSION 4.5.4)
 set(OpenCV_LIBS coursekit_opencv)
 set(OpenCV_LIBRARIES coursekit_opencv)
 set(OpenCV_TARGETS coursekit_opencv)

@@ -1,6 +1,7 @@
 # ament_cmake: what packages say of themselves, and what other packages then find of them.
 
 include_guard(GLOBAL)
+include(CMakePackageConfigHelpers)
 option(BUILD_TESTING "Build the testing tree." OFF)
 
 macro(_coursekit_gather variable)
@@ -106,7 +107,8 @@ set(Python3_EXECUTABLE ${COURSEKIT_PYTHON})
 
 # -- tests are run by `colcon test`, which reads them from the CMakeLists.txt
 
-foreach(_coursekit_name ament_add_pytest_test ament_add_test add_launch_test add_ros_test ament_find_gtest ament_find_gmock
+foreach(_coursekit_name ament_add_pytest_test ament_add_test ament_add_ros_isolated_pytest_test ament_add_ros_isolated_test
+    add_launch_test add_ros_test ament_find_gtest ament_find_gmock
     ament_lint_auto_find_test_dependencies ament_copyright ament_cpplint ament_cppcheck ament_uncrustify ament_lint_cmake
     ament_xmllint ament_flake8 ament_pep257 ament_clang_format ament_clang_tidy)
   cmake_language(EVAL CODE "function(${_coursekit_name})\nendfunction()")
@@ -153,17 +155,42 @@ macro(ament_add_gtest_executable _coursekit_name)
   _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
 endmacro()
 
+# Every test here has a graph of its own.
+macro(ament_add_ros_isolated_gtest _coursekit_name)
+  _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
+endmacro()
+
+macro(ament_add_ros_isolated_gmock _coursekit_name)
+  _coursekit_add_gtest(${_coursekit_name} gmock ${ARGN})
+endmacro()
+
 function(ament_add_gtest_test)
 endfunction()
 
 # -- the end of every package
 
 macro(ament_package)
-  _coursekit_package()
+  _coursekit_package(${ARGN})
 endmacro()
 
+# Files that find_package() of this package reads, too; of those called NAME.in the words between @ are filled in.
+function(_coursekit_config_extras variable)
+  set(names "")
+  foreach(file ${ARGN})
+    get_filename_component(name "${file}" NAME)
+    if(name MATCHES "\\.in$")
+      string(REGEX REPLACE "\\.in$" "" name "${name}")
+      configure_file("${file}" "${CMAKE_CURRENT_BINARY_DIR}/${name}" @ONLY)
+      set(file "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+    endif()
+    install(FILES "${file}" DESTINATION share/${PROJECT_NAME}/cmake)
+    list(APPEND names "${name}")
+  endforeach()
+  set(${variable} ${names} PARENT_SCOPE)
+endfunction()
+
 function(_coursekit_package)
-  cmake_parse_arguments(arg "" "" "CONFIG_EXTRAS;CONFIG_EXTRAS_POST" ${ARGN})
+  cmake_parse_arguments(arg "" "" "CONFIG_EXTRAS;CONFIG_EXTRAS_POST;INSTALL_TO_SHARE" ${ARGN})
   foreach(what DEPENDENCIES INCLUDES LIBRARIES EXPORTS)
     get_property(${what} DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_${what})
     if(${what})
@@ -173,9 +200,13 @@ function(_coursekit_package)
   foreach(name ${EXPORTS})
     install(EXPORT ${name} DESTINATION share/${PROJECT_NAME}/cmake NAMESPACE ${PROJECT_NAME}:: FILE ${name}Export.cmake)
   endforeach()
-  set(version "${PROJECT_VERSION}")
-  configure_file("${COURSEKIT_CMAKE}/package_config.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" @ONLY)
-  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" DESTINATION share/${PROJECT_NAME}/cmake)
+  _coursekit_config_extras(EXTRAS ${arg_CONFIG_EXTRAS} ${arg_CONFIG_EXTRAS_POST})
+  file(READ "${PROJECT_SOURCE_DIR}/package.xml" version)
+  string(REGEX REPLACE ".*<version[^>]*>[ \n\t]*([0-9.]+).*" "\\1" version "${version}")
+  set(config "${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}Config")
+  configure_file("${COURSEKIT_CMAKE}/package_config.cmake.in" "${config}.cmake" @ONLY)
+  write_basic_package_version_file("${config}-version.cmake" VERSION "${version}" COMPATIBILITY AnyNewerVersion ARCH_INDEPENDENT)
+  install(FILES "${config}.cmake" "${config}-version.cmake" DESTINATION share/${PROJECT_NAME}/cmake)
   install(FILES package.xml DESTINATION share/${PROJECT_NAME})
   ament_index_register_resource(packages)
   get_property(components DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_COMPONENTS)

@@ -1,0 +1,67 @@
+"""What find_package() of a package finds besides it, as on a robot: what its own headers need."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from coursekit.files import read_text
+
+_TF2 = "builtin_interfaces geometry_msgs rclcpp tf2"
+EXPORTED = {
+    "rclcpp": "ament_index_cpp libstatistics_collector rcl rcl_interfaces rcpputils rcutils rmw builtin_interfaces "
+    "rosgraph_msgs statistics_msgs rosidl_runtime_cpp rosidl_typesupport_cpp tracetools",
+    "rclcpp_action": "action_msgs rclcpp",
+    "rclcpp_components": "ament_index_cpp class_loader composition_interfaces rclcpp rcpputils",
+    "rclcpp_lifecycle": "lifecycle_msgs rclcpp",
+    "tf2": "builtin_interfaces console_bridge geometry_msgs rcutils",
+    "tf2_ros": f"{_TF2} message_filters rcl_interfaces rclcpp_action rclcpp_components tf2_msgs",
+    "tf2_geometry_msgs": f"{_TF2} tf2_ros",
+    "tf2_eigen": f"{_TF2} tf2_ros",
+    "tf2_sensor_msgs": f"{_TF2} sensor_msgs tf2_ros",
+    "message_filters": "rclcpp std_msgs",
+    "laser_geometry": "rclcpp sensor_msgs tf2",
+    "cv_bridge": "sensor_msgs",
+    "image_transport": "message_filters pluginlib rclcpp sensor_msgs",
+    "image_geometry": "sensor_msgs",
+    "camera_calibration_parsers": "rclcpp sensor_msgs",
+    "camera_info_manager": "camera_calibration_parsers rclcpp rclcpp_lifecycle sensor_msgs",
+    "interactive_markers": "rclcpp tf2 tf2_geometry_msgs tf2_ros visualization_msgs",
+    "diagnostic_updater": "diagnostic_msgs rclcpp std_msgs",
+    "class_loader": "console_bridge rcpputils",
+    "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",
+    "urdf": "pluginlib urdf_parser_plugin urdfdom urdfdom_headers",
+    "rosbag2_cpp": "pluginlib rclcpp rcpputils rcutils rosbag2_storage",
+}
+"""By what upstream's packages export; a package of interfaces exports those that its own use: its package.xml says which."""
+HUMBLE = "16.0.11"
+"""The version of rclcpp and its companions."""
+VERSIONS = dict.fromkeys(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle"), HUMBLE) | {"OpenCV": "4.5.4"}
+"""Of packages that have no folder in the underlay's share, where others ask for a version."""
+
+
+def exported_by(name: str, share: Path) -> list[str]:
+    """The packages that are found with one.
+
+    >>> from coursekit.interfaces.find import UNDERLAY
+    >>> exported_by("nav_msgs", UNDERLAY / "share")
+    ['builtin_interfaces', 'geometry_msgs', 'std_msgs']
+    """
+    text = _manifest(name, share)
+    of_interfaces = re.findall(r"<depend>([^<]+)<", text) if "rosidl_interface_packages" in text else []
+    return of_interfaces or EXPORTED.get(name, "").split()
+
+
+def version_of_package(name: str, share: Path) -> str:
+    """The version that a package says it has; an empty text where nothing says it.
+
+    >>> version_of_package("OpenCV", Path("share"))
+    '4.5.4'
+    """
+    found = re.search(r"<version>([^<]+)<", _manifest(name, share))
+    return VERSIONS.get(name) or (found[1] if found else "")
+
+
+def _manifest(name: str, share: Path) -> str:
+    path = share / name / "package.xml"
+    return read_text(path) if path.is_file() else ""

@@ -136,12 +136,14 @@ def completed(env: dict[str, str], tools: Toolchain) -> dict[str, str]:
     return full
 
 
-def test_commands(build: Path, tools: Toolchain, names: list[str]) -> list[list[str]]:
-    """What builds the tests of a package that has been built."""
-    return [
-        [tools.cmake, "-DBUILD_TESTING=ON", str(build)],
-        [tools.cmake, "--build", str(build), "--target", *names],
-    ]
+def configure_tests(build: Path, tools: Toolchain) -> list[str]:
+    """What has CMake look at the tests of a package that has been built."""
+    return [tools.cmake, "-DBUILD_TESTING=ON", str(build)]
+
+
+def build_tests(build: Path, tools: Toolchain, names: list[str]) -> list[str]:
+    """What compiles tests."""
+    return [tools.cmake, "--build", str(build), "--target", *names]
 
 
 def reuse_compiler(build: Path, runtime: Path) -> None:

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
+from coursekit.files import read_text
 from coursekit.packages.cmake_run import Call, Reading
-from coursekit.packages.cmake_text import CMakeError
+from coursekit.packages.cmake_text import CMakeError, Command
 
 _COMPILED = (
     "ament_add_gtest", "ament_add_gmock", "ament_auto_add_gtest",
@@ -27,6 +28,18 @@ class TestCommand:
     name: str
     command: list[str]
     results: Path
+
+
+def noted(build: Path, project: str) -> Reading | None:
+    """The tests that CMake has noted while it configured a package with BUILD_TESTING; None where it has not."""
+    path = build / "coursekit_tests.txt"
+    if not path.is_file():
+        return None
+    reading = Reading(project=project)
+    for line in read_text(path).splitlines():
+        name, folder, *words = line.split("\t")
+        reading.tests.append(Call(Command(name, (), path, 0), words, Path(folder)))
+    return reading
 
 
 def commands(reading: Reading, results: Path) -> list[TestCommand]:

@@ -222,8 +222,12 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         args, name = self.context.args, self.context.pkg.name
         env = await get_command_environment("test", args.build_base, self.context.dependencies)
         base = Path(args.test_result_base or args.build_base) / "test_results"
+        build = Path(args.build_base)
+        tools = await self._configured(build, env)
         try:
             reading = read_project(Path(args.path), testing=True)
+            if tools:
+                reading = cmake_tests.noted(build, reading.project) or reading
             chosen = cmake_tests.selection(args.ctest_args or [])
             tests = [test for test in cmake_tests.commands(reading, base) if chosen(test.name)]
         except (CMakeError, OSError, ValueError) as error:
@@ -231,8 +235,8 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
             return 1
         names = [one for one in cmake_tests.compiled(reading) if chosen(one)]
         skipped = [one for one in cmake_tests.left_out(reading) if chosen(one)]
-        if names and await self._build_tests(names, env):
-            tests += [cmake_tests.compiled_command(one, Path(args.build_base), base / reading.project) for one in names]
+        if names and tools and await self._make(cmake_build.build_tests(build, tools, names), env, tools):
+            tests += [cmake_tests.compiled_command(one, build, base / reading.project) for one in names]
         else:
             skipped += names
         ended = [await self._run(test, env) for test in tests]
@@ -242,21 +246,21 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
             print(f"Skipped tests of {name}: {', '.join(skipped) or _none(reading)}", flush=True)
         return 0
 
-    async def _build_tests(self, names: list[str], env: dict[str, str]) -> bool:
-        """Compile the tests in C++ of a package that was built; whether they are there."""
-        build = Path(self.context.args.build_base)
+    async def _configured(self, build: Path, env: dict[str, str]) -> Toolchain | None:
+        """The tools of a package that CMake has built and whose tests it has looked at; None for others."""
         if not (build / "CMakeCache.txt").is_file():
-            return False
+            return None
         try:
             tools = await prepared_toolchain()
         except NoToolchain as error:
             self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
-            return False
-        for command in cmake_build.test_commands(build, tools, names):
-            done = await run(self.context, command, cwd=str(build), env=cmake_build.completed(env, tools))
-            if done.returncode:
-                return False
-        return True
+            return None
+        return tools if await self._make(cmake_build.configure_tests(build, tools), env, tools) else None
+
+    async def _make(self, command: list[str], env: dict[str, str], tools: Toolchain) -> bool:
+        """Run a command of CMake; whether it went well."""
+        done = await run(self.context, command, cwd=self.context.args.build_base, env=cmake_build.completed(env, tools))
+        return done.returncode == 0
 
     async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
         test.results.parent.mkdir(parents=True, exist_ok=True)

@@ -35,6 +35,16 @@ if(BUILD_TESTING)
   find_package(ament_cmake_gtest REQUIRED)
   ament_add_ros_isolated_gtest(test_mean test/test_mean.cpp TIMEOUT 60)
   target_link_libraries(test_mean means)
+  find_package(ament_cmake_pytest REQUIRED)
+  find_package(rmw_implementation_cmake REQUIRED)
+  macro(tests)
+    foreach(what name)
+      configure_file(test/test_text.py.in test_${what}${target_suffix}.py @ONLY)
+      ament_add_pytest_test(test_${what} "${CMAKE_CURRENT_BINARY_DIR}/test_${what}${target_suffix}.py")
+      set_property(TEST test_${what} APPEND PROPERTY DEPENDS means)
+    endforeach()
+  endmacro()
+  call_for_each_rmw_implementation(tests)
 endif()
 ament_export_targets(export_means HAS_LIBRARY_TARGET)
 ament_export_dependencies(rclcpp)
@@ -58,6 +68,7 @@ double means::mean(const std::vector<double> & all)
 #include "means/mean.hpp"
 TEST(mean, of_two) {EXPECT_DOUBLE_EQ(means::mean({1, 2}), 1.5);}
 """,
+    "test/test_text.py.in": "def test_name():\n    assert '@PROJECT_NAME@' == 'means'\n",
 }
 USER = {
     "CMakeLists.txt": """cmake_minimum_required(VERSION 3.8)
@@ -109,7 +120,7 @@ def test_a_library_is_found_with_its_version_its_files_and_what_it_needs(workspa
     tested = colcon(workspace, "test", "--packages-select", "means")
     assert tested.returncode == 0, tested.stdout + tested.stderr
     summary = sourced(workspace, "colcon test-result").stdout
-    assert re.search(r"^Summary: 1 test, 0 errors, 0 failures", summary, re.M), summary
+    assert re.search(r"^Summary: 2 tests, 0 errors, 0 failures", summary, re.M), summary
 
 
 @pytest.mark.slow

@@ -54,6 +54,11 @@ endmacro()
 function(ament_get_pkg_config)
 endfunction()
 
+macro(ament_libraries_deduplicate variable)
+  set(${variable} ${ARGN})
+  list(REMOVE_DUPLICATES ${variable})
+endmacro()
+
 function(ament_include_directories_order variable)
   set(${variable} ${ARGN} PARENT_SCOPE)
 endfunction()
@@ -105,10 +110,32 @@ set(PYTHON_INSTALL_DIR ${COURSEKIT_SITE_PACKAGES})
 set(PYTHON_EXECUTABLE ${COURSEKIT_PYTHON})
 set(Python3_EXECUTABLE ${COURSEKIT_PYTHON})
 
-# -- tests are run by `colcon test`, which reads them from the CMakeLists.txt
+# -- tests are run by `colcon test`, which reads what is noted here: command, folder and words of each
 
-foreach(_coursekit_name ament_add_pytest_test ament_add_test ament_add_ros_isolated_pytest_test ament_add_ros_isolated_test
-    add_launch_test add_ros_test ament_find_gtest ament_find_gmock
+function(_coursekit_note_test command name)
+  string(REPLACE "/" "_" name "${name}")
+  add_test(NAME "${name}" COMMAND "${CMAKE_COMMAND}" -E true)  # so that it can be given properties
+  string(JOIN "\t" words ${ARGN})
+  set_property(GLOBAL APPEND_STRING PROPERTY COURSEKIT_TESTS "${command}\t${CMAKE_CURRENT_SOURCE_DIR}\t${words}\n")
+endfunction()
+
+foreach(_coursekit_name ament_add_pytest_test ament_add_ros_isolated_pytest_test ament_add_test ament_add_ros_isolated_test)
+  cmake_language(EVAL CODE "function(${_coursekit_name} name)
+    _coursekit_note_test(${_coursekit_name} \"\${name}\" \${ARGV})
+  endfunction()")
+endforeach()
+
+foreach(_coursekit_name add_launch_test add_ros_test)
+  cmake_language(EVAL CODE "function(${_coursekit_name} path)
+    cmake_parse_arguments(arg \"\" \"TARGET\" \"\" \${ARGN})
+    if(NOT arg_TARGET)
+      set(arg_TARGET \"\${path}\")
+    endif()
+    _coursekit_note_test(${_coursekit_name} \"\${arg_TARGET}\" \${ARGV})
+  endfunction()")
+endforeach()
+
+foreach(_coursekit_name ament_find_gtest ament_find_gmock ament_add_gtest_test
     ament_lint_auto_find_test_dependencies ament_copyright ament_cpplint ament_cppcheck ament_uncrustify ament_lint_cmake
     ament_xmllint ament_flake8 ament_pep257 ament_clang_format ament_clang_tidy)
   cmake_language(EVAL CODE "function(${_coursekit_name})\nendfunction()")
@@ -128,6 +155,7 @@ function(_coursekit_find_gtest)
 endfunction()
 
 macro(_coursekit_add_gtest _coursekit_target _coursekit_kind)
+  _coursekit_note_test(ament_add_${_coursekit_kind} ${_coursekit_target} ${_coursekit_target})
   cmake_parse_arguments(_coursekit_arg "SKIP_LINKING_MAIN_LIBRARIES;SKIP_TEST" "RUNNER;TIMEOUT;WORKING_DIRECTORY"
     "APPEND_ENV;APPEND_LIBRARY_DIRS;ENV" ${ARGN})
   _coursekit_find_gtest()
@@ -143,29 +171,15 @@ macro(_coursekit_add_gtest _coursekit_target _coursekit_kind)
   set_property(TARGET ${_coursekit_target} APPEND PROPERTY LINK_LIBRARIES ${_coursekit_libraries})
 endmacro()
 
-macro(ament_add_gtest _coursekit_name)
-  _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
-endmacro()
-
-macro(ament_add_gmock _coursekit_name)
-  _coursekit_add_gtest(${_coursekit_name} gmock ${ARGN})
-endmacro()
-
-macro(ament_add_gtest_executable _coursekit_name)
-  _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
-endmacro()
-
 # Every test here has a graph of its own.
-macro(ament_add_ros_isolated_gtest _coursekit_name)
-  _coursekit_add_gtest(${_coursekit_name} gtest ${ARGN})
-endmacro()
-
-macro(ament_add_ros_isolated_gmock _coursekit_name)
-  _coursekit_add_gtest(${_coursekit_name} gmock ${ARGN})
-endmacro()
-
-function(ament_add_gtest_test)
-endfunction()
+foreach(_coursekit_kind gtest gmock)
+  foreach(_coursekit_name ament_add_${_coursekit_kind} ament_add_ros_isolated_${_coursekit_kind}
+      ament_add_${_coursekit_kind}_executable)
+    cmake_language(EVAL CODE "macro(${_coursekit_name} name)
+      _coursekit_add_gtest(\${name} ${_coursekit_kind} \${ARGN})
+    endmacro()")
+  endforeach()
+endforeach()
 
 # -- the end of every package
 
@@ -200,6 +214,8 @@ function(_coursekit_package)
   foreach(name ${EXPORTS})
     install(EXPORT ${name} DESTINATION share/${PROJECT_NAME}/cmake NAMESPACE ${PROJECT_NAME}:: FILE ${name}Export.cmake)
   endforeach()
+  get_property(tests GLOBAL PROPERTY COURSEKIT_TESTS)
+  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/coursekit_tests.txt" CONTENT "${tests}")
   _coursekit_config_extras(EXTRAS ${arg_CONFIG_EXTRAS} ${arg_CONFIG_EXTRAS_POST})
   file(READ "${PROJECT_SOURCE_DIR}/package.xml" version)
   string(REGEX REPLACE ".*<version[^>]*>[ \n\t]*([0-9.]+).*" "\\1" version "${version}")

@@ -1,6 +1,6 @@
 """matplotlib's windows in a session: `plt.show`, `plt.pause`, animations and `flush_events` of a process.
 
-A node that plots runs in a thread, where no GUI toolkit works. Its figures become windows as OpenCV's do (a notebook
+A node that plots runs in a thread, where no GUI toolkit works: it asks none. Its figures become windows as OpenCV's do (a notebook
 shows them: `coursekit.lab.windows()`), `show` lasts until Ctrl-C or until the last figure is closed, and timers, such as
 an animation's, keep the session's time. Plots of a notebook's own cells are left alone.
 """
@@ -14,6 +14,7 @@ import matplotlib.backend_bases as bases
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib._pylab_helpers import Gcf
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 from coursekit.processes.process import Process, current_process
@@ -23,6 +24,7 @@ from .highgui import desk, imshow
 FRAME = 0.1
 """Longest time between two looks at the figures [s]."""
 _real: dict[str, Any] = {
+    "new_figure_manager": plt.new_figure_manager,
     "show": plt.show,
     "pause": plt.pause,
     "new_timer": bases.FigureCanvasBase.new_timer,
@@ -115,6 +117,13 @@ def plots() -> Plots | None:
     return process.locals["plots"]  # type: ignore[no-any-return]
 
 
+def new_figure_manager(num: int | str, *args: Any, FigureClass: Any = plt.Figure, **kwargs: Any) -> Any:
+    """A figure and its manager: of a process, without a window of the system's."""
+    if current_process() is None:
+        return _real["new_figure_manager"](num, *args, FigureClass=FigureClass, **kwargs)
+    return FigureCanvasAgg.new_manager(FigureClass(*args, **kwargs), num)
+
+
 def show(*args: Any, block: bool | None = None, **kwargs: Any) -> Any:
     """Show the figures; returns when the last is closed, at once with `block=False` or after `plt.ion()`."""
     own = plots()
@@ -170,6 +179,7 @@ def install() -> None:
 _REASON, _TEST = "a program's figures become windows of the session", "tests/view/test_plots.py"
 _CANVAS, _MANAGERS = "matplotlib.backend_bases.FigureCanvasBase", "matplotlib._pylab_helpers.Gcf"
 _PATCHES = [
+    Patch("matplotlib.pyplot.new_figure_manager", always(new_figure_manager), _REASON, _TEST, IMPORTS),
     Patch("matplotlib.pyplot.show", always(show), _REASON, _TEST, IMPORTS),
     Patch("matplotlib.pyplot.pause", always(pause), _REASON, _TEST, IMPORTS),
     Patch(f"{_CANVAS}.new_timer", always(_new_timer), "animations keep the session's time", _TEST, IMPORTS),

@@ -1,5 +1,7 @@
 """matplotlib in a process: figures are windows of the session, animations keep its time, Ctrl-C ends plt.show()."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from coursekit.processes.session import Session
@@ -55,3 +57,25 @@ def test_a_loop_that_draws_is_shown_and_pause_takes_its_time(by):
         process = session.start(live, name="live")
         assert process.wait(1.4) is None and process.wait(0.2) == 0
         assert int(process.output) >= 1
+
+
+def test_no_toolkit_is_asked_for_a_window(monkeypatch):
+    """On Windows, on macOS and on any desk there is one, and it works in the main thread only."""
+
+    def refuse(*args, **kwargs):
+        raise RuntimeError("a toolkit in a thread")
+
+    def shown():
+        import matplotlib.pyplot as plt
+
+        plt.plot([0, 1])
+        plt.show(block=False)
+        print(plt.get_fignums())
+
+    plots = pytest.importorskip("matplotlib.pyplot")
+    toolkit = SimpleNamespace(new_figure_manager=refuse, draw_if_interactive=lambda: None)
+    monkeypatch.setattr(plots, "_get_backend_mod", lambda: toolkit)
+    with Session(virtual=True).use() as session:
+        process = session.start(shown, name="shown")
+        assert process.wait(1.0) == 0, process.output
+        assert process.output == "[1]\n"

@@ -41,7 +41,13 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
         with contextlib.suppress(NoSession):
             connect(domain_id).close()
             raise OSError(f"another session listens for ROS_DOMAIN_ID={domain_id}")
-    path = own_address(domain_id)
+    server = listen_at(own_address(domain_id))
+    claim(domain_id)
+    return server
+
+
+def listen_at(path: Path) -> socket.socket:
+    """Listen at a file, or at a loopback port that stands in it with a token; only this user can read it."""
     path.unlink(missing_ok=True)
     if HAS_UNIX:
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -54,7 +60,6 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
         server.bind(("127.0.0.1", 0))
         rights.write_text(path, json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}))
     server.listen(16)
-    claim(domain_id)
     return server
 
 
@@ -93,21 +98,29 @@ def _said_at(path: Path) -> dict[str, Any]:
 
 def token(domain_id: int) -> str:
     """What a client on a loopback port has to say first; empty for Unix sockets. NoSession when it has gone."""
+    try:
+        return token_at(address(domain_id))
+    except NoSession as error:
+        raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}") from error
+
+
+def token_at(path: Path) -> str:
+    """What is said first to the loopback port that a file names; empty for Unix sockets. NoSession when it has gone."""
     if HAS_UNIX:
         return ""
     try:
-        return str(_said_at(address(domain_id))["token"])
+        return str(_said_at(path)["token"])
     except (OSError, ValueError, KeyError) as error:
-        raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}") from error
+        raise NoSession(f"nobody listens at {path}") from error
 
 
 def connect(domain_id: int) -> socket.socket:
     """Connect to the session that has the domain's terminals; if it is gone, to another one. Raises NoSession."""
     with contextlib.suppress(NoSession):
-        return _connect(address(domain_id))
+        return connect_at(address(domain_id))
     for path in sessions(domain_id):
         with contextlib.suppress(NoSession, OSError):
-            client = _connect(path)
+            client = connect_at(path)
             _lead_to(path, domain_id)
             return client
     raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}")
@@ -124,14 +137,15 @@ def live_sessions(domain_id: int) -> int:
     count = 0
     for path in sessions(domain_id):
         try:
-            _connect(path).close()
+            connect_at(path).close()
             count += 1
         except NoSession:
             path.unlink(missing_ok=True)
     return count
 
 
-def _connect(path: Path) -> socket.socket:
+def connect_at(path: Path) -> socket.socket:
+    """Connect to who listens at a file. Raises NoSession."""
     try:
         if HAS_UNIX:
             client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)

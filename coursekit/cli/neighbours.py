@@ -9,21 +9,24 @@ from __future__ import annotations
 import atexit
 import contextlib
 import os
+import secrets
 import socket
 import sys
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 
 from coursekit.core.graph import Graph
 from coursekit.joined.link import Link
 from coursekit.joined.pipe import Broken
+from coursekit.systems.locks import alone
 
-from .endpoint import HAS_UNIX
+from .endpoint import NoSession, connect_at, listen_at, token_at
 from .runtime_folder import folder
 
 FLUSH_SECONDS = 0.5
 """How long the last words of a program may take to be on their way [s]."""
+TOKEN_SECONDS = 2.0
+"""How long a caller on a loopback port may take to say its token [s]."""
 _domains: dict[int, Neighbourhood] = {}
 _joining = threading.Lock()
 
@@ -31,10 +34,10 @@ _joining = threading.Lock()
 def meet(graph: Graph, domain_id: int) -> None:
     """Have the nodes of `graph` and those of the domain's other programs see each other, from now on.
 
-    A second call for the same domain does nothing; nor does any where the system has no Unix sockets.
+    A second call for the same domain does nothing.
     """
     with _joining:
-        if HAS_UNIX and domain_id not in _domains:
+        if domain_id not in _domains:
             with contextlib.suppress(OSError):  # no safe folder: `coursekit doctor` says so; a program runs by itself then
                 _domains[domain_id] = Neighbourhood(graph, domain_id)
 
@@ -47,24 +50,26 @@ class Neighbourhood:
         self._links: list[Link] = []
         kind = "test" if "pytest" in sys.modules else "program"
         self._path = folder() / f"{kind}-{domain_id}-{os.getpid()}"
-        with _alone(folder() / f"meeting-{domain_id}"):  # who listens later calls, so no two are joined twice
+        with alone(folder() / f"meeting-{domain_id}"):  # who listens later calls, so no two are joined twice
             found = neighbours(domain_id, ("program",) if kind == "test" else ("program", "test"))
-            self._server = _listen(self._path)
+            self._server = listen_at(self._path)
             for path in found:
                 self._call(path)
         threading.Thread(target=self._accept, name="coursekit-neighbours", daemon=True).start()
 
     def _call(self, path: Path) -> None:
-        peer = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         try:
-            peer.connect(str(path))
-        except OSError:
-            peer.close()
+            token = token_at(path).encode()
+            peer = connect_at(path)
+        except NoSession:
             path.unlink(missing_ok=True)  # it ended without a word
         else:
-            self._join(peer, calling=True)
+            with contextlib.suppress(OSError):
+                peer.sendall(token)
+                self._join(peer, calling=True)
 
     def _join(self, peer: socket.socket, *, calling: bool) -> None:
+        peer.settimeout(None)
         try:
             self._links.append(Link(self._graph, peer, self._forget, calling=calling))
         except (Broken, OSError):
@@ -76,9 +81,13 @@ class Neighbourhood:
 
     def _accept(self) -> None:
         with contextlib.suppress(OSError):
+            token = token_at(self._path).encode()
             while True:
                 peer, _ = self._server.accept()
-                self._join(peer, calling=False)
+                if _says(peer, token):
+                    self._join(peer, calling=False)
+                else:
+                    peer.close()
 
     def abandon(self) -> None:
         """In a forked child: let go of the sockets and of the nodes, which are the parent's, without a word."""
@@ -100,23 +109,14 @@ def neighbours(domain_id: int, kinds: tuple[str, ...] = ("program", "test")) -> 
     return sorted(path for path in found if path.name.rpartition("-")[2].isdecimal())
 
 
-def _listen(path: Path) -> socket.socket:
-    path.unlink(missing_ok=True)
-    server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    server.bind(str(path))
-    path.chmod(0o600)
-    server.listen(16)
-    return server
-
-
-@contextlib.contextmanager
-def _alone(path: Path) -> Iterator[None]:
-    """Keep other programs from doing the same while the block runs."""
-    import fcntl
-
-    with open(path, "w", encoding="utf-8") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
+def _says(peer: socket.socket, token: bytes) -> bool:
+    """Whether a caller says the token, where there is one: at a loopback port anybody may call."""
+    said = b""
+    with contextlib.suppress(OSError):
+        peer.settimeout(TOKEN_SECONDS)
+        while len(said) < len(token) and (part := peer.recv(len(token) - len(said))):
+            said += part
+    return secrets.compare_digest(said, token)
 
 
 def _leave_all() -> None:

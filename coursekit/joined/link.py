@@ -14,7 +14,7 @@ from collections.abc import Callable
 from coursekit.core.graph import Graph
 
 from .mirror import Mirror
-from .pipe import Broken, Pipe
+from .pipe import Broken, SocketPipe
 
 HELLO_SECONDS = 2.0
 """A neighbour that does not answer in this time is passed over: it is stopped, or is no neighbour [s]."""
@@ -31,7 +31,7 @@ class Link:
 
     def __init__(self, graph: Graph, peer: socket.socket, on_end: Callable[[Link], None], *, calling: bool) -> None:
         self.peer = peer
-        self._pipe = Pipe(peer.fileno(), peer.fileno())
+        self._pipe = SocketPipe(peer)
         self._on_end = on_end
         self._news = threading.Event()
         self._sent = threading.Event()

@@ -1,4 +1,5 @@
-"""What the two interpreters say to each other: a JSON header and the CDR bytes of messages, over two file descriptors.
+"""What the two interpreters say to each other: a JSON header and the CDR bytes of messages, over two file descriptors
+or a socket.
 
 Nothing is unpickled, and every size is checked before a byte of it is read: the other side may be hostile.
 """
@@ -7,11 +8,12 @@ from __future__ import annotations
 
 import json
 import os
+import socket
 import struct
 import time
 from typing import Any
 
-from coursekit.systems.pipes import readable
+from coursekit.systems.pipes import readable, wait_readable
 
 _LENGTHS = struct.Struct("<II")
 HEADER, BODY = 16 << 20, 256 << 20
@@ -45,7 +47,7 @@ class Pipe:
         data = memoryview(_LENGTHS.pack(len(text), len(body)) + text + body)
         try:
             while data:
-                data = data[os.write(self._write, data[: 1 << 20]) :]
+                data = data[self._put(data[: 1 << 20]) :]
         except OSError:
             raise Broken("it ended") from None
 
@@ -66,10 +68,35 @@ class Pipe:
     def _exactly(self, size: int, give_up: float | None) -> bytes:
         parts = bytearray()
         while len(parts) < size:
-            if give_up is not None and not readable(self._read, give_up - _now()):
+            if give_up is not None and not self._comes(give_up - _now()):
                 raise Broken(LATE)
-            part = os.read(self._read, min(1 << 20, size - len(parts)))
+            part = self._take(min(1 << 20, size - len(parts)))
             if not part:
                 raise Broken("it ended")
             parts += part
         return bytes(parts)
+
+    def _put(self, data: memoryview) -> int:
+        return os.write(self._write, data)
+
+    def _take(self, size: int) -> bytes:
+        return os.read(self._read, size)
+
+    def _comes(self, seconds: float) -> bool:
+        return readable(self._read, seconds)
+
+
+class SocketPipe(Pipe):
+    """One end that is a socket, which on Windows is no file."""
+
+    def __init__(self, peer: socket.socket) -> None:
+        self._peer = peer
+
+    def _put(self, data: memoryview) -> int:
+        return self._peer.send(data)
+
+    def _take(self, size: int) -> bytes:
+        return self._peer.recv(size)
+
+    def _comes(self, seconds: float) -> bool:
+        return bool(wait_readable([self._peer], max(0.0, seconds)))

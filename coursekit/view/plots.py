@@ -1,8 +1,8 @@
 """matplotlib's windows in a session: `plt.show`, `plt.pause`, animations and `flush_events` of a process.
 
-A node that plots runs in a thread, where no GUI toolkit works: it asks none. Its figures become windows as OpenCV's do (a notebook
-shows them: `coursekit.lab.windows()`), `show` lasts until Ctrl-C or until the last figure is closed, and timers, such as
-an animation's, keep the session's time. Plots of a notebook's own cells are left alone.
+A node that plots runs in a thread, where no GUI toolkit works: it asks none. Its figures become windows as OpenCV's do
+(a notebook shows them: `coursekit.lab.windows()`), `show` lasts until Ctrl-C or until the last figure is closed, and
+timers, such as an animation's, keep the session's time. Plots of a notebook's own cells are left alone.
 """
 
 from __future__ import annotations

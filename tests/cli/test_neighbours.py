@@ -1,7 +1,9 @@
 """Programs in plain interpreters beside each other meet, as on a robot; test runs do not meet each other."""
 
+import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -9,8 +11,6 @@ from pathlib import Path
 import pytest
 
 from tests.needs import posix
-
-pytestmark = posix("plain interpreters have no sockets of files there, and each runs by itself")
 
 TALKER = """
 import sys, rclpy
@@ -101,6 +101,26 @@ def test_two_programs_started_by_path_meet_whichever_comes_first(programs):
     assert late.communicate()[0] == "['one', 'two'] []\n"
 
 
+AT_A_PORT = "from coursekit.cli import endpoint\nendpoint.HAS_UNIX = False\n"
+"""As on Windows, where a file holds a loopback port and a token."""
+
+
+def test_programs_meet_at_loopback_ports_where_there_are_no_sockets_of_files(programs):
+    assert programs(AT_A_PORT + TALKER, "one").stdout.readline() == "ready\n"
+    assert programs(AT_A_PORT + LISTENER, "one").communicate()[0] == "['one'] []\n"
+
+
+def test_who_does_not_know_the_token_learns_nothing(programs, tmp_path):
+    assert programs(AT_A_PORT + TALKER, "one").stdout.readline() == "ready\n"
+    [file] = Path(tmp_path, "coursekit").glob("program-83-*")
+    port = json.loads(file.read_text(encoding="utf-8"))["port"]
+    for said in (b"0" * 32, b"0" * 8):
+        with socket.create_connection(("127.0.0.1", port), timeout=30) as stranger:
+            stranger.sendall(said)
+            assert stranger.recv(1) == b""
+    assert programs(AT_A_PORT + LISTENER, "one").communicate()[0] == "['one'] []\n"
+
+
 def test_a_module_meets_a_program(programs):
     talker(programs, "one")
     assert programs(LISTENER, "one", how=("-m", "program1")).communicate()[0] == "['one'] []\n"
@@ -165,6 +185,7 @@ for line in sys.stdin:
 """
 
 
+@posix("a signal there cannot be sent to one program of a console")
 def test_ctrl_c_ends_a_node_also_when_it_is_about_to_wait(programs):
     """It comes in the moment after an answer: between the last step of the program and its sleep."""
     asker = programs(ASKER)
@@ -205,6 +226,7 @@ def test_a_launch_test_sees_a_program_that_runs_beside_it(programs):
     assert "1 passed" in run.communicate()[0]
 
 
+@posix("there is no fork")
 def test_a_forked_child_is_a_program_of_its_own(programs):
     talker(programs, "one")
     assert programs(FORKED).communicate()[0] == "['child', 'one', 'parent'] ['parent']\n"

@@ -9,6 +9,10 @@ from typing import Any
 
 WIDTH = 9.0
 """Inches."""
+PART = 0.96
+"""How much of the width a part takes."""
+DPI = 120
+_COLUMNS_OF_PART = round(PART * WIDTH * DPI)
 LINE = 0.17
 """Inches of a line of text."""
 MOST_LINES = 60
@@ -22,16 +26,16 @@ def page(heading: str, things: Sequence[Any], kind: str) -> bytes:
     parts = [_part(one) for one in things]
     heights = [0.4, *(_height(one) for one in parts)]
     total = sum(heights) + 0.15 * len(heights)
-    figure: Any = Figure(figsize=(WIDTH, total), dpi=120, facecolor="white")
+    figure: Any = Figure(figsize=(WIDTH, total), dpi=DPI, facecolor="white")
     figure.text(0.02, 1 - 0.25 / total, heading, fontsize=10, weight="bold", va="center", parse_math=False)
     below = heights[0] + 0.15
     for part, height in zip(parts, heights[1:], strict=True):
-        axes = figure.add_axes((0.02, 1 - (below + height) / total, 0.96, height / total))
+        axes = figure.add_axes((0.02, 1 - (below + height) / total, PART, height / total))
         axes.axis("off")
         if isinstance(part, str):
             axes.text(0, 1, part, fontsize=8, family="monospace", va="top", transform=axes.transAxes, parse_math=False)
         else:
-            axes.imshow(part, interpolation="antialiased")
+            axes.imshow(part, interpolation="nearest" if part.shape[1] == _COLUMNS_OF_PART else "antialiased")
         below += height + 0.15
     file = io.BytesIO()
     dates = {"CreationDate": None} if kind == "pdf" else {}
@@ -51,6 +55,10 @@ def _part(thing: Any) -> Any:
     image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
     if image is None:
         raise ValueError("its picture cannot be read")
+    rows, columns = image.shape[:2]
+    if columns > _COLUMNS_OF_PART:  # OpenCV is quick at what matplotlib takes a second for
+        size = (_COLUMNS_OF_PART, max(1, round(rows * _COLUMNS_OF_PART / columns)))
+        image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
     return cv2.cvtColor(image, cv2.COLOR_BGR2RGB)
 
 
@@ -84,4 +92,4 @@ def _height(part: Any) -> float:
     if isinstance(part, str):
         return LINE * (part.count("\n") + 1) + 0.1
     rows, columns = part.shape[:2]
-    return float(min(0.96 * WIDTH * rows / columns, 8.0))
+    return float(min(PART * WIDTH * rows / columns, 8.0))

@@ -1,14 +1,17 @@
-"""`colcon build --symlink-install` where links are refused, as for most accounts on Windows: it needs none.
+"""colcon's build of Python packages, without questions whose answers are known, and without links where they are refused.
 
-Python modules are read from the source, whose folder comes first on PYTHONPATH, as the folder with the links does
-elsewhere. Data files are copied, and copied again by whoever looks their package up: coursekit.systems.copies.
+Most accounts on Windows may make no links, and `colcon build --symlink-install` needs none: Python modules are read from
+the source, whose folder comes first on PYTHONPATH, as the folder with the links does elsewhere. Data files are copied, and
+copied again by whoever looks their package up: coursekit.systems.copies.
 """
 
 from __future__ import annotations
 
 import argparse
 import importlib
+import importlib.metadata
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +21,7 @@ from colcon_core.shell import create_environment_hook
 from colcon_core.task.python import get_data_files_mapping, get_setup_data
 from colcon_core.task.python.build import PythonBuildTask
 
+from coursekit.files import read_text
 from coursekit.systems import copies
 from coursekit.systems.links import can_link
 
@@ -25,6 +29,10 @@ from .outdated import outdate
 
 _OWNERS = ("colcon_core.task.python.build", "colcon_ros.task.ament_python.build")
 """The modules in which colcon finds its build of Python packages."""
+_COMMANDS = {"build", "build_py", "develop", "egg_info", "install", "install_data", "symlink_data"}
+"""Of setuptools' commands, and colcon's own, those that colcon asks about or calls."""
+_EDITABLE_UNTIL = 80
+"""The first setuptools whose `develop` has no --editable."""
 _stands_for_links = False
 
 
@@ -62,7 +70,7 @@ def _prepare(parsed: argparse.Namespace) -> None:
 
 
 class PythonBuild(PythonBuildTask):  # type: ignore[misc]
-    """colcon's build of a Python package, which notes copies that stand for links."""
+    """colcon's build of a Python package, which notes copies that stand for links and starts setup.py less often."""
 
     async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
         """Return the exit code of the build."""
@@ -71,6 +79,15 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
         self._hooks = list(additional_hooks or [])
         done = await super().build(additional_hooks=self._hooks)
         return int(done or 0)
+
+    async def _get_available_commands(self, path: str, env: Any) -> set[str]:
+        """colcon starts setup.py to ask for them: of one by setuptools they are known, which spares every build a start."""
+        return _COMMANDS if _is_by_setuptools(path) else await super()._get_available_commands(path, env)
+
+    async def _get_available_options(self, path: str, env: Any, command: str) -> set[str]:
+        """The same for a command's options."""
+        known = command == "develop" and _is_by_setuptools(path)
+        return {"--editable"} if known else await super()._get_available_options(path, env, command)
 
     async def _undo_develop(self, pkg: Any, args: Any, env: Any) -> Any:
         """colcon's step before it copies, when the environment of the build is known and scripts are not yet written."""
@@ -94,6 +111,13 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
         files = get_data_files_mapping(setup.get("data_files") or [])
         noted = {Path(target).as_posix(): source / file for file, target in files.items()}
         copies.note(Path(args.install_base), name, noted, modules)
+
+
+def _is_by_setuptools(folder: str) -> bool:
+    """Whether a setup.py gets its commands from the setuptools that coursekit asks for."""
+    major = int(importlib.metadata.version("setuptools").partition(".")[0])
+    text = read_text(Path(folder, "setup.py"), errors="replace")
+    return major < _EDITABLE_UNTIL and bool(re.search(r"^\s*(from|import)\s+setuptools\b", text, re.MULTILINE))
 
 
 def _modules(setup: dict[str, Any]) -> list[str]:

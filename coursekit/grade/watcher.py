@@ -173,7 +173,7 @@ def _carried_out(plan: Plan, read: int, write: int, patience: float, failed: Cal
     session = current()
     watcher = Watcher(plan, session)
     watcher.leader = Leader(session.clock, watcher.graph, Pipe(read, write), watcher.on_event, failed, patience)
-    return {"seen": asdict(watcher.run())}
+    return {"seen": vars(watcher.run())}
 
 
 def _know_the_types_of(workspace: str) -> None:

@@ -11,6 +11,7 @@ import yaml
 from traitlets.config.loader import PyFileConfigLoader
 
 from coursekit.cli.coursekit import main
+from tests.needs import posix
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -67,6 +68,7 @@ def test_kubernetes_values_name_files_that_exist():
     assert all((ROOT / one).is_file() for one in re.findall(r"deploy/[\w.]+", text))
 
 
+@posix("The Littlest JupyterHub is installed on Linux")
 def test_the_script_for_the_littlest_jupyterhub_refuses_where_there_is_none():
     done = subprocess.run(["bash", str(DEPLOY / "tljh.sh")], capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 1

@@ -28,6 +28,13 @@ class BagReader:
             raise BagError(f"there is no bag '{uri}'")
         self.is_folder = self._path.is_dir()
         self._folder = self._path if self.is_folder else self._path.parent
+        try:
+            self._open(storage_id)
+        except BagError:
+            self.close()
+            raise
+
+    def _open(self, storage_id: str) -> None:
         self.facts = metadata_file.read(self._path) if self.is_folder else self._facts_of_file(storage_id)
         if storage_id:
             self.facts.storage_identifier = check_storage_id(storage_id)
@@ -96,9 +103,13 @@ class BagReader:
                 yield message._replace(data=compression.decompress(message.data)) if packed else message
 
     def peek(self) -> Message | None:
-        """The message that comes next, without taking it; None at the end."""
-        if self._next is None:
-            self._next = next(self._messages, None)
+        """The message that comes next, without taking it; None at the end. A broken bag is let go of."""
+        try:
+            if self._next is None:
+                self._next = next(self._messages, None)
+        except BagError:
+            self.close()
+            raise
         return self._next
 
     def take(self) -> Message | None:

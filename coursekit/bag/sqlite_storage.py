@@ -121,10 +121,10 @@ class SqliteReader:
     def _opened(self, how: str) -> sqlite3.Connection:
         try:
             db = sqlite3.connect(f"{self._path.resolve().as_uri()}?{how}", uri=True, check_same_thread=False)
-            db.text_factory = lambda raw: raw.decode("utf-8", "replace")
-            db.execute("PRAGMA trusted_schema=OFF")  # no functions hidden in the definitions of a stranger's file
         except sqlite3.Error as error:
             raise self._broken(error) from None
+        db.text_factory = lambda raw: raw.decode("utf-8", "replace")
+        db.execute("PRAGMA trusted_schema=OFF")  # no functions hidden in the definitions of a stranger's file
         return db
 
     def _broken(self, error: Exception) -> BagError:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from coursekit.files import in_order
 from coursekit.interfaces.fields import DTYPES
 from coursekit.interfaces.find import KINDS
 from coursekit.interfaces.model import Action, FieldType, Interface, Message, Service
@@ -103,7 +104,7 @@ def _taken(kind: FieldType) -> str:
 def package_stubs(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the stubs of a package by path relative to site-packages, for its definition files."""
     made = {}
-    paths = sorted(files)
+    paths = in_order(files)
     for kind in KINDS:
         interfaces = [parse_file(package, path) for path in paths if path.suffix == f".{kind}"]
         if interfaces:

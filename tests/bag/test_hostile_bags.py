@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import sqlite3
@@ -166,8 +167,15 @@ def test_bytes_that_were_changed_never_raise_anything_else(tmp_path_factory: Any
         all_of(file)
     except BagError as error:
         assert "x_0" in str(error) or "storage" in str(error)
+        assert not is_open(file)
     finally:
         shutil.rmtree(folder)
+
+
+def is_open(file: Path) -> bool:
+    """Whether this process still has a file open; where /proc does not tell, its folder cannot be removed then."""
+    held = [one for one in Path("/proc/self/fd").glob("*") if os.path.realpath(one) == os.path.realpath(file)]
+    return bool(held)
 
 
 def compression_suffix(storage_id: str) -> str:

@@ -17,6 +17,8 @@ from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Header, String
 from test_msgs.msg import Arrays, BasicTypes, BoundedSequences, Nested, UnboundedSequences
 
+from tests.needs import slashed
+
 
 def test_primitive_sequences_stand_in_block_style():
     text = message_to_yaml(LaserScan(ranges=[0.0, 1.5]))
@@ -117,7 +119,7 @@ def test_interfaces_are_listed_by_package():
 
 
 def test_definition_files_are_found():
-    assert get_interface_path("std_msgs/msg/String").endswith("share/std_msgs/msg/String.msg")
+    assert slashed(get_interface_path("std_msgs/msg/String")).endswith("share/std_msgs/msg/String.msg")
     with pytest.raises(LookupError, match="Could not find the interface"):
         get_interface_path("std_msgs/msg/Nope")
     with pytest.raises(ValueError, match="at least two parts"):

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.needs import posix
+
 TALKER = """
 def generate_test_description():
     node = talker()
@@ -84,6 +86,7 @@ class TestBeside(unittest.TestCase):
     assert "AssertionError: of course" in outcome.report.find(".//failure").attrib["message"]
 
 
+@posix("there is no sh")
 def test_a_launch_that_ends_before_its_tests_fails_all_of_them(launch_test) -> None:
     outcome = launch_test(
         """
@@ -130,4 +133,4 @@ def test_without_an_action_that_says_ready_there_is_an_error(launch_test) -> Non
 def test_the_command_says_what_is_wrong_with_code_2(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "launch_testing.launch_test", str(tmp_path / "no_file.py")]
     result = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
-    assert result.returncode == 2 and f"error: Test file '{tmp_path}/no_file.py' does not exist" in result.stderr
+    assert result.returncode == 2 and f"error: Test file '{tmp_path / 'no_file.py'}' does not exist" in result.stderr

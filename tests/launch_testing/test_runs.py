@@ -20,6 +20,8 @@ from launch_testing.markers import keep_alive, retry_on_failure
 from launch_testing.test_runner import LaunchTestRunner
 from launch_testing.util import KeepAliveProc
 
+from tests.needs import posix
+
 
 def talker() -> Node:
     return Node(package="demo_nodes_py", executable="talker", name="t")
@@ -128,6 +130,7 @@ def test_processes_start_and_end_while_tests_wait(results) -> None:
     assert succeeded(results(describe, Beside)) == {"launch_tests": True}
 
 
+@posix("there is no sh")
 def test_a_text_says_that_tests_may_begin(results) -> None:
     def describe():
         echo = ExecuteProcess(cmd=["sh", "-c", "sleep 0.1; echo it is ready; sleep 100"])
@@ -141,6 +144,7 @@ def test_a_text_says_that_tests_may_begin(results) -> None:
     assert succeeded(results(describe, Beside)) == {"launch_tests": True}
 
 
+@posix("there is no cat, and a program that is ended has no code -9")
 def test_a_test_program_is_killed_when_it_takes_too_long(results) -> None:
     def describe():
         slow, quick = GTest(path="cat", timeout=1.0), GTest(path="true", timeout=1.0)

@@ -19,6 +19,8 @@ from launch_testing_ros import DataRepublisher, MessagePump, WaitForTopics
 from launch_testing_ros.tools import basic_output_filter as ros_output_filter
 from std_msgs.msg import String
 
+from tests.needs import posix
+
 
 def talker() -> Node:
     return Node(package="demo_nodes_py", executable="talker", name="t")
@@ -62,6 +64,7 @@ def test_a_test_starts_commands_and_waits_for_what_they_print(results) -> None:
     check(results, Beside)
 
 
+@posix("there is no sh")
 def test_output_is_looked_for_by_process_stream_and_order(results) -> None:
     program = "echo one; echo two >&2; echo three; echo \033[31mred\033[0m"
 

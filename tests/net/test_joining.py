@@ -18,6 +18,7 @@ from coursekit.net.joining import join, leave, link_of
 from coursekit.net.opening import Credentials, open_client, open_router
 from coursekit.net.report import report
 from coursekit.processes.session import Session
+from tests.needs import posix
 
 from .listening import LOOPBACK, listening
 from .sides import LIMIT, Inbox, free_port, network
@@ -87,6 +88,7 @@ def test_a_port_that_is_no_routers_is_given_up(session):
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/net/tcp"), reason="sockets are looked up where Linux tells them")
+@posix("there is no /proc/net that lists ports")
 def test_a_client_opens_no_port_and_the_router_only_its_own():
     before = listening()
     with network() as side:

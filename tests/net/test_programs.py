@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 from coursekit.net.joining import link_of
+from tests.needs import posix
 
 from .sides import LIMIT, free_port
 
@@ -100,6 +101,7 @@ def test_a_program_ends_by_itself_though_messages_come_in(side):
         loud.communicate()
 
 
+@posix("no signal stops a program for a while")
 def test_a_program_ends_by_itself_though_its_router_is_frozen(side, tmp_path):
     import signal
 

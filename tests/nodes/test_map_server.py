@@ -12,6 +12,7 @@ from std_srvs.srv import Trigger
 
 from coursekit.nav.map_file import GridMap, load_map, save_map
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+from tests.needs import slashed
 
 CELLS = np.array([[0, 100, -1], [-1, 0, 0]], dtype=np.int8)
 
@@ -155,8 +156,9 @@ def test_the_saver_writes_what_the_server_serves_and_says_where(serve, run, hous
     serve(house)
     saver = run("nav2_map_server", "map_saver_cli", "-f", str(tmp_path / "copy"), *arguments)
     assert saver.wait(5.0) == 0
-    for line in (f"data to {tmp_path}/copy.{ending}", f"metadata to {tmp_path}/copy.yaml", "Map saved successfully"):
-        assert line in saver.output
+    place = slashed(tmp_path)
+    for line in (f"data to {place}/copy.{ending}", f"metadata to {place}/copy.yaml", "Map saved successfully"):
+        assert line in slashed(saver.output)
     grid = load_map(tmp_path / "copy.yaml")
     assert grid.cells.tolist() == CELLS.tolist()
     assert (grid.resolution, grid.origin) == (0.05, (-1.0, 2.0, 0.5))

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.needs import ON_WINDOWS
 from tests.tutorials.conftest import colcon
 
 
@@ -82,7 +83,7 @@ def test_a_bag_is_written_and_read_by_nodes(terminal, said):
 
 
 def test_the_package_has_its_executables_and_manifest(said):
-    assert "path_py talker\n" in said("ros2 pkg executables path_py")
+    assert f"path_py talker{'.exe' * ON_WINDOWS}\n" in said("ros2 pkg executables path_py")
     assert "<name>path_py</name>" in said("ros2 pkg xml path_py")
 
 

@@ -5,7 +5,6 @@ The real rclpy's middleware listens on all networks of a computer, and finds who
 
 from __future__ import annotations
 
-import fcntl
 import os
 import socket
 import struct
@@ -31,6 +30,8 @@ def alone(command: list[str]) -> list[str] | None:
 
 def main() -> None:
     """Bring the loopback up and become the command."""
+    import fcntl  # Linux alone comes here
+
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         fcntl.ioctl(any_socket, _SIOCSIFFLAGS, struct.pack("16sh14x", b"lo", _UP_AND_RUNNING))
     os.execvp(sys.argv[1], sys.argv[1:])

@@ -24,7 +24,7 @@ class Values(DollarFormatter):
 
     >>> values = Values()
     >>> line = values.vformat("run a b {folder}/x {more}", (), {"folder": PurePath("/my ws"), "more": "-r c:=d"})
-    >>> [values.restored(word) for word in line.split()]
+    >>> [values.restored(word).replace("\\\\", "/") for word in line.split()]
     ['run', 'a', 'b', '/my ws/x', '-r', 'c:=d']
     """
 

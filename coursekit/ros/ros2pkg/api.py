@@ -31,7 +31,8 @@ def get_prefix_path(package_name: str) -> str | None:
 def get_executable_paths(*, package_name: str) -> list[str]:
     """The files of a package's executables, sorted; raises PackageNotFound.
 
-    >>> [path.rpartition("/")[2] for path in get_executable_paths(package_name="action_tutorials_py")]
+    >>> import os
+    >>> [os.path.basename(path) for path in get_executable_paths(package_name="action_tutorials_py")]
     ['fibonacci_action_client', 'fibonacci_action_server']
     """
     try:

@@ -7,6 +7,8 @@ from typing import Any
 
 from ros2pkg.api import PackageNotFound, get_executable_paths
 
+from coursekit.systems.layout import executable_name as executable_name_of
+
 __all__ = ["ExecutableNameCompleter", "MultipleExecutables", "PackageNotFound", "get_executable_path"]
 
 
@@ -21,10 +23,11 @@ class MultipleExecutables(Exception):
 def get_executable_path(*, package_name: str, executable_name: str) -> str | None:
     """The file of an executable; None when the package has none of that name, PackageNotFound when it does not exist.
 
-    >>> get_executable_path(package_name="demo_nodes_py", executable_name="talker").endswith("lib/demo_nodes_py/talker")
-    True
+    >>> Path(get_executable_path(package_name="demo_nodes_py", executable_name="talker")).parts[-2:]
+    ('demo_nodes_py', 'talker')
     """
-    paths = [one for one in get_executable_paths(package_name=package_name) if Path(one).name == executable_name]
+    found = map(Path, get_executable_paths(package_name=package_name))
+    paths = [str(one) for one in found if executable_name in (one.name, executable_name_of(one))]
     if len(paths) > 1:
         raise MultipleExecutables(paths)
     return paths[0] if paths else None

@@ -18,8 +18,9 @@ class PathJoinSubstitution(Substitution):
     """A path made of parts; each may be text, a substitution, or a list of both.
 
     >>> from launch import LaunchContext
-    >>> PathJoinSubstitution(['a', ['b', '.yaml']]).perform(LaunchContext())
-    'a/b.yaml'
+    >>> path = PathJoinSubstitution(['a', ['b', '.yaml']]).perform(LaunchContext())
+    >>> path == os.path.join('a', 'b.yaml')
+    True
     """
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType]) -> None:

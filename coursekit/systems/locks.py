@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-if sys.platform == "win32":
-    import msvcrt
-else:
-    import fcntl
+from . import which
 
 
 @contextlib.contextmanager
@@ -23,16 +19,24 @@ def alone(path: Path) -> Iterator[None]:
     nobody else is here
     """
     with open(path, "w", encoding="utf-8") as file:
-        if sys.platform == "win32":
+        if which.WINDOWS:
             _lock_byte(file.fileno())
         else:
-            fcntl.flock(file, fcntl.LOCK_EX)
+            _lock_file(file.fileno())
         yield
+
+
+def _lock_file(file: int) -> None:
+    import fcntl
+
+    fcntl.flock(file, fcntl.LOCK_EX)
 
 
 def _lock_byte(file: int) -> None:
     """Windows tries for ten seconds, then says that the file is taken."""
+    import msvcrt
+
     while True:
         with contextlib.suppress(OSError):
-            msvcrt.locking(file, msvcrt.LK_LOCK, 1)  # type: ignore[attr-defined,unused-ignore]
+            msvcrt.locking(file, msvcrt.LK_LOCK, 1)  # type: ignore[attr-defined]
             return

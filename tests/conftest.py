@@ -21,6 +21,12 @@ os.environ["ROS_LOG_DIR"] = os.path.join(_sessions.name, "log")  # not among the
 importlib.import_module("ament_index_python")
 
 
+def pytest_configure(config):
+    """Each pytest that a test starts does without plugins that import for seconds what it never uses."""
+    if hasattr(config, "workerinput") or not getattr(config.option, "numprocesses", None):  # but not those of xdist
+        os.environ["PYTEST_ADDOPTS"] = "-p no:nbval -p no:hypothesispytest"
+
+
 def pytest_sessionstart(session):
     """What all tests of C++ need is made before they begin, so that it takes none of them its time."""
     if getattr(session.config.option, "numprocesses", None) and not hasattr(session.config, "workerinput"):

@@ -2,13 +2,15 @@
 
 import json
 import os
+import socket
 import struct
+import threading
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from coursekit.joined.pipe import BODY, HEADER, Broken, Pipe
+from coursekit.joined.pipe import BODY, HEADER, Broken, Pipe, SocketPipe
 
 JSON = st.recursive(st.none() | st.booleans() | st.integers() | st.text(), lambda inner: st.lists(inner, max_size=3))
 
@@ -25,11 +27,22 @@ def ends():
 def test_a_frame_arrives_as_it_was(header, body):
     there, back = os.pipe(), os.pipe()
     try:
-        Pipe(back[0], there[1]).send(header, body)
-        assert Pipe(there[0], back[1]).receive() == (header, body)
+        assert sent(Pipe(back[0], there[1]), Pipe(there[0], back[1]), header, body) == (header, body)
     finally:
         for one in (*there, *back):
             os.close(one)
+    one, other = socket.socketpair()
+    with one, other:
+        assert sent(SocketPipe(one), SocketPipe(other), header, body) == (header, body)
+
+
+def sent(ours, theirs, header, body):
+    """What arrives; sent by a thread, for a pipe may have room for less."""
+    sending = threading.Thread(target=ours.send, args=(header, body))
+    sending.start()
+    found = theirs.receive()
+    sending.join()
+    return found
 
 
 @pytest.mark.parametrize(
@@ -45,9 +58,11 @@ def test_a_frame_arrives_as_it_was(header, body):
 )
 def test_a_malformed_frame_is_told(ends, data):
     _, theirs, raw = ends
-    os.write(raw, data)
+    sending = threading.Thread(target=os.write, args=(raw, data))
+    sending.start()
     with pytest.raises(Broken, match="more than it may|malformed"):
         theirs.receive(5.0)
+    sending.join()
 
 
 def test_silence_and_the_other_s_end_are_told(ends):

@@ -1,4 +1,4 @@
-// Parameters of other nodes, by their services.
+// Parameters of other nodes, by their services. What needs their types is compiled once, in src/parameter_client.cpp.
 #pragma once
 #include "rcl_interfaces/msg/parameter_event.hpp"
 #include "rcl_interfaces/srv/describe_parameters.hpp"
@@ -23,16 +23,7 @@ public:
     CallbackGroup::SharedPtr group = nullptr)
   : base_(base_of(node))
   {
-    QoS qos(QoSInitialization::from_rmw(profile), profile);
-    std::string name = remote.empty() ? base_->full_name : remote;
-    remote_ = name.front() == '/' ? name : base_->space + (base_->space.back() == '/' ? "" : "/") + name;
-    get_ = detail::client<rcl_interfaces::srv::GetParameters>(*base_, name + "/get_parameters", qos, group);
-    types_ = detail::client<rcl_interfaces::srv::GetParameterTypes>(*base_, name + "/get_parameter_types", qos, group);
-    set_ = detail::client<rcl_interfaces::srv::SetParameters>(*base_, name + "/set_parameters", qos, group);
-    together_ =
-      detail::client<rcl_interfaces::srv::SetParametersAtomically>(*base_, name + "/set_parameters_atomically", qos, group);
-    list_ = detail::client<rcl_interfaces::srv::ListParameters>(*base_, name + "/list_parameters", qos, group);
-    describe_ = detail::client<rcl_interfaces::srv::DescribeParameters>(*base_, name + "/describe_parameters", qos, group);
+    connect(remote, profile, group);
   }
 
   template<class T>
@@ -43,78 +34,21 @@ public:
   using Descriptors = std::vector<rcl_interfaces::msg::ParameterDescriptor>;
 
   Future<std::vector<Parameter>> get_parameters(
-    const std::vector<std::string> & names, Callback<std::vector<Parameter>> callback = nullptr)
-  {
-    auto request = std::make_shared<rcl_interfaces::srv::GetParameters::Request>();
-    request->names = names;
-    return ask_for<std::vector<Parameter>>(
-      get_, request, callback, [names](auto & response) {
-        std::vector<Parameter> found;
-        for (size_t i = 0; i < response.values.size() && i < names.size(); ++i) {
-          found.emplace_back(names[i], ParameterValue(response.values[i]));
-        }
-        return found;
-      });
-  }
+    const std::vector<std::string> & names, Callback<std::vector<Parameter>> callback = nullptr);
   Future<std::vector<ParameterType>> get_parameter_types(
-    const std::vector<std::string> & names, Callback<std::vector<ParameterType>> callback = nullptr)
-  {
-    auto request = std::make_shared<rcl_interfaces::srv::GetParameterTypes::Request>();
-    request->names = names;
-    return ask_for<std::vector<ParameterType>>(
-      types_, request, callback, [](auto & response) {
-        std::vector<ParameterType> types;
-        for (auto type : response.types) {
-          types.push_back(static_cast<ParameterType>(type));
-        }
-        return types;
-      });
-  }
-  Future<Results> set_parameters(const std::vector<Parameter> & parameters, Callback<Results> callback = nullptr)
-  {
-    auto request = std::make_shared<rcl_interfaces::srv::SetParameters::Request>();
-    request->parameters = messages_of(parameters);
-    return ask_for<Results>(set_, request, callback, [](auto & response) {return response.results;});
-  }
+    const std::vector<std::string> & names, Callback<std::vector<ParameterType>> callback = nullptr);
+  Future<Results> set_parameters(const std::vector<Parameter> & parameters, Callback<Results> callback = nullptr);
   Future<rcl_interfaces::msg::SetParametersResult> set_parameters_atomically(
-    const std::vector<Parameter> & parameters, Callback<rcl_interfaces::msg::SetParametersResult> callback = nullptr)
-  {
-    auto request = std::make_shared<rcl_interfaces::srv::SetParametersAtomically::Request>();
-    request->parameters = messages_of(parameters);
-    return ask_for<rcl_interfaces::msg::SetParametersResult>(
-      together_, request, callback, [](auto & response) {return response.result;});
-  }
-  Future<Results> delete_parameters(const std::vector<std::string> & names)
-  {
-    std::vector<Parameter> unset;
-    for (auto & name : names) {
-      unset.emplace_back(name);
-    }
-    return set_parameters(unset);
-  }
+    const std::vector<Parameter> & parameters, Callback<rcl_interfaces::msg::SetParametersResult> callback = nullptr);
+  Future<Results> delete_parameters(const std::vector<std::string> & names);
   Future<rcl_interfaces::msg::ListParametersResult> list_parameters(
     const std::vector<std::string> & prefixes, uint64_t depth,
-    Callback<rcl_interfaces::msg::ListParametersResult> callback = nullptr)
-  {
-    auto request = std::make_shared<rcl_interfaces::srv::ListParameters::Request>();
-    request->prefixes = prefixes;
-    request->depth = depth;
-    return ask_for<rcl_interfaces::msg::ListParametersResult>(
-      list_, request, callback, [](auto & response) {return response.result;});
-  }
-  Future<Descriptors> describe_parameters(const std::vector<std::string> & names, Callback<Descriptors> callback = nullptr)
-  {
-    auto request = std::make_shared<rcl_interfaces::srv::DescribeParameters::Request>();
-    request->names = names;
-    return ask_for<Descriptors>(describe_, request, callback, [](auto & response) {return response.descriptors;});
-  }
+    Callback<rcl_interfaces::msg::ListParametersResult> callback = nullptr);
+  Future<Descriptors> describe_parameters(const std::vector<std::string> & names, Callback<Descriptors> callback = nullptr);
 
   /// Set what a file says of the node that this is a client of.
-  Future<Results> load_parameters(const std::string & yaml_filename)
-  {
-    return load_parameters(detail::parameter_file(yaml_filename, remote_));
-  }
-  Future<Results> load_parameters(const ParameterMap & map) {return set_parameters(parameters_from_map(map));}
+  Future<Results> load_parameters(const std::string & yaml_filename);
+  Future<Results> load_parameters(const ParameterMap & map);
 
   /// Hear of changes of all nodes' parameters; the node is that of this client, or the one that is given.
   template<class F>
@@ -130,41 +64,17 @@ public:
     return create_subscription<rcl_interfaces::msg::ParameterEvent>(
       node, "/parameter_events", qos, std::forward<F>(callback), options);
   }
-  bool service_is_ready() const
-  {
-    return get_->service_is_ready() && types_->service_is_ready() && set_->service_is_ready() && list_->service_is_ready();
-  }
+  bool service_is_ready() const;
   template<class Rep = int64_t, class Period = std::milli>
   bool wait_for_service(std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
   {
-    return get_->wait_for_service(timeout) && types_->wait_for_service(timeout) && set_->wait_for_service(timeout) &&
-           list_->wait_for_service(timeout);
+    return wait_for_services(std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
 
 private:
-  static std::vector<rcl_interfaces::msg::Parameter> messages_of(const std::vector<Parameter> & parameters)
-  {
-    std::vector<rcl_interfaces::msg::Parameter> messages;
-    for (auto & parameter : parameters) {
-      messages.push_back(parameter.to_parameter_msg());
-    }
-    return messages;
-  }
-  /// Send a request; its future gets what `change` makes of the response.
-  template<class T, class C, class R, class F>
-  Future<T> ask_for(C & client, R request, Callback<T> callback, F change)
-  {
-    auto promise = std::make_shared<std::promise<T>>();
-    Future<T> future = promise->get_future().share();
-    client->async_send_request(
-      request, [promise, future, callback, change](typename C::element_type::SharedFuture answered) {
-        promise->set_value(change(*answered.get()));
-        if (callback) {
-          callback(future);
-        }
-      });
-    return future;
-  }
+  void connect(const std::string & remote, const rmw_qos_profile_t & profile, const CallbackGroup::SharedPtr & group);
+  bool wait_for_services(std::chrono::nanoseconds timeout);
+
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   std::string remote_;
   Client<rcl_interfaces::srv::GetParameters>::SharedPtr get_;
@@ -196,11 +106,7 @@ public:
   {
     return wait(client_.get_parameters(names), timeout);
   }
-  bool has_parameter(const std::string & name)
-  {
-    auto names = list_parameters({name}, 1).names;
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
+  bool has_parameter(const std::string & name);
   template<class T>
   T get_parameter(const std::string & name)
   {

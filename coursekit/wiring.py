@@ -1,4 +1,4 @@
-"""What upper rooms lend to those below: the one place that names them all, as 'package.module:function'.
+"""The functions that upper rooms lend to those below: the one place that names them all, as 'package.module:function'.
 
 A lower room imports nothing from above. Where it needs a hand (a program that a session carries out itself, windows for
 OpenCV), it looks here for who lends it and loads that when it is used. So a new command or hook is one line in this file.
@@ -55,14 +55,14 @@ COMPILED_HOST = "nodes/compiled/host.py"
 
 
 def load(place: str) -> Any:
-    """What stands at 'package.module:name', or the module at 'package.module'."""
+    """The object at 'package.module:name', or the module at 'package.module'."""
     module, _, name = place.partition(":")
     found = importlib.import_module(module)
     return getattr(found, name) if name else found
 
 
 def command(name: str) -> Callable[..., int] | None:
-    """What carries out the program `name` inside of a session; None for other programs.
+    """The function that carries out the program `name` inside of a session; None for other programs.
 
     >>> command("ls") is None
     True

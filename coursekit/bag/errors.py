@@ -1,4 +1,4 @@
-"""What goes wrong with bags."""
+"""Errors of bags."""
 
 from __future__ import annotations
 

@@ -96,7 +96,7 @@ class McapReader:
         return TopicMetadata(channel.topic, schema.name if schema else "", channel.message_encoding, qos)
 
     def facts(self) -> BagFacts:
-        """What the file itself tells of a bag that consists of it."""
+        """The facts of a bag that consists of this file."""
         name = self._path.name
         whole, counts = FileFacts(name), dict.fromkeys(self._channels, 0)
         for record in self._records(0):

@@ -1,4 +1,4 @@
-"""What a bag says of itself. Times and durations are nanoseconds."""
+"""A bag's metadata. Times and durations are nanoseconds."""
 
 from __future__ import annotations
 

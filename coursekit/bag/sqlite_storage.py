@@ -144,7 +144,7 @@ class SqliteReader:
         return [TopicMetadata(**dict[str, Any](zip(wanted, map(str, row), strict=True))) for row in rows]
 
     def facts(self) -> BagFacts:
-        """What the file itself tells of a bag that consists of it."""
+        """The facts of a bag that consists of this file."""
         counted = "SELECT topics.name, count(messages.id) FROM topics LEFT JOIN messages ON topics.id = messages.topic_id"
         counts = dict(self._rows(f"{counted} GROUP BY topics.id"))
         ((first, last, count),) = self._rows("SELECT min(timestamp), max(timestamp), count(*) FROM messages")

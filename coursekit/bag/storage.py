@@ -1,4 +1,4 @@
-"""What the kinds of files that messages are kept in have in common."""
+"""The common parts of the kinds of files that messages are kept in."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ def _run_programs(world: str) -> int:
 
 
 def _end_with_input() -> None:
-    """Who started this program holds the other end of its input: when that is closed, or its owner was killed, end."""
+    """End when the other end of this program's input is closed, or its owner was killed."""
     from coursekit.systems.children import interrupt_self
     from coursekit.systems.pipes import wait_for_end
 

@@ -173,7 +173,7 @@ def _with_a_page(records: Sequence[Record], roster: Roster | None) -> list[tuple
 
 
 def left_out(records: Sequence[Record], roster: Roster | None) -> str:
-    """Whose page is not in the zip of pages, and what Moodle needs for it; empty if nobody's."""
+    """The students without a page in the zip, and what Moodle needs for them; empty if there is none."""
     names = [one.label for folder, one in _with_a_page(records, roster) if not folder]
     if not names:
         return ""

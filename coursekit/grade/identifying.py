@@ -1,4 +1,4 @@
-"""Whose is what was handed in? The mark of the copy says it, the exact name, the platform's pattern, a name in the name.
+"""The student of a submission, by the copy's mark, the exact name, the platform's pattern, or a name within the name.
 
 Each way may find one person, several, or none. The first that finds one decides, unless another one that is as sure finds
 somebody else: then nobody is guessed, and the teacher is asked.
@@ -24,7 +24,7 @@ _ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx", ".json")
 
 @dataclass(frozen=True)
 class Identified:
-    """Who was found, and how."""
+    """The student that was found, and by which means."""
 
     people: tuple[Person, ...] = ()
     """One: found. None or several: to be asked."""
@@ -58,7 +58,7 @@ class Identifier:
         return self._copies.get(copy)
 
     def identify(self, name: str, copies: Iterable[str] = ()) -> Identified:
-        """Whose a folder or file of that name is, in which copies with these marks were found."""
+        """The student of a folder or file of that name, in which copies with these marks were found."""
         marked = {self._copies[one] for one in copies if one in self._copies}
         named = self.by_name(name)
         if len(marked) > 1:
@@ -74,7 +74,7 @@ class Identifier:
         return Identified(others, f"the copy was made for {self.roster.label(owner)}, the name is another student's")
 
     def by_name(self, name: str) -> Identified:
-        """Whose it is by its name alone."""
+        """The student by the name alone."""
         given = platform_name(name)
         stem = without_ending(name)
         for how, found in (

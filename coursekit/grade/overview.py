@@ -64,7 +64,7 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
 
 
 def _look(records: Sequence[Record], outcome: Outcome) -> str:
-    """Who needs the teacher's eye, and why; the most pressing first."""
+    """The students who need the teacher's attention, and why; the most pressing first."""
     rows = []
     for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
         concerns = one.marked().concerns

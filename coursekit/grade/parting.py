@@ -1,4 +1,4 @@
-"""Whose is what lies in one folder or zip? Usually one person's; copies of several people are each told or asked about."""
+"""The students of one folder or zip: usually one; copies of several people are told apart, or asked about."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) ->
 
 
 def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identified | None:
-    """Whose one notebook is, by its mark; where the entry's name is not one person's, by what lies in it, too."""
+    """The student of one notebook, by its mark; where the entry's name is not one person's, by its content, too."""
     owner = identifier.owner(piece.known.copy)
     if owner is not None:
         return Identified((owner,), "the mark of the copy")

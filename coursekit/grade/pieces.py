@@ -69,7 +69,7 @@ class Piece:
     bundle: Path | None = None
     """A plain copy of the file that `hand_in()` made, if it lay in one."""
     student: str = ""
-    """Whom that file names."""
+    """The students that the file names."""
     checkpoint: bool = False
     late_said: bool = False
     """Whether the platform says that it was late."""
@@ -87,7 +87,7 @@ class Entry:
     others: list[str] = field(default_factory=list)
     """Files that are no notebooks."""
     students: list[str] = field(default_factory=list)
-    """Whom files made by `hand_in()` name."""
+    """The students that files made by `hand_in()` name."""
     bundles: list[Path] = field(default_factory=list)
     """Plain copies of all of these."""
     concerns: list[str] = field(default_factory=list)

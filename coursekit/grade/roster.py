@@ -1,4 +1,4 @@
-"""Who is in a class: a list that a learning platform exported, a table, or a text with a name on each line."""
+"""The students of a class: a list that a learning platform exported, a table, or a text with a name on each line."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ class Variants:
         return key.hexdigest()[:24]
 
     def copy_marks(self) -> dict[str, Person]:
-        """Whose copy carries which mark."""
+        """The student whose copy carries each mark."""
         return {self.copy_mark(one): one for one in self.roster.people}
 
     def dice(self) -> bytes:

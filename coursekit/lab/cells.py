@@ -1,4 +1,4 @@
-"""What belongs to which cell of the notebook: a cell that is run again replaces what it made."""
+"""The objects of each cell of the notebook: a cell that is run again replaces those that it made."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ class _Floor(anywidget.AnyWidget):
 
 
 class Desk:
-    """What stands beside the notebook; made by `desk`."""
+    """The views beside the notebook; made by `desk`."""
 
     def __init__(self) -> None:
         self.panels: list[Any] = []

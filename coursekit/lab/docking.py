@@ -1,4 +1,4 @@
-"""What pages show: a view has a button that asks for the desk."""
+"""A view's button that asks for the desk, in pages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class View(anywidget.AnyWidget):
     """The base of all that stands in a cell and may stand on the desk."""
 
     put_on_desk: ClassVar[Callable[[View], object]]
-    """What the button asks for; the desk says it when it is imported."""
+    """The function behind the button; the desk gives it when it is imported."""
 
     def __init__(self, **traits: Any) -> None:
         super().__init__(**traits)

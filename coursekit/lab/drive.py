@@ -25,11 +25,11 @@ KEYS = {
     "strafe left": (0.0, 1.0, 0.0),
     "strafe right": (0.0, -1.0, 0.0),
 }
-"""What a key means: forward, to the left, turn to the left; each from -1 to 1."""
+"""The meaning of a key: forward, to the left, turn to the left; each from -1 to 1."""
 
 
 def meaning(keys: str) -> tuple[float, float, float]:
-    """What keys held together mean, for example 'up+left'; ValueError for a key that is unknown.
+    """The meaning of keys held together, for example 'up+left'; ValueError for a key that is unknown.
 
     >>> meaning("up+left")
     (1.0, 0.0, 1.0)

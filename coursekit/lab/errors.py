@@ -22,11 +22,11 @@ class Plain(Exception):
 
 
 class BadArgument(Plain, ValueError):
-    """What was given cannot be meant."""
+    """An argument that cannot be meant."""
 
 
 class NotThere(Plain, LookupError):
-    """What was asked for does not exist, or not yet."""
+    """A thing that does not exist, or not yet."""
 
 
 class NotNow(Plain, RuntimeError):

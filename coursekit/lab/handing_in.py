@@ -37,7 +37,7 @@ def course_folder() -> Path:
 
 
 def student(name: str = "") -> str:
-    """Who works here: `name`, which is remembered, or what was remembered, or the variable `me` of chapter 0."""
+    """The student's name: `name`, which is remembered, or the remembered one, or the variable `me` of chapter 0."""
     file = course_folder() / ".coursekit" / "student.json"
     shell = running_shell()
     me = shell.user_ns.get("me", "") if shell is not None else ""

@@ -140,7 +140,7 @@ class CourseMagics(Magics):
             print(f"There is no {line.strip()} in {workspace().name}/. Is the name right, was the cell above run?")
 
     def _words(self, line: str) -> tuple[dict[str, str], list[str], bool]:
-        """What `_read` finds in a line, with the values of names in braces and after `$`."""
+        """The result of `_read` for a line, with the values of names in braces and after `$`."""
         values = Values()
         options, argv, background = _read(values.expanded(self.shell, line))
         told = {name: values.restored(value) for name, value in options.items()}
@@ -160,7 +160,7 @@ def _read(line: str) -> tuple[dict[str, str], list[str], bool]:
 
 
 def _title(argv: list[str]) -> str:
-    """What a terminal is called: for `run` and `launch` the last name, else the command."""
+    """The title of a terminal: for `run` and `launch` the last name, else the command."""
     if argv[:1] in (["run"], ["launch"]) and len(argv) > 2:
         return argv[2]
     return " ".join(argv[:3])
@@ -182,7 +182,7 @@ def _without_folders(text: str) -> str:
 
 
 def _without_durations(text: str) -> str:
-    """What a build took is left out where every run has to print the same."""
+    """The time of a build is left out where every run has to print the same."""
     return _DURATION.sub("[0.00s", text)
 
 

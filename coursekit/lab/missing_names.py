@@ -27,7 +27,7 @@ def _look(result: Any) -> None:
 
 
 def advice(name: str, cells: Iterable[str]) -> str:
-    """What to do about a name that is missing; empty unless one of these cells makes it.
+    """Advice about a name that is missing; empty unless one of these cells makes it.
 
     >>> advice("robot", ["%cd -q src", "robot = load('vera.urdf')"])
     '`robot` is made in another cell. After a restart run those above first: menu Run, Run All Above Selected Cell.'

@@ -1,4 +1,4 @@
-"""What all panels share: a text form, few messages to the browser, and an end that leaves nothing behind."""
+"""The common parts of all panels: a text form, few messages to the browser, and an end that leaves nothing behind."""
 
 from __future__ import annotations
 
@@ -93,11 +93,11 @@ class Panel(View):
         return self._hidden
 
     def shown(self) -> dict[str, Any]:
-        """What the browser shows now."""
+        """The browser's present content."""
         return {}
 
     def text(self) -> str:
-        """What is shown, in lines; the same every time on the virtual clock."""
+        """The panel's content, in lines; the same every time on the virtual clock."""
         return type(self).__name__
 
     def changed(self, *_anything: Any) -> None:
@@ -202,7 +202,7 @@ class Panel(View):
             self._hidden.close()
 
     def leave(self) -> None:
-        """What a subclass has to end."""
+        """The subclass's part of the end."""
 
     # -- without the browser
 

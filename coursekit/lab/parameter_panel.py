@@ -193,7 +193,7 @@ class ParameterPanel(Panel):
 
 
 def _typed(row: Row, value: Any) -> Any:
-    """What came from the control, in the parameter's type."""
+    """The control's value, in the parameter's type."""
     if row.kind == 1:
         return bool(value)
     if row.kind in (2, 3):

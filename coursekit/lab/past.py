@@ -1,4 +1,4 @@
-"""What a panel has shown in the last minutes, in a bounded part of the memory, and the time that all panels show."""
+"""A panel's last minutes, in a bounded part of the memory, and the time that all panels show."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.processes.session import Session
 SECONDS = 300.0
 """How far back one can go [s]."""
 LARGEST = 64_000_000
-"""What one panel's past may take [bytes]; with large messages it reaches less far back."""
+"""The memory for one panel's past [bytes]; with large messages it reaches less far back."""
 EVERY_SECONDS = 0.2
 """A moment of a scene is kept so often [s]."""
 
@@ -47,7 +47,7 @@ class Past:
                 self._size -= self._moments.popleft()[1]
 
     def at(self, time: int) -> Any:
-        """What was shown at a time: the oldest moment for earlier ones, None when nothing is kept."""
+        """The state at a time: the oldest moment for earlier ones, None when nothing is kept."""
         with self._lock:
             if not self._times:
                 return None

@@ -51,11 +51,11 @@ class Picture(View):
     # -- what a subclass says
 
     def heading(self) -> str:
-        """What stands above the picture."""
+        """The text above the picture."""
         return "image"
 
     def note(self) -> str:
-        """What stands at its right, for example its size."""
+        """The text at its right, for example its size."""
         return ""
 
     def is_open(self) -> bool:

@@ -17,7 +17,7 @@ from .messages import known_type, listen
 from .panel import Panel, static
 
 SECONDS = 20.0
-"""What is shown of the time line at first [s]."""
+"""The part of the time line that is shown at first [s]."""
 
 
 class PlotPanel(Panel):
@@ -166,7 +166,7 @@ def _plain(time: float, value: float) -> tuple[float, float | None]:
 
 
 def _topic_to_wait_for(path: str) -> str:
-    """What is meant by a path whose topic is not there yet: all before the first dot, or before its last part."""
+    """The topic of a path whose topic does not exist yet: all before the first dot, or before its last part."""
     head, dot, _ = path.partition(".")
     return head if dot else path.rpartition("/")[0] or path
 

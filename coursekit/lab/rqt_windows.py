@@ -44,7 +44,7 @@ class RqtTabs(ipywidgets.Tab):
 
 
 class PlotPicture(WindowPicture):
-    """What `rqt_plot` draws."""
+    """The paths that `rqt_plot` draws."""
 
     def __init__(self, name: str) -> None:
         super().__init__(highgui.desk(), highgui.desk().window(name))

@@ -1,4 +1,4 @@
-"""What the panels that draw in 3D share: MeshCat in the page, a stream of changes to it, a still picture."""
+"""The common parts of panels that draw in 3D: MeshCat in the page, a stream of changes to it, a still picture."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .viewer_stream import Stream
 
 
 class SceneStage(Protocol):
-    """What such a panel draws."""
+    """The stage of such a panel."""
 
     lock: Any
     """Held while it changes."""

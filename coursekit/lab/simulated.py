@@ -20,7 +20,7 @@ def simulator() -> Any:
 
 
 def robot_name(name: str = "") -> str:
-    """That robot, or the only one; LookupError names those there are."""
+    """The robot of that name, or the only one; LookupError names those that exist."""
     robots = list(simulator().simulation.robots)
     if name in robots or (not name and len(robots) == 1):
         return name or robots[0]

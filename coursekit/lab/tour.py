@@ -48,7 +48,7 @@ class Tour:
 
     @property
     def tracks(self) -> dict[str, np.ndarray]:
-        """What was noted, ten times a second."""
+        """The notes, taken ten times a second."""
         return {name: np.array(track, float).reshape(-1, 3) for name, track in self._noted.items()}
 
     @property

@@ -90,7 +90,7 @@ class Viewer(ViewerPage):
         self.stage.switch(self.stage.find(name), on)
 
     def status(self, name: str) -> str:
-        """What a display says: 'Ok: ...', 'Warn: ...', 'Error: ...'."""
+        """The status of a display: 'Ok: ...', 'Warn: ...', 'Error: ...'."""
         self.stage.update()
         one = self.stage.find(name)
         return f"{one.level}: {one.remark}"
@@ -123,7 +123,7 @@ class Viewer(ViewerPage):
         self.look_anew()
 
     def goal_pose(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """What the tool 2D Goal Pose publishes on /goal_pose [m, m, rad]."""
+        """The goal that the tool 2D Goal Pose publishes on /goal_pose [m, m, rad]."""
         self.tools.goal_pose(x, y, yaw)
 
     def pose_estimate(self, x: float, y: float, yaw: float = 0.0) -> None:

@@ -1,4 +1,4 @@
-"""What a page does to a viewer, and what it is told: the list of displays, the camera, what was clicked."""
+"""A page's actions on a viewer, and the viewer's words to it: the list of displays, the camera, the selection."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class ViewerPage(ScenePanel):
     tools: Tools
     height_px: int
     picked: Picked | None = None
-    """What the Select tool has clicked"""
+    """The thing that the Select tool has clicked."""
     _placed = False
 
     def shown(self) -> dict[str, Any]:
@@ -184,7 +184,7 @@ def _finite(number: Any) -> bool:
 
 
 def _known(kind: str) -> dict[str, Any]:
-    """What one kind of display shows, and what can be changed of it."""
+    """The description of one kind of display, and the properties that can be changed."""
     return {"about": gettext(ABOUT[kind]), "properties": [asdict(one) for one in properties(kind)]}
 
 

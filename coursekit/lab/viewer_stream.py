@@ -1,4 +1,4 @@
-"""What goes to the browser, at most thirty times a second, and only when it has drawn what it got before."""
+"""The stream to the browser: at most thirty times a second, and only when it has drawn the last part."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LIST_SECONDS = 0.25
 """The list of displays is compared so often."""
 JPEG_QUALITY = 80
 Kept = tuple[Moment, dict[str, bytes]]
-"""What was shown at a time: the things, and the pictures beside them by the names of their displays."""
+"""The scene at a time: the things, and the pictures beside them by the names of their displays."""
 
 
 class Stream:
@@ -48,7 +48,7 @@ class Stream:
         """The newest moment that the panel's past has."""
         self._keep_due = 0
         self._page: Moment | None = None
-        """What the page shows while that is of the past."""
+        """The page's content while that is of the past."""
 
     def open(self) -> None:
         """A page shows nothing yet: send it all."""
@@ -111,7 +111,7 @@ class Stream:
             self.panel.send(message, buffers=[*buffers, *images])
 
     def _changes(self, scene: Scene, whole: bool, then: Kept | None) -> Changes:
-        """What the page has to do to show the scene, or the moment of the past that the cursor is at."""
+        """The page's changes to show the scene, or the moment of the past that the cursor is at."""
         live = scene.whole() if whole else scene.changes()
         if then is None and self._page is None:
             return live

@@ -19,7 +19,7 @@ class Tools:
         self.node = node
         self.stage = stage
         self.told = ""
-        """What was published last, in words"""
+        """The last thing that was published, in words."""
         self._publishers: dict[str, Any] = {}
 
     def use(self, message: dict[str, Any]) -> None:

@@ -18,7 +18,7 @@ from .scene_panel import ScenePanel
 
 NOTHING = "No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py &"
 STEP_S = 0.05
-"""What the button Step lets pass [s]."""
+"""The time that the button Step lets pass [s]."""
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 BOX_M, BOX_KG = 0.4, 2.0
 """Edge and mass of a box that is added."""
@@ -37,7 +37,7 @@ class WorldView(ScenePanel):
         self.stage = WorldScene(self._newest)
         self._said = ""
         self._held = "", Pose2D()
-        """What was clicked last, and where it was then."""
+        """The thing that was clicked last, and its place then."""
         self._boxes = 0
         self._measured: tuple[int, int] | None = None
         self._factor = 1.0
@@ -131,7 +131,7 @@ class WorldView(ScenePanel):
     # -- with the browser
 
     def shown(self) -> dict[str, Any]:
-        """What stands above and below the picture."""
+        """The texts above and below the picture."""
         found = self._newest()
         if found is None:
             return {"height": self.height_px, "there": False, "told": NOTHING}
@@ -178,7 +178,7 @@ class WorldView(ScenePanel):
         self._say(f"{name} at {_at(self._held[1])} m")
 
     def on_drag(self, message: dict[str, Any]) -> None:
-        """What was clicked is dragged so far [m]."""
+        """The clicked thing is dragged so far [m]."""
         self._try(lambda: self._drag(*_floor(message)))
 
     def _drag(self, x: float, y: float) -> None:
@@ -191,7 +191,7 @@ class WorldView(ScenePanel):
         self._try(lambda: self.add_box(*_floor(message)))
 
     def on_remove(self, message: dict[str, Any]) -> None:
-        """What was clicked is to go."""
+        """Remove the clicked thing."""
         self._try(lambda: self.remove(str(message.get("name"))))
 
     def _try(self, does: Any) -> None:

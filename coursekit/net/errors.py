@@ -1,4 +1,4 @@
-"""What joining a network can fail of, in one sentence with the cure."""
+"""The reasons why joining a network can fail, in one sentence with the cure."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ class Link:
         _close_before_python_ends(self)
 
     def tokens(self) -> list[Token]:
-        """What others have announced up to now."""
+        """The announcements of the others up to now."""
         found = []
         for reply in self.place.session.liveliness().get(self._key, timeout=SETTLE_SECONDS):
             if reply.ok is not None:

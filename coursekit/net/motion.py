@@ -1,4 +1,4 @@
-"""What of this graph would move others' robots: told before a network is joined."""
+"""The parts of this graph that would move others' robots: the user hears of them before a network is joined."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _GOAL = "/_action/send_goal"
 
 
 def would_move(graph: Graph, tokens: Iterable[Token]) -> list[str]:
-    """What of this graph would move others' robots if it joined those who announce these tokens; a sentence each."""
+    """A sentence for each part of this graph that would move the robots of those who announce these tokens."""
     found: dict[str, None] = {}
     for token in tokens:
         if token.kind == SUBSCRIPTION and token.type_name in MOVING:

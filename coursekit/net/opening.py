@@ -21,12 +21,12 @@ LEASE_SECONDS = 2.0
 BUSY_SECONDS = 0.01
 """How long a message waits for room before it is dropped: the threads of a busy computer may sleep for this long [s]."""
 SEND_BUFFER = 65536
-"""What the system may keep of a link's messages before they go: a slow link shall drop them, not bring them seconds late."""
+"""The bytes of a link that the system may keep: a slow link drops messages, and does not bring them seconds late."""
 
 
 @dataclass(frozen=True)
 class Credentials:
-    """What a router asks for: a user and a password, and for TLS the certificate of who vouches for it."""
+    """The credentials that a router asks for: a user and a password, and for TLS the certificate of the authority."""
 
     user: str = ""
     password: str = ""
@@ -111,7 +111,7 @@ def _refused(address: str, credentials: Credentials) -> str:
 
 
 def _within(call: Callable[[], Any], seconds: float, refusal: str) -> Any:
-    """What a call returns that may block for ever; NoNetwork after so many seconds."""
+    """The result of a call that may block for ever; NoNetwork after so many seconds."""
     result: list[Any] = []
     given_up = threading.Event()
 

@@ -13,7 +13,7 @@ from .wire.names import ANY_HASH, data_key
 
 @dataclass(frozen=True)
 class Place:
-    """What all parts of a link share; `tell` takes a sentence for the user."""
+    """The parts that all of a link share; `tell` takes a sentence for the user."""
 
     graph: Graph
     domain_id: int

@@ -63,7 +63,7 @@ class Receiver:
 
 
 def attachment_of(sample: Any) -> Attachment | None:
-    """What came with a message or a request; None for what came without, or with something else."""
+    """The attachment of a message or a request; None where it has none, or another one."""
     if sample.attachment is not None:
         with contextlib.suppress(ValueError):
             return read_attachment(sample.attachment.to_bytes())

@@ -1,4 +1,4 @@
-"""Who is there, what is carried, how often and how long it takes: the lines of `%network`."""
+"""The lines of `%network`: the others, the topics that are carried, their rates and delays."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NOT_JOINED = "No network: messages stay in this notebook. Join one: %network ADD
 
 @dataclass(frozen=True)
 class Report:
-    """What a link is and does now."""
+    """The state of a link."""
 
     address: str
     domain_id: int
@@ -29,7 +29,7 @@ class Report:
     """A row for each publisher: topic, how often, how many, how long on the way, whose it is, type."""
     sent: list[list[str]]
     notes: list[str]
-    """What is amiss, and the cure."""
+    """The problem, and the cure."""
 
     def head(self) -> str:
         """Where it is, in one line."""
@@ -49,14 +49,14 @@ class Report:
 
 
 def report(link: Link | None) -> str:
-    """What a link is and does, in lines."""
+    """The state of a link, in lines."""
     if link is None or link.closed:
         return NOT_JOINED
     return "\n".join(report_of(link).lines())
 
 
 def report_of(link: Link) -> Report:
-    """What a link is and does."""
+    """The state of a link."""
     now = link.place.graph.clock.now()
     heard = [_row(one, one.traffic, now, with_delay=True) for one in link.visitors.publishers if one.traffic.total]
     sent = [_row(one.publisher, one.traffic, now, with_delay=False) for one in link.announcer.senders if one.traffic.total]

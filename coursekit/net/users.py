@@ -1,4 +1,4 @@
-"""Who may use a router: a file of lines USER:PASSWORD."""
+"""The users of a router: a file of lines USER:PASSWORD."""
 
 from __future__ import annotations
 

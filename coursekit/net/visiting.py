@@ -36,7 +36,7 @@ class Visitors:
         self._same_names: set[str] = set()
         self._arrival = threading.Condition()
         self.sessions: dict[str, list[Token]] = {}
-        """What each of the others has announced."""
+        """The announcements of each of the others."""
 
     @property
     def publishers(self) -> list[RemotePublisher]:

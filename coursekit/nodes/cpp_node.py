@@ -1,4 +1,4 @@
-"""What rclcpp gives each of its nodes and rclpy does not, for nodes that stand for C++ programs."""
+"""The parts that rclcpp gives each of its nodes and rclpy does not, for nodes that replace C++ programs."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ def terminate(what: str, kind: str = "std::runtime_error") -> int:
 
 
 def pass_on_output() -> Callable[[str, str], None]:
-    """What to give as `on_output` to a process, so that this one writes all that it writes."""
+    """A value for `on_output` of a process, so that this one writes all that it writes."""
     mine = current_process()
 
     def pass_on(stream: str, text: str) -> None:

@@ -12,7 +12,7 @@ from coursekit.files import read_bytes, read_text
 from coursekit.systems import copies
 
 _RULES = ("setup.py", "setup.cfg", "CMakeLists.txt")
-"""What a build reads; links to these change nothing before the next build."""
+"""The files that a build reads; links to these change nothing before the next build."""
 _NOT_BUILT = re.compile(r"^\.|^__pycache__$|\.pyc$|\.egg-info$|\.md$|^LICENSE|^CHANGELOG|^tests?$|^build$|^install$|^log$")
 
 

@@ -1,4 +1,4 @@
-"""What our reading of a CMakeLists.txt cannot carry out, so that CMake itself must: it is never passed over in silence."""
+"""Commands of a CMakeLists.txt that only CMake itself can carry out: they are never passed over in silence."""
 
 from __future__ import annotations
 

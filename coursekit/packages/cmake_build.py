@@ -43,7 +43,7 @@ def installed(build: Path, prefix: Path) -> list[str]:
 
 
 def package_config(package: str, dependencies: list[str]) -> str:
-    """What find_package() of another package reads of one that has no C++ of its own."""
+    """The config that find_package() reads of a package that has no C++ of its own."""
     text = read_text(ROOM / "cmake" / "package_config.cmake.in")
     known = {"PROJECT_NAME": package, "DEPENDENCIES": ";".join(dependencies)}
     return re.sub(r"@(\w+)@", lambda found: known.get(found[1], ""), text)
@@ -137,12 +137,12 @@ def completed(env: dict[str, str], tools: Toolchain) -> dict[str, str]:
 
 
 def configure_tests(build: Path, tools: Toolchain) -> list[str]:
-    """What has CMake look at the tests of a package that has been built."""
+    """The command that has CMake look at the tests of a package that has been built."""
     return [tools.cmake, "-DBUILD_TESTING=ON", str(build)]
 
 
 def build_tests(build: Path, tools: Toolchain, names: list[str]) -> list[str]:
-    """What compiles tests."""
+    """The command that compiles tests."""
     return [tools.cmake, "--build", str(build), "--target", *names]
 
 

@@ -36,7 +36,7 @@ class Call:
 
 @dataclass
 class Reading:
-    """What a CMakeLists.txt asks for."""
+    """The content of a CMakeLists.txt."""
 
     project: str = ""
     found: list[str] = field(default_factory=list)

@@ -54,7 +54,7 @@ def compiled(reading: Reading) -> list[str]:
 
 
 def compiled_command(name: str, build: Path, results: Path) -> TestCommand:
-    """What runs a test in C++ that was built."""
+    """The command of a test in C++ that was built."""
     program = next((path for path in sorted(build.rglob(name)) if path.is_file()), build / name)
     file = results / f"{name}.gtest.xml"
     words = [sys.executable, "-m", "coursekit.packages.gtest_program", str(program), f"--gtest_output=xml:{file}"]
@@ -68,7 +68,7 @@ def left_out(reading: Reading) -> list[str]:
 
 
 def selection(words: Sequence[str]) -> Callable[[str], bool]:
-    """What `--ctest-args` choose by a test's name, as ctest does; ValueError for a pattern that is none.
+    """The tests that `--ctest-args` choose by their names, as ctest does; ValueError for a pattern that is none.
 
     >>> chosen = selection(["-R", "map", "-E", "slow"])
     >>> [chosen(name) for name in ("test_map", "test_map_slow", "test_scan")]
@@ -119,7 +119,7 @@ def _launch_test(call: Call, results: Path) -> TestCommand:
 
 
 def _arguments(words: Sequence[str]) -> list[str]:
-    """What stands behind ARGS, up to the next keyword."""
+    """The words behind ARGS, up to the next keyword."""
     given = list(words[words.index("ARGS") + 1 :]) if "ARGS" in words else []
     ends = [given.index(word) for word in given if word in _WITH_VALUE]
     return given[: min(ends, default=len(given))]

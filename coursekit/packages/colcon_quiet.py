@@ -1,4 +1,4 @@
-"""What a build on a robot does not say: deprecations of newer setuptools, and that coursekit's folder has no setup files."""
+"""Warnings that a build on a robot does not give: newer setuptools' deprecations, coursekit's folder without setup files."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         return await self._compile(tools)
 
     async def _hand_to_cmake(self, error: NeedsCMake) -> int:
-        """What our reading cannot carry out, CMake does; without it that is an error, and nothing is left out in silence."""
+        """Leave the package to CMake; without it that is an error, and nothing is left out in silence."""
         try:
             tools = await prepared_toolchain()
         except NoToolchain:

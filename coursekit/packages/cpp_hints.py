@@ -1,4 +1,4 @@
-"""What to do about the commonest mistakes in C++ and CMakeLists.txt: a sentence for each, behind the tools' own words."""
+"""Advice for the commonest mistakes in C++ and CMakeLists.txt: a sentence for each, behind the tools' own words."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
 
 
 def hints(text: str) -> list[str]:
-    """What to do about an output of CMake or a compiler: at most three sentences, the first mistakes' own.
+    """Advice for an output of CMake or a compiler: at most three sentences, for the first mistakes.
 
     >>> hints("a.cpp:2:25: error: expected ‘;’ before ‘}’ token")
     ['a.cpp:2: a statement ends with ; and the one above this place has none.']

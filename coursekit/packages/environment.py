@@ -1,4 +1,4 @@
-"""What `source /opt/ros/humble/setup.bash` does to an environment, for the course's own underlay."""
+"""The effect of `source /opt/ros/humble/setup.bash` on an environment, for the course's own underlay."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What rosidl_generate_interfaces() in a CMakeLists.txt runs.
+"""The program that rosidl_generate_interfaces() in a CMakeLists.txt runs.
 
 `python -m coursekit.packages.generate_interfaces PACKAGE FOLDER --dependencies ... --files ...` writes FOLDER/include (the
 C++ headers), FOLDER/python (the Python package) and FOLDER/index (the ament index); where ROS would refuse, it says why.

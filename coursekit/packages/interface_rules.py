@@ -78,7 +78,7 @@ def check(package: str, reading: Reading, groups: Iterable[str], prefixes: Itera
 def field_problems(
     package: str, files: Iterable[Path], dependencies: Iterable[str], prefixes: Iterable[Path]
 ) -> list[Exception]:
-    """What is wrong in a package's definition files, given the packages that it says they depend on."""
+    """The faults in a package's definition files, given the packages that it names as dependencies."""
     files, named, places = list(files), set(dependencies), [*prefixes, UNDERLAY]
     own = {f"{package}/msg/{path.stem}" for path in files if path.suffix == ".msg"}
     problems: list[Exception] = []

@@ -1,4 +1,4 @@
-"""What is installed: `ros2 pkg list`, `prefix`, `executables` and `xml`."""
+"""The installed packages: `ros2 pkg list`, `prefix`, `executables` and `xml`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What sourcing `install/setup.bash` of a workspace does to an environment, read from colcon's .dsv files."""
+"""The effect of sourcing a workspace's `install/setup.bash` on an environment, read from colcon's .dsv files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a new package shall be: the answers to all questions of `ros2 pkg create`."""
+"""A new package: the answers to all questions of `ros2 pkg create`."""
 
 from __future__ import annotations
 

@@ -133,4 +133,4 @@ _CHANGES: dict[str, Callable[[str], str]] = {
     _UTILITY: _quoted_utility,
     _UTILITY_OF_POWERSHELL: _quoted_utility_of_powershell,
 }
-"""What is done to a file, by its name or its ending."""
+"""The repair of each file, by its name or its ending."""

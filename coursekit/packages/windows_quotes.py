@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 QUOTES = "'\u2018\u2019\u201a\u201b"
-"""What ends a word between single quotation marks in PowerShell: curly marks count as straight ones."""
+"""The marks that end a word between single quotation marks in PowerShell: curly marks count as straight ones."""
 _ABSOLUTE = r"(?:[A-Za-z]:|\\\\|/).*"
 _ALONE = re.compile(
     r"""^(\s*(?:\$_colcon_python_executable=|\.\ |_colcon_prefix_chain_powershell_source_script\ ))"""

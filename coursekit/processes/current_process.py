@@ -1,4 +1,4 @@
-"""Whose code is running: the process of the calling code, kept in a context variable."""
+"""The process whose code is running, kept in a context variable."""
 
 from __future__ import annotations
 

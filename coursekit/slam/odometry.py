@@ -9,7 +9,7 @@ import numpy as np
 from coursekit.geometry.plane import Pose2D
 
 MEMORY = 10.0
-"""What was learnt is forgotten over this way [m]; a turn of a radian counts as a metre."""
+"""The distance over which older experience is forgotten [m]; a turn of a radian counts as a metre."""
 RIDGE = 0.2
 """How much motion [m², rad²] it takes until what is learnt outweighs that the odometry may be right as it is."""
 MOST = 2.0

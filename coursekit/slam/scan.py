@@ -19,7 +19,7 @@ HERE = Pose2D()
 
 @dataclass(frozen=True)
 class Laser:
-    """What is known of the sensor. In ROS 2: the fields of sensor_msgs/LaserScan and the transform base → laser.
+    """The sensor's properties. In ROS 2 the fields of sensor_msgs/LaserScan and the transform base → laser.
 
     >>> Laser(angle_min=-1.0, angle_increment=0.5, range_max=10.0).angles(5)
     array([-1. , -0.5,  0. ,  0.5,  1. ])
@@ -56,7 +56,7 @@ def _directions(laser: Laser, count: int) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """What a scan saw, in the robot's frame; points sorted by their bearing from the laser."""
+    """The points of a scan in the robot's frame, sorted by their bearing from the laser."""
 
     stamp: float
     origin: Pose2D

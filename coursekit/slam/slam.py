@@ -21,7 +21,7 @@ from coursekit.slam.scan import Laser, Scan
 
 @dataclass(frozen=True)
 class Result:
-    """What `Slam.add` found."""
+    """The result of `Slam.add`."""
 
     pose: Pose2D
     """Where the robot is in the map."""

@@ -26,7 +26,7 @@ LARGEST = 2 << 30
 _ENDINGS = (".npz", ".posegraph")
 _FAULTS: tuple[type[Exception], ...] = (OSError, EOFError, LookupError, RuntimeError, TypeError, ArithmeticError, ValueError)
 _FAULTS += (zipfile.BadZipFile, zlib.error)
-"""What a damaged archive, or arrays of other shapes, make the readers raise."""
+"""The errors that readers raise for a damaged archive, or for arrays of other shapes."""
 
 
 def save(slam: Slam, path: str | Path) -> Path:

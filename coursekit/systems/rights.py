@@ -12,7 +12,7 @@ from . import access_lists, which
 _OURS = "D:P(A;OICI;FA;;;SY)(A;OICI;FA;;;BA)(A;OICI;FA;;;{user})"
 """The system, administrators and the user, as Windows writes lists of access; nothing comes from the folder above."""
 _TRUSTED = ("SY", "BA", "LA", "DA", "OW", "CO")
-"""Who may be in such a list beside the user: the system, administrators, the owner."""
+"""The accounts that may be in such a list beside the user: the system, administrators, the owner."""
 _ENTRY = re.compile(r"\(([^;()]*);[^;()]*;[^;()]*;[^;()]*;[^;()]*;([^;()]*)[;)]")
 
 
@@ -52,7 +52,7 @@ def user_name() -> str:
 
 
 def readers(access: str, user: str) -> list[str]:
-    """Who may do something with a file beside the user and administrators, by a list as Windows writes it.
+    """The accounts beside the user and administrators that may do something with a file, by a list as Windows writes it.
 
     >>> readers("D:(A;OICI;FA;;;SY)(A;;FR;;;WD)(A;;FA;;;S-1-5-21-7-1001)(D;;FA;;;BG)", "S-1-5-21-7-1001")
     ['WD']

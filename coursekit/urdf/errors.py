@@ -1,4 +1,4 @@
-"""What is wrong with a robot's description: the place, urdfdom's words, and the cure."""
+"""Errors in a robot's description: the place, urdfdom's words, and the cure."""
 
 from __future__ import annotations
 

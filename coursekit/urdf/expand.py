@@ -18,7 +18,7 @@ _alone = threading.Lock()
 
 
 def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> str:
-    """What `xacro PATH name:=value ...` prints; `$(find package)` looks in the ament index. Raises UrdfError.
+    """The output of `xacro PATH name:=value ...`; `$(find package)` looks in the ament index. Raises UrdfError.
 
     In ROS 2: `ros2 run xacro xacro PATH`, or `Command(['xacro ', path])` in a launch file.
     """

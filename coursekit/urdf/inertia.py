@@ -58,7 +58,7 @@ def of_shape(geometry: Geometry, mass: float, near: Path | None = None) -> np.nd
 
 
 def check_link(link: Link, near: Path | None = None) -> list[Finding]:
-    """What is wrong or odd about a link's mass and inertia; empty if all is well."""
+    """The faults and oddities of a link's mass and inertia; empty if all is well."""
     inertial = link.inertial
     if inertial is None:
         return []
@@ -94,7 +94,7 @@ def _against_shape(link: Link, moments: np.ndarray, near: Path | None) -> list[F
 
 
 def check(robot: Robot) -> list[Finding]:
-    """What is wrong or odd about the masses and inertias of a robot, link by link.
+    """The faults and oddities of the masses and inertias of a robot, link by link.
 
     In ROS 2 nobody checks this; Gazebo's robot trembles or flies away.
     """

@@ -19,14 +19,14 @@ from .errors import MeshError
 from .model import Colour
 
 GREY: Colour = (0.7, 0.7, 0.7, 1.0)
-"""What has no material: as grey as a part fresh from the machine."""
+"""The colour of parts without a material: as grey as a part fresh from the machine."""
 FORMATS = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".off")
 MOST_FACES = 5_000_000
 """Triangles of one file; a scan with more fills the memory of a laptop."""
 _MATERIALS = re.compile(rb"<bind_material\b.*?</bind_material>", re.DOTALL)
 """Where a DAE file looks for a texture that is not there, its reader leaves the whole shape out."""
 _COUNTS = re.compile(rb'"count"\s*:\s*(\d+)|^element \w+ (\d+)', re.MULTILINE)
-"""What a GLB or PLY file promises: its reader takes memory for that first."""
+"""The sizes that a GLB or PLY file promises: its reader takes memory for them first."""
 _reading: ContextVar[bool] = ContextVar("_reading", default=False)
 logging.getLogger("trimesh").addFilter(lambda _record: not _reading.get())  # it tells tracebacks: we tell what was wrong
 
@@ -44,7 +44,7 @@ class Surface:
 
 @dataclass(frozen=True)
 class MeshFile:
-    """What a file holds, and in one line each what of it is drawn plainer than it was meant."""
+    """The content of a file, and a line for each part that is drawn plainer than it was meant."""
 
     surfaces: tuple[Surface, ...]
     notes: tuple[str, ...] = ()

@@ -70,7 +70,7 @@ class Material:
 
 @dataclass(frozen=True)
 class Visual:
-    """What one sees of a link."""
+    """The visible shape of a link."""
 
     geometry: Geometry
     origin: Origin = Origin()
@@ -81,7 +81,7 @@ class Visual:
 
 @dataclass(frozen=True)
 class Collision:
-    """What one bumps into."""
+    """The shape of a link that others bump into."""
 
     geometry: Geometry
     origin: Origin = Origin()
@@ -174,9 +174,9 @@ class Robot:
     gazebo: tuple[Element, ...] = ()
     """The `<gazebo>` elements, for simulators."""
     warnings: tuple[str, ...] = ()
-    """What is allowed and probably not meant, with its place."""
+    """Allowed content that is probably not meant, with its place."""
     faults: tuple[UrdfError, ...] = ()
-    """What urdfdom reports as an error and passes over: the link in question lacks what stands there and after it."""
+    """Errors that urdfdom reports and passes over: the link lacks the element in question and all after it."""
     file: Path | None = None
     """Where it was read from; paths of meshes are relative to its folder."""
 

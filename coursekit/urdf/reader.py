@@ -19,7 +19,7 @@ from .xml_tree import Element, read
 
 VERSIONS = ("1.0", "1.1", "1.2")
 XACRO_DEFINITIONS = ("xacro:include", "xacro:arg", "xacro:property", "xacro:macro")
-"""What may be left over in an expanded file; anything else of xacro's stands for links that are missing."""
+"""Names that may be left over in an expanded file; anything else of xacro's means that links are missing."""
 EXPAND = "Expand the file first: xacro robot.urdf.xacro > robot.urdf."
 
 

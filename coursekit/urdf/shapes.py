@@ -50,7 +50,7 @@ def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
 
 
 def notes_of(geometry: Geometry, near: Path | None = None) -> tuple[str, ...]:
-    """What of a mesh file is drawn plainer than it was meant, in one line each. Raises MeshError."""
+    """A line for each part of a mesh file that is drawn plainer than it was meant. Raises MeshError."""
     if not isinstance(geometry, Mesh):
         return ()
     path = find_file(geometry.filename, near)
@@ -78,7 +78,7 @@ def _scaled(surface: Surface, scale: tuple[float, float, float]) -> Surface:
 
 
 def link_surfaces(robot: Robot, link: Link | str, *, collision: bool = False) -> list[Surface]:
-    """What a link looks like (or bumps with), in the link's frame: the visual's colour wins over the file's.
+    """The surfaces of a link (visual or collision), in the link's frame: the visual's colour wins over the file's.
 
     Raises MeshError, which names the robot's file and the element.
     """

@@ -23,7 +23,7 @@ def branches(robot: Robot) -> Iterator[tuple[int, int, Joint]]:
 
 
 def check_text(robot: Robot) -> str:
-    """What `check_urdf` prints for a valid robot."""
+    """The output of `check_urdf` for a valid robot."""
     lines = [
         f"robot name is: {robot.name}",
         "---------- Successfully Parsed XML ---------------",
@@ -34,7 +34,7 @@ def check_text(robot: Robot) -> str:
 
 
 def error_text(error: UrdfError) -> str:
-    """What `check_urdf` prints for a fault: urdfdom's lines, then the place and the cure."""
+    """The output of `check_urdf` for a fault: urdfdom's lines, then the place and the cure."""
     lines = [f"Error:   {line}" for line in (error.what, *error.chain)]
     place = f"{error.file}:{error.line}" if error.line else error.file
     lines.append(f"         at {place}{f' in {error.element}' if error.element else ''}")

@@ -1,4 +1,4 @@
-"""What a mesh file refers to: textures, materials and buffers, found as Gazebo does, and read nowhere else."""
+"""The files that a mesh refers to: textures, materials and buffers, found as Gazebo does, and read nowhere else."""
 
 from __future__ import annotations
 

@@ -130,7 +130,7 @@ def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]
 
 
 def _leaders(name: str, joints: Mapping[str, Joint], free: set[str]) -> list[str]:
-    """Whom a joint follows, and whom that one does, until one that is free, or until the first comes again."""
+    """The joints that a mimic joint follows, one after the other, to a free one, or to the first that comes again."""
     way: dict[str, None] = {}
     while name not in free and name not in way:
         way[name] = None

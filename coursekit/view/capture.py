@@ -89,7 +89,7 @@ class VirtualCapture:
         return False
 
     def getBackendName(self) -> str:
-        """Who makes the pictures."""
+        """The maker of the pictures."""
         return "COURSEKIT"
 
     def release(self) -> None:

@@ -98,7 +98,7 @@ class Scene:
             self._keys = {one: of for one, of in self._keys.items() if one in kept}
 
     def key_of(self, number: int) -> Key | None:
-        """Whose number that is, or was until it was replaced; None: not known.
+        """The display that has the number, or had it until it was replaced; None: not known.
 
         >>> scene = Scene()
         >>> scene.put("scan", "dots", Label("old"))

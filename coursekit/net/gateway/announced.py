@@ -1,4 +1,4 @@
-"""What ROS has, announced to the others; asked of its graph twice a second, since rclpy tells no changes."""
+"""The robot's graph, announced to the others; it is polled twice a second, since rclpy does not report changes."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ class Gateway:
                 raise SystemExit(self._older())
 
     def _older(self) -> str:
-        """What to say where another gateway was here first: two would carry everything twice."""
+        """The message where another gateway was here first: two would carry everything twice."""
         others = [name for name in self.node.get_node_names() if name.startswith(PREFIX)]
         if any(int(one[len(PREFIX) :]) < int(self.node.get_name()[len(PREFIX) :]) for one in others):
             return "A gateway runs in this ROS domain already: two would carry everything twice. End that one first."

@@ -54,7 +54,7 @@ class Speaker:
 
 
 class Topic:
-    """What is carried of one topic; `gid` names the publisher of ROS that speaks for all of them."""
+    """The transport of one topic; `gid` names the publisher of ROS that speaks for all of them."""
 
     def __init__(self, gateway: Any, name: str, type_name: str, kind: Any) -> None:
         self._gateway, self._name, self._type_name, self._kind = gateway, name, type_name, kind

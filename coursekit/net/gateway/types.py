@@ -26,7 +26,7 @@ def class_of(name: str) -> Any:
 
 
 def profile_of(quality: Quality) -> QoSProfile:
-    """What a token says, as rclpy takes it."""
+    """A token's content, as rclpy takes it."""
     profile = QoSProfile(
         depth=min(quality.depth, 100_000),
         history=HistoryPolicy(quality.history if quality.history in (1, 2) else 1),
@@ -41,7 +41,7 @@ def profile_of(quality: Quality) -> QoSProfile:
 
 
 def quality_of(profile: Any) -> Quality:
-    """What rclpy tells of an end, as a token says it; unknown parts are defaults."""
+    """An end of a topic as rclpy describes it, in a token's terms; unknown parts are defaults."""
     return Quality(
         reliability=2 if int(profile.reliability) == 2 else 1,
         durability=1 if int(profile.durability) == 1 else 2,

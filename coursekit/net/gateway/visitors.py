@@ -1,4 +1,4 @@
-"""What others announce, made in ROS: each of their nodes is a node here, with its own name."""
+"""The others' announcements, made in ROS: each of their nodes is a node here, with its own name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What goes with each message: its number, when it was sent, and who sent it."""
+"""The attachment of each message: its number, when it was sent, and by which publisher."""
 
 from __future__ import annotations
 

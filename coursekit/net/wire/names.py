@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 NO_HASH = "TypeHashNotSupported"
-"""What Humble says in place of a type's hash, which later distributions compute."""
+"""Humble's words in place of a type's hash, which later distributions compute."""
 ANY_HASH = "*"
 _TYPE = re.compile(r"(\w+)::(msg|srv|action)::dds_::(\w+)_")
 _NAME = re.compile(r"(/[A-Za-z_~{}][\w~{}]*)+")

@@ -19,7 +19,7 @@ _HASH = re.compile(r"[0-9A-Za-z_]{1,128}")
 
 
 class Token(NamedTuple):
-    """Who announces what; `session` is the id of the Zenoh session, `node` and `entity` count within it."""
+    """An announcement; `session` is the id of the Zenoh session, `node` and `entity` count within it."""
 
     domain_id: int
     session: str

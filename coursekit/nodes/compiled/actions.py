@@ -1,4 +1,4 @@
-"""What a compiled program asks of actions: the servers and clients are rclpy's, their decisions the program's."""
+"""A compiled program's questions about actions: the servers and clients are rclpy's, their decisions the program's."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of rosbag2: rosbag2_py writes and reads for it."""
+"""A compiled program's questions to rosbag2: rosbag2_py writes and reads for it."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def do_bag_seek(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_bag_facts(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """What a bag says of itself."""
+    """A bag's metadata."""
     facts = _bag(host, frame).get_metadata()
     start, size = facts.starting_time_ns, facts.bag_size
     parts = [packed(facts.version, size, facts.storage_identifier, facts.duration_ns, start, facts.message_count)]

@@ -1,4 +1,4 @@
-"""What a compiled program asks of cameras' calibrations: their YAML is read and written as in Python."""
+"""A compiled program's questions about cameras' calibrations: their YAML is read and written as in Python."""
 
 from __future__ import annotations
 

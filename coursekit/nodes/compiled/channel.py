@@ -115,7 +115,7 @@ class Channel:
 
 
 def _name(kind: bytes, frame: Unpacker) -> str:
-    """What is asked; Gone for what is no question: such a program does not know what it says any more."""
+    """The question; Gone for anything else: such a program does not know what it says any more."""
     try:
         if kind in (b"Q", b"N"):
             return frame.text()

@@ -1,4 +1,4 @@
-"""What a compiled program asks for components that it cannot load: each runs as a program of its own."""
+"""A compiled program's components that it cannot load itself: each runs as a program of its own."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ class FilterError(ValueError):
 
 
 def compile_filter(expression: str, parameters: list[str]) -> Test:
-    """What says of a message whether it is heard. FilterError for what is no expression.
+    """The function that says of a message whether it is heard. FilterError for what is no expression.
 
     >>> from std_msgs.msg import Int32
     >>> test = compile_filter("data BETWEEN %0 AND %1 OR data = -1", ["3", "5"])
@@ -155,7 +155,7 @@ def _constant(kind: str, word: str) -> Any:
 
 
 def _field(path: str) -> Value:
-    """What reads a field such as `header.stamp.sec` or `ranges[3]`."""
+    """The function that reads a field such as `header.stamp.sec` or `ranges[3]`."""
     steps = re.findall(r"[A-Za-z_]\w*|\[\d+\]", path)
 
     def read(message: Any) -> Any:

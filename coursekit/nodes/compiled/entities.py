@@ -1,4 +1,4 @@
-"""What a compiled program asks of nodes, timers and services."""
+"""A compiled program's questions about nodes, timers and services."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of executors."""
+"""A compiled program's questions about executors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of the graph: who is there, and whether that has changed."""
+"""A compiled program's questions about the graph: its nodes and ends, and whether they have changed."""
 
 from __future__ import annotations
 
@@ -77,12 +77,12 @@ def do_count_subscribers(host: Host, _channel: Channel, frame: Unpacker) -> byte
 
 
 def do_publishers_info(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """What is known of a topic's publishers."""
+    """The publishers of a topic."""
     return _endpoints(host.things[frame.integer()].get_publishers_info_by_topic(frame.text(), bool(frame.integer())))
 
 
 def do_subscriptions_info(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """What is known of the subscriptions to a topic."""
+    """The subscriptions to a topic."""
     return _endpoints(host.things[frame.integer()].get_subscriptions_info_by_topic(frame.text(), bool(frame.integer())))
 
 

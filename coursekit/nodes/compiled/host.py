@@ -100,14 +100,14 @@ class Host:
         self.stopping = False
         """Whether Ctrl-C or `kill` came."""
         self.things: dict[int, Any] = {}
-        """What the program has made, by number."""
+        """The program's objects, by number."""
         self.of_context: dict[Any, Channel] = {}
         self.threads: dict[int, Channel] = {}
         """The channels of threads that the program made on the virtual clock, by its own numbers."""
         self.blocked: dict[int, list[Any]] = {}
-        """Who waits on the virtual clock for a mutex or condition variable, by its address."""
+        """The threads that wait on the virtual clock for a mutex or condition variable, by its address."""
         self.typed = b""
-        """What was typed and not read yet."""
+        """The typed characters that were not read yet."""
         self.over = False
         """Whether the program has ended."""
         self.waiting: list[ReadyQueue] = []
@@ -130,7 +130,7 @@ class Host:
 
     @property
     def flags(self) -> int:
-        """What every frame to the program tells it."""
+        """The header of every frame to the program."""
         simulated = any(clock.ros_time_is_active for clock in self.node_clocks)
         return VIRTUAL * self.clock.virtual | STOPPING * self.stopping | SIMULATED * simulated
 

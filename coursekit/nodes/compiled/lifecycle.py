@@ -1,4 +1,4 @@
-"""What a compiled program asks of its managed nodes: rclpy's state machine and services, the program's callbacks."""
+"""A compiled program's managed nodes: rclpy's state machine and services, the program's callbacks."""
 
 from __future__ import annotations
 

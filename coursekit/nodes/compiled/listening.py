@@ -1,4 +1,4 @@
-"""What a compiled program asks to be told of at once: that something new has come, before anybody takes it."""
+"""A compiled program's listeners for news: they hear at once that something has come, before anybody takes it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 _ITSELF, _IN_PROGRAM = -1, -2
-"""What is listened to of an entity: what comes, and of that what stays in the program. Other numbers are its events."""
+"""The kinds of news of an entity: arrivals, and those that stay in the program. Other numbers are its events."""
 _EVENTS = (DEADLINE, LIVELINESS, INCOMPATIBLE, MESSAGE_LOST)
 """By rcl's numbers, of publishers as of subscriptions."""
 
@@ -81,7 +81,7 @@ class Listener:
 
 
 def do_stays(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """What a publisher sends, or a subscription hears, may stay in the program."""
+    """A publisher's or subscription's messages may stay in the program."""
     entity = host.things[frame.integer()][2]
     if hasattr(entity, "hearing"):
         entity.hearing.stays = True

@@ -1,4 +1,4 @@
-"""What a compiled program prints, passed on in the order in which it was printed."""
+"""A compiled program's output, passed on in the order in which it was printed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of its nodes' parameters."""
+"""A compiled program's questions about its nodes' parameters."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def told(error: ParameterException) -> str:
-    """What rclcpp says in place of rclpy's tuple.
+    """rclcpp's word in place of rclpy's tuple.
 
     >>> told(ParameterUninitializedException("speed"))
     "parameter 'speed' is not initialized"

@@ -1,4 +1,4 @@
-"""What a compiled program asks of plugins: those that the sourced workspaces declare in XML, as pluginlib reads them."""
+"""A compiled program's questions about plugins: those that workspaces declare in XML, as pluginlib reads them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks about itself: init, time, threads, logging."""
+"""A compiled program's questions about itself: init, time, threads, logging."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of robots' descriptions: they are read here; `cpp/src/urdf.cpp` takes the answer apart."""
+"""A compiled program's questions about robots' descriptions: they are read here; `cpp/src/urdf.cpp` reads the answer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of its publishers and subscriptions."""
+"""A compiled program's questions about its publishers and subscriptions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Hearing:
-    """What a subscription does with each message: its filter, its statistics, the program's callback."""
+    """The way of each message of a subscription: its filter, its statistics, the program's callback."""
 
     def __init__(self, host: Host, kind: Any, handler: int, ignored: Collection[bytes]) -> None:
         self._host, self._kind, self._handler, self._ignored = host, kind, handler, ignored
@@ -48,7 +48,7 @@ class Hearing:
 
 
 def packed_info(sent: int, received: int, gid: Any) -> bytes:
-    """What C++'s MessageInfo tells."""
+    """The content of C++'s MessageInfo."""
     return packed(sent, received, bytes(gid))
 
 

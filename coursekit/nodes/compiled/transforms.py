@@ -1,4 +1,4 @@
-"""What a compiled program asks of tf2."""
+"""A compiled program's questions to tf2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a compiled program asks of OpenCV where the computer has none for C++: Python's cv2 answers.
+"""A compiled program's questions to OpenCV where the computer has none for C++: Python's cv2 answers.
 
 `cpp/opencv/opencv2/core/remote.hpp` has the other end: an argument, and an answer, is its kind and then itself.
 """
@@ -20,7 +20,7 @@ NONE, INTEGER, REAL, TEXT, MAT, LIST, TUPLE, KEYWORD = range(8)
 _DTYPES = ("uint8", "int8", "uint16", "int16", "int32", "float32", "float64")
 """By OpenCV's numbers of depths."""
 _OTHERS = {"bool": "uint8", "int64": "int32", "uint32": "int32", "float16": "float32"}
-"""What stands for types that a Mat of Humble's OpenCV does not have."""
+"""The types in place of those that a Mat of Humble's OpenCV does not have."""
 
 
 def _argument(frame: Unpacker) -> Any:

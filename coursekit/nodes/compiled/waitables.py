@@ -1,4 +1,4 @@
-"""What a compiled program asks for its waitables: an executor waits for what they wait for, and has them executed."""
+"""A compiled program's waitables: an executor waits for the same entities, and has them executed."""
 
 from __future__ import annotations
 

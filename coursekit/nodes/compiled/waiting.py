@@ -1,4 +1,4 @@
-"""What a compiled program asks of guard conditions and wait sets: which of its entities are ready."""
+"""A compiled program's guard conditions and wait sets: which of its entities are ready."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def entity_of(thing: Any) -> Any:
-    """What the program has made, without how to destroy it."""
+    """The program's objects, without how to destroy them."""
     return thing[2] if isinstance(thing, tuple) else thing
 
 

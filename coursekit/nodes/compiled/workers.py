@@ -28,7 +28,7 @@ class Workers:
         self._all: list[Channel] = []
         self._idle: list[Channel] = []
         self._wishes: list[_Wish] = []
-        """Who waits on the wall clock for a thread that is on its way."""
+        """The callers that wait on the wall clock for a thread that is starting."""
 
     def ask_by(self, control: socket.socket) -> None:
         """The program makes a thread for each W that this connection brings."""

@@ -21,12 +21,12 @@ _LEVELS = {10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal"}
 
 
 def given_by(request: LoadNode.Request) -> Given:
-    """What a component's node is given for a request."""
+    """The options of a component's node, for a request."""
     return Given(arguments_of(request), [Parameter.from_parameter_msg(one) for one in request.parameters])
 
 
 def arguments_of(request: LoadNode.Request) -> list[str]:
-    """What the component's node is told, as words of a command line.
+    """The options of the component's node, as words of a command line.
 
     >>> arguments_of(LoadNode.Request(node_name="tom", remap_rules=["chatter:=chat"]))
     ['--ros-args', '-r', '__node:=tom', '-r', 'chatter:=chat']

@@ -25,7 +25,7 @@ _CLASSES: dict[str, tuple[str, Callable[[], Node]]] = {
     "server": ("composition::Server", Server),
     "client": ("composition::Client", Client),
 }
-"""What stands for the class in each of the demo's libraries: they are Python here, so no library is opened."""
+"""The module in place of each of the demo's libraries: they are Python here, so no library is opened."""
 
 
 def component_of(library: str) -> tuple[str, Callable[[], Node]] | None:

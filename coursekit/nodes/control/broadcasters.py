@@ -28,7 +28,7 @@ class JointStateBroadcaster(Controller):
             self.log.info("'joints' or 'interfaces' parameter is empty. All available state interfaces will be published")
 
     def state_names(self) -> list[str]:
-        """What it tells."""
+        """The values that it publishes."""
         names = self.interfaces.states()
         if not (self._joints and self._kinds):
             return names

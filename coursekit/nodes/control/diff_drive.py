@@ -57,7 +57,7 @@ class DiffDriveController(Controller):
         return [f"{joint}/velocity" for joint in (*self.left, *self.right)]
 
     def state_names(self) -> list[str]:
-        """What tells the way."""
+        """The joints' values that odometry uses."""
         return [f"{joint}/{self._feedback}" for joint in (*self.left, *self.right)]
 
     def deactivate(self) -> None:

@@ -43,7 +43,7 @@ class ForwardCommandController(Controller):
         return self._names
 
     def activate(self) -> None:
-        """What came before does not count."""
+        """Earlier commands do not count."""
         self._wanted = None
         self.log.info("activate successful")
 

@@ -1,4 +1,4 @@
-"""What joints are commanded to follow a trajectory: the wanted state as it is, or by what is amiss."""
+"""The commands of joints that follow a trajectory: the wanted state as it is, or by the error."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from .manager_services import ManagerServices
 
 
 def own_arguments(argv: list[str]) -> list[str]:
-    """What of a program's ROS arguments its controllers' nodes get: all but the node's own name.
+    """The ROS arguments of a program that its controllers' nodes get: all but the node's own name.
 
     >>> own_arguments(["x", "--ros-args", "-r", "__node:=cm", "--params-file", "a.yaml", "--"])
     ['--params-file', 'a.yaml']

@@ -19,7 +19,7 @@ from .asking import Asker, NoManager
 
 
 def arguments(argv: list[str]) -> argparse.Namespace:
-    """What the command line says; a fault ends the program with status 2."""
+    """The parsed command line; a fault ends the program with status 2."""
     parser = argparse.ArgumentParser(prog="spawner", description="Load, configure and activate controllers.")
     parser.add_argument("controller_names", nargs="+", help="List of controllers")
     parser.add_argument("-c", "--controller-manager", default="controller_manager", help="Name of the manager's ROS node")

@@ -19,7 +19,7 @@ def seconds(duration: Any) -> float:
 
 
 def fault_of(msg: JointTrajectory, joints: Sequence[str], partial: bool, moving_end: bool, now_ns: int = 0) -> str:
-    """What is wrong with a trajectory that comes now; '' for one that can be followed."""
+    """The fault of a trajectory that comes now; '' for one that can be followed."""
     if not partial and len(msg.joint_names) != len(joints):
         return "Joints on incoming trajectory don't match the controller joints."
     if not msg.joint_names:

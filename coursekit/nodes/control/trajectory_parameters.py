@@ -10,7 +10,7 @@ from .controller import ControlError, Controller
 from .tolerances import Tolerances
 
 KINDS = ("position", "velocity", "acceleration", "effort")
-"""What of a joint can be commanded and read."""
+"""The interfaces of a joint for commands and states."""
 GAINS = ("p", "i", "d", "ff_velocity_scale")
 
 
@@ -34,7 +34,7 @@ class TrajectoryParameters:
 
     @classmethod
     def of(cls, controller: Controller) -> TrajectoryParameters:
-        """What a controller's node says. Raises ControlError."""
+        """The parameters of a controller's node. Raises ControlError."""
         told = controller.parameter
         joints = tuple(told("joints", []))
         names = tuple(told("command_joints", [])) or joints

@@ -1,4 +1,4 @@
-"""What executors and callback groups do: two nodes in one, groups, and an executor of one's own."""
+"""Executors and callback groups: two nodes in one, groups, and an executor of one's own."""
 
 from concurrent.futures import ThreadPoolExecutor
 from threading import Lock

@@ -48,7 +48,7 @@ class Assembly:
     systems: frozenset[str] = frozenset()
     """Of the newer Gazebo: those that it loads."""
     description: Robot | None = None
-    """What it looks like, where that is URDF."""
+    """Its description, where that is URDF."""
     lift: float = 0.0
     """How far its origin is above the floor [m]."""
 
@@ -130,7 +130,7 @@ def _things(made: Blueprint, place: Pose2D) -> list[Thing]:
 
 
 def _lean(pose: Array, place: Pose2D) -> Array:
-    """What of a pose remains without its place and heading."""
+    """The rest of a pose without its position and heading."""
     c, s = math.cos(place.theta), math.sin(place.theta)
     turn = np.array([[c, s, 0, 0], [-s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
     flat = pose.copy()

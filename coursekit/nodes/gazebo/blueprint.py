@@ -46,7 +46,7 @@ class Blueprint:
     root: str = ""
     """The link at the model's origin."""
     text: str = ""
-    """What it was read from, for those who need more of it."""
+    """The element that it was read from, for those who need more of it."""
     robot: Robot | None = None
     """Its description, where that is URDF."""
     reach: dict[str, Reach] = field(default_factory=dict)
@@ -72,7 +72,7 @@ class Blueprint:
         return [part for link in self.links.values() for part in link.parts]
 
     def mass(self) -> float:
-        """What it weighs [kg]."""
+        """Its mass [kg]."""
         return math.fsum(link.mass for link in self.links.values())
 
 

@@ -73,7 +73,7 @@ def _reach(limit: Any) -> Reach:
 
 
 def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
-    """What the <parameters> files say, node by node; UrdfError for files that are missing or no such thing."""
+    """The content of the <parameters> files, node by node; UrdfError for files that are missing or no such thing."""
     found: dict[str, Any] = {}
     for file in files:
         try:

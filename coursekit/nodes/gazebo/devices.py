@@ -1,4 +1,4 @@
-"""What a model does in ROS: sensors and drives with their topics, frames and rates, as data."""
+"""The devices of a model in ROS: sensors and drives with their topics, frames and rates, as data."""
 
 from __future__ import annotations
 
@@ -152,14 +152,14 @@ class TruthDevice(Device):
 
 @dataclass(frozen=True)
 class BumpDevice(Device):
-    """What a robot touches (Gazebo's bumper)."""
+    """The contacts of a robot (Gazebo's bumper)."""
 
     link: str = ""
 
 
 @dataclass(frozen=True)
 class TouchDevice(BumpDevice):
-    """What a robot touches, as the newer Gazebo tells it."""
+    """The contacts of a robot, as the newer Gazebo publishes them."""
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ _views: WeakKeyDictionary[Any, dict[tuple[int, int, str], View]] = WeakKeyDictio
 
 
 def picture_of(simulator: Simulator, width: int, height: int) -> Any:
-    """What the first camera of the first robot that has one sees now, blue first; None where there is no camera."""
+    """The present picture of the first robot's first camera, blue first; None where there is no camera."""
     for name, model in list(simulator.assemblies.items()):
         robot = simulator.simulation.robots.get(name)
         camera = next((one for one in model.devices if isinstance(one, CameraDevice)), None)

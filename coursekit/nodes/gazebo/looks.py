@@ -1,4 +1,4 @@
-"""What a model looks like to a camera: the material of its first visual."""
+"""A model's colour for a camera: the material of its first visual."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What sensors of both Gazebos say alike: their beams, pictures and noise, and the quantities of the Earth."""
+"""The common sensor elements of both Gazebos: beams, pictures and noise, and the quantities of the Earth."""
 
 from __future__ import annotations
 

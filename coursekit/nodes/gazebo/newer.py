@@ -29,7 +29,7 @@ _FILE = re.compile(r"(?:lib)?(?:gz-sim|ignition-gazebo)\d*-(.+?)-system(?:\.so)?
 
 @dataclass(frozen=True)
 class GzNames:
-    """What topics are called that a description does not name."""
+    """The names of topics that a description does not name."""
 
     world: str
     model: str

@@ -1,4 +1,4 @@
-"""What a ray sensor publishes: the four types of messages that gazebo_ros_ray_sensor knows."""
+"""The messages of a ray sensor: the four types that gazebo_ros_ray_sensor knows."""
 
 from __future__ import annotations
 

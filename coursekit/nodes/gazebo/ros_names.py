@@ -1,4 +1,4 @@
-"""What a plugin says about names: node, namespace, remappings."""
+"""The names in a plugin's <ros> element: node, namespace, remappings."""
 
 from __future__ import annotations
 

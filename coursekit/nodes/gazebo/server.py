@@ -170,7 +170,7 @@ class Gazebo(Node):
         return self.context
 
     def ros_executor(self) -> Any:
-        """Who spins them."""
+        """The executor of these nodes."""
         return self.executor_
 
     def take_out(self, name: str) -> None:

@@ -27,7 +27,7 @@ INCLUDE = "<sdf version='1.6'><world name='default'><include><uri>model://{}</ur
 
 
 def arguments(argv: list[str]) -> argparse.Namespace:
-    """What the command line says; a fault ends the program with status 2."""
+    """The parsed command line; a fault ends the program with status 2."""
     parser = argparse.ArgumentParser(description="Spawn an entity in gazebo.")
     source = parser.add_mutually_exclusive_group(required=True)
     source.add_argument("-file", metavar="FILE_NAME", help="load the description from a file")

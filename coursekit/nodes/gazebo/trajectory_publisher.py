@@ -70,7 +70,7 @@ class TrajectoryPublisher(SensorPublisher):
 
 
 def fault_of(msg: JointTrajectory, joints: tuple[str, ...]) -> str:
-    """What is wrong with a trajectory; '' when it can be followed.
+    """The fault of a trajectory; '' when it can be followed.
 
     >>> fault_of(JointTrajectory(joint_names=["elbow"]), ("arm",))
     "joint 'elbow' is none of its joints (arm)"

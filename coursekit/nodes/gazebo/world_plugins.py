@@ -19,7 +19,7 @@ class StatePlugin:
 
 
 def state_plugin(plugin: Element) -> StatePlugin | None:
-    """What a world's plugin says, if it is gazebo_ros_state. Raises UrdfError for a rate that is none."""
+    """The settings of a world's plugin, if it is gazebo_ros_state. Raises UrdfError for a rate that is none."""
     if "gazebo_ros_state" not in (plugin.get("filename") or ""):
         return None
     rate = number(plugin, "update_rate", 100.0)

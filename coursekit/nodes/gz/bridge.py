@@ -33,7 +33,7 @@ In place of the second @: [ bridges from Gazebo to ROS only, ] from ROS to Gazeb
 
 
 POLICIES = (QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
-"""What of a topic in ROS parameters may set: `qos_overrides./tf_static.publisher.durability` and the like."""
+"""The QoS policies of a topic in ROS that parameters such as `qos_overrides./tf_static.publisher.durability` may set."""
 
 
 class Way:
@@ -120,7 +120,7 @@ class RosGzBridge(Node):
             )
 
     def _mend(self, msg: Any) -> Any:
-        """What comes into ROS gets the frame and the time that parameters ask for."""
+        """Messages that come into ROS get the frame and the time that parameters ask for."""
         header = getattr(msg, "header", None)
         if header is not None and self._frame:
             header.frame_id = self._frame

@@ -1,4 +1,4 @@
-"""What shall be bridged: words of the command line, or a YAML file."""
+"""The topics to be bridged: words of the command line, or a YAML file."""
 
 from __future__ import annotations
 

@@ -131,7 +131,7 @@ def _moved(msg: Any, kind: str) -> Any:
 
 
 def conversion(source: str, target: str) -> Callable[[Any], Any] | None:
-    """What makes a message of one ROS type one of another; None where there is no way."""
+    """The function that makes a message of one ROS type one of another; None where there is none."""
     one, other = source.rpartition("/")[2], target.rpartition("/")[2]
     return _same if source == target else CONVERSIONS.get((one, other))
 

@@ -27,7 +27,7 @@ ANSWER = 5.0
 
 
 def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
-    """What the command line says, with one dash or two, and what of it is not known; a bad number ends the program."""
+    """The known words of the command line, with one dash or two, and the unknown ones; a bad number ends the program."""
     parser = argparse.ArgumentParser(prog="create", description="Put a model into Gazebo's world.", allow_abbrev=False)
     for name in TEXTS:
         parser.add_argument(f"--{name}", default="")

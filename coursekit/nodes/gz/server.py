@@ -80,7 +80,7 @@ class GzSim(Gazebo):
         return self._ros
 
     def ros_executor(self) -> Any:
-        """Who spins what is in ROS, beside the simulator."""
+        """The executor of the ROS side, beside the simulator."""
         self.ros_context()
         return self._ros_executor
 
@@ -110,7 +110,7 @@ class GzSim(Gazebo):
 
 
 def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
-    """What the command line of `gz sim` says, and what of it is not known here."""
+    """The known words of the command line of `gz sim`, and the unknown ones."""
     parser = argparse.ArgumentParser(prog="gz sim", description="Run and manage Gazebo simulations.", add_help=True)
     parser.add_argument("world", nargs="?", default="", help="a world file (SDF, yaml, a map) or one of the course's")
     parser.add_argument("-r", dest="run", action="store_true", help="run the simulation at once; without it, it is paused")

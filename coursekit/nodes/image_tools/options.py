@@ -1,4 +1,4 @@
-"""What both nodes take as parameters: how their messages are kept and delivered."""
+"""The parameters of both nodes: how their messages are kept and delivered."""
 
 from rclpy.node import Node
 from rclpy.qos import QoSHistoryPolicy, QoSProfile, QoSReliabilityPolicy

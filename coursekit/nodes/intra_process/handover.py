@@ -13,7 +13,7 @@ KEPT = 10
 
 
 class Handover:
-    """What nodes of one process publish to each other: the first who takes a message has the publisher's own.
+    """Messages between nodes of one process: the first subscriber that takes one has the publisher's own.
 
     Who comes later has the copy that came through the graph, and so has who hears of messages from elsewhere.
     `key` tells messages apart.

@@ -94,4 +94,4 @@ KINDS: dict[str, tuple[Callable[[LaserScan, dict[str, Any], Frames], None], dict
     "ScanShadowsFilter": (shadows, {
         "min_angle": float, "max_angle": float, "neighbors": int, "window": int, "remove_shadow_start_point": False}),
 }  # fmt: skip
-"""What each filter does, and its parameters with their defaults; a type where it must be given."""
+"""The function of each filter, and its parameters with their defaults; a type where it must be given."""

@@ -1,1 +1,1 @@
-"""What nav2 starts beside its planners: the map server, the map saver, the lifecycle manager."""
+"""nav2's nodes beside its planners: the map server, the map saver, the lifecycle manager."""

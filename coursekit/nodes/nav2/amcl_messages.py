@@ -1,4 +1,4 @@
-"""What amcl tells, as messages, and what it hears, as numbers."""
+"""amcl's output as messages, and its input as numbers."""
 
 from __future__ import annotations
 

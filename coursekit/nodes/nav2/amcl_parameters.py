@@ -84,7 +84,7 @@ def number(node: Node, name: str) -> float:
 
 
 def filter_parameters(node: Node) -> FilterParameters:
-    """What the filter needs; ValueError when a value cannot work."""
+    """The filter's parameters; ValueError when a value cannot work."""
     drive = given(node, "robot_model_type")
     if drive not in _DRIVES:
         raise ValueError(f"unknown robot_model_type {drive!r}: use one of {', '.join(_DRIVES)}")

@@ -1,4 +1,4 @@
-"""What a behaviour server can do; each is a coroutine that works on one goal of an action."""
+"""The behaviours of a behaviour server; each is a coroutine that works on one goal of an action."""
 
 from __future__ import annotations
 

@@ -133,7 +133,7 @@ class ControllerServer(Server):
         return result
 
     def _unknown(self, request: Any) -> str:
-        """What is wrong with a goal; empty when nothing is."""
+        """The fault of a goal; empty when there is none."""
         if request.controller_id and request.controller_id not in self._controllers:
             known = ", ".join(self._controllers)
             return f"FollowPath called with controller name {request.controller_id}, which does not exist. Known: {known}"

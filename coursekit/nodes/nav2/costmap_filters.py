@@ -56,7 +56,7 @@ class Filter:
         self.mask, self._frame = from_message(msg), msg.header.frame_id
 
     def at(self, points: np.ndarray, frame: str) -> np.ndarray:
-        """What the mask says at places (n, 2) of a frame: 0 to 100, -1 where it says nothing."""
+        """The mask's values at points (n, 2) of a frame: 0 to 100, -1 where it has none."""
         assert self.mask is not None
         x, y, yaw = self.mask.origin
         places = (Pose2D(x, y, yaw).inverse() @ self._where.between(self._frame, frame)).transform(points)

@@ -23,7 +23,7 @@ from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.running import run
 
 FREE_DEFAULT = 0.25
-"""What Humble's map saver writes: above 0.196, the shade of what is unknown, so that it is loaded as free."""
+"""The threshold that Humble's map saver writes: above 0.196, the shade of the unknown, so that it is loaded as free."""
 
 
 class MapSaver(LifecycleNode):

@@ -116,7 +116,7 @@ class PlanToPose(ActionNode):
         super().stop()
 
     def _other_way(self) -> Any:
-        """What is left of the path that is driven, where the new one is another that is hardly shorter; else None."""
+        """The rest of the path that is driven, where the new one is another that is hardly shorter; else None."""
         old = self.get("path")
         here = self.board["crew"].pose() if old is not None and self.board.get("driven") is old else None
         if here is None or not self._is_valid.service_is_ready():
@@ -211,7 +211,7 @@ class CallNode(TreeNode):
         self._sent: Any = None
 
     def request(self) -> Any:
-        """What is asked."""
+        """The request."""
         return self.kind.Request()
 
     def answered(self, answer: Any) -> bool:

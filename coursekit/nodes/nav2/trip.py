@@ -29,7 +29,7 @@ MOST_BYTES = 2**20
 
 
 class Crew:
-    """What the nodes of trees share: clients, what is heard, and where the robot is."""
+    """The common parts of the trees' nodes: clients, messages, and the robot's pose."""
 
     def __init__(self, node: Any, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D]) -> None:
         self.node, self.pose, self._place_of = node, where, place_of
@@ -127,7 +127,7 @@ class Trip:
 
     @property
     def distance(self) -> float:
-        """What is left of the path [m]."""
+        """The rest of the path [m]."""
         here, path = self.crew.pose(), self.tree.board.get("path")
         if here is None or path is None or not path.poses:
             return 0.0

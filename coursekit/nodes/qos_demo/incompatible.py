@@ -20,7 +20,7 @@ TOPIC, COUNT = "incompatible_qos_chatter", 5
 
 @dataclass(frozen=True)
 class Pair:
-    """What a talker offers and a listener asks for that do not match, and how the demo tells of it."""
+    """Offers of a talker and requests of a listener that do not match, and how the demo reports them."""
 
     name: str
     condition: str

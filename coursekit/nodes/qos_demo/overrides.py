@@ -20,7 +20,7 @@ IN_CPP = (QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, 
 
 
 def options(reason: str, kinds: Iterable[QoSPolicyKind] = ()) -> QoSOverridingOptions:
-    """What may be overridden: these policies, or the usual ones; a depth of more than ten is refused."""
+    """The policies that may be overridden: these, or the usual ones; a depth of more than ten is refused."""
 
     def judge(qos: QoSProfile) -> QosCallbackResult:
         return QosCallbackResult(successful=qos.depth <= MOST, reason="" if qos.depth <= MOST else reason)

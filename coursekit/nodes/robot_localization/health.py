@@ -1,4 +1,4 @@
-"""What a filter tells of itself on /diagnostics."""
+"""A filter's report on /diagnostics."""
 
 from __future__ import annotations
 

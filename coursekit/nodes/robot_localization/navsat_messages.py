@@ -1,4 +1,4 @@
-"""What navsat_transform_node publishes."""
+"""The messages of navsat_transform_node."""
 
 from __future__ import annotations
 

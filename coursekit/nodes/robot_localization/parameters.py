@@ -81,7 +81,7 @@ def covariance(node: Node, name: str) -> Array | None:
 
 
 def control(node: Node, given: dict[str, Any], sources: list[Source]) -> Control | None:
-    """What is known of commanded speeds; None without use_control, or when its parameters cannot work."""
+    """The commanded speeds; None without use_control, or when its parameters cannot work."""
     if not given["use_control"]:
         return None
     log, config = node.get_logger(), optional(node, "control_config")

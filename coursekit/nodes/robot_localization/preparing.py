@@ -95,7 +95,7 @@ class Preparing:
         return self._made(source, "twist", stamp_ns, values, own, used)
 
     def acceleration(self, source: Source, frame: str, stamp_ns: int, imu: Any, state: Array) -> Measurement:
-        """What an IMU feels, without the floor's push if its source says so; lying still it feels 9.8 m/s² upwards."""
+        """The accelerations of an IMU, without the floor's push if its source says so; at rest 9.8 m/s² upwards."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         rotation, used, felt = turning(seat), source.part("acceleration"), vector(imu.linear_acceleration)
         if source.remove_gravity:

@@ -47,7 +47,7 @@ class JointFrames:
 
     @property
     def prefix(self) -> str:
-        """What stands before each frame's name."""
+        """The prefix of each frame's name."""
         return self._prefix
 
     @prefix.setter

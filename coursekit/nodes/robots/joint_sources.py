@@ -19,7 +19,7 @@ _CURE = "Give both limits as numbers."
 _OLDEST_COLLADA = [1, 5, 0]
 
 _Text = Callable[[str], str | None]
-"""What a description says for 'lower' or 'upper'; None where it says nothing."""
+"""The value of a description for 'lower' or 'upper'; None where it has none."""
 
 
 def joints_of(description: str) -> list[Joint]:
@@ -95,7 +95,7 @@ def _all_below(element: Element, tag: str) -> Iterator[Element]:
 
 
 def _below(element: Element, tag: str) -> _Text | None:
-    """What the elements below the first one of that name say; None when there is none."""
+    """The texts of the elements below the first one of that name; None when there is none."""
     limits = next(_all_below(element, tag), None)
     if limits is None:
         return None

@@ -14,7 +14,7 @@ KEPT = 9000
 
 
 def paths(words: Sequence[str]) -> list[str]:
-    """What is to be plotted, one path each.
+    """The paths to be plotted, one for each curve.
 
     >>> paths(["/turtle1/pose/x:y", "/speed/data"])
     ['/turtle1/pose/x', '/turtle1/pose/y', '/speed/data']
@@ -80,7 +80,7 @@ class Curve:
         self.total += 1
 
     def newer(self, than: int) -> list[tuple[float, float]]:
-        """What has come after the first `than` values, as far as it is remembered."""
+        """The values after the first `than`, as far as they are remembered."""
         count = min(self.total - than, len(self.times))
         begin = len(self.times) - count
         return list(zip(islice(self.times, begin, None), islice(self.values, begin, None), strict=True))

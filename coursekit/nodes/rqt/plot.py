@@ -18,7 +18,7 @@ from .curves import Curves, topic_of
 from .rqt import Rqt, name_of_process
 
 SECONDS = 20.0
-"""What is shown of the past."""
+"""The part of the past that is shown."""
 
 
 class Plot(Rqt):

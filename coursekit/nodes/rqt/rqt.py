@@ -24,7 +24,7 @@ INSTEAD = {
 
 
 def name_of_process() -> str:
-    """What rqt calls its node: by its process."""
+    """The name of rqt's node: it has its process's number."""
     process = current_process()
     return f"rqt_gui_py_node_{process.pid if process is not None else os.getpid()}"
 

@@ -1,4 +1,4 @@
-"""What an RViz shows: the fixed frame, the displays, the point of view. Read from and written to small YAML files."""
+"""A configuration of RViz: the fixed frame, the displays, the point of view. Small YAML files hold it."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def make_view(given: Any) -> dict[str, Any] | None:
 
 
 def going_with(frame: str, kind: str) -> dict[str, Any]:
-    """What a view holds of its target frame and its camera; an Orbit that goes with nothing needs no word.
+    """The target frame and the camera of a view; an Orbit that goes with nothing needs no word.
 
     >>> going_with("base_link", "Orbit"), going_with("", "Orbit")
     ({'target_frame': 'base_link', 'type': 'Orbit'}, {})

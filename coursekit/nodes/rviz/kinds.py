@@ -10,7 +10,7 @@ from coursekit.suggestions import did_you_mean
 
 @dataclass(frozen=True)
 class Kind:
-    """What a configuration may say of a display; options have RViz's names in small letters with underscores."""
+    """The options of a display in a configuration; they have RViz's names in small letters with underscores."""
 
     type: str = ""
     """The type of its messages, '' if it needs no topic"""

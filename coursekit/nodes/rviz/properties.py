@@ -1,4 +1,4 @@
-"""What may be changed of a display, under RViz's names, and how a page edits it."""
+"""The properties of a display that can be changed, under RViz's names, and how a page edits them."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ ABOUT = {
     "FluidPressure": "a pressure sensor's reading",
     "Illuminance": "a light sensor's reading",
 }
-"""What each kind shows, in a few words."""
+"""The content of each kind, in a few words."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Property:
 
 
 def rviz_name(key: str) -> str:
-    """What RViz calls an option.
+    """RViz's name of an option.
 
     >>> rviz_name("decay_time"), rviz_name("size")
     ('Decay Time', 'Size (m)')
@@ -81,7 +81,7 @@ def rviz_name(key: str) -> str:
 
 
 def properties(kind: str) -> list[Property]:
-    """What may be changed of displays of a kind, in RViz's order: looks first, then the topic's quality of service.
+    """The properties of displays of a kind, in RViz's order: looks first, then the topic's quality of service.
 
     >>> [one.name for one in properties("PointStamped")][:4]
     ['Color', 'Alpha', 'Radius', 'History Length']

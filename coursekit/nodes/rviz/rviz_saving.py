@@ -20,7 +20,7 @@ SCALE = 600.0
 
 
 def to_rviz(config: Config) -> dict[str, Any]:
-    """What goes into the file; `rviz2 -d` of Humble reads it, and `config_file.read` here."""
+    """The content of the file; `rviz2 -d` of Humble reads it, and `config_file.read` here."""
     frame = {"Fixed Frame": config.fixed_frame or "map", "Frame Rate": 30}
     views = {"Current": _view(config.view or {}, "Current View"),
              "Saved": [_view(view, name) for name, view in config.views.items()] or None}  # fmt: skip

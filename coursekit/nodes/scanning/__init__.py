@@ -1,1 +1,1 @@
-"""What nodes share that take scans and work in the plane: messages as poses, the sensor, scans with their transforms."""
+"""The common parts of nodes that take scans and work in the plane: poses, the sensor, scans with their transforms."""

@@ -87,7 +87,7 @@ class ScanFilter:
         log.warning(f"{self._missing(frame, why)}")
 
     def _missing(self, frame: str, why: str) -> str:
-        """What is missing, and how to look at it."""
+        """The transform that is missing, and how to look at it."""
         if not frame:
             return why
         return (

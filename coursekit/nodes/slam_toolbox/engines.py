@@ -1,4 +1,4 @@
-"""What a scan goes into: a session that maps, or one that localises in a finished map."""
+"""The target of a scan: a session that maps, or one that localises in a finished map."""
 
 from __future__ import annotations
 

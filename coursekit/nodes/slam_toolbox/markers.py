@@ -1,4 +1,4 @@
-"""What mapping looks like: keyframes, edges, loops kept and loops left aside, and how well the last scan fitted."""
+"""A picture of mapping: keyframes, edges, loops kept and loops left aside, and how well the last scan fitted."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ def number(node: Node, name: str, *, least: float = -math.inf) -> float:
 
 
 def slam_parameters(node: Node) -> SlamParameters:
-    """What the library needs, from the node's parameters."""
+    """The library's parameters, from the node's."""
     matching = bool(node.get_parameter("use_scan_matching").value)
     loops = matching and bool(node.get_parameter("do_loop_closing").value)
     usual = SlamParameters()

@@ -49,7 +49,7 @@ class SlamToolbox(Node):
         self.get_logger().info("Using solver plugin " + str(self.get_parameter("solver_plugin").value))
 
     def _read_parameters(self) -> None:
-        """What is read once."""
+        """Parameters that are read once."""
         self.map_frame, self.odom_frame, self.base_frame = (
             str(self.get_parameter(f"{name}_frame").value) for name in ("map", "odom", "base")
         )

@@ -43,7 +43,7 @@ class TeleopTwistJoy(Node):
         self._given = declare(self, _defaults())
 
     def _tell(self) -> None:
-        """What is on which axis."""
+        """The number of each axis."""
         log, given = self.get_logger(), self._given
         if given["require_enable_button"]:
             log.info(f"Teleop enable button {given['enable_button']}.")

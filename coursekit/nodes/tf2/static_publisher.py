@@ -52,7 +52,7 @@ class BadArguments(Exception):
 
 @dataclass
 class Wanted:
-    """What the command line asks for."""
+    """The transform that the command line asks for."""
 
     numbers: dict[str, float] = field(default_factory=dict)
     frames: dict[str, str] = field(default_factory=dict)

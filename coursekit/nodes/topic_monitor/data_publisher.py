@@ -16,7 +16,7 @@ from std_msgs.msg import Header
 from coursekit.nodes.running import to_the_end
 
 LAST = -1
-"""What is published at the end, so that monitors know that the topic has gone."""
+"""The last message, so that monitors know that the topic has gone."""
 
 
 class DataPublisher(Node):

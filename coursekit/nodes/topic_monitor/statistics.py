@@ -1,4 +1,4 @@
-"""What is known of one topic that is monitored: alive or not, and how much of it arrives."""
+"""The statistics of one monitored topic: whether it is alive, and how much of it arrives."""
 
 from __future__ import annotations
 

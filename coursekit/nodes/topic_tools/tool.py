@@ -1,4 +1,4 @@
-"""What the tools share: hearing a topic of any type as bytes, and saying them again."""
+"""The common parts of the tools: hearing a topic of any type as bytes, and publishing them again."""
 
 from __future__ import annotations
 

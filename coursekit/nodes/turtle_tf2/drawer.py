@@ -18,7 +18,7 @@ QUEUE = 100  # points that wait for their frames at most
 
 
 class PoseDrawer(Node):
-    """What tf2_ros::MessageFilter does in C++: a point waits until it can be transformed."""
+    """The role of tf2_ros::MessageFilter in C++: a point waits until it can be transformed."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_pose_drawer")

@@ -21,7 +21,7 @@ _FLOATS = struct.Struct("<5f")
 
 
 class TurtleInterface:
-    """What others see of a turtle of the world."""
+    """The state of a turtle that others of its world see."""
 
     def __init__(self, node: Node, turtle: Turtle) -> None:
         self.node = node

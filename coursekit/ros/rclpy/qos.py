@@ -110,7 +110,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """Who says that a publisher is alive."""
+    """The policy by which a publisher counts as alive."""
 
     SYSTEM_DEFAULT = 0
     RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0

@@ -54,7 +54,7 @@ class QoSOverridingOptions:
 
     @property
     def callback(self) -> QosCallbackType | None:
-        """Who says whether the profile is acceptable."""
+        """The function that accepts or refuses the profile."""
         return self._callback
 
     @property

@@ -39,7 +39,7 @@ class TestOnceItHasEnded(unittest.TestCase):
         launch_testing.asserts.assertExitCodes(proc_info)
 
     def test_full_output(self, proc_output, counter):
-        """What it wrote came in order."""
+        """Its output came in order."""
         with launch_testing.asserts.assertSequentialStdout(proc_output, counter) as checker:
             checker.assertInStdout("Starting Up")
             for number in range(4):

@@ -1,1 +1,1 @@
-"""What is done when coursekit is built or installed: files of the underlay that are made, and the students' chapters."""
+"""The steps when coursekit is built or installed: generated files of the underlay, and the students' chapters."""

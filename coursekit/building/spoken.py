@@ -53,14 +53,14 @@ def _all() -> Iterator[tuple[Path, Iterator[str]]]:
 
 
 def _of_calls(tree: ast.Module) -> Iterator[str]:
-    """What is given to gettext()."""
+    """The texts that are given to gettext()."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "gettext":
             yield from filter(_words, (template(one) for one in node.args if isinstance(one, (ast.Constant, ast.JoinedStr))))
 
 
 def _of_errors(tree: ast.Module) -> Iterator[str]:
-    """What errors of the lab say, also where a constant of their file has the words."""
+    """The words of the lab's errors, also where a constant of their file has them."""
     constants = _constants(tree)
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and ast.unparse(node.exc.func) in _PLAIN:

@@ -1,4 +1,4 @@
-"""What the commands share: a hidden node of their own, and names of the graph for completion."""
+"""The common parts of the commands: a hidden node of their own, and names of the graph for completion."""
 
 from __future__ import annotations
 

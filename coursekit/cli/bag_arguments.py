@@ -1,4 +1,4 @@
-"""What the verbs of `ros2 bag` share: arguments, their checks, and how they refuse."""
+"""The common parts of the verbs of `ros2 bag`: arguments, their checks, and how they refuse."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one check of `coursekit doctor` found."""
+"""The result of one check of `coursekit doctor`."""
 
 from __future__ import annotations
 

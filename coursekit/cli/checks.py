@@ -1,4 +1,4 @@
-"""What `coursekit doctor` and `ros2 doctor` look at: each check says what is wrong and what to type next."""
+"""The checks of `coursekit doctor` and `ros2 doctor`: each says what is wrong and what to type next."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def colcon() -> Check:
 
 
 def cpp_tools() -> Check:
-    """What compiles packages in C++."""
+    """The compiler for packages in C++."""
     try:
         tools = find_toolchain()
     except NoToolchain as error:

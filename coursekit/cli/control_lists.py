@@ -1,4 +1,4 @@
-"""What `ros2 control list_...` prints."""
+"""The output of `ros2 control list_...`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def list_types(asker: Asker, _args: Any) -> None:
 
 
 def list_interfaces(asker: Asker, _args: Any) -> None:
-    """What can be written and read."""
+    """The interfaces for commands and states."""
     answer = asker.ask(ListHardwareInterfaces, "list_hardware_interfaces")
     print("command interfaces")
     for one in sorted(answer.command_interfaces, key=lambda one: str(one.name)):

@@ -1,4 +1,4 @@
-"""What teachers' commands are told: chapters, the folder of the notebooks, the names of the class."""
+"""The arguments of teachers' commands: chapters, the folder of the notebooks, the names of the class."""
 
 from __future__ import annotations
 

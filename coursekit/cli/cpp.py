@@ -49,7 +49,7 @@ def run(_args: argparse.Namespace) -> int:
 
 
 def wheels() -> list[str]:
-    """What `pip install "coursekit[cpp]"` would install beside coursekit itself."""
+    """The packages that `pip install "coursekit[cpp]"` would install beside coursekit itself."""
     words = [line.partition(";") for line in requires("coursekit") or []]
     return [name.strip() for name, _, marker in words if "extra ==" in marker and "cpp" in marker]
 

@@ -97,7 +97,7 @@ def _said_at(path: Path) -> dict[str, Any]:
 
 
 def token(domain_id: int) -> str:
-    """What a client on a loopback port has to say first; empty for Unix sockets. NoSession when it has gone."""
+    """The first word of a client on a loopback port; empty for Unix sockets. NoSession when it has gone."""
     try:
         return token_at(address(domain_id))
     except NoSession as error:
@@ -105,7 +105,7 @@ def token(domain_id: int) -> str:
 
 
 def token_at(path: Path) -> str:
-    """What is said first to the loopback port that a file names; empty for Unix sockets. NoSession when it has gone."""
+    """The first word to the loopback port that a file names; empty for Unix sockets. NoSession when it has gone."""
     if HAS_UNIX:
         return ""
     try:

@@ -1,4 +1,4 @@
-"""What `ros2 doctor --report` says of the graph: its topics, and who can hear whom."""
+"""The graph in `ros2 doctor --report`: its topics, and which ends can hear each other."""
 
 from __future__ import annotations
 

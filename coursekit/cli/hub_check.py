@@ -19,11 +19,11 @@ from .check import Check
 KEPT_FREE = 0.2
 """The share of the memory that the system and the hub itself need."""
 HOME_MB = 300
-"""What a student's home grows to in the course: builds, bags, maps."""
+"""The size of a student's home in the course: builds, bags, maps."""
 
 
 def hub_package() -> Check:
-    """What a student's server is: it has to be in the same environment as the course."""
+    """A student's server: it has to be in the same environment as the course."""
     if importlib.util.find_spec("jupyterhub") is None:
         cure = 'Run, with the same Python: pip install "coursekit[hub]"'
         return Check("jupyterhub", "missing", "jupyterhub is not installed beside coursekit", cure)
@@ -32,7 +32,7 @@ def hub_package() -> Check:
 
 
 def compiled_ahead() -> Check:
-    """What `coursekit hub-prepare` has made."""
+    """The files of `coursekit hub-prepare`."""
     folder = os.environ.get(SHARED)
     if not folder:
         fault = "nothing is compiled ahead: each student's first map and first C++ build take a minute of one core more"
@@ -83,7 +83,7 @@ CHECKS: tuple[Callable[[], Check], ...] = (hub_package, compiled_ahead, exchange
 
 
 def load(students: int) -> list[Check]:
-    """What one student costs, measured; with a number of students, whether they fit."""
+    """The cost of one student, measured; with a number of students, whether they fit."""
     import psutil
 
     from .hub_load import MB, NotMeasured, measure

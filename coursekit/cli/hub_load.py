@@ -1,4 +1,4 @@
-"""What one student costs a server: measured with a Jupyter server, a kernel and chapter 8's simulation of their own."""
+"""The cost of one student: a Jupyter server, a kernel and chapter 8's simulation of their own are measured."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class NotMeasured(RuntimeError):
 
 @dataclass(frozen=True)
 class Load:
-    """What was measured."""
+    """The measured values."""
 
     server_mb: float
     """Of the Jupyter server."""
@@ -134,6 +134,6 @@ def _used_s(process: psutil.Process) -> float:
 
 
 def _memory_mb(pid: int) -> float:
-    """What would be free without the process and its children: what they share is not counted."""
+    """The memory that would be free without the process and its children: shared memory is not counted."""
     top = psutil.Process(pid)
     return sum(float(one.memory_full_info().uss) for one in (top, *top.children(recursive=True))) / MB

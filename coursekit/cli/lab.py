@@ -44,7 +44,7 @@ def folder_of(args: argparse.Namespace) -> Path:
 
 
 def _not_written(folder: Path, error: OSError) -> SystemExit:
-    """What to say where a copy of the course cannot be written."""
+    """The message where a copy of the course cannot be written."""
     name = f" ('{error.filename}')" if error.filename else ""
     return SystemExit(
         f"The course cannot be written to '{folder}': {error.strerror}{name}. "

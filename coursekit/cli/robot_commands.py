@@ -12,7 +12,7 @@ from coursekit.urdf.inertia import check
 from coursekit.urdf.texts import check_text, error_text, graphviz_text
 
 FAILED = 255
-"""What the real commands return: -1, as a shell sees it."""
+"""The exit code of the real commands: -1, as a shell sees it."""
 
 
 def _read(path: str) -> Robot | None:

@@ -1,4 +1,4 @@
-"""What a router says when it begins."""
+"""A router's words when it begins."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import socket
 
 
 def welcome(addresses: list[str], users: int) -> list[str]:
-    """What to type to join a router that listens at these addresses, and what is not safe about it."""
+    """The commands that join a router at these addresses, and its risks."""
     from coursekit.net.address import is_loopback
 
     asks = " --user NAME" if users else ""

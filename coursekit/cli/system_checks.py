@@ -70,5 +70,5 @@ SYSTEM_CHECKS: tuple[Callable[[], Check | None], ...] = (interpreter, folder_of_
 
 
 def run_system_checks() -> list[Check]:
-    """What is to be said of this computer; nothing where all is well."""
+    """Remarks about this computer; none where all is well."""
     return [found for check in SYSTEM_CHECKS if (found := check()) is not None]

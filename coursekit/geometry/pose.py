@@ -13,7 +13,7 @@ Pose = tuple[float, float, float, float, float, float, float]
 Quaternion = tuple[float, float, float, float]
 Vector = tuple[float, float, float]
 Segment = tuple[float, ...]
-"""What lies between two poses, worked out: see `segment`."""
+"""The motion between two poses, worked out: see `segment`."""
 
 IDENTITY: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
@@ -126,7 +126,7 @@ def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
 
 
 def segment(a: Pose, b: Pose) -> Segment | None:
-    """What `interpolate` needs of two poses, for who asks many times; None when there is no turn between them.
+    """The numbers that `interpolate` needs of two poses, for many calls; None when there is no rotation between them.
 
     (x, dx, y, dy, z, dz), then the quaternions a and b over the sine of the angle between them, and the angle: at a ratio
     r the attitude is a * sin(angle - r * angle) + b * sin(r * angle).

@@ -1,4 +1,4 @@
-"""What the setters of message classes ask of a value, as fast as Python allows."""
+"""The checks that setters of message classes make of a value, as fast as Python allows."""
 
 from __future__ import annotations
 

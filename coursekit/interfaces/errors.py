@@ -1,4 +1,4 @@
-"""What can be wrong with an interface: its text, its name, its bytes."""
+"""Errors of an interface: of its text, its name, its bytes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `std_msgs.msg` and its like are made of: names that become classes when they are first used."""
+"""Modules such as `std_msgs.msg`: names that become classes when they are first used."""
 
 from __future__ import annotations
 

@@ -102,7 +102,7 @@ def kwarg_lines(field: Field, alias: Alias) -> list[str]:
 
 
 _AS_SENT = {"float32": "checks.float32({})", "float64": "float({})", **dict.fromkeys((*INTEGERS, "char"), "+{}")}
-"""What a number is when it comes in: a numpy.float64 has become a float, and True is 1."""
+"""The conversion of a number that comes in: a numpy.float64 has become a float, and True is 1."""
 
 
 def clone_of(field: Field) -> str:

@@ -1,4 +1,4 @@
-"""What a definition file says: types, fields, constants, and the messages they make."""
+"""The content of a definition file: types, fields, constants, and the messages that they make."""
 
 from __future__ import annotations
 

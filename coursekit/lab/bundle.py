@@ -1,4 +1,4 @@
-"""What a widget is shown as where there is no browser: its forms by MIME type, which the lab adds to."""
+"""A widget's forms where there is no browser, by MIME type: the lab adds to them."""
 
 from __future__ import annotations
 

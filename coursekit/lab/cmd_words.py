@@ -26,7 +26,7 @@ _BETWEEN = re.compile(r"&&|\|\||[;|&]")
 
 
 def hint(line: str) -> str:
-    """What to type in place of a command of bash in a line that failed; empty when it has none.
+    """The command in place of one of bash in a line that failed; empty when it has none.
 
     >>> hint("source setup.bash && ros2 node list")
     "`!` runs Windows' cmd, which has no `source`: cells know what `%colcon build` has built, so leave it out."

@@ -50,7 +50,7 @@ class GraphPanel(Panel):
         return GraphPicture(self._graph, self._view, **self._options)
 
     def details(self, name: str) -> str:
-        """What `ros2 node info` or `ros2 topic info -v` says of it."""
+        """The output of `ros2 node info` or `ros2 topic info -v` for it."""
         return details(self._graph, name)
 
     def text(self) -> str:

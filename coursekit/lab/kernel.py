@@ -30,7 +30,7 @@ from .panel import end_panels
 SUBSHELL_SECONDS = 0.5
 """A page that makes no subshell in this time is none, or is busy [s]."""
 NO_FOLDERS_KEPT = "This is now an optional IPython functionality"
-"""What IPython 8, the last for Python 3.10, warns of at every %cd: that it does not remember folders for the next kernel."""
+"""The warning of IPython 8, the last for Python 3.10, at every %cd: it does not remember folders for the next kernel."""
 _state: dict[str, Any] = {}
 
 

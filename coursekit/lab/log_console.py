@@ -1,4 +1,4 @@
-"""What nodes log: /rosout with filters."""
+"""The log lines of nodes: /rosout with filters."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def _clock_time(stamp: Any) -> str:
 
 
 def log_console(level: str = "DEBUG", node: str = "", text: str = "") -> LogConsole:
-    """What nodes log, with filters by level, node and text.
+    """The log lines of nodes, with filters by level, node and text.
 
     In ROS 2: `ros2 topic echo /rosout`, or rqt's console.
     """

@@ -24,7 +24,7 @@ def install(shell: Any) -> None:
 
 
 def patches() -> list[Patch]:
-    """What is done to a kernel's shell, for as long as it runs."""
+    """The changes to a kernel's shell, for as long as it runs."""
     reason, test = "on Windows what `!command` prints stands in its cell", "tests/lab/test_shell_lines.py"
     return [Change("IPython: shell.system", install, reason, test, KERNEL)]
 

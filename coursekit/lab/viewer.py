@@ -127,17 +127,17 @@ class Viewer(ViewerPage):
         self.tools.goal_pose(x, y, yaw)
 
     def pose_estimate(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """What the tool 2D Pose Estimate publishes on /initialpose [m, m, rad]."""
+        """The pose that the tool 2D Pose Estimate publishes on /initialpose [m, m, rad]."""
         self.tools.pose_estimate(x, y, yaw)
 
     def publish_point(self, x: float, y: float, z: float = 0.0) -> None:
-        """What the tool Publish Point publishes on /clicked_point [m]."""
+        """The point that the tool Publish Point publishes on /clicked_point [m]."""
         self.tools.publish_point(x, y, z)
 
     # -- without the browser
 
     def text(self) -> str:
-        """What is shown, in lines."""
+        """The viewer's content, in lines."""
         self.stage.update()
         return described(self.stage)
 
@@ -150,7 +150,7 @@ def robot_topics(hidden: HiddenNode) -> list[str]:
 
 
 def bare_config(hidden: HiddenNode) -> Config:
-    """What is shown when nobody says what: the grid, all robots, the frames."""
+    """The displays without a choice of the user's: the grid, all robots, the frames."""
     topics = robot_topics(hidden) or [f"/{_ROBOT}"]
     robots: list[dict[str, Any]] = [{"type": "RobotModel", "topic": topic} for topic in topics]
     if len(robots) > 1:
@@ -160,7 +160,7 @@ def bare_config(hidden: HiddenNode) -> Config:
 
 
 def _newest() -> Config | None:
-    """What the newest rviz2 that runs shows; None when none runs."""
+    """The configuration of the newest rviz2 that runs; None when none runs."""
     running = windows.running(current())
     return running[-1].config if running else None
 

@@ -1,4 +1,4 @@
-"""What cells wrote into which files, remembered over restarts, so that running a cell again replaces its own part."""
+"""The parts that cells wrote into files, remembered over restarts, so that a cell that runs again replaces its own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong with a map file: the file, the fault, and the cure."""
+"""Errors in a map file: the file, the fault, and the cure."""
 
 from __future__ import annotations
 

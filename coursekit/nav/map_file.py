@@ -34,7 +34,7 @@ class GridMap:
 
 @dataclass(frozen=True)
 class MapDescription:
-    """What a map's .yaml says; `image` is the picture's path in full."""
+    """The content of a map's .yaml; `image` is the picture's path in full."""
 
     image: Path
     resolution: float
@@ -118,7 +118,7 @@ def _check_settings(file: str, mode: str, kind: str, occupied: float, free: floa
 
 
 def read_description(path: str | Path) -> MapDescription:
-    """What a .yaml file says; MapError (part 'metadata') with the file, the fault and its cure."""
+    """The content of a .yaml file; MapError (part 'metadata') with the file, the fault and its cure."""
     file = Path(path)
     entries = _entries(file)
     name = str(file)

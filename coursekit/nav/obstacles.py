@@ -1,4 +1,4 @@
-"""What scans say of a costmap: where beams ended stands something, where they passed there is nothing."""
+"""Scans on a costmap: an obstacle where a beam ended, free cells where it passed."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class ObstacleLayer:
         return slice(max(top, 0), max(bottom + 1, 0)), slice(max(left, 0), max(right + 1, 0))
 
     def free(self, outline: np.ndarray) -> None:
-        """What is inside an outline (n, 2), the robot's, is free [m]."""
+        """The inside of an outline (n, 2), the robot's, is free [m]."""
         fill(self.map.cells, (outline - (self.map.x, self.map.y)) / self.map.resolution, FREE)
 
 

@@ -1,4 +1,4 @@
-"""What every process of a session has, whether it runs in this interpreter or is a child of the system."""
+"""The common parts of every process of a session, in this interpreter or a child of the system."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class BaseProcess(ABC):
 
     @property
     def output(self) -> str:
-        """What it wrote to stdout and stderr, in order."""
+        """Its output to stdout and stderr, in order."""
         return self.out.text()
 
     def on_output(self, callback: Callable[[str, str], None]) -> None:

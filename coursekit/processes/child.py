@@ -117,7 +117,7 @@ class ChildProcess(BaseProcess):
             children.send_signal(self._child, signum)  # to what it started too, as a terminal's Ctrl-C goes
 
     def command_line(self) -> str:
-        """What one would type."""
+        """The command line as one would type it."""
         return join_words(self.argv)
 
 

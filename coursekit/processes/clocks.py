@@ -1,4 +1,4 @@
-"""What Python's `time` says in a process: the time of its session's clock."""
+"""Python's `time` in a process: the time of its session's clock."""
 
 from __future__ import annotations
 
@@ -38,5 +38,5 @@ monotonic = _readers["monotonic"]
 
 
 def clock_reader(name: str) -> Callable[[Any], Any]:
-    """What gives `time.NAME` of the session's clock."""
+    """The function in place of `time.NAME`, for the session's clock."""
     return lambda _real: _readers[name]

@@ -81,7 +81,7 @@ def _reason(package: str, plugin: str, listed: dict[str, Path]) -> str:
 
 @dataclass(frozen=True)
 class Given:
-    """What a component's node obeys instead of its process's command line: words of one, and parameters."""
+    """The arguments of a component's node in place of its process's: words of a command line, and parameters."""
 
     arguments: Sequence[str]
     parameters: Sequence[Any]
@@ -93,6 +93,6 @@ def give_to_first_node(process: Any, given: Given) -> None:
 
 
 def take_for_first_node() -> Given | None:
-    """What `give_to_first_node` gave to the calling code's process; None when nothing, or not for the first time."""
+    """The argument of `give_to_first_node` for the calling code's process; None without one, or a second time."""
     process = current_process()
     return None if process is None else process.locals.pop(_FIRST_NODE, None)

@@ -15,7 +15,7 @@ except ImportError:  # Linux and macOS: programs read keys with termios there
     _msvcrt = None  # type: ignore[assignment]
 
 CTRL_Z = "\x1a"
-"""What msvcrt gives where nothing more comes."""
+"""msvcrt's answer where nothing more comes."""
 _NAMES = ("getwch", "getwche", "getch", "getche", "kbhit")
 _real: dict[str, Any] = {name: getattr(_msvcrt, name, None) for name in _NAMES}
 _left: weakref.WeakKeyDictionary[Process, list[str]] = weakref.WeakKeyDictionary()

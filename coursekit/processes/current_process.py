@@ -18,7 +18,7 @@ def current_process() -> Process | None:
 
 
 def outside(function: Callable[..., Any], *args: Any) -> Any:
-    """What a function returns that is carried out as the interpreter's own code.
+    """The result of a function that is carried out as the interpreter's own code.
 
     Threads that it starts belong to no process: a process that ends does not wait for them.
     """

@@ -202,7 +202,7 @@ def make_process(
 
 
 def _program(path: Path) -> Callable[[], Any]:
-    """What `python PATH` does."""
+    """The effect of `python PATH`."""
 
     def main() -> None:
         module = ModuleType("__main__")

@@ -1,4 +1,4 @@
-"""What runs in a session and others draw: simulators, windows, boards; who draws them hears of each change."""
+"""The things of a session that others draw: simulators, windows, boards; the drawers hear of each change."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ PythonQueue = queue._PySimpleQueue  # type: ignore[attr-defined]
 
 
 class _Released:
-    """What `Condition.notify` releases for an execution context that waits."""
+    """The lock that `Condition.notify` releases for an execution context that waits."""
 
     def __init__(self, clock: Any) -> None:
         self._waiter = clock.new_waiter()

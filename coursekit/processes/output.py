@@ -1,4 +1,4 @@
-"""What a process prints, and what is typed to it."""
+"""A process's output, and its input from the keyboard."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ OUTPUT_LIMIT = 2_000_000
 
 
 class Output:
-    """What a process wrote, the newest `OUTPUT_LIMIT` characters, and who wants to hear of it."""
+    """A process's newest `OUTPUT_LIMIT` characters, and the listeners to them."""
 
     def __init__(self) -> None:
         self._parts: deque[tuple[str, str]] = deque()
@@ -56,7 +56,7 @@ class Input(io.TextIOBase):
         self._closed_by_writer = False
         self._changed = session.clock.new_event()
         self.settings: list[Any] = []
-        """What the program has set its terminal to, as termios has it; empty before."""
+        """The terminal's settings by the program, in termios' form; empty before."""
         self.by_keys = False
         """Whether it has ever wanted single keys."""
         self.ctrl_c_is_a_key = False

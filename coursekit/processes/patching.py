@@ -48,7 +48,7 @@ class Patch:
     only_on: str = ""
     """The value of sys.platform without which there is no such name."""
     bare: Callable[[Any], Any] = field(default=lambda value: value, repr=False)
-    """What a value is without a replacement around it that came back in the meantime."""
+    """A value without a replacement around it that came back in the meantime."""
     _owner: Any = field(default=_MISSING, init=False, repr=False)
     _found: Any = field(default=_MISSING, init=False, repr=False)
     _ours: Any = field(default=_MISSING, init=False, repr=False)

@@ -32,7 +32,7 @@ _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
 DISTRIBUTION = {
     "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
 }  # fmt: skip
-"""What sourcing ROS says of itself; launch files and nodes ask for it."""
+"""The variables that sourcing ROS sets; launch files and nodes ask for them."""
 
 
 class Process(Interruptible):
@@ -61,7 +61,7 @@ class Process(Interruptible):
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.started = session.clock.steady()
         self.locals: dict[Any, Any] = {}
-        """What other rooms keep per process: the default rclpy context, log levels, ..."""
+        """Other rooms' objects per process: the default rclpy context, log levels, ..."""
         self.cleanups: list[Callable[[], None]] = []
         self.before_join: list[Callable[[], None]] = []
         """Called when its main() has ended, before its threads are waited for: pools let go of those without work."""

@@ -61,7 +61,7 @@ class Session:
         """Threads of processes that could not be ended."""
         self.graphs: dict[int, Graph] = {}
         self.locals: dict[Any, Any] = {}
-        """What other rooms keep per session; for the interpreter's own code also what they keep per process."""
+        """Other rooms' objects per session; for the interpreter's own code also those per process."""
         self.on_start: list[Callable[[Process], None]] = []
         self.on_close: list[Callable[[], object]] = []
         self._pids = itertools.count(1000)

@@ -33,7 +33,7 @@ class StreamProxy:
 
     @property
     def write(self) -> Callable[[str], int]:
-        """What writes; who replaces it (IPython does while a cell runs) gets what the interpreter itself writes."""
+        """The stream that writes; a replacement (IPython's while a cell runs) gets the interpreter's own output."""
         replaced = self._replaced
         return replaced if replaced is not None and current_process() is None else self._write
 
@@ -176,7 +176,7 @@ class Environ(MutableMapping[str, str]):
 
 
 def _named(key: Any) -> Any:
-    """What is no text is refused where it is looked up, as Python refuses it."""
+    """Anything but text is refused where it is looked up, as Python refuses it."""
     return variable_name(key) if isinstance(key, str) else key
 
 
@@ -245,7 +245,7 @@ def input_of(real: Callable[..., str]) -> Callable[..., str]:
 
 
 def proxy_of(name: str) -> Callable[[Any], StreamProxy]:
-    """What puts a proxy around the stream `sys.NAME`."""
+    """The function that puts a proxy around the stream `sys.NAME`."""
     return lambda real: StreamProxy(name, real)
 
 

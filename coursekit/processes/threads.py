@@ -28,7 +28,7 @@ SWITCH_INTERVAL = 0.0005
 
 
 def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], None]:
-    """What the thread runs: its own `run`, in a copy of the present context."""
+    """The thread's function: its own `run`, in a copy of the present context."""
     run = thread.run
     context = contextvars.copy_context()
 
@@ -91,7 +91,7 @@ def _end_pool_with(process: Process, thread: threading.Thread) -> None:
 
 
 class _EndedHandle:
-    """What a thread has from Python 3.13 on to ask the system whether it has ended."""
+    """The handle by which a thread from Python 3.13 on asks the system whether it has ended."""
 
     ident = 0
 

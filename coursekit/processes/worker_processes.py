@@ -138,7 +138,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def patches() -> list[Patch]:
-    """What is lent to multiprocessing."""
+    """The replacements in multiprocessing."""
     return _PATCHES
 
 

@@ -33,7 +33,7 @@ class UnknownRosArguments(RosArgumentsError):
 
 @dataclass(frozen=True)
 class RosArguments:
-    """What a command line says to nodes: `unparsed` words are not ROS's, `warnings` are for people."""
+    """A command line's words for nodes: `unparsed` words are not ROS's, `warnings` are for people."""
 
     remaps: tuple[Remap, ...] = ()
     layers: tuple[Overrides, ...] = ()

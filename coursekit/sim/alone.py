@@ -1,4 +1,4 @@
-"""What only one thread may do at a time: C walks through lists of bodies that another thread would change meanwhile."""
+"""A lock for one thread at a time: C walks through lists of bodies that another thread would change meanwhile."""
 
 from __future__ import annotations
 

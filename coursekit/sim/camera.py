@@ -43,7 +43,7 @@ class Ball:
 
 
 class Scene:
-    """What the camera sees.
+    """A camera's picture.
 
     >>> scene = Scene()
     >>> image = scene.render(1.5, width=320, height=240)

@@ -1,4 +1,4 @@
-"""What touches what: shapes at different heights pass each other, robots know what they touch, the floor brakes."""
+"""Contacts: shapes at different heights pass each other, robots know what they touch, the floor brakes."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _robots(arbiter: pymunk.Arbiter) -> Iterator[tuple[Any, Any]]:
 
 
 def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
-    """What a shape would meet, and how deep (below 0)."""
+    """The shapes that a shape would meet, and how deep (below 0)."""
     middle = shape.cache_bb().center()
     for hit in space.shape_query(shape):
         yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
@@ -57,7 +57,7 @@ def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
 
 
 def drag(body: pymunk.Body, friction: float, seconds: float) -> None:
-    """What the floor takes from a thing that slides on it for a while."""
+    """The impulse that the floor takes from a thing that slides on it for a while."""
     speed, most = body.velocity.length, friction * GRAVITY * seconds
     body.velocity = body.velocity * max(0.0, 1.0 - most / speed) if speed else (0.0, 0.0)
     turn = body.angular_velocity

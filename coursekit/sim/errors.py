@@ -1,4 +1,4 @@
-"""What is wrong with a world: the file, the place in it, and the cure."""
+"""Errors in a world: the file, the place in it, and the cure."""
 
 from __future__ import annotations
 

@@ -78,7 +78,7 @@ class Lidar:
         return ranges
 
     def measure(self, ranges: Array, chance: np.random.Generator) -> Array:
-        """What it reports: in its own order, noisy; inf for nothing, -inf for nearer than `range_min` (as REP 117 says)."""
+        """The measured ranges, noisy and in its own order; inf for nothing, -inf for nearer than `range_min` (REP 117)."""
         if (self.step < 0) != self.upside_down:
             ranges = ranges[::-1]
         seen = ranges.copy()

@@ -14,7 +14,7 @@ class Reach:
     upper: float = math.inf
     velocity: float = math.inf
     effort: float = 0.0
-    """What it can push [Nm or N], 0 where nothing is told."""
+    """Its largest effort [Nm or N], 0 where none is given."""
 
     def speed_of(self, effort: float) -> float:
         """How fast an effort moves the joint: as against a viscous brake, so that all it can push gives all its speed."""

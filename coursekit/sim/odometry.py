@@ -12,7 +12,7 @@ from coursekit.geometry.plane import Pose2D
 
 @dataclass(frozen=True)
 class Drift:
-    """What is wrong with an odometer. All zeros: it is as exact as the wheels' grip.
+    """The errors of an odometer. All zeros: it is as exact as the wheels' grip.
 
     `slip` is the share of each turn that wheels turn in vain (a turn is over-estimated by it), `bias` the error of the
     wheels' size (a way is over-estimated by it), `curl` what it turns for each metre without knowing [rad/m]; `way_noise`
@@ -29,7 +29,7 @@ class Drift:
 
     @classmethod
     def usual(cls, size: float = 1.0) -> Drift:
-        """What a small robot on a smooth floor has, times `size`.
+        """The errors of a small robot on a smooth floor, times `size`.
 
         >>> Drift.usual(0.0) == Drift()
         True

@@ -15,7 +15,7 @@ from .rays import carry
 
 
 class OutlineScene:
-    """What stands fast, once; what moves, in the frames of its bodies."""
+    """The outlines of fixed things, once; those of moving things in the frames of their bodies."""
 
     def __init__(self, fixed: Sequence[Cut], moving: Sequence[tuple[Any, Cut]]) -> None:
         self.fixed = join(list(fixed))

@@ -1,4 +1,4 @@
-"""What things are made of: solids that can be cut at a height, as a LiDAR does.
+"""The solids that things are made of: they can be cut at a height, as a LiDAR does.
 
 A cut is what a plane parallel to the floor meets: edges (n, 4) as x1, y1, x2, y2 and circles (m, 3) as x, y, radius [m].
 """

@@ -24,7 +24,7 @@ class Push:
     along: bool = False
     """Whether x points where the body looks, instead of along the world's x."""
     label: str = ""
-    """What it is to be ended by."""
+    """The event that ends it."""
 
     @property
     def finite(self) -> bool:

@@ -75,7 +75,7 @@ class Robot:
         self.motors = Motors(self.angles, model.reach)
         self.odometer = Odometer(model.drift, seed)
         self.contacts: dict[str, int] = {}
-        """What it touches now, by name, and at how many places."""
+        """The things that it touches now, by name, and at how many points."""
         self.restart()
 
     def restart(self) -> None:

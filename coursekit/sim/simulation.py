@@ -219,7 +219,7 @@ class Simulation:
             self.now_ns = 0
 
     def fixed_things(self) -> list[Thing]:
-        """What stands fast, where it stands now."""
+        """The fixed things, at their present poses."""
         return list(self._fixed.values())
 
     def _changed(self) -> None:
@@ -267,7 +267,7 @@ class Simulation:
         return self.scene(lidar.height).look(lidar, at, one.body if one is not None else None)
 
     def scene(self, height: float) -> OutlineScene:
-        """What is there at a height, kept until something comes or goes."""
+        """The outlines at a height, kept until something comes or goes."""
         if height not in self._scenes:
             fixed = [thing.cut(height).moved(thing.place) for thing in self._fixed.values()]
             loose = [(body, thing.cut(height)) for thing, body in self.things.values()]

@@ -32,7 +32,7 @@ def normalize_angle(angle: float) -> float:
 
 @dataclass
 class Pen:
-    """What a turtle draws with: colour 0 to 255, width in pixels."""
+    """A turtle's pen: colour 0 to 255, width in pixels."""
 
     r: int = 179
     g: int = 184

@@ -1,4 +1,4 @@
-"""What a camera in a world sees: upright walls column by column with their textures, floor and sky."""
+"""The picture of a camera in a world: upright walls column by column with their textures, floor and sky."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a camera can see of a simulation: upright edges with their looks, kept until something comes or goes."""
+"""The things that a camera can see of a simulation: upright edges with their looks, kept until something comes or goes."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from .parts import Cut, Part, join
 from .walk import Walk
 
 TEXTURES = ("plain", "brick", "concrete", "wood", "crates", "metal", "stripes", "tiles", "door", "hedge")
-"""What walls can look like to a camera."""
+"""The looks of walls for a camera."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class World:
     floor: str = "tiles"
     file: str = ""
     notes: tuple[str, ...] = ()
-    """What the file has that is not simulated, one sentence each."""
+    """The parts of the file that are not simulated, one sentence each."""
     models: dict[str, Pose2D] = field(default_factory=dict)
     """Names that a user asks for (a model of a Gazebo file), with their places, also where nothing of them can be met."""
     globe: Globe | None = None

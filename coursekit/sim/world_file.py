@@ -71,7 +71,7 @@ def load_world(path: str | Path) -> World:
 
 
 def world_text(path: str | Path) -> str:
-    """What stands in a world's file. Raises WorldError when it cannot be read."""
+    """The content of a world's file. Raises WorldError when it cannot be read."""
     file = Path(path)
     try:
         return read_text(file)

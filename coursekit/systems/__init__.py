@@ -1,1 +1,1 @@
-"""What differs between Linux, macOS and Windows: nothing else asks which system it is, or uses what only one of them has."""
+"""The differences between Linux, macOS and Windows: no other room asks for the system, or uses parts of only one."""

@@ -12,7 +12,7 @@ from typing import Any
 from . import which
 
 CTRL_BREAK: int = getattr(signal, "CTRL_BREAK_EVENT", 1)
-"""What stands for Ctrl-C on Windows, where Ctrl-C itself goes to nobody or to everybody of a console."""
+"""The signal in place of Ctrl-C on Windows, where Ctrl-C itself goes to nobody or to all of a console."""
 _NEW_GROUP: int = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0x200)
 
 

@@ -1,4 +1,4 @@
-"""What kind of computer this is, where the course has to know."""
+"""The kind of this computer, where the course has to know it."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from typing import Any
 from . import which
 
 SPECIAL = ("\0", "\xe0")
-"""What comes before the code of a key that is no character; the second is a letter, too."""
+"""The codes that come before that of a key that is no character; the second is a letter, too."""
 SENT = {
     "H": "\x1b[A",
     "P": "\x1b[B",
@@ -49,7 +49,7 @@ def key() -> str:
 
 
 def sent_for(special: str, code: str) -> str:
-    """What a terminal sends for a key that msvcrt gives as these two."""
+    """The characters that a terminal sends for a key that msvcrt gives as these two."""
     return SENT.get(code, "") if special in SPECIAL else special + code
 
 

@@ -76,7 +76,7 @@ class Keyboard:
                 tty.setcbreak(self._number)
 
     def read(self) -> bytes:
-        """What was typed, empty at the end; in the background it waits."""
+        """The typed characters, empty at the end; in the background it waits."""
         while True:
             self._set()
             if self._is_console and (key := self._key_of_console()):

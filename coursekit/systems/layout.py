@@ -30,7 +30,7 @@ def is_executables_part(path: Path) -> bool:
 
 
 def python_script(path: Path) -> Path:
-    """What Python runs for an executable: NAME-script.py for the NAME.exe that setuptools writes, else the file itself."""
+    """The file that Python runs for an executable: NAME-script.py for setuptools' NAME.exe, else the file itself."""
     script = path.with_name(path.stem + _SCRIPT)
     return script if path.suffix == ".exe" and script.is_file() else path
 

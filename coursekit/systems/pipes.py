@@ -79,7 +79,7 @@ def never_wait(pipe: int) -> None:
 
 
 def read_now(pipe: int, size: int) -> bytes:
-    """What is there, at most so many bytes, empty at the end; BlockingIOError when nothing has come yet."""
+    """At most so many bytes, empty at the end; BlockingIOError when nothing has come yet."""
     if which.WINDOWS and not peek(pipe):
         raise BlockingIOError
     return os.read(pipe, size)

@@ -47,7 +47,7 @@ def is_root() -> bool:
 
 
 def user_name() -> str:
-    """What the user's own files are told apart by, where several share a folder."""
+    """The part of a file's name that tells users apart, where several share a folder."""
     return os.environ.get("USERNAME", "user") if which.WINDOWS else str(os.getuid())
 
 

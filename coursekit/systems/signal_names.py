@@ -40,7 +40,7 @@ def signal_called(which: str | int) -> signal.Signals:
 
 
 def described(signum: int) -> str:
-    """What a shell says of a program that this signal ended.
+    """A shell's words about a program that this signal ended.
 
     >>> described(9)
     'Killed'

@@ -1,4 +1,4 @@
-"""What people type and press on this computer: messages ask here, and name what its shells and keyboard have."""
+"""The words and keys of this computer: messages ask here, and name those that its shells and keyboard have."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from . import which
 
 
 def source_workspace() -> str:
-    """What makes a terminal know a workspace, in its folder, after a build.
+    """The line that makes a terminal know a workspace, in its folder, after a build.
 
     >>> source_workspace()
     'source install/setup.bash'
@@ -17,7 +17,7 @@ def source_workspace() -> str:
 
 
 def set_variable(name: str, value: str) -> str:
-    """What gives an environment variable a value, for what is started next in the same terminal.
+    """The line that sets an environment variable for programs that are started next in the same terminal.
 
     >>> set_variable("ROS_DOMAIN_ID", "7")
     'export ROS_DOMAIN_ID=7'
@@ -26,7 +26,7 @@ def set_variable(name: str, value: str) -> str:
 
 
 def install(requirement: str) -> str:
-    """What installs a package: marks that bash, zsh, PowerShell and cmd all take for quotation marks.
+    """The line that installs a package: bash, zsh, PowerShell and cmd all take its marks for quotation marks.
 
     >>> install("setuptools<80")
     'pip install "setuptools<80"'

@@ -1,1 +1,1 @@
-"""What several sensors say about a motion, together: Kalman filters of 15 numbers in three dimensions."""
+"""The measurements of several sensors of a motion, put together: Kalman filters of 15 numbers in three dimensions."""

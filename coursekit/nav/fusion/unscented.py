@@ -42,7 +42,7 @@ class Ukf(Ekf):
         return np.vstack([state, state + root, state - root])
 
     def _offsets(self, states: Array) -> Array:
-        """What states differ from the first, angles the short way round."""
+        """The differences of states from the first, angles the short way round."""
         off = states - states[0]
         off[:, ANGLES] = wrap(off[:, ANGLES])
         return off

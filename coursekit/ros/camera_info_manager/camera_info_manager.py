@@ -21,11 +21,11 @@ _MATRICES = {"camera_matrix": ("k", 3, 3), "rectification_matrix": ("r", 3, 3), 
 
 
 UNREADABLE = (ValueError, RecursionError, yaml.YAMLError, LookupError, TypeError, AttributeError, AssertionError)
-"""What a text that holds no calibration raises."""
+"""The errors of a text that holds no calibration."""
 
 
 class CameraInfoError(Exception):
-    """What calibrations raise."""
+    """Errors of calibrations."""
 
 
 class CameraInfoMissingError(CameraInfoError):

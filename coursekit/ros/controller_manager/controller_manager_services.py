@@ -58,7 +58,7 @@ def list_hardware_components(node: Any, controller_manager_name: str, service_ti
 
 
 def list_hardware_interfaces(node: Any, controller_manager_name: str, service_timeout: float = 10.0) -> Any:
-    """What can be written and read."""
+    """The interfaces for commands and states."""
     return _ask(node, controller_manager_name, ListHardwareInterfaces, "list_hardware_interfaces", service_timeout)
 
 

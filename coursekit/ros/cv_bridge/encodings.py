@@ -26,7 +26,7 @@ class UnknownEncoding(ValueError):
 
 @dataclass(frozen=True)
 class Encoding:
-    """What one pixel is: `kind` is its order of colours ('bgr', 'bayer_rggb', ...), '' for plain numbers."""
+    """The type of one pixel: `kind` is its order of colours ('bgr', 'bayer_rggb', ...), '' for plain numbers."""
 
     name: str
     depth: str

@@ -23,7 +23,7 @@ class LaserProjection:
     LASER_SCAN_MAX_RANGE = -3.0
 
     class ChannelOption(IntEnum):
-        """What is told of a point beside its place; add them up."""
+        """The values of a point beside its position; add them up."""
 
         NONE = 0x00
         INTENSITY = 0x01
@@ -50,7 +50,7 @@ class LaserProjection:
         return _cloud(scan_in, points, kinds)
 
     def _channels(self, scan: LaserScan, index: np.ndarray, kept: np.ndarray, options: int) -> dict[str, np.ndarray]:
-        """What is asked for beside the place, in the order in which it is stored."""
+        """The requested values beside the position, in the order in which they are stored."""
         option, made = self.ChannelOption, {}
         if options & option.INTENSITY and len(scan.intensities) >= len(scan.ranges) > 0:
             made["intensity"] = np.asarray(scan.intensities, np.float64)[index]

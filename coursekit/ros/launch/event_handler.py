@@ -34,7 +34,7 @@ class BaseEventHandler:
 
     @property
     def handler_description(self) -> str:
-        """What the handler does; subclasses override it."""
+        """The handler's actions; subclasses override it."""
         return "{}"
 
     @property
@@ -78,7 +78,7 @@ class EventHandler(BaseEventHandler):
 
     @property
     def entities(self) -> Any:
-        """What is visited when an event matches."""
+        """The entities that are visited when an event matches."""
         return self.__entities
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:

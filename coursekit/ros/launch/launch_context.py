@@ -1,4 +1,4 @@
-"""What a launch knows while it runs: configurations, environment, locals, handlers and events."""
+"""A launch's state while it runs: configurations, environment, locals, handlers and events."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class LaunchDescription(LaunchDescriptionEntity):
-    """What `generate_launch_description()` returns: entities that are visited in order."""
+    """The result of `generate_launch_description()`: entities that are visited in order."""
 
     def __init__(
         self,

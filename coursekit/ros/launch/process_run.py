@@ -73,7 +73,7 @@ class ProcessRun:
             self.__loop.call_soon_threadsafe(self.__emit_output, context=self.__here)
 
     def __emit_output(self) -> None:
-        """What was written since the last time is one event, as what lies in a pipe is."""
+        """All output since the last time is one event, as the content of a pipe is."""
         self.__emits = False  # first: what is written from now on is told by another call
         pieces = [self.__pieces.popleft() for _ in range(len(self.__pieces))]
         for stream, group in groupby(pieces, itemgetter(0)):

@@ -1,4 +1,4 @@
-"""What may stand where a launch file takes actions: one of them, or several."""
+"""The type of actions in a launch file: one of them, or several."""
 
 from __future__ import annotations
 

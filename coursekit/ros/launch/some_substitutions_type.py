@@ -1,4 +1,4 @@
-"""What may stand where a launch file takes a substitution: text, a substitution, or a list of both."""
+"""The type of a substitution in a launch file: text, a substitution, or a list of both."""
 
 from __future__ import annotations
 

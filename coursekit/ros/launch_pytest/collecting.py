@@ -17,7 +17,7 @@ NO_FIXTURE = '"fixture" keyword argument is required in a pytest.mark.launch() d
 
 @dataclass
 class LaunchTest:
-    """What is known of an item: its fixture, whether it comes after the launch, and the other half of a generator."""
+    """The facts of an item: its fixture, whether it comes after the launch, and the other half of a generator."""
 
     fixture: LaunchFixture
     shutdown: bool
@@ -79,7 +79,7 @@ def put_after(items: list[Any]) -> None:
 
 
 def _launch_of(item: Any) -> tuple[Any, ...] | None:
-    """What tests of one launch have in common; None for those that have one of their own, or none."""
+    """The common launch of tests; None for those that have one of their own, or none."""
     test = getattr(item, ATTRIBUTE, None)
     if test is None or test.fixture.scope == "function":
         return None

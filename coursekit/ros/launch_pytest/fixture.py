@@ -15,7 +15,7 @@ SCOPES = ("function", "class", "module", "package", "session")
 
 @dataclass(frozen=True)
 class LaunchFixture:
-    """What is known of a fixture that launches."""
+    """The facts of a fixture that launches."""
 
     name: str
     scope: str

@@ -1,4 +1,4 @@
-"""What may be given as parameters of a node."""
+"""The type of a node's parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What may be given as remappings of a node: (from, to) pairs."""
+"""The type of a node's remappings: (from, to) pairs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the launched processes have printed."""
+"""The output of the launched processes."""
 
 from __future__ import annotations
 

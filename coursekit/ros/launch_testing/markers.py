@@ -52,7 +52,7 @@ def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[Cal
 
 
 class _Failures:
-    """What one attempt of a unittest case recorded apart from what it raised: the failures of its sub-tests."""
+    """The failures of sub-tests in one attempt of a unittest case, apart from the exception that it raised."""
 
     def __init__(self, case: Any) -> None:
         self.outcome = getattr(case, "_outcome", None)

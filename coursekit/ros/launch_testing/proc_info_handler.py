@@ -44,7 +44,7 @@ class ProcInfoHandler:
 
 
 class ActiveProcInfoHandler:
-    """What is known of processes that still run; their start and end may be waited for."""
+    """The facts of processes that still run; their start and end may be waited for."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()

@@ -1,4 +1,4 @@
-"""What filters have in common, and the first of a chain: a subscription."""
+"""The common part of filters, and the first of a chain: a subscription."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a robot's outline costs on a costmap. In ROS 2: nav2_simple_commander.footprint_collision_checker."""
+"""The cost of a robot's outline on a costmap. In ROS 2: nav2_simple_commander.footprint_collision_checker."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a BasicNavigator asks others for: tasks, one at a time, and services."""
+"""A BasicNavigator's requests to others: tasks, one at a time, and services."""
 
 from __future__ import annotations
 

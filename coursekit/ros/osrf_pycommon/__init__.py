@@ -1,4 +1,4 @@
-"""What launch's programs take from osrf_pycommon."""
+"""The parts of osrf_pycommon that launch's programs use."""
 
 from . import process_utils, terminal_color  # programs that have imported launch find them without an import of their own
 

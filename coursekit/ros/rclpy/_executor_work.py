@@ -1,4 +1,4 @@
-"""What an executor does next: ready entities and tasks, and the waiting for them.
+"""An executor's next work: ready entities and tasks, and the waiting for them.
 
 Ready entities stand in a queue (`coursekit.core.ready_queue`), so a wake-up costs the same with two nodes and with two
 hundred; real rclpy asks every entity in every cycle.
@@ -45,7 +45,7 @@ class ExternalShutdownException(Exception):
 
 
 class ConditionReachedException(Exception):
-    """What the caller waited for has come true."""
+    """The condition that the caller waited for has come true."""
 
     __module__ = "rclpy.executors"
 

@@ -23,7 +23,7 @@ NamesAndTypes = list[tuple[str, list[str]]]
 
 
 class NodeGraph:
-    """What a node can ask of the graph."""
+    """A node's questions to the graph."""
 
     _graph_node: Any
 
@@ -105,7 +105,7 @@ class NodeGraph:
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """What is known of the publishers of a topic."""
+        """The publishers of a topic."""
         name = topic_name if no_mangle else self._resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.PUBLISHER
         return [_info(one, kind) for one in list(self._graph.publishers.get(name, ()))]
@@ -113,7 +113,7 @@ class NodeGraph:
     def get_subscriptions_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """What is known of the subscriptions to a topic."""
+        """The subscriptions to a topic."""
         name = topic_name if no_mangle else self._resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.SUBSCRIPTION
         return [_info(one, kind) for one in list(self._graph.subscriptions.get(name, ()))]

@@ -1,4 +1,4 @@
-"""What declarations of parameters must look like, and which values their ranges allow."""
+"""The form of parameters' declarations, and the values that their ranges allow."""
 
 from __future__ import annotations
 

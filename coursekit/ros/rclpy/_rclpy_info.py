@@ -1,4 +1,4 @@
-"""What comes with a message, request or response: its bytes, times and numbers."""
+"""The information with a message, request or response: its bytes, times and numbers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class RequestInfo:
 
 @dataclass
 class ServiceInfo:
-    """What is known of a request or response."""
+    """The information about a request or response."""
 
     request_id: Any
     source_timestamp: int
@@ -38,6 +38,6 @@ def as_bytes(msg: Any) -> bytes:
 
 
 def message_info(entry: tuple[Any, int, Any]) -> dict[str, Any]:
-    """What a subscription callback's second argument holds."""
+    """The second argument of a subscription's callback."""
     _, stamp, publisher = entry
     return {"source_timestamp": stamp, "received_timestamp": stamp, "publisher_gid": publisher.gid}

@@ -54,7 +54,7 @@ class ClockType(_Named):
 
 
 class ClockChange(_Named):
-    """What happened to a clock when it jumped."""
+    """The kind of a clock's jump."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2

@@ -24,7 +24,7 @@ from rclpy._wait_set import WaitSet as WaitSet
 
 
 class Handle:
-    """What `entity.handle` gives: valid until destroyed, usable in a `with` block."""
+    """The type of `entity.handle`: valid until destroyed, usable in a `with` block."""
 
     def __init__(self, core: Any) -> None:
         self.core = core
@@ -267,7 +267,7 @@ class NodeHandle(Handle):
 
 
 def __getattr__(name: str) -> Any:
-    """What is defined above this module: Humble's QoSEvent, which later ROS calls EventHandle, and QoS profiles."""
+    """The names that are defined above this module: Humble's QoSEvent, later EventHandle, and QoS profiles."""
     if name in ("QoSEvent", "EventHandle"):
         from rclpy.event_handler import QoSEvent
 

@@ -16,7 +16,7 @@ from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSAr
 
 
 class ContextHandle:
-    """What an initialised context holds: its arguments, its graph and its nodes."""
+    """An initialised context's content: its arguments, its graph and its nodes."""
 
     def __init__(self, args: list[str], domain_id: int) -> None:
         self.arguments = _parse(args)

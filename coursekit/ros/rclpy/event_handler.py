@@ -147,7 +147,7 @@ class QoSEvent(Handle):
         super().__init__(parent.core.status(kind))
 
     def take_event(self) -> Any:
-        """What has happened since the last time."""
+        """The changes since the last time."""
         return self._read(self.core.take())
 
 
@@ -167,7 +167,7 @@ class EventHandler(Waitable):
         return self._event.core.has_work()
 
     def take_data(self) -> Any:
-        """What has happened."""
+        """The event."""
         return self._event.take_event()
 
     async def execute(self, taken_data: Any) -> None:
@@ -202,7 +202,7 @@ def _warn(logger_name: str, text: str) -> Callable[[Any], None]:
 
 
 class _EventCallbacks:
-    """What both sides share."""
+    """The common part of both sides."""
 
     _warning = ""
     _names: tuple[tuple[str, Any], ...] = ()

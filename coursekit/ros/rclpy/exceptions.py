@@ -1,4 +1,4 @@
-"""What rclpy raises. In ROS 2: rclpy.exceptions, Humble's argument tuples."""
+"""rclpy's exceptions. In ROS 2: rclpy.exceptions, Humble's argument tuples."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ class Parameter:
     """
 
     class Type(IntEnum):
-        """What a parameter holds."""
+        """A parameter's type."""
 
         NOT_SET = ParameterType.PARAMETER_NOT_SET
         BOOL = ParameterType.PARAMETER_BOOL
@@ -118,7 +118,7 @@ class Parameter:
 
     @property
     def type_(self) -> Parameter.Type:
-        """What the parameter holds."""
+        """The parameter's value."""
         return self._type_
 
     @property

@@ -149,7 +149,7 @@ class _Policy:
 
 
 class QoSProfile:
-    """What a publisher offers or a subscription asks for.
+    """A publisher's offer or a subscription's request.
 
     `history` or `depth` must be given; KEEP_LAST needs a depth. Raises InvalidQoSProfileException.
 
@@ -251,7 +251,7 @@ qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPol
 
 
 class PredefinedProfiles:
-    """What programs know as rmw_qos_profile_t of rclpy's C module."""
+    """The class that programs know as rmw_qos_profile_t of rclpy's C module."""
 
     @staticmethod
     def predefined(name: str) -> QoSProfile:

@@ -59,7 +59,7 @@ class QoSOverridingOptions:
 
     @property
     def entity_id(self) -> str | None:
-        """What tells entities of one topic apart."""
+        """The word that tells entities of one topic apart."""
         return self._entity_id
 
     @classmethod

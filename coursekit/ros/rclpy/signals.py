@@ -117,12 +117,12 @@ _HANDLERS = Change(
 
 
 def patches() -> list[Change]:
-    """What `rclpy.init` changes in a plain interpreter."""
+    """The changes of `rclpy.init` in a plain interpreter."""
     return [_HANDLERS]
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """What is reacted to now."""
+    """The signals that are reacted to now."""
     process = current_process()
     options = _interpreter["options"] if process is None else process.locals.get("signal_options", 0)
     return SignalHandlerOptions(options)

@@ -19,7 +19,7 @@ class Subscription:
     """Made by `Node.create_subscription`."""
 
     class CallbackType(Enum):
-        """What the callback takes."""
+        """The kinds of callbacks, by their arguments."""
 
         MessageOnly = 0
         WithMessageInfo = 1
@@ -50,7 +50,7 @@ class Subscription:
 
     @property
     def callback(self) -> Callable[..., Any]:
-        """What is called with each message."""
+        """The function that is called with each message."""
         return self._callback
 
     @callback.setter

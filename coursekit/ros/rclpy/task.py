@@ -148,7 +148,7 @@ class Task(Future):
         self._executing = False
         self._task_lock = threading.Lock()
         self.awaits: Future | None = None
-        """What a coroutine waits for; None when it asked to be resumed as soon as possible."""
+        """The future that a coroutine waits for; None when it asked to be resumed as soon as possible."""
 
     def __call__(self) -> None:
         """Run until it is done, or until a coroutine has to wait."""

@@ -1,4 +1,4 @@
-"""What the graph knows of one publisher or subscription."""
+"""The graph's knowledge of one publisher or subscription."""
 
 from __future__ import annotations
 

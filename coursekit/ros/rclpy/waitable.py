@@ -94,7 +94,7 @@ class Waitable:
     # -- how an executor of ours serves it
 
     def _sources(self) -> list[Any]:
-        """What makes it ready; the handles are collected once."""
+        """The entities that make it ready; the handles are collected once."""
         if self._wait_set is None:
             self._wait_set = WaitSet()
             self.add_to_wait_set(self._wait_set)

@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 action`."""
+"""`ros2 action` for programs and tests."""

@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 bag`."""
+"""`ros2 bag` for programs and tests."""

@@ -1,1 +1,1 @@
-"""What programs and tests import of ROS 2's command line."""
+"""ROS 2's command line for programs and tests."""

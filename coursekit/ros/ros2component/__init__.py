@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 component`."""
+"""`ros2 component` for programs and tests."""

@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 doctor`."""
+"""`ros2 doctor` for programs and tests."""

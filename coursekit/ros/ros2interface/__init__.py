@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 interface`."""
+"""`ros2 interface` for programs and tests."""

@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 lifecycle`."""
+"""`ros2 lifecycle` for programs and tests."""

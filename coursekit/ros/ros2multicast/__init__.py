@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 multicast`."""
+"""`ros2 multicast` for programs and tests."""

@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 node`."""
+"""`ros2 node` for programs and tests."""

@@ -73,7 +73,7 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
 
 
 def get_topics(remote_node_name: str, func: Any, *, include_hidden_topics: bool = False) -> list[TopicInfo]:
-    """What `func(name, namespace)` gives for a node, as TopicInfo."""
+    """The result of `func(name, namespace)` for a node, as TopicInfo."""
     remote = parse_node_name(remote_node_name)
     found = [TopicInfo(name, types) for name, types in func(remote.name, remote.namespace)]
     return [one for one in found if include_hidden_topics or not topic_or_service_is_hidden(one.name)]

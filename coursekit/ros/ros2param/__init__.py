@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 param`."""
+"""`ros2 param` for programs and tests."""

@@ -1,1 +1,1 @@
-"""What `ros2 pkg` offers to Python programs, in `ros2pkg.api`."""
+"""`ros2 pkg` for Python programs: `ros2pkg.api`."""

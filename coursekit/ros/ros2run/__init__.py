@@ -1,1 +1,1 @@
-"""What `ros2 run` offers to Python programs, in `ros2run.api`."""
+"""`ros2 run` for Python programs: `ros2run.api`."""

@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 service`."""
+"""`ros2 service` for programs and tests."""

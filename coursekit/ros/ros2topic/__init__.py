@@ -1,1 +1,1 @@
-"""What programs and tests import of `ros2 topic`."""
+"""`ros2 topic` for programs and tests."""

@@ -7,7 +7,7 @@ from enum import Enum
 
 
 class CompressionMode(Enum):
-    """What is compressed."""
+    """The unit of compression."""
 
     NONE = 0
     FILE = 1

@@ -1,4 +1,4 @@
-"""What a bag says of itself. In ROS 2: rosbag2_py._info."""
+"""A bag's metadata. In ROS 2: rosbag2_py._info."""
 
 from __future__ import annotations
 

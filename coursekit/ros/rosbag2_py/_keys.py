@@ -13,7 +13,7 @@ from coursekit.processes.session import current
 
 SPACE, RIGHT, UP, DOWN = " ", "\x1b[C", "\x1b[A", "\x1b[B"
 NAMES = {SPACE: "SPACE", RIGHT: "CURSOR_RIGHT", UP: "CURSOR_UP", DOWN: "CURSOR_DOWN"}
-"""What rosbag2 calls the keys."""
+"""rosbag2's names of the keys."""
 _CTRL_C = "\x03"
 
 

@@ -87,7 +87,7 @@ def _duration(value: Any) -> Duration:
 
 
 def request_for(topic: str, offers: list[QoSProfile], warn: Callable[[str], Any]) -> QoSProfile:
-    """What a recorder asks for, so that it hears all publishers of a topic."""
+    """A recorder's request, so that it hears all publishers of a topic."""
     reliable = sum(one.reliability == ReliabilityPolicy.RELIABLE for one in offers)
     latched = sum(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in offers)
     if 0 < reliable < len(offers):
@@ -110,7 +110,7 @@ def request_for(topic: str, offers: list[QoSProfile], warn: Callable[[str], Any]
 
 
 def offer_for(topic: str, recorded: list[QoSProfile], warn: Callable[[str], Any]) -> QoSProfile:
-    """What a player offers: what the recorded publishers offered, where they agreed."""
+    """A player's offer: that of the recorded publishers, where they agreed."""
     if not recorded:
         return default_profile()
     first = recorded[0]

@@ -74,7 +74,7 @@ class SequentialReader:
         return tuple(message)  # type: ignore[return-value]
 
     def get_metadata(self) -> BagMetadata:
-        """What the bag says of itself."""
+        """The bag's metadata."""
         return BagMetadata.of(self._opened().facts)
 
     def get_all_topics_and_types(self) -> list[TopicMetadata]:

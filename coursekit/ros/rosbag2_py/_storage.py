@@ -71,7 +71,7 @@ class StorageFilter:
 
 
 class ReadOrderSortBy(IntEnum):
-    """What messages are sorted by."""
+    """The order of messages."""
 
     ReceivedTimestamp = 0
     PublishedTimestamp = 1

@@ -44,7 +44,7 @@ class PlayOptions:
 
 @dataclass
 class RecordOptions:
-    """What is recorded, and how."""
+    """The options of recording."""
 
     all: bool = False
     is_discovery_disabled: bool = False

@@ -1,4 +1,4 @@
-"""What interfaces exist, and messages as text and dictionaries."""
+"""The known interfaces, and messages as text and dictionaries."""
 
 from rosidl_runtime_py.convert import message_to_csv, message_to_ordereddict, message_to_yaml
 from rosidl_runtime_py.get_interfaces import (

@@ -1,4 +1,4 @@
-"""What every source of transforms offers, and the register of what can be transformed."""
+"""The interface of every source of transforms, and the register of types that can be transformed."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ class AppendEnvironmentVariable(NamedValueAction):
 
     @property
     def separator(self) -> list[Substitution]:
-        """What stands between old and new, as substitutions."""
+        """The text between old and new, as substitutions."""
         return self.__separator
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:

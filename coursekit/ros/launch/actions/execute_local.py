@@ -87,7 +87,7 @@ class ExecuteLocal(Action):
 
     @property
     def process_description(self) -> Executable:
-        """What is started."""
+        """The executable that is started."""
         return self.__description
 
     @property
@@ -196,7 +196,7 @@ class ExecuteLocal(Action):
         ]
 
     def __on_request(self, kind: type[Event], reaction: Callable[..., Any]) -> EventHandler:
-        """What handles events of a class that name this process."""
+        """The handler of events of a class that name this process."""
         return EventHandler(
             matcher=lambda event: isinstance(event, kind) and cast(Any, event).process_matcher(self),
             entities=reaction,

@@ -122,7 +122,7 @@ class ExecuteProcess(ExecuteLocal):
 
     @property
     def additional_env(self) -> Any:
-        """What is added to the environment, as substitutions."""
+        """The variables that are added to the environment, as substitutions."""
         return self.process_description.additional_env
 
 

@@ -1,4 +1,4 @@
-"""What actions share that set or unset something by its name."""
+"""The common part of actions that set or unset something by its name."""
 
 from __future__ import annotations
 

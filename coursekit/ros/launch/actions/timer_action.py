@@ -58,7 +58,7 @@ class TimerAction(Action):
 
     @property
     def actions(self) -> list[LaunchDescriptionEntity]:
-        """What is done."""
+        """The actions that follow."""
         return self.__actions
 
     def describe(self) -> str:

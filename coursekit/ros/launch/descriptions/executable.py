@@ -58,7 +58,7 @@ class Executable:
 
     @property
     def prefix(self) -> list[Substitution]:
-        """What goes before the command, as substitutions."""
+        """The words before the command, as substitutions."""
         return self.__prefix
 
     @property
@@ -78,7 +78,7 @@ class Executable:
 
     @property
     def additional_env(self) -> EnvironmentPairs | None:
-        """What is added to the environment, as substitutions."""
+        """The variables that are added to the environment, as substitutions."""
         return self.__additional_env
 
     @property

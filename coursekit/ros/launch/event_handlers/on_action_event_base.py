@@ -77,7 +77,7 @@ class OnActionEventBase(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """What is done, in words."""
+        """The handler's actions, in words."""
         return "a function" if callable(self.__on_event) else f"{as_entities(self.__on_event)}"
 
     @property

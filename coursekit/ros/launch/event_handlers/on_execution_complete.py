@@ -1,4 +1,4 @@
-"""What to do when an action is done."""
+"""Actions when an action is done."""
 
 from __future__ import annotations
 

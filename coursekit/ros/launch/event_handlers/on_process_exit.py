@@ -1,4 +1,4 @@
-"""What to do when a process ends."""
+"""Actions when a process ends."""
 
 from __future__ import annotations
 

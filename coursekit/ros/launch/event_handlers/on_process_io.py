@@ -1,4 +1,4 @@
-"""What to do with what a process writes."""
+"""Actions on a process's output."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What to do when a process starts."""
+"""Actions when a process starts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What to do when the launch ends."""
+"""Actions when the launch ends."""
 
 from __future__ import annotations
 

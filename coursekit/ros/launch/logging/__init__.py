@@ -1,4 +1,4 @@
-"""What a launch prints and writes to its log files."""
+"""A launch's output and its log files."""
 
 from . import handlers
 from .config import LaunchConfig, get_logging_directory, launch_config, reset

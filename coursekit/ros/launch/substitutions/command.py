@@ -29,7 +29,7 @@ ON_STDERR = ("fail", "ignore", "warn", "capture")
 
 @expose_substitution("command")
 class Command(Substitution):
-    """What a command prints to its standard output, for example xacro's robot description.
+    """A command's standard output, for example xacro's robot description.
 
     `on_stderr` says what to do when the command also prints to its standard error: 'fail', 'warn',
     'ignore', or 'capture' (then the error output is part of the text).
@@ -57,7 +57,7 @@ class Command(Substitution):
 
     @property
     def on_stderr(self) -> list[Substitution]:
-        """What to do about error output, as substitutions."""
+        """The reaction to error output, as substitutions."""
         return self.__on_stderr
 
     def describe(self) -> str:

@@ -43,7 +43,7 @@ class EnvironmentVariable(Substitution):
 
     @property
     def default_value(self) -> list[Substitution] | None:
-        """What is used when the variable is not set."""
+        """The value when the variable is not set."""
         return self.__default
 
     def describe(self) -> str:

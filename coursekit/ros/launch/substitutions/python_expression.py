@@ -23,7 +23,7 @@ class UnknownNameError(SubstitutionFailure, NameError):
 
 @expose_substitution("eval")
 class PythonExpression(Substitution):
-    """What a Python expression gives, as text; the names of `math` are known in it.
+    """The value of a Python expression, as text; the names of `math` are known in it.
 
     >>> from launch import LaunchContext
     >>> PythonExpression(['1 + ', '2']).perform(LaunchContext())

@@ -1,4 +1,4 @@
-"""What may name a file."""
+"""The type of a file's name."""
 
 from __future__ import annotations
 

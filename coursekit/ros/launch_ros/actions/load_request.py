@@ -1,4 +1,4 @@
-"""What a container is asked for a component."""
+"""The request to a container for a component."""
 
 from __future__ import annotations
 

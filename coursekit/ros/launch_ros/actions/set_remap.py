@@ -37,7 +37,7 @@ class SetRemap(Action):
 
     @property
     def dst(self) -> list[Substitution]:
-        """What it becomes, as substitutions."""
+        """The new name, as substitutions."""
         return self.__dst
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:

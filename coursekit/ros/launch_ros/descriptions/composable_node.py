@@ -77,7 +77,7 @@ class ComposableNode:
 
     @property
     def extra_arguments(self) -> Parameters | None:
-        """What the container is told, for example use_intra_process_comms; it makes no difference here."""
+        """The container's options, for example use_intra_process_comms; they make no difference here."""
         return self.__extra_arguments
 
     def condition(self) -> Condition | None:

@@ -1,4 +1,4 @@
-"""What to do when a lifecycle node changes its state."""
+"""Actions when a lifecycle node changes its state."""
 
 from __future__ import annotations
 

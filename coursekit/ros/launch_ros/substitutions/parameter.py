@@ -15,7 +15,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 @expose_substitution("param")
 class Parameter(Substitution):
-    """What SetParameter gave to a name, as text."""
+    """The value that SetParameter gave to a name, as text."""
 
     def __init__(self, name: SomeSubstitutionsType, *, default: Any = None) -> None:
         super().__init__()
@@ -42,7 +42,7 @@ class Parameter(Substitution):
 
     @property
     def default(self) -> list[Substitution] | None:
-        """What is used when the parameter is not set."""
+        """The value when the parameter is not set."""
         return self.__default
 
     def describe(self) -> str:

@@ -1,4 +1,4 @@
-"""What to leave out of output, and what to expect in it."""
+"""Filters for output, and expectations of it."""
 
 from __future__ import annotations
 

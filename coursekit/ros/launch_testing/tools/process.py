@@ -19,7 +19,7 @@ OutputFilter = Callable[[str], str]
 
 
 class ProcessProxy:
-    """What a test sees of a process: its output, which `output_filter` gets first, and its end."""
+    """A process as a test sees it: its output, which `output_filter` gets first, and its end."""
 
     def __init__(
         self,
@@ -72,17 +72,17 @@ class ProcessProxy:
 
     @property
     def stderr(self) -> str:
-        """What it has written to standard error."""
+        """Its output to standard error."""
         return self._written(lambda event: event.from_stderr)
 
     @property
     def stdout(self) -> str:
-        """What it has written to standard output."""
+        """Its output to standard output."""
         return self._written(lambda event: event.from_stdout)
 
     @property
     def output(self) -> str:
-        """What it has written to both."""
+        """Its output to both."""
         return self._written(lambda event: True)
 
     def _written(self, wanted: Callable[[Any], bool]) -> str:

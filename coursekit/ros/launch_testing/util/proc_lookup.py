@@ -64,7 +64,7 @@ def _is_meant(action: ExecuteLocal, name: str, cmd_args: Sequence[str] | object 
 
 
 def _name_and_args(action: ExecuteLocal) -> str:
-    """What is known of a process, also before it has been launched."""
+    """The facts of a process, also before it has been launched."""
     if action.process_details:
         return " ".join([action.process_details["name"], *action.process_details["cmd"][1:]])
     nowhere = LaunchContext()

@@ -1,4 +1,4 @@
-"""What pytest collects for the mark `rostest`."""
+"""Collecting for pytest: tests with the mark `rostest`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What to leave out of the output of nodes."""
+"""Filters for the output of nodes."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ClientGoalHandle:
-    """What `send_goal_async` gives: whether the goal was accepted, and the way to its result."""
+    """The result of `send_goal_async`: whether the goal was accepted, and the way to its result."""
 
     def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
         self._action_client = action_client

@@ -1,4 +1,4 @@
-"""What the callbacks of an action server answer, and what they are when a program gives none."""
+"""The answers of an action server's callbacks, and the callbacks when a program gives none."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from rclpy.action.goal_handle import ServerGoalHandle
 
 
 class GoalResponse(Enum):
-    """What a goal callback answers."""
+    """A goal callback's answer."""
 
     REJECT = 1
     ACCEPT = 2
 
 
 class CancelResponse(Enum):
-    """What a cancel callback answers."""
+    """A cancel callback's answer."""
 
     REJECT = 1
     ACCEPT = 2

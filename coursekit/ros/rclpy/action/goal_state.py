@@ -10,7 +10,7 @@ from rclpy._rclpy_pybind11 import RCLError
 
 
 class GoalEvent(IntEnum):
-    """What happens to a goal."""
+    """The events of a goal."""
 
     EXECUTE = 0
     CANCEL_GOAL = 1

@@ -1,1 +1,1 @@
-"""What stands where real rclpy has its C++ part."""
+"""The part that real rclpy has in C++."""

@@ -1,4 +1,4 @@
-"""What keeps a line of code from logging every time: once, skip_first, throttle."""
+"""Filters that keep a line of code from logging every time: once, skip_first, throttle."""
 
 from __future__ import annotations
 

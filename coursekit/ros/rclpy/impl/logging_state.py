@@ -1,4 +1,4 @@
-"""What one process knows about logging: levels, where lines go, who listens for /rosout."""
+"""One process's logging: levels, where lines go, who listens for /rosout."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the library below rclpy says of itself: `--log-level rcl:=debug`. In ROS 2: rcl."""
+"""The log lines of the library below rclpy: `--log-level rcl:=debug`. In ROS 2: rcl."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ def remove_rosout(name: str) -> None:
 
 
 class _CallSite:
-    """What a line of code said to the logger the first time: later calls must agree with it."""
+    """The options that a line of code gave the logger the first time: later calls must agree with them."""
 
     __slots__ = ("code", "filters", "name", "severity", "states")
 

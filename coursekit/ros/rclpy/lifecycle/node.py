@@ -26,7 +26,7 @@ _CALLBACKS = {
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """What makes a node a managed one; its callbacks pass each transition on to the entities it manages."""
+    """A managed node: its callbacks pass each transition on to the entities it manages."""
 
     def __init__(self, *, enable_communication_interface: bool = True, callback_group: Any = None) -> None:
         if not isinstance(enable_communication_interface, bool):
@@ -134,7 +134,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return answer
 
     def _change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
-        """What the service does: a client that asks for what cannot be is told so, and the node lives on."""
+        """The service's callback: a client that asks for an impossible transition is told so, and the node lives on."""
         state = self._state_machine.current_state
         try:
             return self._change_state(transition_id)

@@ -1,4 +1,4 @@
-"""What the daemon knows of the graph."""
+"""The daemon's knowledge of the graph."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class DaemonNode:
 
     @property
     def methods(self) -> list[str]:
-        """What it can be asked."""
+        """The names of its functions."""
         return list(_METHODS)
 
     def __getattr__(self, name: str) -> Any:

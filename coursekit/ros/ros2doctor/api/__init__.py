@@ -49,7 +49,7 @@ class DoctorCheck:
     """The base of checks that packages add."""
 
     def category(self) -> str:
-        """What it looks at."""
+        """The name of the check."""
         raise NotImplementedError()
 
     def check(self) -> Result:
@@ -61,7 +61,7 @@ class DoctorReport:
     """The base of reports that packages add."""
 
     def category(self) -> str:
-        """What it reports of."""
+        """The name of the report."""
         raise NotImplementedError()
 
     def report(self) -> Report:

@@ -10,7 +10,7 @@ class TopicCheck(DoctorCheck):
     """Warns of topics with more publishers than subscriptions, or fewer."""
 
     def category(self) -> str:
-        """What it looks at."""
+        """The name of the check."""
         return "topic"
 
     def check(self) -> Result:
@@ -25,7 +25,7 @@ class TopicReport(DoctorReport):
     """The topics, with the number of their publishers and subscriptions."""
 
     def category(self) -> str:
-        """What it reports of."""
+        """The name of the report."""
         return "topic"
 
     def report(self) -> Report:

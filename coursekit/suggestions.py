@@ -1,4 +1,4 @@
-"""What error messages say of a name that is unknown: the known name that was probably meant."""
+"""Suggestions in error messages for a name that is unknown: the known name that was probably meant."""
 
 from __future__ import annotations
 

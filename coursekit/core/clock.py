@@ -49,7 +49,7 @@ class Waiter(Protocol):
 
 
 class Clock(Protocol):
-    """What a session's clock offers."""
+    """The interface of a session's clock."""
 
     virtual: bool
 

@@ -17,7 +17,7 @@ class ProcessKilled(BaseException):
 
 
 class ExecutionContext:
-    """What can be blocked, woken and interrupted.
+    """A thread of a program: it can be blocked, woken and interrupted.
 
     `pending` holds callables that the execution context runs itself, the next time it is about to wait or has waited:
     that is how a Ctrl-C reaches code that sleeps, spins or waits.

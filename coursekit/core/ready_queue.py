@@ -51,7 +51,7 @@ class Source:
 
 
 class ReadyQueue:
-    """What an executor has to do, in the order in which it became ready, and the timers that will be due."""
+    """An executor's work, in the order in which it became ready, and the timers that will be due."""
 
     def __init__(self, clock: Any) -> None:
         self.clock = clock

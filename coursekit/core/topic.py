@@ -79,7 +79,7 @@ class Publisher(Endpoint):
             self._sign_of_life()
 
     def kept(self) -> list[tuple[Any, int]]:
-        """What it still keeps for late joiners: messages and their stamps."""
+        """The messages and stamps that it still keeps for late joiners."""
         return list(self._history or ())
 
     def replay(self, target: Subscription) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 from coursekit.files import in_order, read_bytes
 
 MARK = b"coursekit-runtime:"
-"""What stands before the key in every program and every library that is loaded; `src/link.cpp` has it, too."""
+"""The mark before the key in every program and every library that is loaded; `src/link.cpp` has it, too."""
 _LENGTH = 16
 _ROOM = Path(__file__).parent
 

@@ -1,4 +1,4 @@
-"""What find_package() of a package finds besides it, as on a robot: what its own headers need."""
+"""The packages that find_package() finds with another, as on a robot: those that its own headers need."""
 
 from __future__ import annotations
 

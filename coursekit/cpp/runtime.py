@@ -1,4 +1,4 @@
-"""What every C++ program needs, made once and kept: the runtime's library, the interfaces' headers, the packages' configs.
+"""The files that every C++ program needs, made once and kept: the runtime, the interfaces' headers, packages' configs.
 
 Run as `python -m coursekit.cpp.runtime FOLDER` it makes them there.
 """
@@ -42,7 +42,7 @@ PACKAGES = (
     "ament_cmake_export_targets", "ament_cmake_include_directories", "ament_cmake_libraries",
     "ament_cmake_target_dependencies",
 )  # fmt: skip
-"""What packages find here beside those that have a folder in the underlay's share."""
+"""The packages that are found here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
     "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util", "tf2_kdl",
 }  # fmt: skip

@@ -42,7 +42,7 @@ class Toolchain:
     """CMake's name of the system that the programs are for, where it is another than this one."""
 
     def defines(self) -> dict[str, str]:
-        """What CMake is to be told of them."""
+        """CMake's variables for them."""
         told = {"CMAKE_CXX_COMPILER": _listed(self.cxx), "CMAKE_C_COMPILER": _listed(self.cc)}
         if self.archiver:
             told["CMAKE_AR"] = Path(self.archiver).as_posix()
@@ -140,7 +140,7 @@ def cache_folder() -> Path:
 
 @cache
 def version_of(command: tuple[str, ...]) -> str:
-    """What a compiler says of itself, to tell it from another."""
+    """A compiler's words about itself, to tell it from another."""
     done = subprocess.run([*command, "--version"], capture_output=True, encoding="utf-8", errors="replace", check=False)
     return f"{' '.join(command)}\n{done.stdout}"
 

@@ -35,12 +35,12 @@ class Anonymity:
         self._key = own_key("codes.key")
 
     def code(self, person: Person) -> str:
-        """What a person is called."""
+        """The name of a person."""
         made = hmac.new(self._key, person.identity.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
         return f"P-{made[:8].upper()}"
 
     def key(self, record: Record) -> str:
-        """What a person's files are called while names are hidden."""
+        """The name of a person's files while names are hidden."""
         return self._hidden(record).key
 
     def of(self, records: Sequence[Record]) -> list[Record]:
@@ -57,7 +57,7 @@ class Anonymity:
         return sorted(hidden, key=lambda one: one.label)
 
     def _everybody(self, records: Sequence[Record]) -> dict[str, str]:
-        """What to write in the place of what others are called, and of what their files are called."""
+        """The words in place of others' names, and of the names of their files."""
         entries = [entry.name for one in records for entry in one.handed.entries]
         entries += [name for one in records for name in _ASKED.findall(" ".join(one.handed.open))]
         labels = {one.label: self.code(one.handed.person) for one in records}

@@ -17,7 +17,7 @@ PIECE = 1 << 16
 
 @dataclass(frozen=True)
 class Bounds:
-    """What a zip may have."""
+    """The limits of a zip."""
 
     members: int = 2000
     directory: int = 2 << 20
@@ -78,7 +78,7 @@ class Archive:
                 yield Member(parts_of(_name_of(info)), _when(info), info.file_size, info)
 
     def read(self, member: Member, most: int = 0) -> bytes:
-        """What is in a file of at most `most` bytes.
+        """The bytes of a file, at most `most`.
 
         Raises:
             BadArchive: when it is too large, encrypted, of another kind of compression, or broken.

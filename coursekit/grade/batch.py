@@ -132,7 +132,7 @@ class Class:
         return found
 
     def _written(self) -> list[Path]:
-        """What earlier runs wrote, which may lie beside what was handed in."""
+        """The files of earlier runs, which may lie beside the submissions."""
         beside = self.out.parent.glob(f"{glob.escape(self.out.stem)}.*")
         return [self.kept, self.out, self.out.with_name(QUESTIONS), *beside]
 

@@ -136,7 +136,7 @@ def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> l
 
 
 def _points(said: Any) -> str:
-    """What stands in a manifest where points should."""
+    """The points of a manifest as text; 'no' where there are none."""
     return f"{said:g}" if isinstance(said, (int, float)) and abs(said) < 1e6 else shown(str(said), 20) if said else "no"
 
 
@@ -148,7 +148,7 @@ def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def traces(data: bytes) -> dict[str, str]:
-    """What no two students have alike: digests of pictures and of the lines of the log, and what each is called."""
+    """The parts that no two students have alike: digests of pictures and of the lines of the log, with their names."""
     _, files = read_bundle(data)
     found = {digest_of(content): name for name, content in files.items() if name.startswith("evidence/")}
     for number, line in enumerate(_lines(files), 1):
@@ -157,7 +157,7 @@ def traces(data: bytes) -> dict[str, str]:
 
 
 def _happened(line: str) -> bytes:
-    """What a line of the log tells, without its place in the chain: that is made anew in a moment."""
+    """The content of a line of the log, without its place in the chain: that is made anew in a moment."""
     try:
         facts = json.loads(line)
         return json.dumps({k: v for k, v in facts.items() if k not in ("before", "digest")}, sort_keys=True).encode()

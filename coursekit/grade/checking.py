@@ -100,7 +100,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: NotedWork, tries: int) -> 
 
 
 def _with_death(got: str, died: str) -> str:
-    """What was seen, with what the program died of; the end of its traceback says nothing more."""
+    """The observation, with the exception of the program; the end of its traceback says nothing more."""
     if died in got:
         return got
     again = not got or died.partition(" (line ")[0] in got

@@ -34,7 +34,7 @@ class Collection:
     questions: list[Question]
     """All that was asked, answered or not."""
     told: list[str]
-    """What does not belong to one person."""
+    """The entries that do not belong to one person."""
     unanswered: list[Question] = field(default_factory=list)
     whose: list[tuple[str, Question]] = field(default_factory=list)
     """Entries that are nobody's yet."""

@@ -10,7 +10,7 @@ from coursekit.systems import rights
 
 _SYSTEMD_RUN = "/usr/bin/systemd-run"
 SERVICE_VARIABLES = ("XDG_RUNTIME_DIR", "DBUS_SESSION_BUS_ADDRESS")
-"""What it needs of the environment; the sandbox begins with an empty one."""
+"""The variables that it needs; the sandbox begins with an empty environment."""
 
 
 def confined(memory: int, processes: int) -> list[str]:

@@ -21,7 +21,7 @@ from .container_image import Image
 from .time_zone import posix_zone
 
 ENGINES = ("podman", "docker")
-"""What runs containers, in the order in which it is looked for."""
+"""The programs that run containers, in the order in which they are looked for."""
 _OPEN_PROC = {"podman": "unmask=ALL", "docker": "systempaths=unconfined"}
 """bubblewrap shows each sandbox a /proc of its own, which a system allows that hides nothing of the outer one."""
 _SECURITY = ("seccomp=unconfined", "apparmor=unconfined", "label=disable")
@@ -59,7 +59,7 @@ class Marking:
     """podman or docker."""
     args: argparse.Namespace
     mounts: dict[str, Path] = field(default_factory=dict)
-    """What folders of this computer are called inside, and which they are."""
+    """The names of this computer's folders inside, and the folders."""
 
     def run(self, image: Image) -> int:
         """Mark; the exit code is the grader's own."""
@@ -106,7 +106,7 @@ class Marking:
                 yield from (f"--{name}", *getattr(self.args, name))
 
     def _inside(self, path: Path, name: str) -> str:
-        """What a file or folder is called inside; beside a list of names lies the secret of its copies."""
+        """The name of a file or folder inside; beside a list of names lies the secret of its copies."""
         if path.is_dir():
             self._mount(path, f"/in/{name}")
             return f"/in/{name}"

@@ -21,7 +21,7 @@ RUN pip install --no-cache-dir {constraints}/course/*.whl
 ENTRYPOINT ["coursekit"]
 """
 _NOT_OURS = ("INSTALLER", "REQUESTED", "direct_url.json")
-"""What an installer wrote beside what it was given."""
+"""The files that an installer wrote beside its input."""
 
 
 @dataclass

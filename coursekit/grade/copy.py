@@ -15,9 +15,9 @@ from .editions import ENGLISH, IMAGES, chapters, read
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
 HANDED_OUT = "handed_out"
-"""What a notebook's metadata say when a teacher released it."""
+"""The key of a notebook's metadata for a release by a teacher."""
 GIVEN = "given"
-"""What a notebook's metadata call the digests of its solution cells as they were handed out."""
+"""The key of a notebook's metadata for the digests of its solution cells as they were handed out."""
 FIRST = "00_start_here.ipynb"
 """The chapter that the course opens with."""
 DATA_STUB = "# YOUR CODE HERE"
@@ -78,13 +78,13 @@ def given_digest(text: str) -> str:
 
 
 def edition_of(text: str) -> str:
-    """What tells editions of a notebook apart: its cells' texts. Running it, which stores outputs, changes nothing."""
+    """The text that tells editions of a notebook apart: its cells'. A run, which stores outputs, changes nothing."""
     cells = json.loads(text)["cells"]
     return hashlib.sha256(json.dumps(["".join(cell["source"]) for cell in cells]).encode()).hexdigest()
 
 
 def facts_of(notebook: Mapping[str, Any]) -> dict[str, Any]:
-    """What the course wrote into a notebook's metadata: the release, whose copy it is, the cells as they were given."""
+    """The course's words in a notebook's metadata: the release, the copy's owner, the cells as they were given."""
     metadata = notebook.get("metadata")
     found = metadata.get("coursekit") if isinstance(metadata, dict) else None
     return found if isinstance(found, dict) else {}

@@ -1,4 +1,4 @@
-"""What to do about the exception that ended a student's program."""
+"""Advice about the exception that ended a student's program."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _CAUSES = (
     (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
     (r".*\.load\(\)\)$", NOT_LOADED),
 )
-"""What an exception begins with, and what it comes from."""
+"""The beginnings of exceptions, and their causes."""
 _CALL = re.compile(
     r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
 )
@@ -26,7 +26,7 @@ _CALL = re.compile(
 
 
 def cause_of(died: str) -> str:
-    """What to do about an exception, as `exception_in` tells it.
+    """Advice about an exception, as `exception_in` tells it.
 
     >>> cause_of("StopIteration (line 25 of my_exe: return next(matches).load())") == NOT_LOADED
     True

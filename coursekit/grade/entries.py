@@ -1,4 +1,4 @@
-"""What a class handed in, entry by entry: of a folder, or of the zip that a learning platform makes."""
+"""The submissions of a class, entry by entry: of a folder, or of the zip that a learning platform makes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .walking import Walked, walk
 
 
 def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
-    """What lies in a class's folder: name, whether it is neither folder, notebook nor zip, what lies in it.
+    """The entries of a class's folder: name, whether it is neither folder, notebook nor zip, and the content.
 
     Hidden ones and `leave` are none.
     """

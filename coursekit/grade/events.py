@@ -1,4 +1,4 @@
-"""What happened in a course folder, line by line, each line holding the digest of the one before."""
+"""The events of a course folder, line by line, each line holding the digest of the one before."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ LONGEST = 2000
 
 @dataclass
 class Task:
-    """What is to be examined: the course's notebook, the student's, an empty folder, and by which exercises."""
+    """An examination: the course's notebook, the student's, an empty folder, and the exercises."""
 
     source: dict[str, Any]
     file: str
@@ -57,7 +57,7 @@ class Task:
 
 @dataclass
 class Examined:
-    """What was found."""
+    """The findings."""
 
     verdicts: list[Verdict] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -147,7 +147,7 @@ def _examined(task: Task) -> Examined:
 
 
 def environment(workspace: Path) -> dict[str, str]:
-    """What programs in a sandbox know of the course and of a workspace."""
+    """The knowledge of programs in a sandbox: of the course and of a workspace."""
     from coursekit.packages.environment import source_underlay
 
     env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT_")}
@@ -190,7 +190,7 @@ def _run_and_judge(
 
 
 def _built_or_late(verdict: Verdict, work: RemoteWork) -> Verdict:
-    """What was judged after a build that was not done tells nothing of the student: a busy computer does that, too."""
+    """A verdict after a build that was not done tells nothing of the student: a busy computer causes that, too."""
     if verdict.passed or not work.build_timed_out:
         return verdict
     why = "The build took longer than it may. Does a setup.py never end? If the computer was busy, mark this student again."

@@ -67,7 +67,7 @@ def hand_in(exchange: Path, user: str, name: str, files: Sequence[Path]) -> Path
 
 
 def false_owner(folder: Path) -> str:
-    """What is wrong with whose a handed-in folder is: it says one user of this computer, and another one put it there."""
+    """The fault of a handed-in folder's owner: it says one user of this computer, and another one put it there."""
     told = platform_name(folder.name)
     if told is None or told.platform != "nbgrader" or os.path.expanduser(f"~{told.name}").startswith("~"):
         return ""  # or no user of this computer: a container's students are all one user

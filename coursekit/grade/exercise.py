@@ -16,7 +16,7 @@ from .variants import checks_in
 
 @dataclass(frozen=True)
 class Exercise:
-    """What is asked under one name; `judge(work)` raises `Wrong` when the work does not do it."""
+    """An exercise under one name; `judge(work)` raises `Wrong` when the work does not do it."""
 
     name: str
     title: str

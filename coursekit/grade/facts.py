@@ -1,4 +1,4 @@
-"""What comes back from a sandbox as JSON, checked against dataclasses: exact types, known names, nothing more."""
+"""Facts from a sandbox as JSON, checked against dataclasses: exact types, known names, nothing more."""
 
 from __future__ import annotations
 

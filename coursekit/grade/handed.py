@@ -1,4 +1,4 @@
-"""What one person handed in, and the file that counts for each chapter."""
+"""One person's submission, and the file that counts for each chapter."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .submissions import Submission
 
 @dataclass
 class Handed:
-    """What one person handed in."""
+    """One person's submission."""
 
     person: Person
     label: str
@@ -30,7 +30,7 @@ class Handed:
 
     @property
     def key(self) -> str:
-        """What their files are called."""
+        """The name of their files."""
         return name_of_files(self.person.identity, self.label)
 
     def pieces(self) -> list[Piece]:
@@ -47,7 +47,7 @@ class Handed:
         return [f"{one.where}, {told_time(one.when)}" for one in self.pieces()]
 
     def submission(self, chapter: str) -> Submission:
-        """What is marked for a chapter."""
+        """The file that is marked for a chapter."""
         piece = self.chosen[chapter]
         assert piece.file is not None
         bundles = [piece.bundle] if piece.bundle else []

@@ -95,7 +95,7 @@ def _as_number(text: str) -> float | None:
 
 
 def unlike_the_platform_s(records: Sequence[Record], roster: Roster | None) -> str:
-    """What to say before marks are uploaded into an assignment with another maximum; empty where that is not known."""
+    """A warning before marks are uploaded into an assignment with another maximum; empty where that is not known."""
     table = roster.table if roster is not None else None
     place = maximum_column(table) if table is not None else None
     if table is None or place is None or not records:

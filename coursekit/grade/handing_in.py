@@ -83,7 +83,7 @@ def make_bundle(
 
 
 def missing_checks(name: str, notebook: Mapping[str, Any], known: Recogniser) -> list[str]:
-    """What a notebook lost of the checks of the chapter that it is."""
+    """The checks that a notebook has lost of its chapter's."""
     chapter = known.chapters.get(known.recognise(notebook).chapter or known.by_name(name))
     lost = sorted(set(checks_in(chapter.source)) - set(checks_in(notebook))) if chapter else []
     if not lost:
@@ -124,7 +124,7 @@ def bundle_of(notebook: Path, course: Path, student: str, marked: Marked) -> byt
 def verify(
     file: Path, notebooks: Path | None = None, *, run: bool = True, variants: Variants | None = None
 ) -> tuple[list[str], Marked | None]:
-    """What is wrong with a bundle, and the mark that it really earns (None when it was not run).
+    """The faults of a bundle, and the mark that it really earns (None when it was not run).
 
     What is run is the course's own notebook with the student's answers in it; a name that is none of its names is refused.
     """
@@ -166,7 +166,7 @@ def _no_chapter(name: str, chapter: str, known: Recogniser) -> str:
 
 
 def same_in(bundles: Mapping[str, Path]) -> list[str]:
-    """What several bundles have in common that no two students have alike."""
+    """The common parts of several bundles that no two students have alike."""
     concerns: dict[str, list[str]] = {name: [] for name in bundles}
     note_copies({name: (concerns[name], [file]) for name, file in bundles.items()})
     return [f"{name}: {said}" for name, listed in concerns.items() for said in listed]

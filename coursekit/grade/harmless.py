@@ -70,7 +70,7 @@ def counted(number: int, one: str, many: str = "") -> str:
 
 
 def identity_of(text: str) -> str:
-    """What tells one name from another: letters, not their form, their case, or what stands between them.
+    """The part of a name that tells it from others: letters, not their form, their case, or signs between them.
 
     >>> identity_of("Ann_Lee") == identity_of("ann  lee"), identity_of("José") == identity_of("Jose")
     (True, False)
@@ -79,7 +79,7 @@ def identity_of(text: str) -> str:
 
 
 def name_of_files(identity: str, name: str = "") -> str:
-    """What a person's files are called: letters to read and a digest; no two people's collide, on no file system.
+    """The name of a person's files: letters to read and a digest; no two people's collide, on no file system.
 
     >>> name_of_files("class")
     'class-0889113e'

@@ -15,7 +15,7 @@ LONGEST = 400_000
 
 
 class Illustration:
-    """What a judge handed out last, and where in it the fault is.
+    """The thing that a judge handed out last, and the place of the fault in it.
 
     It is drawn when the verdict is given, so it takes nothing of it: what cannot be drawn is left out.
     """
@@ -50,7 +50,7 @@ class Illustration:
         return made if len(made) <= LONGEST else ""
 
     def figure(self) -> Figure | None:
-        """What was handed out, with rings where the fault is; it raises whatever drawing raises."""
+        """The picture of it, with rings where the fault is; it raises whatever drawing raises."""
         if self._make is None:
             return None
         figure = self._make(*self._facts)

@@ -1,4 +1,4 @@
-"""What interrupts the judging of work that is in a sandbox."""
+"""Exceptions that interrupt the judging of work that is in a sandbox."""
 
 
 class Gone(Exception):

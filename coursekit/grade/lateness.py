@@ -43,7 +43,7 @@ _FORMS = (
 
 @dataclass(frozen=True)
 class Policy:
-    """What being late means."""
+    """The rules for being late."""
 
     due: float | None = None
     """In seconds since 1970; None when there is no deadline."""
@@ -55,7 +55,7 @@ class Policy:
     days_more: Mapping[str, float] = field(default_factory=dict)
     count: str = "newest"
     told: tuple[str, ...] = ()
-    """What the command line set in the place of the file's."""
+    """The command line's rules in the place of the file's."""
 
     def instead(self, due: float | None, count: str | None, file: Path | None) -> Policy:
         """With what the command line says; what the file said otherwise is told."""
@@ -92,7 +92,7 @@ class Policy:
         return round((when - due) / 60, 1)
 
     def percent_off(self, minutes: float) -> float:
-        """What of the points is taken for being late.
+        """The points that are taken for being late.
 
         >>> Policy(percent_per_day=10, floor_percent=75).percent_off(2000), Policy(percent_per_day=10).percent_off(0)
         (20.0, 0.0)

@@ -29,15 +29,15 @@ class Marked:
     status: str = "graded"
     tier: str = ""
     notes: list[str] = field(default_factory=list)
-    """What had to be mended; the student sees it."""
+    """The repairs; the student sees them."""
     concerns: list[str] = field(default_factory=list)
     """Signs of changes, and of work that is somebody else's: for the teacher's eye only."""
     minutes_late: float = 0.0
     answers: list[str] = field(default_factory=list)
     variants: Values = field(default_factory=dict)
-    """What this student's exercises asked for."""
+    """The variants of this student's exercises."""
     traces: dict[str, str] = field(default_factory=dict)
-    """What no two students have alike, of a file made by `hand_in()`: digests, and of what."""
+    """The digests that no two students have alike, of a file made by `hand_in()`, and of which parts."""
 
     def total(self) -> float:
         """All points."""
@@ -49,7 +49,7 @@ class Marked:
 
     @classmethod
     def of_json(cls, found: dict[str, Any]) -> Marked:
-        """What `as_json` gave."""
+        """A mark from the dictionary that `as_json` gave."""
         return cls(**{**found, "verdicts": [Verdict(**one) for one in found["verdicts"]]})
 
 

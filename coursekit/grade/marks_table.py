@@ -23,7 +23,7 @@ _AFTER = (
 
 @dataclass
 class ByHand:
-    """What the teacher changed in the table."""
+    """The teacher's changes in the table."""
 
     points: dict[str, dict[str, float]] = field(default_factory=dict)
     """By key and exercise, and by `total_of` the chapters whose sum it is."""
@@ -32,13 +32,13 @@ class ByHand:
     told: list[str] = field(default_factory=list)
 
     def points_of(self, key: str, chapters: Sequence[str]) -> dict[str, float]:
-        """What a person was given by hand, by exercise; `total` where the sum of just these chapters was written."""
+        """A person's points by hand, by exercise; `total` where the sum of just these chapters was written."""
         found = self.points.get(key, {})
         own = total_of(chapters)
         return {("total" if name == own else name): one for name, one in found.items() if name == own or not _is_total(name)}
 
     def move(self, before: str, now: str) -> None:
-        """What was said under one key holds under another: of work without a name, when the name is shown again."""
+        """Changes under one key hold under another: of work without a name, when the name is shown again."""
         if points := self.points.pop(before, {}):
             self.points[now] = {**points, **self.points.get(now, {})}
         if extra := self.extra.pop(before, {}):
@@ -46,7 +46,7 @@ class ByHand:
 
 
 def total_of(chapters: Iterable[str]) -> str:
-    """What the sum of these chapters is called among the points by hand: another run's is another sum."""
+    """The name of the sum of these chapters among the points by hand: another run's is another sum."""
     return " ".join(["total of", *sorted(chapters)])
 
 
@@ -65,7 +65,7 @@ class MarksTable:
         self.by_hand = ByHand()
 
     def notice(self) -> ByHand:
-        """What was changed by hand since the table was written, together with what was changed before.
+        """The changes by hand since the table was written, together with those before.
 
         Raises:
             ValueError: when the table cannot be read.
@@ -165,7 +165,7 @@ def _same(text: str, was: str) -> bool:
 
 
 def _plain(text: str) -> str:
-    """What every encoding of a spreadsheet keeps of a text: Windows and macOS save other letters each in their way."""
+    """The part of a text that every encoding of a spreadsheet keeps: Windows and macOS save other letters differently."""
     return "".join(one for one in text.strip("' ") if one.isascii() and one != "?")
 
 

@@ -15,7 +15,7 @@ class NotedWork:
         self._work = work
         self._seen: Any = None
         self.raised: Exception | None = None
-        """What a function of the student's raised last."""
+        """The last exception of a function of the student's."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._work, name)

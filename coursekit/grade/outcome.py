@@ -1,4 +1,4 @@
-"""What came of a run: everybody's records, what was asked, what has to be told."""
+"""The outcome of a run: everybody's records, the questions, the messages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .statuses import by_status, told
 
 @dataclass
 class Outcome:
-    """What came of a run."""
+    """The outcome of a run."""
 
     records: list[Record]
     collection: Collection

@@ -1,4 +1,4 @@
-"""What a student's programs said and did in a trial: the exception that ended one, its last words, its nodes."""
+"""The end of a student's programs in a trial: the exception that ended one, its last words, its nodes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _FRAME = re.compile(r'^ +File "(?P<file>[^"]+)", line (?P<line>\d+)')
 _OURS = str(Path(__file__).resolve().parents[1])
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
-"""What a program may end with when Ctrl-C is pressed at the end of a trial."""
+"""The exit codes of a program when Ctrl-C is pressed at the end of a trial."""
 
 
 def exception_in(output: str) -> str:
@@ -106,7 +106,7 @@ def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = Non
 
 
 def said(seen: Any, program: int = 0) -> str:
-    """What a program of a trial wrote."""
+    """The output of a program of a trial."""
     outputs = seen.outputs
     return outputs[program] if program < len(outputs) and type(outputs[program]) is str else ""
 
@@ -119,7 +119,7 @@ def exit_code(seen: Any, program: int = 0) -> int | None:
 
 
 def course_said(seen: Any, topic: str) -> list[tuple[float, Any]]:
-    """What the course's own programs said on a topic, and when."""
+    """The messages of the course's own programs on a topic, and their times."""
     return [(when, message) for when, message in seen.of_course(topic) if is_number(when)]
 
 

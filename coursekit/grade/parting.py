@@ -15,14 +15,14 @@ _INSIDE = "the name of what lies in it"
 
 @dataclass(frozen=True)
 class Part:
-    """What goes to one person."""
+    """The pieces of one person."""
 
     entry: Entry
     found: Identified
     where: str
-    """What it is called in a question."""
+    """Their name in a question."""
     about: tuple[str, ...]
-    """What makes the question another one."""
+    """The part that makes the question another one."""
 
 
 def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
@@ -75,7 +75,7 @@ def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identifie
 
 
 def _settled(entry: Entry, pieces: Iterable[Piece], found: Identified, identifier: Identifier) -> Identified:
-    """What a copy's mark and the entry's name say together."""
+    """The student by a copy's mark and the entry's name together."""
     marks = unique(piece.known.copy for piece in pieces if identifier.owner(piece.known.copy) is not None)
     return identifier.identify(entry.name, marks) if marks else found
 

@@ -1,4 +1,4 @@
-"""What lies in a folder or zip that was handed in: each notebook read once, told what it is, and kept as a plain copy."""
+"""The pieces of a folder or zip that was handed in: each notebook read once, recognised, and kept as a plain copy."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ SEALED, PLATFORM, LISTED, ZIPPED, FILE = (
     "the file's time in the zip",
     "the file's time",
 )
-"""What a time was taken from; the first that there is counts."""
+"""The sources of a time; the first that exists counts."""
 SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", ".git")
-"""What computers add, and what is no notebook's."""
+"""Files that computers add, and that are no notebook's."""
 WORKSPACE = "ros2_ws"
 """A folder of which only notebooks are looked at."""
 _MAYBE = (".json", ".txt", ".ipynb~")
-"""What browsers and editors make of a notebook's ending."""
+"""The forms of a notebook's ending that browsers and editors make."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Piece:
     chapter: str = ""
     known: Known = field(default_factory=lambda: Known(""))
     also: tuple[Known, ...] = ()
-    """What it is besides, if exercises of other chapters were done in it, too."""
+    """The other chapters whose exercises were done in it, too."""
     file: Path | None = None
     """A plain copy of it."""
     digest: str = ""

@@ -1,4 +1,4 @@
-"""What comes from a student, as exactly plain values: numbers that are finite, texts, lists and tuples; all else is Wrong.
+"""A student's values as exactly plain ones: numbers that are finite, texts, lists and tuples; all else is Wrong.
 
 Judges compare only what these functions gave them. NaN, infinities, bool for int and objects that lie about what they
 equal never get as far as a comparison, so a check passes only when something was positively found right.
@@ -137,7 +137,7 @@ def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[flo
 
 
 def items(value: Any, expected: str, cause: str = "") -> list[Any]:
-    """What is in a tuple, a list or an array of numbers (its rows); Wrong for all else."""
+    """The items of a tuple, a list or an array of numbers (its rows); Wrong for all else."""
     if type(value) in (tuple, list):
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
@@ -195,7 +195,7 @@ def fields(message: Any, paths: Sequence[str], where: str = "a message") -> tupl
 
 
 def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
-    """What a student's function makes of its arguments; Wrong with its own exception and line when it raises one."""
+    """The result of a student's function; Wrong with its own exception and line when it raises one."""
     try:
         return function(*given)
     except (NotImplementedError, Gone):

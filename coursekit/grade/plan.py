@@ -1,4 +1,4 @@
-"""What happens in a trial, and what is seen of it: plain values, checked when they come back from a sandbox."""
+"""A trial's plan and its observations: plain values, checked when they come back from a sandbox."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class TrialFailed(Exception):
 
 @dataclass
 class Plan:
-    """What happens in a trial.
+    """The steps of a trial.
 
     `run` are the student's command lines without the word `ros2`, started in order, and `later` (seconds, command line)
     those that are started when the rest is up; they share an interpreter of their own. `beside` are the course's programs:
@@ -44,7 +44,7 @@ class Plan:
 
 @dataclass
 class Seen:
-    """What was seen: at the end of the trial, just before Ctrl-C, and while it ran.
+    """The observations at the end of the trial, just before Ctrl-C, and while it ran.
 
     `services` are those that a node serves; one that is only called is not among them.
     `outputs` and `exit_codes` are those of `run`, then those of `later`; `beside` are the outputs of the course's programs.

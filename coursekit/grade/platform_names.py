@@ -1,4 +1,4 @@
-"""What learning platforms make of the names of files when a teacher downloads what a class handed in."""
+"""The names that learning platforms give to files when a teacher downloads the submissions of a class."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ _CLASSROOM = re.compile(r"(?P<name>.+?) - (?P<file>.+)", re.S)
 
 @dataclass(frozen=True)
 class PlatformName:
-    """What the name of a file or folder of a download says."""
+    """The parts of the name of a file or folder of a download."""
 
     platform: str
     name: str = ""
     """The person as the platform writes it."""
     number: str = ""
-    """What the platform calls the person."""
+    """The platform's name of the person."""
     logins: tuple[str, ...] = ()
-    """What the login may be: a login may hold what parts the name, too."""
+    """The possible logins: a login may hold the sign that parts the name, too."""
     file: str = ""
-    """What the student called it."""
+    """The student's name of the file."""
     when: float = 0.0
     """When it was handed in, in seconds since 1970; 0 where the name does not say."""
     late: bool = False
@@ -38,7 +38,7 @@ class PlatformName:
 
 
 def platform_name(text: str) -> PlatformName | None:
-    """What a name of a download says; None when it is not one of a platform's.
+    """The parts of a name of a download; None when it is not one of a platform's.
 
     >>> platform_name("García López Ana_101_assignsubmission_file_").number
     '101'

@@ -1,4 +1,4 @@
-"""What only the teacher can say: asked in a table with an empty column for the answer, which the next run reads."""
+"""Questions for the teacher: a table with an empty column for the answers, which the next run reads."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What judges read in a student's workspace: each reading takes a file and gives checked facts.
+"""The judges' readings of a student's workspace: each takes a file and gives checked facts.
 
 In a notebook they are called at once. In grading they run in a sandbox of their own, after the student's programs have
 ended, and only facts come out: what a hostile file makes its reader say, it could as well have said itself.
@@ -92,7 +92,7 @@ def _cause_in_yaml(said: str) -> str:
 
 
 def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """What a file of parameters gives to each of these nodes, as ROS reads it."""
+    """The parameters that a file gives to each of these nodes, as ROS reads it."""
     from coursekit.rcl.arguments import parse_ros_arguments
 
     file = _file(workspace, path)
@@ -121,7 +121,7 @@ KINDS: dict[str, Any] = {
     "message": Message,
     "parameters": dict[str, dict[str, bool | int | float | str | list[bool] | list[int] | list[float] | list[str] | None]],
 }
-"""What each reading gives."""
+"""The result of each reading."""
 
 
 def _file(workspace: Path, path: str) -> Path:
@@ -147,7 +147,7 @@ def _bytes(file: Path) -> bytes:
 
 
 def _near(path: Path) -> str:
-    """What the folder has instead, close names first."""
+    """The files that the folder has instead, close names first."""
     folder = path.parent
     if not folder.is_dir():
         return f"The folder {folder.name}/ does not exist either."

@@ -84,7 +84,7 @@ def grade_id(cell: Any) -> str:
 
 @dataclass(frozen=True)
 class Known:
-    """What a notebook says about itself."""
+    """A notebook's own words about itself."""
 
     chapter: str
     """The file name of the course's notebook that it is; '' if its content does not say."""
@@ -134,7 +134,7 @@ class Chapter:
         return frozenset(without_solution(text_of(cell)).strip() for cell in self.source["cells"])
 
     def known(self, notebook: Mapping[str, Any]) -> Known:
-        """What was done in a notebook that is this chapter."""
+        """The work in a notebook that is this chapter."""
         facts = facts_of(notebook)
         said = facts.get(GIVEN)
         given: dict[str, Any] = said if isinstance(said, dict) else {}
@@ -192,7 +192,7 @@ class Recogniser:
         self.chapters = {name: Chapter(name, source) for name, source in sources.items()}
 
     def recognise(self, notebook: Mapping[str, Any]) -> Known:
-        """What a notebook is by its content."""
+        """The chapter of a notebook by its content."""
         marks = _marks(notebook)
         counts = {name: len(marks & one.marks) for name, one in self.chapters.items()}
         best = max(counts.values(), default=0)

@@ -46,16 +46,16 @@ class Record:
     by_hand: dict[str, float] = field(default_factory=dict)
     """Points that the teacher wrote into the table, by exercise; `total` for the sum."""
     extra: dict[str, str] = field(default_factory=dict)
-    """What the teacher wrote into columns of their own."""
+    """The teacher's words in columns of their own."""
 
     @property
     def label(self) -> str:
-        """What the person is called."""
+        """The person's name."""
         return self.handed.label
 
     @property
     def key(self) -> str:
-        """What the person's files are called."""
+        """The name of the person's files."""
         return self.handed.key
 
     def language(self) -> str:
@@ -110,7 +110,7 @@ class Record:
         return round(sum(self.chapter_total(one) for one in self.wanted), 2)
 
     def comments(self) -> dict[str, str]:
-        """What the teacher wrote for the person to read, by column; columns of the teacher's own are not theirs to see."""
+        """The teacher's words for the person, by column; columns of the teacher's own are not theirs to see."""
         exercises = [verdict.name + ON_EXERCISE for verdicts in self.wanted.values() for verdict in verdicts]
         return {name: self.extra[name] for name in (COMMENT, *exercises) if self.extra.get(name)}
 
@@ -124,7 +124,7 @@ class Record:
         return ", ".join(PurePosixPath(name).stem for name in self.wanted)
 
     def told_off(self) -> str:
-        """What was taken off for being late, in words; empty if nothing was."""
+        """The points that were taken off for being late, in words; empty if none were."""
         found = {name: late.percent_off for name, late in self.late.items() if late.percent_off}
         if len(set(found.values())) == 1 and len(found) == len(self.wanted):
             return f"{number(next(iter(found.values())))} %"
@@ -148,7 +148,7 @@ class Record:
         return any(entry.faults or any(one.fault for one in entry.pieces) for entry in self.handed.entries)
 
     def code(self) -> dict[str, str]:
-        """What the person wrote, by exercise."""
+        """The person's answers, by exercise."""
         return {name: text for piece in self.handed.chosen.values() for name, text in piece.known.code.items()}
 
     def time_from(self) -> str:

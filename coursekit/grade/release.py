@@ -1,4 +1,4 @@
-"""What students get: the notebooks without solutions, hidden tests and outputs, as a folder and as a zip."""
+"""The students' edition: the notebooks without solutions, hidden tests and outputs, as a folder and as a zip."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ class Step:
     solution: bool = False
     """Whether the student wrote it."""
     given: str = ""
-    """What stood there when it was handed out."""
+    """The text that was handed out."""
 
 
 @dataclass
@@ -39,7 +39,7 @@ class Repaired:
     """Whether anything was written into the cells of an exercise; stubs as they were handed out earn nothing."""
 
     def answers(self) -> list[str]:
-        """What the student wrote into solution cells, without the lines that stood there when they were handed out."""
+        """The student's lines in solution cells, without those that were handed out."""
         return [_own_lines(step.source, step.given) for step in self.steps if step.solution]
 
 

@@ -95,7 +95,7 @@ def _total(record: Record) -> str:
 
 
 def _how(record: Record) -> str:
-    """What became of the sum of the points."""
+    """How the total came about: by hand, or with points taken off."""
     if record.total_by_hand():
         return gettext(", given by hand")
     off = record.told_off()
@@ -133,7 +133,7 @@ def _paragraphs(text: str) -> str:
 
 
 def _plain(one: Verdict) -> Verdict:
-    """What was seen is the student's own text: nothing in it may turn or hide the page."""
+    """The student's own text, as it was seen: nothing in it may turn or hide the page."""
     values: dict[str, Any] = asdict(one)
     texts = {name: lines(value) for name, value in values.items() if isinstance(value, str)}
     return Verdict(**{**values, **texts})
@@ -144,7 +144,7 @@ def _text(text: str) -> str:
 
 
 def gradescope(marked: Marked) -> dict[str, Any]:
-    """What Gradescope reads."""
+    """The report that Gradescope reads."""
     tests = [
         {
             "name": f"{verdict.name} {verdict.title}",

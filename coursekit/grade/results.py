@@ -89,7 +89,7 @@ class Results:
             self.told.append(f"No secret can be kept in {config_folder()} ({error}): the next run marks everything again.")
 
     def dice(self) -> bytes:
-        """What the judges' chance is made of where a class has no secret of its own."""
+        """The seed of the judges' chance where a class has no secret of its own."""
         return hmac.new(self._key, b"dice", hashlib.sha256).digest()
 
     def chapters(self, key: str) -> dict[str, dict[str, Any]]:

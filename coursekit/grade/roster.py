@@ -40,13 +40,13 @@ class Person:
     name: str
     """As it is shown: given names first."""
     id: str = ""
-    """What the school calls them."""
+    """The school's id of them."""
     email: str = ""
     family: str = ""
     given: str = ""
     login: str = ""
     number: str = ""
-    """What the platform calls them: Moodle's participant, Canvas's user."""
+    """The platform's name of them: Moodle's participant, Canvas's user."""
     when: str = ""
     """When the platform says that they handed in."""
     row: int = -1
@@ -54,7 +54,7 @@ class Person:
 
     @property
     def identity(self) -> str:
-        """What stays the same when a name is corrected: the id, else the e-mail, else the name."""
+        """The key that stays the same when a name is corrected: the id, else the e-mail, else the name."""
         return self.id or self.email.casefold() or self.name
 
     def names(self) -> list[str]:
@@ -63,7 +63,7 @@ class Person:
         return [self.name, *parts]
 
     def keys(self) -> list[str]:
-        """What else stands for them alone: id, e-mail, its part before the @, login."""
+        """Other keys that are theirs alone: id, e-mail, its part before the @, login."""
         return [one for one in (self.id, self.email, self.email.partition("@")[0], self.login) if one]
 
 
@@ -85,7 +85,7 @@ class Roster:
         self.table, self.layout = table, layout
         """The list as it was read, for handing grades back in it."""
         self.notes = list(notes)
-        """What was left out."""
+        """The lines that were left out."""
         _expect_different(self.people)
         twice = Counter(plain(one.name) for one in self.people)
         self._labels = {
@@ -94,7 +94,7 @@ class Roster:
 
     @property
     def students(self) -> list[str]:
-        """What each is called in this class: the name, with the id where two have the same."""
+        """The name of each in this class, with the id where two have the same."""
         return list(self._labels.values())
 
     @property
@@ -103,7 +103,7 @@ class Roster:
         return COMMA if self.table is None else self.table.form
 
     def label(self, person: Person) -> str:
-        """What a person is called in this class."""
+        """The name of a person in this class."""
         return self._labels.get(person, person.name)
 
     def told(self) -> str:

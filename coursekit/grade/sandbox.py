@@ -29,7 +29,7 @@ _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternativ
 _BWRAP = ("/usr/bin/bwrap", "/usr/local/bin/bwrap", "/bin/bwrap")
 _NOBODY = "65534"
 _WINDOWS = ("SYSTEMROOT", "SYSTEMDRIVE", "WINDIR", "COMSPEC", "PATHEXT", "LOCALAPPDATA", "APPDATA")
-"""What programs of Windows need to begin at all: sockets and dice are found by them."""
+"""The variables that programs of Windows need to begin at all: sockets and dice are found by them."""
 _HIDDEN = ("grade/chapters",)
 """Folders of the package that hold what is asked and what is right."""
 
@@ -39,7 +39,7 @@ LOOK_SECONDS = 0.15
 
 @dataclass(frozen=True)
 class Limits:
-    """What a sandboxed program may use."""
+    """The limits of a sandboxed program."""
 
     seconds: float = 120.0
     """Real time."""
@@ -66,7 +66,7 @@ class Limits:
     chapter: float = 600.0
     """Real time for marking one chapter of one submission."""
     tier: str = ""
-    """What keeps it in; empty for the best that works here."""
+    """The program that keeps it in; empty for the best that works here."""
 
 
 @dataclass
@@ -170,7 +170,7 @@ def start(
 
 
 def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratch: str = "/tmp") -> dict[str, str]:
-    """What a sandboxed program sees of the environment: what it needs, and a home of its own."""
+    """The environment of a sandboxed program: the variables that it needs, and a home of its own."""
     wanted = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LANG", "ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
     kept = {name: value for name, value in env.items() if name in wanted or name.startswith("COURSEKIT_")}
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])

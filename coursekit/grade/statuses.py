@@ -41,7 +41,7 @@ def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: boo
 
 
 _WORDS = {QUESTION: "with an open question", NOTHING: "without anything handed in"}
-"""What a number of students is told with, where that is not the status itself."""
+"""The words for a number of students, where they are not the status itself."""
 
 
 def by_status(statuses: Iterable[str]) -> dict[str, int]:

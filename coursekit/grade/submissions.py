@@ -1,4 +1,4 @@
-"""What is marked: the files of one person that count, as plain copies; or a folder, notebook or zip as it lies there."""
+"""The work that is marked: the files of one person that count, as plain copies; or a folder, notebook or zip as it is."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Submission:
 
     @classmethod
     def of_json(cls, said: dict[str, Any]) -> Submission:
-        """What `as_json` gave."""
+        """A submission from the dictionary that `as_json` gave."""
         chosen = {str(name): Path(file) for name, file in said["chosen"].items()}
         bundles = [Path(file) for file in said["bundle_files"]]
         return cls(said["student"], Path(said["place"]), chosen, bundles, list(said["notes"]), list(said["concerns"]))

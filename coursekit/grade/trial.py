@@ -19,7 +19,7 @@ from .plan import EVERY_NODE_S, Plan, Seen, TrialFailed
 GIVES_WAY = 30.0
 """Real seconds that the student's programs may compute without waiting."""
 NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
-"""What a student's environment may have set, and a trial does without."""
+"""The variables of a student's environment that a trial does without."""
 WATCHER = [sys.executable, "-I", "-m", "coursekit.grade.watcher"]
 PROGRAMS = [sys.executable, "-I", "-m", "coursekit.grade.programs"]
 """-I: what a student's folders hold must not stand in for modules of ours."""
@@ -44,12 +44,12 @@ def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = 
 
 
 def question(plan: Plan) -> bytes:
-    """What the watcher reads."""
+    """The watcher's input."""
     return json.dumps(plan, default=vars).encode()  # not `asdict`, which copies every pixel of a picture
 
 
 def answered(out: bytes) -> Seen:
-    """What the watcher saw; TrialFailed when the programs did not let it see."""
+    """The watcher's observations; TrialFailed when the programs did not let it see."""
     try:
         found: dict[str, Any] = json.loads(out)
         if "seen" in found:

@@ -55,7 +55,7 @@ def values_of(notebooks: Iterable[Mapping[str, Any]]) -> Values:
 
 
 def declared(notebook: Mapping[str, Any]) -> dict[str, dict[str, list[Any]]]:
-    """What may differ: by exercise and name the choices, first the one that stands in the notebook."""
+    """The variants: by exercise and name the choices, first the one that is in the notebook."""
     found = {}
     for name, place in checks_in(notebook).items():
         said = notebook["cells"][place].get("metadata", {}).get("coursekit", {}).get("variants", {})
@@ -93,7 +93,7 @@ def _heading(notebook: Mapping[str, Any], place: int) -> int:
 
 
 def _parted(cell: Mapping[str, Any]) -> tuple[str, str, bool]:
-    """What stands above a cell's last heading, the rest, and whether there is a heading."""
+    """The text above a cell's last heading, the rest, and whether there is a heading."""
     text = "".join(cell["source"])
     places = [found.start() for found in _HEADING.finditer(text)] if cell["cell_type"] == "markdown" else []
     begin = max(places, default=0)
@@ -148,7 +148,7 @@ class Variants:
         }
 
     def copy_mark(self, person: Person) -> str:
-        """What every copy of a person's carries: it says whose it is to the teacher, and nothing to others."""
+        """The mark of every copy of a person: it says whose it is to the teacher, and nothing to others."""
         key = hmac.new(self._secret, f"copy\0{person.identity}".encode("utf-8", "replace"), hashlib.sha256)
         return key.hexdigest()[:24]
 
@@ -157,7 +157,7 @@ class Variants:
         return {self.copy_mark(one): one for one in self.roster.people}
 
     def dice(self) -> bytes:
-        """What the judges' chance is made of: the same for the whole class, and each time."""
+        """The seed of the judges' chance: the same for the whole class, and each time."""
         return hmac.new(self._secret, b"dice", hashlib.sha256).digest()
 
     def copies(self, student: str, notebooks: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What a check says: points, what was expected and seen, the likely cause; as HTML and as text."""
+"""A check's verdict: points, expected and seen, the likely cause; as HTML and as text."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Wrong(Exception):
         super().__init__(expected)
         self.expected = expected
         self.got = got
-        """What was seen when the work was tried out."""
+        """The observation when the work was tried out."""
         self.cause = cause
         self.share = share
         """The part of the points that is earned all the same, 0 to 1."""
@@ -74,7 +74,7 @@ class Verdict:
     timed_out: bool = False
     """Whether the work was not judged to the end because its time was over."""
     fault: str = ""
-    """What the check itself stopped with: then the work is not judged, and its author is not to blame."""
+    """The error of the check itself: then the work is not judged, and its author is not to blame."""
 
     @property
     def passed(self) -> bool:

@@ -65,7 +65,7 @@ class Watcher:
         return self.seen
 
     def on_event(self, event: list[Any]) -> None:
-        """What the student's side says: how its programs ended."""
+        """The student's side says how its programs ended."""
         kind, outputs, codes = event
         count = len(self.plan.run) + len(self.plan.later)
         if kind != "ended" or len(outputs) != count or len(codes) != count:

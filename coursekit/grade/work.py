@@ -1,4 +1,4 @@
-"""What a judge sees of a student's work: variables of the notebook, files of the workspace, trials of the programs."""
+"""A student's work as a judge sees it: variables of the notebook, files of the workspace, trials of the programs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 NOTHING = "there is none"
-"""What is seen of a variable or function that the notebook does not have."""
+"""The value in place of a variable or function that the notebook does not have."""
 
 
 class Work:
@@ -39,7 +39,7 @@ class Work:
         self.variables = variables
         self.workspace = workspace
         self.variants: Mapping[str, Any] = {}
-        """What this student's copy asks for where it differs from the course's notebook."""
+        """The values of this student's copy where they differ from the course's notebook."""
         self.illustration: Illustration | None = None
         """Takes pictures where somebody looks at the verdict; in grading nobody does."""
 
@@ -131,7 +131,7 @@ class Work:
         return found
 
     def parameters(self, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
-        """What a file of parameters gives to each of these nodes, as ROS reads it."""
+        """The parameters that a file gives to each of these nodes, as ROS reads it."""
         found: dict[str, dict[str, Any]] = self._read("parameters", path=path, nodes=list(nodes))
         return found
 

@@ -84,7 +84,7 @@ class Workers:
 
 
 def facts() -> dict[str, Any]:
-    """What a worker's marks depend on, beside what it is sent."""
+    """The settings that a worker's marks depend on, beside its tasks."""
     return {"judges": judges_digest(), "version": coursekit_version(), "tier": sandbox.tier(), "root": rights.is_root()}
 
 

@@ -16,7 +16,7 @@ Events = list[list[Any]]
 
 
 class _Side:
-    """What both sides do: `post` an event to the other, and hear its events by `on_event`."""
+    """The part of both sides: `post` an event to the other, and hear its events by `on_event`."""
 
     def __init__(self, clock: VirtualClock, graph: Graph, pipe: Pipe, on_event: Callable[[list[Any]], None]) -> None:
         self.clock = clock

@@ -49,7 +49,7 @@ class Mirror:
         self._on_news()
 
     def collect(self) -> tuple[list[list[Any]], bytes]:
-        """What the other side does not know yet."""
+        """The changes that the other side does not know yet."""
         with self._lock:
             if self._stale:
                 self._stale = False

@@ -1,4 +1,4 @@
-"""What the two interpreters say to each other: a JSON header and the CDR bytes of messages, over two file descriptors
+"""The frames between two interpreters: a JSON header and the CDR bytes of messages, over two file descriptors
 or a socket.
 
 Nothing is unpickled, and every size is checked before a byte of it is read: the other side may be hostile.
@@ -19,7 +19,7 @@ _LENGTHS = struct.Struct("<II")
 HEADER, BODY = 16 << 20, 256 << 20
 """The largest header and body [bytes]."""
 LATE = "it did not answer in time"
-"""What Broken says when the other side does not give way."""
+"""The words of Broken when the other side does not give way."""
 _now = time.monotonic  # the real one: in a process, time.monotonic() is the session's
 _dumps, _loads = json.dumps, json.loads  # as they are before any program runs
 

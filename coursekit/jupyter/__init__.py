@@ -1,1 +1,1 @@
-"""What is between Jupyter and the lab: the kernel of the course, and what JupyterLab is told of it."""
+"""The parts between Jupyter and the lab: the kernel of the course, and JupyterLab's settings for it."""

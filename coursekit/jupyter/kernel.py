@@ -61,7 +61,7 @@ def keep_output_in_cells(shell: Any) -> None:
 
 
 def patches() -> list[Patch]:
-    """What is done to a kernel of the course, for as long as it runs."""
+    """The changes to a kernel of the course, for as long as it runs."""
     test = "tests/jupyter/test_kernel"
     return [
         Change("ipykernel: shell_channel_thread.manager", hear_all, "ipykernel 7.3 goes deaf when a request meets a reply",

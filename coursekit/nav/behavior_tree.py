@@ -26,7 +26,7 @@ class TreeNode:
         self.prepare()
 
     def prepare(self) -> None:
-        """What a node does once; ValueError when a port cannot work."""
+        """One tick's action of a node; ValueError when a port cannot work."""
 
     def step(self) -> str:
         """The work of a tick: RUNNING, SUCCESS or FAILURE."""

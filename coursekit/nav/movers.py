@@ -1,4 +1,4 @@
-"""What moves in a costmap that rolls with its robot, and where it will be soon."""
+"""Moving things in a costmap that rolls with its robot, and where they will be soon."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ import numpy as np
 from numba import njit
 
 NEUTRAL = 50.0
-"""What a cell costs where nothing is near; nav2's NavFn has the same."""
+"""The cost of a cell where nothing is near; nav2's NavFn has the same."""
 
 
 @njit(cache=True)

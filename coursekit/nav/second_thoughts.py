@@ -13,7 +13,7 @@ SAME_WITHIN = 0.5
 
 
 def remaining(path: np.ndarray, x: float, y: float) -> np.ndarray:
-    """What of a path (n, 2) lies ahead of its point nearest to (x, y) [m].
+    """The part of a path (n, 2) ahead of its point nearest to (x, y) [m].
 
     >>> remaining(np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), 1.2, 0.3).tolist()
     [[1.0, 0.0], [2.0, 0.0]]

@@ -24,7 +24,7 @@ class Push:
     along: bool = False
     """Whether x points where the body looks, instead of along the world's x."""
     label: str = ""
-    """The event that ends it."""
+    """The name by which it is ended."""
 
     @property
     def finite(self) -> bool:

@@ -1,4 +1,4 @@
-"""What a lookup can raise, by tf2's names and with tf2's texts."""
+"""The exceptions of a lookup, by tf2's names and with tf2's texts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is known of frames: who is whose child, since when, and where."""
+"""The known frames: their parents, since when, and their transforms."""
 
 from __future__ import annotations
 

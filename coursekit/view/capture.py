@@ -98,7 +98,7 @@ class VirtualCapture:
 
 
 def _picture(seconds: float, width: int, height: int) -> Any:
-    """What there is to see: the simulated world, or the scene at a time."""
+    """The picture: the simulated world, or the scene at a time."""
     if "coursekit.nodes.gazebo.simulators" not in sys.modules:  # no simulator ever ran: spare its import
         return _scene.render(seconds, width, height)
     from coursekit.nodes.gazebo.eyes import picture_of

@@ -16,7 +16,7 @@ View = tuple[float, float, float, float]
 MOST_POINTS = 1500
 """Of a line or a cloud; of longer ones every so-manieth is drawn."""
 FARTHEST = 1e6
-"""What lies further from the middle of things is not drawn."""
+"""Things that lie further from the middle are not drawn."""
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ def drawable(points: Sequence[Sequence[float]]) -> list[Point]:
 
 
 def view_of(panel: Panel) -> View:
-    """What a panel shows: its own view, or all that is in it, with some room around."""
+    """The part that a panel shows: its own view, or all of its content, with some room around."""
     if panel.view is not None:
         return panel.view
     found = [point for shape in panel.shapes for point in _extent(shape)]

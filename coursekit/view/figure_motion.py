@@ -1,4 +1,4 @@
-"""What moves in a figure, as rules of CSS: nothing moves until the reader ticks the box above it."""
+"""Motion in a figure, as rules of CSS: nothing moves until the reader ticks the box above it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ TICK, SHORTEST, LONGEST = 0.15, 4.0, 30.0
 
 
 def box() -> str:
-    """What the reader ticks to see them move."""
+    """The box that the reader ticks to see them move."""
     return f'<label class="drawn-play"><input type="checkbox">{gettext("see them move")}</label>'
 
 

@@ -1,4 +1,4 @@
-"""What is to be told of a buffer's frames, taken at one moment."""
+"""The facts of a buffer's frames, taken at one moment."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def reachable(facts: FrameFacts) -> set[str]:
 
 
 def note(frame: Frame) -> str:
-    """What is said beside a frame's name."""
+    """The words beside a frame's name."""
     if not frame.parent:
         return ""
     if frame.static:

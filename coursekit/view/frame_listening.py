@@ -72,12 +72,12 @@ class BroadcastFrames(FrameBuffer):
                     outlived[one[1]] = one
 
     def now(self, now_ns: int) -> int:
-        """What time it is for who broadcasts [ns]: a simulator's clock need not be the session's."""
+        """The broadcasters' time [ns]: a simulator's clock need not be the session's."""
         return self.newest + now_ns - self._arrived if self.newest else now_ns
 
 
 def _kept_in(entry: Any) -> list[Kept]:
-    """What a subscription kept: a message, if it came before the subscription knew that numbers are enough."""
+    """The numbers of a subscription: it kept a message if that came before it knew that numbers are enough."""
     kept = entry[0]
     return kept if type(kept) is list else numbers_of(kept)
 

@@ -1,4 +1,4 @@
-"""What a graph holds at one moment: nodes, and who publishes, subscribes, serves and calls; sorted, unchanging."""
+"""A graph's content at one moment: nodes, publishers, subscriptions, servers and clients; sorted, unchanging."""
 
 from __future__ import annotations
 

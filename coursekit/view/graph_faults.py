@@ -1,4 +1,4 @@
-"""What is wrong in a graph, in one sentence each, with the cure in another."""
+"""The faults of a graph, in one sentence each, with the cure in another."""
 
 from __future__ import annotations
 

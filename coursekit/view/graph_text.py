@@ -51,7 +51,7 @@ def _line(kind: str, name: str, sources: Sequence[End], targets: Sequence[End]) 
 
 
 def details(graph: Any, name: str) -> str:
-    """What `ros2 node info` or `ros2 topic info -v` says of the node, topic, service or action of that name."""
+    """The output of `ros2 node info` or `ros2 topic info -v` for the node, topic, service or action of that name."""
     node = next((one for one in list(graph.nodes) if one.full_name == name), None)
     if node is not None:
         return _of_node(node)

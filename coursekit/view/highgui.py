@@ -107,7 +107,7 @@ def desk() -> Desk:
 
 
 def as_bgr(image: Any) -> Any:
-    """What a window shows of an array, as OpenCV does it: 16 bits are divided, floats are from 0 to 1."""
+    """A window's picture of an array, as OpenCV makes it: 16 bits are divided, floats are from 0 to 1."""
     if image.dtype == np.uint16:
         image = (image >> 8).astype(np.uint8)
     elif image.dtype.kind == "f":

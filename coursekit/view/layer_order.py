@@ -53,7 +53,7 @@ def order_layers(order: Order, layers: dict[str, int], chains: Sequence[Sequence
 
 
 class _Neighbours:
-    """What each box is linked to in the layer before it and in the one after it."""
+    """The links of each box to the layer before it and to the one after it."""
 
     def __init__(self, links: Sequence[tuple[str, str]]) -> None:
         self.before: dict[str, list[str]] = {}

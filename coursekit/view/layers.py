@@ -20,7 +20,7 @@ GROUP_TITLE = 18.0
 
 @dataclass(frozen=True)
 class Box:
-    """What is to be placed; `group` '' is none."""
+    """The box that is to be placed; `group` '' is none."""
 
     key: str
     width: float

@@ -78,7 +78,7 @@ class Looking:
     # -- saved views
 
     def view(self) -> dict[str, Any] | None:
-        """What a file keeps of it."""
+        """The camera's values in a file."""
         return {**self.moved, **going_with(self.frame, self.type)} if self.moved else self.stage.config.view
 
     def save(self, name: str) -> None:

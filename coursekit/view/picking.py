@@ -1,4 +1,4 @@
-"""What was clicked in a stage: which display's thing it is, and what there is to say about it."""
+"""The clicked thing of a stage: its display, and its facts."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Picked:
 
 
 def pick(stage: Stage, number: int, point: Any) -> Picked | None:
-    """What has or just had this number in the scene, clicked at a point of the fixed frame [m]; None if it has gone."""
+    """The thing that has or just had this number, clicked at a point of the fixed frame [m]; None if it has gone."""
     with stage.lock:
         key = stage.scene.key_of(number)
         thing = stage.scene.things.get(key) if key is not None else None

@@ -108,7 +108,7 @@ class SessionTimer(bases.TimerBase):
 
 
 def plots() -> Plots | None:
-    """What the present process has; None outside of processes."""
+    """The figures of the present process; None outside of processes."""
     process = current_process()
     if process is None:
         return None
@@ -167,7 +167,7 @@ def _set_new_active_manager(cls: Any, manager: Any) -> None:
 
 
 def patches() -> list[Patch]:
-    """What is lent to pyplot."""
+    """The replacements in pyplot."""
     return _PATCHES
 
 

@@ -35,7 +35,7 @@ class Thing:
 
 @dataclass
 class Changes:
-    """What a browser has to do to show the scene as it is now, in this order."""
+    """The browser's steps to show the scene as it is now, in this order."""
 
     gone: list[int] = field(default_factory=list)
     made: list[Thing] = field(default_factory=list)
@@ -134,7 +134,7 @@ class Scene:
             self._gone.append(thing.number)
 
     def changes(self) -> Changes:
-        """What changed since the last call."""
+        """The changes since the last call."""
         found = Changes(self._gone, list(self._made.values()), list(self._moved.values()))
         self._gone, self._made, self._moved = [], {}, {}
         return found

@@ -15,12 +15,12 @@ _POSE_BYTES = 200
 
 
 def moment_of(scene: Scene) -> Moment:
-    """What is in a scene now. Shapes are shared with it: they are replaced there, never changed."""
+    """The content of a scene now. Shapes are shared with it: they are replaced there, never changed."""
     return {thing.number: replace(thing) for thing in scene.things.values()}
 
 
 def between(before: Moment, after: Moment) -> Changes:
-    """What a page has to do that shows one moment, to show the other.
+    """The steps of a page that shows one moment, to show the other.
 
     >>> from coursekit.view.scene_shapes import Label
     >>> scene = Scene()
@@ -40,7 +40,7 @@ def between(before: Moment, after: Moment) -> Changes:
 
 
 def size_of(moment: Moment, before: Moment) -> int:
-    """What a moment takes beside an earlier one [bytes]: shapes that both have are there once."""
+    """The memory of a moment beside an earlier one [bytes]: shapes that both have are there once."""
     new = [one for one in moment.values() if one.number not in before or before[one.number].shapes is not one.shapes]
     values = [value for one in new for shape in one.shapes for value in vars(shape).values()]
     return _POSE_BYTES * len(moment) + sum(value.nbytes for value in values if isinstance(value, np.ndarray))

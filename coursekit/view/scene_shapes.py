@@ -1,4 +1,4 @@
-"""What a scene is made of: triangles, lines, points, pictures and labels, as arrays."""
+"""The shapes of a scene: triangles, lines, points, pictures and labels, as arrays."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ ROOM = 3.0
 
 
 class Stage:
-    """What a viewer shows. `update()` brings the scene up to date; nothing is drawn between two calls."""
+    """The content of a viewer. `update()` brings the scene up to date; nothing is drawn between two calls."""
 
     def __init__(self, node: Any, config: Config) -> None:
         self.node = node

@@ -35,7 +35,7 @@ LASER_NS = 100_000_000
 
 
 class WorldScene:
-    """What a world's view shows of the simulator that `find` gives, which may be none."""
+    """A world's view of the simulator that `find` gives, which may be none."""
 
     def __init__(self, find: Callable[[], Simulator | None]) -> None:
         self.scene = Scene()

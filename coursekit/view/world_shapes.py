@@ -72,7 +72,7 @@ def robot_shape(parts: tuple[Part, ...]) -> Triangles:
 
 
 def fan(origin: tuple[float, float], height: float, ends: np.ndarray, colour: Colour) -> Triangles:
-    """What a LiDAR sweeps: triangles from where it is to each two neighbouring ends (n, 2) [m], at a height."""
+    """A LiDAR's sweep: triangles from its position to each two neighbouring ends (n, 2) [m], at a height."""
     vertices = np.column_stack((np.concatenate(([origin], ends)), np.full(len(ends) + 1, height)))
     first = np.arange(1, len(ends))
     return Triangles(vertices, np.stack((np.zeros_like(first), first, first + 1), axis=1), colour)

@@ -280,7 +280,7 @@ def _xyz(place: Any, given: str) -> tuple[float, float, float]:
 
 
 def _message(kind: type[Any], given: str, function: Callable[..., Any], *arguments: Any) -> Any:
-    """What a function makes of messages, which must be of that kind."""
+    """The result of a function for messages; it must be of that kind."""
     got = called(function, *arguments, told=given)
     if type(got) is not kind:
         raise Wrong(f"a {kind.__name__} from {given}", gave=shown(got), cause="Is there a return?" if got is None else "")

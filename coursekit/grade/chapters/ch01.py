@@ -132,13 +132,13 @@ def _look(off: int) -> str:
 
 
 def _colours(seen: Any, topic: str) -> set[tuple[Any, ...]]:
-    """What colours a turtle has seen below itself."""
+    """The colours that a turtle has seen below itself."""
     found = (message for _, message in course_said(seen, topic) if isinstance(message, dict))
     return {tuple(message.get(one) for one in "rgb") for message in found}
 
 
 def _complaint(seen: Any, commands: list[str]) -> str:
-    """What the first command that failed has said."""
+    """The output of the first command that failed."""
     for index, command in enumerate(commands):
         if exit_code(seen, index):
             return f"; `{command[:60]}` said: {last_words(said(seen, index))}"

@@ -52,7 +52,7 @@ def full_name(work: Work) -> None:
 
 
 def _misnamed(name: str, wanted: str, got: str) -> Wrong:
-    """What is said of a wrong name; where only `~` alone is missing, half of the points are earned."""
+    """The verdict on a wrong name; where only `~` alone is missing, half of the points are earned."""
     if "//" in got:
         return Wrong(wanted, gave=shown(got), cause="With the namespace '/', is there one slash too many?", hint=1)
     if name == "~":

@@ -71,7 +71,7 @@ def _expect_lift(response: Any, after: Any, case: str, succeeds: bool, holds: bo
     ),
 )
 def client(work: Work) -> None:
-    """What the service says about two numbers is logged; other counts give the usage line and exit status 1."""
+    """The service's answer about two numbers is logged; other counts give the usage line and exit status 1."""
     work.built(PACKAGE, "client_main", "py_client_async_node", "running")
     for words in ("", "17", "1 2 3"):
         _expect_usage(work.try_out(f"run {PACKAGE} client_exe {words}", seconds=1.5), words)
@@ -182,7 +182,7 @@ def switch(work: Work) -> None:
 
 
 def _unshown(counts: dict[str, int]) -> tuple[str, str]:
-    """What was seen of topics with so many messages, and why nothing can be told from them."""
+    """The verdict on topics with so many messages that nothing can be told from them."""
     if max(counts.values()) < LAMP_SECONDS - 2:
         told = " and ".join(f"{counted(count, 'message')} on {name}" for name, count in counts.items())
         return f"{told} in {LAMP_SECONDS:g} s", "Does a timer publish it, and not the service's callback alone?"

@@ -205,7 +205,7 @@ def _told(fields: tuple[Field, ...], constants: int) -> str:
 
 
 def _missing(message: Message) -> Iterator[str]:
-    """What the message type lacks, in words."""
+    """The missing parts of the message type, in words."""
     if len(message.fields) < 4:
         yield f"at least four fields (there are {len(message.fields)}; constants are not fields)"
     if len({str(field.type) for field in message.fields}) < 3:

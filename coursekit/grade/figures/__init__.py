@@ -1,1 +1,1 @@
-"""What checks draw beside their verdicts: figures of plain values that a judge has checked. They hold no answers."""
+"""The checks' figures beside their verdicts: they show plain values that a judge has checked, and hold no answers."""

@@ -1,4 +1,4 @@
-"""What a robot drove, beside the path that was planned."""
+"""A robot's drive, beside the path that was planned."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 MOST_PLANS = 60
 ROOM = 0.9
-"""What is shown around a round [m]."""
+"""The margin around a round [m]."""
 
 
 def estimates_and_plans(seen: Seen) -> tuple[list[Any], list[Any]]:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from coursekit.view.figure import Arrow, Figure, Line, Panel, Point, Shape
 
 HALF_VIEW, SIGHT = math.radians(30.0), 1.6
-"""What a camera sees to each side [rad], and how far that is drawn [m]."""
+"""A camera's field of view to each side [rad], and how far it is drawn [m]."""
 FAR = 20.0
 
 

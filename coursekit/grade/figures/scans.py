@@ -18,7 +18,7 @@ MOST_RAYS = 24
 FAR = 10.0
 """Further from the guess no gap is measured [m]."""
 AROUND = 0.8
-"""What is shown around a scan [m]."""
+"""The margin around a scan [m]."""
 
 
 def rays_among(walls: Sequence[Sequence[float]], rays: Sequence[Ray]) -> Figure:

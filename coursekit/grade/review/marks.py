@@ -1,4 +1,4 @@
-"""What a teacher says of a piece of work: taken into the table and the records, and kept over every later run."""
+"""A teacher's marks of a piece of work: taken into the table and the records, and kept over every later run."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Marks:
         self._write(record)
 
     def remark(self, key: str, exercise: str) -> str:
-        """What is odd about the points that were given: more than there are."""
+        """The remark where more points were given than there are."""
         record = self.records[key]
         of = next((one.of for verdicts in record.wanted.values() for one in verdicts if one.name == exercise), 0.0)
         given = record.by_hand.get(exercise, 0.0)

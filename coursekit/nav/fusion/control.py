@@ -1,4 +1,4 @@
-"""What a commanded speed says about the acceleration to come."""
+"""The acceleration to come, by a commanded speed."""
 
 from __future__ import annotations
 

@@ -95,7 +95,7 @@ class Ekf:
 
 
 def innovation(measurement: Measurement, places: Places, expected: Array) -> Array:
-    """What was measured less what was expected; differences of angles the short way round."""
+    """The innovation: measured less expected; differences of angles the short way round."""
     surprise = measurement.values[places] - expected
     turning = (places >= ROLL) & (places <= YAW)
     surprise[turning] = wrap(surprise[turning])

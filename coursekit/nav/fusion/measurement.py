@@ -1,4 +1,4 @@
-"""What one sensor said at one time about some numbers of the state."""
+"""One sensor's measurement of some numbers of the state, at one time."""
 
 from __future__ import annotations
 

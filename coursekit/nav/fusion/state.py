@@ -22,7 +22,7 @@ POSITION, ANGLES = slice(0, 3), slice(3, 6)
 LINEAR, ANGULAR, ACCELERATION = slice(6, 9), slice(9, 12), slice(12, 15)
 POSE, TWIST = slice(0, 6), slice(6, 12)
 OUT_OF_PLANE = (Z, ROLL, PITCH, VZ, VROLL, VPITCH, AZ)
-"""What stays zero for a body that never leaves the floor."""
+"""The numbers that stay zero for a body that never leaves the floor."""
 
 
 def wrapped(state: Array) -> Array:

@@ -54,7 +54,7 @@ def speckles_by_distance(ranges: Array, window: int, largest: float, far: float)
 
 
 def speckles_by_neighbours(ranges: Array, window: int, largest: float, far: float, increment: float) -> Array:
-    """What has fewer than `window` neighbours within `largest`, among the 2 · `window` beside it, is a speckle."""
+    """Speckles: points with fewer than `window` neighbours within `largest`, among the 2 · `window` beside each."""
     offsets = [k for k in range(-window, window + 1) if k]
     with np.errstate(invalid="ignore"):
         others, cosines = _neighbours(ranges, offsets), np.cos(np.array(offsets) * increment)[:, None]

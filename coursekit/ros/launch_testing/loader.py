@@ -58,7 +58,7 @@ class TestRun:
 
     @property
     def markers(self) -> dict[str, Any]:
-        """The mark of `launch_testing.markers` on the description."""
+        """The marks of `launch_testing.markers` on the description."""
         return getattr(self._test_description_function, "__markers__", {})
 
     def normalized_test_description(self, ready_fn: Callable[[], object]) -> tuple[LaunchDescription, dict[str, Any]]:

@@ -129,7 +129,7 @@ class Display:
         scene.clear(self.key)
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """What there is to say of one of its things, clicked `here` [m] in the thing's own frame."""
+        """The facts of one of its things, clicked `here` [m] in the thing's own frame."""
         return [("Frame", stage.fixed_frame), ("Clicked", point_text(world(thing, here)))]
 
     # -- what it says
@@ -227,7 +227,7 @@ class StampedDisplay(Display):
             self.say("Transform", "Warn", str(faults[0]))
 
     def _stay(self, stage: Stage, scene: Scene) -> None:
-        """What is shown stays where its frame was at its time, also when the fixed frame is another now."""
+        """Things stay where their frame was at their time, also when the fixed frame is another now."""
         if self.shown is None:
             return
         try:

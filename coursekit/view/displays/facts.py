@@ -1,4 +1,4 @@
-"""What the viewer's Select tool says of a thing: names and values, in words."""
+"""The facts of a thing for the viewer's Select tool: names and values, in words."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ from .poses import ribbon
 
 
 def shapes_of(msg: Any) -> list[Shape]:
-    """What a marker looks like, in its own frame; raises ValueError (MeshError is one) for what cannot be shown."""
+    """A marker's shapes, in its own frame; raises ValueError (MeshError is one) for a marker that cannot be shown."""
     make = _MAKERS.get(msg.type)
     if make is None:
         raise ValueError(f"there is no marker type {msg.type}")

@@ -36,7 +36,7 @@ def rainbow(values: np.ndarray) -> np.ndarray:
 
 
 class _Dots(StampedDisplay):
-    """What came within the last `decay_time` seconds; 0: only the newest."""
+    """The points of the last `decay_time` seconds; 0: only the newest."""
 
     def __init__(self, config: DisplayConfig, number: int) -> None:
         super().__init__(config, number)
@@ -63,7 +63,7 @@ class _Dots(StampedDisplay):
         return [*self.dot_facts(*found), ("Position", point_text(world(thing, found[1]))), *header_facts(self.shown)]
 
     def dot_facts(self, number: int, dot: np.ndarray) -> list[Fact]:
-        """What there is to say of a dot, in the message's frame."""
+        """The facts of a dot, in the message's frame."""
         return [("Point", f"{number}")]
 
     def move(self, pose: Pose, scene: Scene) -> None:

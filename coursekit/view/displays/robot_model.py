@@ -78,7 +78,7 @@ class RobotModel(Display):
             self.say("URDF", "Warn", plain[0] + (f" (and {len(plain) - 1} more)" if len(plain) > 1 else ""))
 
     def _plain(self) -> list[str]:
-        """What of the meshes is drawn without its texture."""
+        """The meshes that are drawn without their textures."""
         assert self.robot is not None
         shapes = [visual.geometry for link in self.robot.links.values() for visual in link.visuals]
         return [note for shape in dict.fromkeys(shapes) for note in notes_of(shape, self.robot.file)]
@@ -102,7 +102,7 @@ class RobotModel(Display):
         return fault
 
     def prefix(self, stage: Stage) -> str:
-        """What stands before the links' names in tf: as told, else the topic's namespace where only that exists."""
+        """The prefix of the links' names in tf: as set, else the topic's namespace where only that exists."""
         assert self.robot is not None
         told = self.options["tf_prefix"]
         if told:

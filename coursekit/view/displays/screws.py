@@ -25,7 +25,7 @@ class _Screw(KeptDisplay):
     names = ("linear", "angular")
 
     def vectors(self, msg: Any) -> tuple[Any, Any]:
-        """What is along and what is about."""
+        """The vector along, and the one about."""
         raise TypeError(f"{type(self).__name__} has to say what it shows")
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:

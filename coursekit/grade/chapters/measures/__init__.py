@@ -1,1 +1,1 @@
-"""What judges measure with; like the judges, it is hidden from what students run in grading."""
+"""The judges' measures; like the judges, they are hidden from programs that students run in grading."""

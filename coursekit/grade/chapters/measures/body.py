@@ -1,4 +1,4 @@
-"""What judges measure of a robot's body: where it is, how large, what it weighs, and whether it stands."""
+"""Measures of a robot's body: its pose, its size, its weight, and whether it stands."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
 FLOOR = 0.002
-"""What counts as touching the floor [m]."""
+"""The largest gap that counts as touching the floor [m]."""
 
 
 def poses(robot: Robot, positions: dict[str, float]) -> dict[str, Any]:

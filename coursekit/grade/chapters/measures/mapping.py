@@ -18,7 +18,7 @@ PLACES = [(0.0, 0.0), (2.4, -0.4), (4.2, 0.6), (3.6, 2.4), (2.2, 3.4), (0.6, 2.4
 
 
 def added(model: Any, r: float, z: float) -> float:
-    """What the model adds to a cell r metres away when a beam ended at z metres; Wrong when it is no number."""
+    """The model's addition to a cell r metres away when a beam ended at z metres; Wrong when it is no number."""
     told = f"inverse_sensor_model({r:g}, {z:g})"
     return number(called(model, r, z, told=told), f"a finite number from {told}")
 

@@ -74,7 +74,7 @@ def _why(got: Any, need: float, walls: Walls, x: float, y: float, angle: float, 
 
 
 def distance(walls: Walls, x: float, y: float, angle: float, reach: float) -> float:
-    """What the simulator's LiDAR measures in a direction [m]; infinity beyond `reach`."""
+    """The range of the simulator's LiDAR in a direction [m]; infinity beyond `reach`."""
     import numpy as np
 
     from coursekit.geometry.plane import Pose2D

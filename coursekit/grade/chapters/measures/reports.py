@@ -1,4 +1,4 @@
-"""What the robots of chapter 7 report of themselves."""
+"""The reports of the robots of chapter 7."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Report = tuple[int, Spot]
 
 
 def reports(seen: Seen, number: int) -> list[Report]:
-    """What a robot has told of itself: stage and place, in order."""
+    """The reports of a robot: stage and place, in order."""
     topic = f"/robot{number}/robot_status"
     told = (message for _, message in heard(seen, topic))
     return [(field(one, "task_stage", int, topic), spot_of(field(one, "pose", dict, topic))) for one in told]

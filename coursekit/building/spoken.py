@@ -75,7 +75,7 @@ def _constants(tree: ast.Module) -> dict[str, ast.expr]:
 
 
 def _of_judge(tree: ast.AST) -> Iterator[str]:
-    """The sentences in a judge's source, which are its texts with a space, and the words that stand in some of them."""
+    """The sentences in a judge's source, which are its texts with a space, and the words in some of them."""
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
     texts = [node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr))]
     for node in sorted(texts, key=lambda one: (one.lineno, one.col_offset, isinstance(one, ast.Constant))):

@@ -47,7 +47,7 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
 
 
 def listen_at(path: Path) -> socket.socket:
-    """Listen at a file, or at a loopback port that stands in it with a token; only this user can read it."""
+    """Listen at a file, or at a loopback port that it names with a token; only this user can read it."""
     path.unlink(missing_ok=True)
     if HAS_UNIX:
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)

@@ -16,7 +16,7 @@ class Source:
     """Something that can become ready: a subscription with a message, a timer that is due, ...
 
     `sink` is the queue of the executor that serves it, `item` what the executor finds there.
-    `queued` says that it stands in the queue already: a source stands there once, however much it holds.
+    `queued` says that it is in the queue already: a source is there once, however much it holds.
     With `yields` it lets those that are ready with it go first, once.
     A `listener` is called with each thing that comes to a topic, service or event, before anybody takes it.
     """
@@ -91,7 +91,7 @@ class ReadyQueue:
             return None
 
     def count_ready(self) -> int:
-        """How many stand in the queue now, with the timers that are due."""
+        """How many are in the queue now, with the timers that are due."""
         self._ring(self.clock.steady())
         return len(self.items)
 

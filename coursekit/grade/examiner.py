@@ -158,7 +158,7 @@ def environment(workspace: Path) -> dict[str, str]:
 def _run_and_judge(
     repaired: Repaired, work: RemoteWork, exercises: Mapping[str, Exercise], limits: sandbox.Limits
 ) -> list[Verdict]:
-    """Values are judged where their check stands; files and programs at the end, after one build."""
+    """Values are judged at their check; files and programs at the end, after one build."""
     verdicts: list[Verdict] = []
     later: list[str] = []
     stopped, over = "", False

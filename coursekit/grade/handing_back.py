@@ -119,7 +119,7 @@ def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
 
 
 def _columns(platform: str, table: Table, headings: list[str], title: str) -> tuple[int, int | None]:
-    """Where the mark and the comment stand; a list without a column for marks gets its own at the end."""
+    """The columns of the mark and the comment; a list without a column for marks gets its own at the end."""
     mark = mark_column(table) if platform == "moodle" else None
     if mark is not None:
         return mark, comment_column(table)

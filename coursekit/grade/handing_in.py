@@ -43,7 +43,7 @@ EVIDENCE = re.compile(r"\w+_evidence_s\w+\.(png|pdf)")
 
 
 def who_and_where() -> dict[str, str]:
-    """User, host and time, as they stand on evidence."""
+    """User, host and time, as on evidence."""
     return {"user": getpass.getuser(), "host": platform.node(), "time": time.strftime("%Y-%m-%d %H:%M:%S %z")}
 
 

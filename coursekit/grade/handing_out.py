@@ -33,7 +33,7 @@ def write_for_moodle(out: Path, archives: Mapping[Person, Path]) -> Path:
 
 
 def expect_numbers(roster: Roster) -> None:
-    """Moodle knows its participants by numbers, which stand in the grading worksheet of an assignment.
+    """Moodle knows its participants by the numbers in the grading worksheet of an assignment.
 
     Raises:
         ValueError: when somebody has none.

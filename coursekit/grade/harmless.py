@@ -46,13 +46,13 @@ def cell(text: str, most: int = 2000) -> str:
 
 
 def lines(text: str, most: int = 400) -> str:
-    """A text of several lines, as it stands but for what is not to be seen."""
+    """A text of several lines, as it is but for invisible signs."""
     kept = text.expandtabs(4).splitlines()[:most]
     return "\n".join("".join(_letter(letter) for letter in line[:400]) for line in kept)
 
 
 def number(value: float) -> str:
-    """Points as they stand in tables.
+    """Points as written in tables.
 
     >>> number(2.0), number(1.25)
     ('2', '1.25')

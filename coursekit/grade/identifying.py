@@ -32,7 +32,7 @@ class Identified:
 
 
 def named_in(name: str, roster: Roster) -> str:
-    """The student who stands in the name of a folder or file; '' if none does, or more than one could be meant.
+    """The student whom the name of a folder or file names; '' if none does, or more than one could be meant.
 
     >>> named_in("annleeds_1234_AnnLeeds_03_services", Roster(["Ann Lee", "Ann Leeds"]))
     'Ann Leeds'
@@ -118,7 +118,7 @@ class Identifier:
         return numbered & named or numbered or named
 
     def _inside(self, text: str) -> set[Person]:
-        """Those whose name or id stands in a name as words of it; a longer name counts before one within it."""
+        """Those whose name or id is in a name as words of it; a longer name counts before one within it."""
         words = [plain(one) for one in re.split(r"[\W_]+", text) if plain(one)]
         found: list[tuple[int, int, Person]] = []
         for begin in range(len(words)):

@@ -24,7 +24,7 @@ class Outcome:
         return by_status(one.status() for one in self.records)
 
     def line(self) -> str:
-        """How it stands with the class, in one line: the same wherever it is told."""
+        """The state of the class, in one line: the same wherever it is told."""
         nobody_s = len(self.collection.whose)
         asked = f"; {counted(nobody_s, 'hand-in is', 'hand-ins are')} nobody's yet" if nobody_s else ""
         return f"{counted(len(self.records), 'student')}: {told(self.statuses()) or 'nothing was handed in'}{asked}"

@@ -44,7 +44,7 @@ def numbered(*about: str) -> str:
 
 
 def read_answers(file: Path) -> dict[str, str]:
-    """The answers that stand in the table so far.
+    """The answers in the table so far.
 
     Raises:
         ValueError: when the table cannot be read.

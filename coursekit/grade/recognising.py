@@ -218,7 +218,7 @@ class Recogniser:
         return tuple(known for one in named if (known := one.known(notebook)).begun)
 
     def by_name(self, file: str) -> str:
-        """The chapter whose name stands in that of a file: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""
+        """The chapter whose name is part of a file's: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""
         plain = re.sub(r"[\W_]+", "_", Path(file).stem.casefold())
         fitting = [name for name in self.chapters if _stands_in(re.sub(r"[\W_]+", "_", Path(name).stem.casefold()), plain)]
         return max(fitting, key=len) if fitting else ""

@@ -135,7 +135,7 @@ class Record:
         return sum(verdict.of for one in self.wanted.values() for verdict in one)
 
     def status(self) -> str:
-        """How it stands."""
+        """The status."""
         complete = bool(self.marks) and all(name in self.marks for name in self.chapters())
         marked = self.marked() if complete else None
         if self.handed.entries and not self.chapters():

@@ -40,7 +40,7 @@ white-space:pre-wrap;overflow-wrap:anywhere}}</style></head>
 
 
 def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
-    """The report as HTML; `fields(exercise)` is what stands below each verdict, where it is marked by hand.
+    """The report as HTML; `fields(exercise)` is the part below each verdict, where it is marked by hand.
 
     Students see first what they can improve, in the language of their notebooks; who marks finds the exercises in the
     same place on everybody's page.
@@ -103,7 +103,7 @@ def _how(record: Record) -> str:
 
 
 def _footer(record: Record, marked: Marked) -> str:
-    """How it stands, how late it was, and where it was run."""
+    """The status, how late it was, and where it was run."""
     parts = [f'<span class="status">{_text(gettext(record.status()).capitalize())}</span>']
     if marked.minutes_late:
         parts.append(gettext(f"{late_by(marked.minutes_late)} late by {_text(gettext(record.time_from()))}"))

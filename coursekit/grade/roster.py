@@ -16,7 +16,7 @@ from .tables import COMMA, Form, Table, decoded, read_table
 
 
 def student_word(student: str) -> str:
-    """A name as it stands in the names of files.
+    """A name as in the names of files.
 
     >>> student_word("Vera de la Course")
     'VeraDeLaCourse'

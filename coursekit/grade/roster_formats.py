@@ -1,4 +1,4 @@
-"""The lists of a class that learning platforms export, and where in them names, e-mail and ids stand."""
+"""The lists of a class that learning platforms export, and their columns of names, e-mail and ids."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _TEST = re.compile(r"(?:student, test|test student|\w+_previewuser)", re.I)
 
 @dataclass(frozen=True)
 class Layout:
-    """Where in a table what stands."""
+    """The columns of a table."""
 
     platform: str
     """moodle, canvas, blackboard, classroom, or '' for a plain table."""

@@ -1,6 +1,6 @@
 """The class as a whole: mean, spread, the hardest questions, and a picture. Every page and line takes its numbers from here.
 
-An average is of the marks as they stand in the table's column `total`: with points by hand, after what is taken off for
+An average is of the marks as in the table's column `total`: with points by hand, after what is taken off for
 lateness; of those who handed in, or were given points by hand, and have a mark. Shares of an exercise's points are before
 lateness.
 """

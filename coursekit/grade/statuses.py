@@ -1,4 +1,4 @@
-"""How it stands with each person's work: said with the same words and counted in the same way everywhere."""
+"""The status of each person's work: said with the same words and counted in the same way everywhere."""
 
 from __future__ import annotations
 

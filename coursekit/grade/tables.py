@@ -29,7 +29,7 @@ class Form:
     decimal: str = "."
 
     def number(self, value: float) -> str:
-        """Points as they stand in a table of this form."""
+        """Points as written in a table of this form."""
         return number(value).replace(".", self.decimal)
 
 

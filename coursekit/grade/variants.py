@@ -88,7 +88,7 @@ def personal(notebook: Mapping[str, Any], values: Values) -> dict[str, Any]:
 
 
 def _heading(notebook: Mapping[str, Any], place: int) -> int:
-    """The cell with the heading that the exercise stands under."""
+    """The cell with the heading of the exercise."""
     return max((above for above in range(place) if _parted(notebook["cells"][above])[2]), default=0)
 
 

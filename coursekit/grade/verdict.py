@@ -109,7 +109,7 @@ class Verdict:
         return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self, picture: str = "") -> str:
-        """For the notebook; `picture` is HTML that stands below the words."""
+        """For the notebook; `picture` is HTML below the words."""
         colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         rows = "".join(
             f"<tr style='background:none'><td style='{_CELL};opacity:.7;padding-right:12px;white-space:nowrap'>{label}</td>"
@@ -139,7 +139,7 @@ def _s(number: float) -> str:
 
 
 def _as_html(label: str, value: str) -> str:
-    """In a check's own words, what stands between backticks is code."""
+    """In a check's own words, the part between backticks is code."""
     escaped = html.escape(value)
     ours = label in map(gettext, _OURS)
     return re.sub(r"`([^`\n]+)`", r"<code>\1</code>", escaped) if ours else escaped

@@ -11,7 +11,7 @@ from coursekit.interfaces.model import Message
 
 
 def builder_lines(package: str, kind: str, messages: Iterable[Message]) -> list[str]:
-    """The builders of a header's messages, which stand before them."""
+    """The builders of a header's messages, which come before them."""
     all_of_them = list(messages)
     return [
         f"namespace {package}::{kind}::builder",

@@ -13,7 +13,7 @@ from coursekit.interfaces.registry import _SUFFIX, load, register_module
 
 
 def expose(module: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return `__getattr__`, `__dir__` and `__all__` for the module 'package.kind' that stands in `file`."""
+    """Return `__getattr__`, `__dir__` and `__all__` for the module 'package.kind' whose source is `file`."""
     package, kind = module.rsplit(".", 1)
     prefix = _prefix_of(Path(file), package)
     if prefix is not None:

@@ -103,7 +103,7 @@ class FieldType:
 
 @dataclass(frozen=True)
 class Field:
-    """One field; `line` tells where it stands in the file."""
+    """One field; `line` is its line in the file."""
 
     type: FieldType
     name: str

@@ -16,7 +16,7 @@ def edited(text: str, old: str, new: str) -> str | None:
 
 
 def is_done(text: str, old: str, new: str) -> bool:
-    """Whether `new` stands there; an addition also where others were put between its lines, or into one, since."""
+    """Whether `new` is there; an addition also where others were put between its lines, or into one, since."""
     if new in text:
         return True
     above, anchor, below = text.partition(old)
@@ -38,7 +38,7 @@ def undone(text: str, old: str, new: str) -> str:
 
 
 def appended(text: str, piece: str, former: str | None) -> str:
-    """`text` with `piece` at its end, or where the former one of the same cell stands.
+    """`text` with `piece` at its end, or in place of the former one of the same cell.
 
     >>> appended("a\\nb\\nc\\n", "B\\n", former="b\\n")
     'a\\nB\\nc\\n'
@@ -54,7 +54,7 @@ def _lines(text: str) -> list[str]:
 
 
 def _has_lines(text: str, wanted: list[str]) -> bool:
-    """Whether these lines stand in `text` in this order; each may have got more words."""
+    """Whether these lines are in `text` in this order; each may have got more words."""
     rest = iter(_lines(text))
     return all(any(_within(line, there) for there in rest) for line in wanted)
 

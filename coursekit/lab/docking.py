@@ -9,7 +9,7 @@ import anywidget
 
 
 class View(anywidget.AnyWidget):
-    """The base of all that stands in a cell and may stand on the desk."""
+    """The base of all views that a cell shows and that may go to the desk."""
 
     put_on_desk: ClassVar[Callable[[View], object]]
     """The function behind the button; the desk gives it when it is imported."""

@@ -177,7 +177,7 @@ def _to_cell(background: bool, change: Any = str) -> Any:
 def _without_folders(text: str) -> str:
     """Where every run has to print the same, the folder of the course is called `~`."""
     folder = str(workspace().parent)
-    quoted = folder.replace("\\", "\\\\")  # as Windows' paths stand in a repr
+    quoted = folder.replace("\\", "\\\\")  # as in a repr of Windows' paths
     return text.replace(quoted, "~").replace(folder, "~") if current().clock.virtual else text
 
 

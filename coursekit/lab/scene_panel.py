@@ -73,7 +73,7 @@ class ScenePanel(Panel):
         self._stream.look_anew()
 
     def hurry(self) -> None:
-        """Tell the page what stands beside the picture with the next one."""
+        """Tell the page the texts beside the picture with the next one."""
         self._stream.hurry()
 
     def follows(self) -> list[float] | None:

@@ -1,4 +1,4 @@
-"""Driving a robot along points as somebody does who stands beside it, and noting where it believed to be meanwhile."""
+"""Driving a robot along points as somebody beside it does, and noting where it believed to be meanwhile."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ STEP = 0.01
 
 @dataclass(frozen=True)
 class Comparison:
-    """A map's walls beside the truth, of which only what the map could know counts: what stands beside free cells."""
+    """A map's walls beside the truth, of which only what the map could know counts: cells beside free ones."""
 
     iou: float
     """Walls that both have, of all that one of them has; 1 is perfect."""

@@ -89,7 +89,7 @@ def credentials_from_the_environment() -> Credentials:
 def join_as_the_environment_says(session: Session, domain_id: int) -> bool:
     """Join the network that COURSEKIT_NETWORK names, once; whether it is joined.
 
-    What stands in the way is told, and all goes on without. Tests join nothing: a robot is no part of them.
+    An obstacle is told, and all goes on without. Tests join nothing: a robot is no part of them.
     """
     with _lock:
         tried = _tried.setdefault(session, set())

@@ -83,7 +83,7 @@ def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> lis
 
 
 def _aligned(rows: list[list[str]]) -> Iterator[str]:
-    """Lines whose parts stand below each other; a part that all lack takes no room.
+    """Lines whose parts are aligned; a part that all lack takes no room.
 
     >>> list(_aligned([["/scan", "5"], ["/tf", "20"]]))
     ['/scan  5', '/tf    20']

@@ -174,7 +174,7 @@ class ErrorsAside:
         line = getattr(event, "line", b"")
         line = _COLOR.sub(b"", line if isinstance(line, bytes) else line.encode())  # Jupyter asks programs for colours
         is_error = isinstance(event, StderrLine) or (isinstance(event, StdoutLine) and not _OF_CMAKE.match(line.strip()))
-        if is_error and not self._last.startswith(b"FAILED: "):  # what ninja ran stands behind that line
+        if is_error and not self._last.startswith(b"FAILED: "):  # ninja's command follows that line
             self.errors.append(line)
         else:
             self._context.put_event_into_queue(event)

@@ -1,4 +1,4 @@
-"""Setup scripts that colcon writes, made right for folders of any name: a shell runs nothing that stands in a name.
+"""Setup scripts that colcon writes, made right for folders of any name: a shell runs no part of a name.
 
 colcon fills its templates by `expand_template`. In this process that is ours, so nothing it writes for a shell is read
 before it is quoted, also not what runs during a build.
@@ -104,7 +104,7 @@ def expand_quoted(template_path: Path, destination_path: Path, data: dict[str, A
 
 
 def quoted(script: str) -> str:
-    """A script in which every path stands between single quotation marks, and `eval` is given no values.
+    """A script in which every path is between single quotation marks, and `eval` is given no values.
 
     >>> print(quoted("_colcon_prefix=/home/José Luis/ws\\n$_colcon_python_executable \\"$x\\""))
     _colcon_prefix='/home/José Luis/ws'

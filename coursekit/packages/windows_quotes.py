@@ -1,4 +1,4 @@
-"""Setup scripts for Windows' shells, made right for folders of any name: PowerShell runs nothing that stands in one."""
+"""Setup scripts for Windows' shells, made right for folders of any name: PowerShell runs no part of one."""
 
 from __future__ import annotations
 

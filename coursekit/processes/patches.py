@@ -1,4 +1,4 @@
-"""The table of all that stands in the place of something of Python's: what, why, and which test shows it.
+"""The table of all replacements in Python and its libraries, each with its reason and its test.
 
 Libraries' patches are lent when the library is imported (`coursekit.view.highgui`, `coursekit.view.plots`). The
 document docs/patches.md is made from this table: `python -m tests.processes.patch_table`.

@@ -1,6 +1,6 @@
 """How something of Python or of a library is replaced while sessions are open, and put back after the last one.
 
-What is replaced stands in the table of `coursekit.processes.patches`; no other module assigns to what is not its own.
+All replacements are in the table of `coursekit.processes.patches`; no other module assigns to what is not its own.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Those of KERNEL mend a notebook's kernel for as long as it runs; the patch_manag
 
 @dataclass(eq=False)
 class Patch:
-    """One name of Python's or of a library's, and what stands there while sessions are open.
+    """One name of Python's or of a library's, and its replacement while sessions are open.
 
     >>> import string
     >>> patch = Patch("string.digits", lambda real: real[::-1], "an example", "tests/processes/test_patches.py")
@@ -39,7 +39,7 @@ class Patch:
 
     target: str
     make: Callable[[Any], Any]
-    """Gives what stands there, made from what was found there."""
+    """Gives the replacement, made from the original."""
     reason: str
     test: str
     """The test file that shows what it is for."""

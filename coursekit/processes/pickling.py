@@ -1,4 +1,4 @@
-"""Pickles of a program's own classes: pickle looks them up in sys.modules, where a process's modules do not stand."""
+"""Pickles of a program's own classes: pickle looks them up in sys.modules, where a process's modules are not."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ def scope(text: str) -> tuple[str | None, str]:
 
 
 def sides(rule: str) -> tuple[str, str]:
-    """Return what stands before and after `:=`; RuleError when the rule has no such form."""
+    """Return the parts before and after `:=`; RuleError when the rule has no such form."""
     left, mark, right = rule.partition(":=")
     if not mark:
         raise RuleError("Expected ':=' between the two sides, as in name:=value")

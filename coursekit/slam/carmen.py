@@ -91,7 +91,7 @@ class CarmenLog:
         return Pose2D(ahead, 0.0, 0.0) if abs(ahead) < 3.0 else Pose2D()
 
     def _range_limit(self) -> dict[tuple[str, int], float]:
-        """Where "no return" begins for each kind of scan: a largest value that stands in the log again and again."""
+        """Where "no return" begins for each kind of scan: a largest value that the log repeats again and again."""
         limits: dict[tuple[str, int], float] = {}
         groups: dict[tuple[str, int], list[np.ndarray]] = {}
         for reading in self.readings:

@@ -24,7 +24,7 @@ WIDEST = 3.0
 
 @njit(cache=True)
 def _count(points: Array, bearings: Array, ranges: Array, widest: float, fixed: float, growing: float) -> tuple[int, int]:
-    """How many points stand where the beams beside them ended, and how many in front of it."""
+    """How many points lie where the beams beside them ended, and how many in front of it."""
     agreeing = standing = 0
     last = len(bearings)
     for k in range(len(points)):

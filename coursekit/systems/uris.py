@@ -1,4 +1,4 @@
-"""Files named by `file://`: on Windows a drive's letter, or a computer, stands before the path."""
+"""Files named by `file://`: on Windows a drive's letter, or a computer, comes before the path."""
 
 from __future__ import annotations
 

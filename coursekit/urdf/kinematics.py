@@ -65,7 +65,7 @@ class Kinematics:
         self._run = _compile(robot, self.links)
 
     def poses(self, positions: Mapping[str, float] | None = None) -> dict[str, Pose]:
-        """Each link's pose in the root link; joints that are not given stand at 0, mimics follow.
+        """Each link's pose in the root link; joints that are not given are at 0, mimics follow.
 
         Raises LookupError for a name that is no joint which moves.
         """

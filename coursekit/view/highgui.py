@@ -164,7 +164,7 @@ def pollKey() -> int:
 
 
 def setWindowTitle(winname: str, title: str) -> None:
-    """Change what stands above a window."""
+    """Change a window's title."""
     window = desk().window(winname)
     window.title = title
     _windows.tell(window)

@@ -29,7 +29,7 @@ _BEAM_COLOUR = (0.25, 0.5, 0.95, 0.22)
 _MARGIN = 1.0
 """The floor reaches so far beyond all things [m]."""
 _BELOW = -0.02
-"""Where the floor is drawn [m]: what stands on it does not flicker through it."""
+"""Where the floor is drawn [m]: things on it do not flicker through it."""
 LASER_NS = 100_000_000
 """Beams are drawn anew after so much simulated time."""
 

@@ -1,6 +1,6 @@
 """`gettext("Trying out ch02.q1")`: a sentence in the course's language.
 
-English is the key, and stands where nothing is translated.
+English is the key, and is shown where nothing is translated.
 
 A catalogue's entry may have fields, `{0} m from a side`: it stands for every sentence that has something at those places.
 So what says a sentence makes it in English, and where it is shown it is translated as a whole.

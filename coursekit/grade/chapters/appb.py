@@ -16,7 +16,7 @@ from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 PALLET = (2.0, 1.0, 0.0)
-"""Where the pallet of the third exercise stands in map [m]."""
+"""The position of the pallet of the third exercise in map [m]."""
 SIDES = {
     "a pallet": [(0.6, 0.4), (-0.6, 0.4), (-0.6, -0.4), (0.6, -0.4)],
     "a pallet elsewhere, turned by 50°": [(-3.08, 2.72), (-3.85, 1.80), (-3.24, 1.29), (-2.47, 2.21)],

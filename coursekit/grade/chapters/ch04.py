@@ -25,7 +25,7 @@ METRES = re.compile(r"\b(m|met(re|er)s?|metros?|mètres?|metri)\b", re.I)
 
 
 def _message(work: Work, name: str) -> Message:
-    """A message type as it stands in src/, which also has to be in install/ like that."""
+    """A message type as it is in src/, which also has to be in install/ like that."""
     source = f"src/{TYPES}/msg/{name}.msg"
     found = work.message(source)
     work.built(TYPES)

@@ -61,7 +61,7 @@ class Marks:
         return f"Saved: {number(given)} of {number(of)}, a bonus" if given > of else ""
 
     def shown(self, key: str, exercise: str) -> dict[str, str]:
-        """How a person stands now: the total, the status, and what is said of an exercise, as HTML."""
+        """A person's state now: the total, the status, and what is said of an exercise, as HTML."""
         record = self.records[key]
         total = record.total()
         told = {"total": "no mark yet" if total is None else number(total), "status": record.status().capitalize()}
@@ -77,7 +77,7 @@ class Marks:
         self._group.write(self._outcome)
 
     def order(self) -> Sequence[str]:
-        """Everybody's keys, as they stand in the table: points are given for what was shown or said, too."""
+        """Everybody's keys, as in the table: points are given for what was shown or said, too."""
         return list(self.records)
 
     def _record(self, key: str, exercise: str) -> Record:

@@ -27,7 +27,7 @@ class Quality(NamedTuple):
     lease: int = FOREVER
 
     def text(self) -> str:
-        """As it stands at the end of a token."""
+        """Its form at the end of a token."""
         depth = _unless(self.depth, DEFAULT_DEPTH)
         return ":".join(
             (

@@ -121,7 +121,7 @@ def _server(host: Host, frame: Unpacker) -> tuple[CompiledActionServer, bytes]:
 
 
 def do_goal_status(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How a goal stands: a number of action_msgs/msg/GoalStatus."""
+    """The status of a goal: a number of action_msgs/msg/GoalStatus."""
     server, key = _server(host, frame)
     return packed(server.goal(key).status)
 

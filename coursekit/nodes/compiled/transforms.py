@@ -70,7 +70,7 @@ def do_tf_chain(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_tf_parent(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The name of the frame that one stands in; empty for none."""
+    """The name of the frame that one is in; empty for none."""
     tree = safe_load(host.things[frame.integer()].all_frames_as_yaml())
     return packed((tree or {}).get(frame.text().lstrip("/"), {}).get("parent", ""))
 

@@ -21,7 +21,7 @@ COLOUR = (0.85, 0.55, 0.35)
 def actor(element: Element) -> Thing:
     """The thing that an `<actor>` is. Raises UrdfError with the line.
 
-    Its waypoints are poses in the world, as in Gazebo Classic; without any it stands at its `<pose>`.
+    Its waypoints are poses in the world, as in Gazebo Classic; without any it stays at its `<pose>`.
     """
     name = element.get("name")
     if not name:

@@ -1,4 +1,4 @@
-"""Robots whose links move: an arm stands in the world as its joints are."""
+"""Robots whose links move: an arm is in the world as its joints are."""
 
 from __future__ import annotations
 

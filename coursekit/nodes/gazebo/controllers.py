@@ -89,7 +89,7 @@ def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
 
 
 def _flat(data: dict[str, Any]) -> dict[str, Any]:
-    """Nodes by name, also those that stand below a namespace."""
+    """Nodes by name, also those below a namespace."""
     found = {}
     for name, node in data.items():
         if isinstance(node, dict) and "ros__parameters" not in node and all(isinstance(one, dict) for one in node.values()):

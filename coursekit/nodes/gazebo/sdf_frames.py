@@ -38,7 +38,7 @@ def _text(path: Path) -> str:
 
 
 def is_merged(element: Element) -> bool:
-    """Whether the links of an `<include>` become those of the model that it stands in."""
+    """Whether the links of an `<include>` become those of the model that contains it."""
     return element.get("merge") in ("true", "1")
 
 

@@ -141,7 +141,7 @@ def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprin
 
 
 def _restore(state: Element, blueprints: list[Blueprint]) -> None:
-    """Models stand where a saved state says; links that moved inside them too."""
+    """Models are where a saved state says; links that moved inside them too."""
     saved = {one.get("name"): one for one in state.all("model")}
     for made in blueprints:
         one = saved.get(made.name)

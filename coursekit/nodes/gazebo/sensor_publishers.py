@@ -115,7 +115,7 @@ class ScanPublisher(SensorPublisher):
 
 
 class JointPublisher(SensorPublisher):
-    """Angles of wheels and of joints with motors at work; other joints stand at 0."""
+    """Angles of wheels and of joints with motors at work; other joints are at 0."""
 
     device: JointDevice
 

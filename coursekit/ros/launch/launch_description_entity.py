@@ -1,4 +1,4 @@
-"""The base class of everything that can stand in a launch description."""
+"""The base class of all entities of a launch description."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from xml.parsers import expat
 
 @dataclass
 class Element:
-    """One XML element: tag, attributes, children, text, and where it stands."""
+    """One XML element: tag, attributes, children, text, and place."""
 
     tag: str
     attrib: dict[str, str]

@@ -31,7 +31,7 @@ class Entity(frontend.Entity):
 
     @property
     def place(self) -> str:
-        """Where the element stands, as file:line."""
+        """The element's place, as file:line."""
         return self.__element.place
 
     @property

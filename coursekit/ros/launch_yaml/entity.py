@@ -56,7 +56,7 @@ class Entity(frontend.Entity):
 
     @property
     def place(self) -> str:
-        """Where the element stands, as file:line."""
+        """The element's place, as file:line."""
         return f"{self.__file_name}:{self.__line}"
 
     @property

@@ -8,7 +8,7 @@ import yaml
 
 
 class PlacedDict(dict):  # type: ignore[type-arg]
-    """A mapping with the line its first key stands in."""
+    """A mapping with the line of its first key."""
 
     line = 0
 

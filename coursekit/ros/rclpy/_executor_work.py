@@ -1,6 +1,6 @@
 """An executor's next work: ready entities and tasks, and the waiting for them.
 
-Ready entities stand in a queue (`coursekit.core.ready_queue`), so a wake-up costs the same with two nodes and with two
+Ready entities are in a queue (`coursekit.core.ready_queue`), so a wake-up costs the same with two nodes and with two
 hundred; real rclpy asks every entity in every cycle.
 """
 

@@ -25,7 +25,7 @@ class Entity:
 
     @property
     def place(self) -> str:
-        """Where the element stands, as file:line, for error messages."""
+        """The element's place, as file:line, for error messages."""
         return ""
 
     def assert_entity_completely_parsed(self) -> None:

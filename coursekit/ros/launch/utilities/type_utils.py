@@ -53,7 +53,7 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
 
 
 def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
-    """Return whether `value` is a scalar or a uniform list; with `can_be_str` text may stand among the items."""
+    """Return whether `value` is a scalar or a uniform list; with `can_be_str` text may be among the items."""
     if not isinstance(value, list):
         return isinstance(value, ScalarTypesTuple)
     kinds = {type(item) for item in value}

@@ -43,7 +43,7 @@ def normalize_parameter_dict(
 ) -> ParametersDict:
     """Return a mapping without nesting: names joined by dots, lists of one type, text in quotes.
 
-    Text that stands in the launch file stays text, whatever it looks like; what substitutions give is
+    Text in the launch file stays text, whatever it looks like; what substitutions give is
     read by YAML's rules later. Whole numbers among floats become floats.
 
     Raises:

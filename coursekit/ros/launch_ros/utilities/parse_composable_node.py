@@ -56,7 +56,7 @@ def _condition(entity: Entity, parser: Parser) -> dict[str, Any]:
 
 
 def parse_composable_nodes(entity: Entity, parser: Parser, *, optional: bool) -> list[ComposableNode]:
-    """Return the components that stand inside an element."""
+    """Return the components inside an element."""
     from ..descriptions import ComposableNode
 
     found = []

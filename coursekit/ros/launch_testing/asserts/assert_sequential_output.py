@@ -49,7 +49,7 @@ class SequentialTextChecker:
         """Return the line after the last match, with two lines before and after it."""
         whole = "".join(self._output)
         at = sum(map(len, self._output[: self._piece])) + self._at
-        line = whole.count("\n", 0, at + 1)  # a match up to the end of its line stands before the next one
+        line = whole.count("\n", 0, at + 1)  # a match up to the end of its line comes before the next one
         return "\n".join(whole.splitlines()[max(0, line - _LINES_AROUND) : line + _LINES_AROUND + 1])
 
 

@@ -63,7 +63,7 @@ class LaunchTestItem(pytest.Item):
         )
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Where it stands, and what it is called."""
+        """Its place and its name."""
         return self.path, 0, f"launch tests: {self.name}"
 
 

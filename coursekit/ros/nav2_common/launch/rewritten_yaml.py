@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class RewrittenYaml(Substitution):
     """The name of a copy of `source_file`: values rewritten, keys renamed, all of it under `root_key`.
 
-    `param_rewrites` names a key wherever it stands, or one by its path (`amcl.ros__parameters.min_particles`). Values
+    `param_rewrites` names a key wherever it is, or one by its path (`amcl.ros__parameters.min_particles`). Values
     are texts; `true` and `false` become truth values, and with `convert_types` numbers become numbers.
     """
 

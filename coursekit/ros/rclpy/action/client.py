@@ -206,7 +206,7 @@ class ActionClient(Waitable):
         return NumberOfEntities(num_clients=3, num_subs=2)
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Nothing: its clients and subscriptions stand in the executor's queue."""
+        """Nothing: its clients and subscriptions are in the executor's queue."""
 
     def destroy(self) -> None:
         """Let go of the services and topics; answers that are still to come are lost."""

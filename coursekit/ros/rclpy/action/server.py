@@ -260,7 +260,7 @@ class ActionServer(Waitable):
         return NumberOfEntities(num_timers=1, num_services=3)
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Nothing: its services stand in the executor's queue."""
+        """Nothing: its services are in the executor's queue."""
 
     def destroy(self) -> None:
         """Stop serving; goals that are being executed run on, and nobody hears of it."""

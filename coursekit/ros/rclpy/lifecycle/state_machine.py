@@ -82,7 +82,7 @@ TRANSITIONS: list[Transition] = [
 
 
 class StateMachine:
-    """Where a node stands. `notify(start, goal)` is called with every change that asks for it.
+    """A node's state. `notify(start, goal)` is called with every change that asks for it.
 
     >>> machine = StateMachine()
     >>> machine.trigger_transition_by_label("configure")

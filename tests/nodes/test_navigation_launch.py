@@ -115,7 +115,7 @@ def launch(session, tmp_path):
     def start(text):
         path = tmp_path / "user.launch.py"
         path.write_text(text)
-        words = ["launch", str(path), f"map:={file}"]
+        words = ["launch", str(path), f"map:={file.as_posix()}"]  # in files with substitutions "\\" is Humble's escape
         return session.start(lambda: run_cli(words), name="ros2", argv=words)
 
     return start

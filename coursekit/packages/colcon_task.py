@@ -12,18 +12,17 @@ from typing import Any
 
 from colcon_core.environment import create_environment_scripts
 from colcon_core.event.output import StderrLine
-from colcon_core.event.test import TestFailure
 from colcon_core.plugin_system import satisfies_version
 from colcon_core.python_install_path import get_python_install_path
 from colcon_core.shell import create_environment_hook, get_command_environment
-from colcon_core.task import TaskExtensionPoint, create_file, install, run
+from colcon_core.task import TaskExtensionPoint, create_file, install
 
 from coursekit.cpp.runtime import ROOM
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, cache_folder
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.stubs import package_stubs
-from coursekit.packages import cmake_build, cmake_tests, cpp_hints, cpp_limits, install_rules, interface_rules
+from coursekit.packages import cmake_build, cpp_hints, cpp_limits, install_rules, interface_rules
 from coursekit.packages.cmake_beyond import NeedsCMake
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
@@ -202,69 +201,5 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         manifest.write_text("".join(f"{name}\n" for name in self._installed), encoding="utf-8")
 
 
-def _none(reading: Reading) -> str:
-    return "none has a name that --ctest-args choose" if reading.tests else "it has none"
-
-
 def _prefixes(env: dict[str, Any]) -> list[Path]:
     return [Path(p) for p in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
-
-
-class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
-    """Test a CMake package: its tests with pytest and launch_testing are run, those in C++ are named."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
-
-    async def test(self) -> int:
-        """Return 0, also when tests fail, which their results tell; 1 when the package cannot be read."""
-        args, name = self.context.args, self.context.pkg.name
-        env = await get_command_environment("test", args.build_base, self.context.dependencies)
-        base = Path(args.test_result_base or args.build_base) / "test_results"
-        build = Path(args.build_base)
-        tools = await self._configured(build, env)
-        try:
-            reading = read_project(Path(args.path), testing=True)
-            if tools:
-                reading = cmake_tests.noted(build, reading.project) or reading
-            chosen = cmake_tests.selection(args.ctest_args or [])
-            tests = [test for test in cmake_tests.commands(reading, base) if chosen(test.name)]
-        except (CMakeError, OSError, ValueError) as error:
-            self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
-            return 1
-        names = [one for one in cmake_tests.compiled(reading) if chosen(one)]
-        skipped = [one for one in cmake_tests.left_out(reading) if chosen(one)]
-        if names and tools and await self._make(cmake_build.build_tests(build, tools, names), env, tools):
-            tests += [cmake_tests.compiled_command(one, build, base / reading.project) for one in names]
-        else:
-            skipped += names
-        ended = [await self._run(test, env) for test in tests]
-        if any(ended):
-            self.context.put_event_into_queue(TestFailure(name))
-        if skipped or not tests:
-            print(f"Skipped tests of {name}: {', '.join(skipped) or _none(reading)}", flush=True)
-        return 0
-
-    async def _configured(self, build: Path, env: dict[str, str]) -> Toolchain | None:
-        """The tools of a package that CMake has built and whose tests it has looked at; None for others."""
-        if not (build / "CMakeCache.txt").is_file():
-            return None
-        try:
-            tools = await prepared_toolchain()
-        except NoToolchain as error:
-            self.context.put_event_into_queue(StderrLine(f"{error}\n".encode()))
-            return None
-        return tools if await self._make(cmake_build.configure_tests(build, tools), env, tools) else None
-
-    async def _make(self, command: list[str], env: dict[str, str], tools: Toolchain) -> bool:
-        """Run a command of CMake; whether it went well."""
-        done = await run(self.context, command, cwd=self.context.args.build_base, env=cmake_build.completed(env, tools))
-        return done.returncode == 0
-
-    async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
-        test.results.parent.mkdir(parents=True, exist_ok=True)
-        test.results.unlink(missing_ok=True)
-        done = await run(self.context, test.command, cwd=self.context.args.build_base, env=env)
-        cmake_tests.note_missing_result(test)
-        return int(done.returncode)

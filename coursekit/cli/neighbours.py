@@ -64,8 +64,11 @@ class Neighbourhood:
         except NoSession:
             path.unlink(missing_ok=True)  # it ended without a word
         else:
-            with contextlib.suppress(OSError):
+            try:
                 peer.sendall(token)
+            except OSError:
+                peer.close()
+            else:
                 self._join(peer, calling=True)
 
     def _join(self, peer: socket.socket, *, calling: bool) -> None:

@@ -143,7 +143,7 @@ private:
   using Frame = message_filters::message_traits::FrameId<M>;
   static tf2::TimePoint stamp_of(const M & message)
   {
-    return tf2::TimePoint(std::chrono::nanoseconds(message_filters::message_traits::TimeStamp<M>::value(message).nanoseconds()));
+    return fromRclcpp(message_filters::message_traits::TimeStamp<M>::value(message));
   }
   struct Waiting
   {

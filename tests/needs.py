@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
+
 ON_WINDOWS = sys.platform == "win32"
 
 
@@ -31,6 +33,16 @@ def in_wine() -> bool:
     return hasattr(ctypes.windll.ntdll, "wine_get_version")  # type: ignore[attr-defined]
 
 
+def compiler_or_skip() -> Toolchain:
+    """What compiles C++ here; the test is skipped where nothing does."""
+    if ON_WINDOWS:
+        pytest.skip("Windows: C++ is not compiled there yet")
+    try:
+        return find_toolchain()
+    except NoToolchain as error:
+        pytest.skip(str(error))
+
+
 def is_private(file: Path) -> bool:
     """Whether its owner alone may read a file; Windows has no such modes, there it lies in a folder of the user's."""
     return ON_WINDOWS or stat.S_IMODE(file.stat().st_mode) == 0o600
@@ -45,4 +57,4 @@ def slashed(text: str | Path) -> str:
     return str(text).replace(os.sep, "/")
 
 
-__all__ = ["ON_WINDOWS", "in_wine", "posix", "real_windows", "slashed"]
+__all__ = ["ON_WINDOWS", "compiler_or_skip", "in_wine", "posix", "real_windows", "slashed"]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from coursekit.cpp.toolchain import NoToolchain, find_toolchain
-from tests.needs import ON_WINDOWS
+from tests.needs import compiler_or_skip
 from tests.packages import course_cpp
 from tests.packages.test_cpp_workspace import ENV, sourced
 
@@ -15,12 +14,7 @@ BOTH_CLOCKS = pytest.mark.parametrize("virtual", [True, False], ids=["virtual", 
 
 @pytest.fixture(scope="module")
 def workspace(tmp_path_factory):
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
-    try:
-        find_toolchain()
-    except NoToolchain as error:
-        pytest.skip(str(error))
+    compiler_or_skip()
     folder = tmp_path_factory.mktemp("course_cpp")
     course_cpp.lay_out(folder)
     course_cpp.build(folder, ENV)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from coursekit.cpp.toolchain import NoToolchain, find_toolchain
-from tests.needs import ON_WINDOWS
+from tests.needs import compiler_or_skip
 from tests.packages.test_cpp_workspace import colcon, scripted
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
@@ -189,12 +188,7 @@ MADE = "[INFO] [1700000000.000000000] [ComponentManager]: {} class: rclcpp_compo
 
 @pytest.fixture(scope="module")
 def workspace(tmp_path_factory):
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
-    try:
-        tools = find_toolchain()
-    except NoToolchain as error:
-        pytest.skip(str(error))
+    tools = compiler_or_skip()
     if "ziglang" in str(tools.cxx):
         pytest.skip("needs a system's compiler: zig's libraries have a C++ library of their own each")
     folder = tmp_path_factory.mktemp("components_ws")

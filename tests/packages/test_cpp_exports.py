@@ -9,9 +9,8 @@ import pytest
 
 from coursekit.cpp.exported import EXPORTED, exported_by
 from coursekit.cpp.runtime import PACKAGES
-from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from coursekit.interfaces.find import UNDERLAY
-from tests.needs import ON_WINDOWS
+from tests.needs import compiler_or_skip
 from tests.packages.test_cpp_workspace import colcon, sourced
 
 MANIFEST = """<package format="3"><name>{name}</name><version>1.4.2</version><description>Means.</description>
@@ -95,12 +94,7 @@ int main() {std::printf("%.1f\\n", means::mean({1, 4}));}
 
 @pytest.fixture
 def workspace(tmp_path):
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
-    try:
-        find_toolchain()
-    except NoToolchain as error:
-        pytest.skip(str(error))
+    compiler_or_skip()
     for name, files, depends in (("means", LIBRARY, "<depend>rclcpp</depend>"), ("asker", USER, "<depend>means</depend>")):
         for path, text in {**files, "package.xml": MANIFEST.format(name=name, depends=depends)}.items():
             file = tmp_path / "src" / name / path

@@ -9,8 +9,7 @@ import subprocess
 
 import pytest
 
-from coursekit.cpp.toolchain import NoToolchain, find_toolchain
-from tests.needs import ON_WINDOWS
+from tests.needs import compiler_or_skip
 from tests.packages.test_cpp_workspace import ENV, SOURCES, colcon, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
@@ -19,12 +18,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 @pytest.fixture(autouse=True)
 def compiler():
     """These need one."""
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
-    try:
-        find_toolchain()
-    except NoToolchain as error:
-        pytest.skip(str(error))
+    compiler_or_skip()
 
 
 def created(tmp_path, name, words=""):

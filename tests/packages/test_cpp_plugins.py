@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from coursekit.cpp.age import MARK
-from coursekit.cpp.toolchain import NoToolchain, find_toolchain
-from tests.needs import ON_WINDOWS
+from tests.needs import compiler_or_skip
 from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
@@ -214,12 +213,7 @@ FILES = {
 
 @pytest.fixture(scope="module", params=[(), ("--symlink-install",)], ids=["copied", "linked"])
 def workspace(request, tmp_path_factory):
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
-    try:
-        tools = find_toolchain()
-    except NoToolchain as error:
-        pytest.skip(str(error))
+    tools = compiler_or_skip()
     if "ziglang" in str(tools.cxx):
         pytest.skip("needs a system's compiler: zig's libraries have a C++ library of their own each")
     folder = tmp_path_factory.mktemp("plugins_ws")

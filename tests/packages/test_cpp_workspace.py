@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.cpp.toolchain import NoToolchain, find_toolchain
-from tests.needs import ON_WINDOWS
+from tests.needs import compiler_or_skip
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 SOURCES = Path(__file__).parent.parent / "fixtures" / "cpp_ws" / "src"
@@ -37,12 +36,7 @@ def scripted(folder, text):
 
 @pytest.fixture(scope="module")
 def workspace(tmp_path_factory):
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
-    try:
-        find_toolchain()
-    except NoToolchain as error:
-        pytest.skip(str(error))
+    compiler_or_skip()
     folder = tmp_path_factory.mktemp("cpp_ws")
     shutil.copytree(SOURCES, folder / "src")
     built = colcon(folder, "build")

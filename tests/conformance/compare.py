@@ -66,7 +66,10 @@ def run(python: Path | str) -> Results:
         subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False)
         if not report.exists():
             raise SystemExit(f"{python} could not run pytest; try: {' '.join(command)}")
-        return outcomes(report.read_text())
+        found = report.read_text()
+        for failure in failures(found):
+            print(failure, file=sys.stderr)
+        return outcomes(found)
 
 
 def outcomes(report: str) -> Results:
@@ -84,6 +87,17 @@ def outcomes(report: str) -> Results:
             "failed" if bad else "skipped" if "skipped" in kinds else "passed"
         )
     return found
+
+
+def failures(report: str) -> list[str]:
+    """Return what pytest said about each test that failed.
+
+    >>> failures('<t><testcase classname="m.test_a" name="b"><failure>assert 0</failure></testcase></t>')
+    ['m.test_a::b failed:\\nassert 0']
+    """
+    cases = ElementTree.fromstring(report).iter("testcase")
+    said = [(case, child) for case in cases for child in case if child.tag in ("failure", "error")]
+    return [f"{case.get('classname')}::{case.get('name')} failed:\n{child.text}" for case, child in said]
 
 
 def table(ours: Results, real: Results | None) -> list[str]:

@@ -56,7 +56,7 @@ class Managed:
 
     def ask(self, kind, name, **fields):
         client = self.asker.create_client(kind, f"/lc/{name}")
-        assert client.wait_for_service(timeout_sec=30.0)
+        assert client.wait_for_service(timeout_sec=8.0)
         return self.world.result(client.call_async(kind.Request(**fields)))
 
     def change(self, number=0, label=""):

@@ -22,6 +22,9 @@ from loopback import alone  # noqa: E402
 Results = dict[str, str]
 """'passed', 'failed' or 'skipped' by test id."""
 
+BAD = {"failure", "error"}
+"""The tags of pytest's report for a test that failed."""
+
 
 def why_not_real() -> str:
     """Why the real rclpy cannot be asked on this machine; empty when it can."""
@@ -66,10 +69,10 @@ def run(python: Path | str) -> Results:
         subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False)
         if not report.exists():
             raise SystemExit(f"{python} could not run pytest; try: {' '.join(command)}")
-        found = report.read_text()
-        for failure in failures(found):
+        xml = report.read_text()
+        for failure in failures(xml):
             print(failure, file=sys.stderr)
-        return outcomes(found)
+        return outcomes(xml)
 
 
 def outcomes(report: str) -> Results:
@@ -81,7 +84,7 @@ def outcomes(report: str) -> Results:
     found: Results = {}
     for case in ElementTree.fromstring(report).iter("testcase"):
         kinds = {child.tag for child in case}
-        bad = kinds & {"failure", "error"}
+        bad = kinds & BAD
         module = case.get("classname", "").rpartition(".")[2]
         found[f"{module}::{case.get('name')}"] = (
             "failed" if bad else "skipped" if "skipped" in kinds else "passed"
@@ -96,7 +99,7 @@ def failures(report: str) -> list[str]:
     ['m.test_a::b failed:\\nassert 0']
     """
     cases = ElementTree.fromstring(report).iter("testcase")
-    said = [(case, child) for case in cases for child in case if child.tag in ("failure", "error")]
+    said = [(case, child) for case in cases for child in case if child.tag in BAD]
     return [f"{case.get('classname')}::{case.get('name')} failed:\n{child.text}" for case, child in said]
 
 

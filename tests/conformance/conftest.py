@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import time
@@ -11,6 +12,7 @@ import pytest
 import rclpy
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.lifecycle import LifecycleNode
 
 sys.path.append(str(Path(__file__).parent))  # for action_setup, whatever pytest's import mode
 
@@ -81,6 +83,15 @@ class World:
             for node in self.nodes:
                 node.destroy_node()
             rclpy.shutdown(context=self.context)
+        self._collect()
+
+    def _collect(self):
+        """Free the managed nodes: the real rclpy keeps the services of a destroyed one in the graph until it is
+        collected, and a client of the next test may meet them."""
+        managed = any(isinstance(node, LifecycleNode) for node in self.nodes)
+        self.nodes.clear()
+        if managed:
+            gc.collect()
 
 
 @pytest.fixture

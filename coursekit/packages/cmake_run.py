@@ -6,7 +6,6 @@ Nothing is compiled. What would be compiled is remembered as a target, so that i
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,8 +13,8 @@ from pathlib import Path
 from coursekit.packages.cmake_beyond import demand
 from coursekit.packages.cmake_condition import holds
 from coursekit.packages.cmake_text import CMakeError, Command, read_commands
+from coursekit.packages.cmake_variables import Variables
 
-_REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
 _BLOCKS = {
     "if": "endif",
     "foreach": "endforeach",
@@ -79,7 +78,7 @@ def read_project(folder: Path, *, testing: bool = False, strict: bool = False) -
     if not (folder / "CMakeLists.txt").is_file():
         raise CMakeError("there is no such file, but this is a CMake package", folder / "CMakeLists.txt", 1)
     runner = _Runner(folder)
-    runner.variables["BUILD_TESTING"] = "ON" if testing else "OFF"
+    runner.variables.values["BUILD_TESTING"] = "ON" if testing else "OFF"
     runner.strict = strict
     runner.run_file(folder / "CMakeLists.txt")
     return runner.reading
@@ -92,22 +91,7 @@ class _Runner:
         self.functions: dict[str, tuple[str, list[str], list[Command]]] = {}
         self.depth = 0
         self.strict = False
-        self.outer: list[dict[str, str]] = []
-        """The variables of those who called the functions that run, and of the folders above."""
-        self.variables = {
-            "CMAKE_SOURCE_DIR": str(folder),
-            "CMAKE_CURRENT_SOURCE_DIR": str(folder),
-            "CMAKE_CURRENT_LIST_DIR": str(folder),
-            "PROJECT_SOURCE_DIR": str(folder),
-            "CMAKE_INSTALL_PREFIX": "",
-            "UNIX": "1",
-            "CMAKE_INSTALL_LIBDIR": "lib",
-            "CMAKE_INSTALL_BINDIR": "bin",
-            "CMAKE_INSTALL_DATADIR": "share",
-            "CMAKE_INSTALL_INCLUDEDIR": "include",
-            "CMAKE_BUILD_TYPE": "Release",
-            "ROS_DISTRO": "humble",
-        }
+        self.variables = Variables(folder)
 
     def run_file(self, file: Path) -> None:
         """Carry out a file, up to its return()."""
@@ -130,34 +114,15 @@ class _Runner:
                 self._command(command)
             index += 1
 
-    def words(self, command: Command) -> list[str]:
-        """Return the words of a command with variables put in; unquoted lists become several words."""
-        words: list[str] = []
-        for argument in command.arguments:
-            text = self.expand(argument.text)
-            words += [text] if argument.quoted else [part for part in text.split(";") if part]
-        return words
-
-    def expand(self, text: str) -> str:
-        for _ in range(20):
-            replaced = _REFERENCE.sub(self._value, text)
-            if replaced == text:
-                break
-            text = replaced
-        return text
-
-    def _value(self, match: re.Match[str]) -> str:
-        return os.environ.get(match[2], "") if match[1] else self.variables.get(match[2], "")
-
     def _block(self, command: Command, body: list[Command]) -> None:
         if self.strict and command.name in ("foreach", "while"):
-            demand(command, self.words(command))
+            demand(command, self.variables.words(command))
         if command.name == "if":
             self._if(command, body)
         elif command.name == "foreach":
             self._foreach(command, body)
         elif command.name in ("function", "macro"):
-            name, *parameters = self.words(command) or [""]
+            name, *parameters = self.variables.words(command) or [""]
             self.functions[name.lower()] = (command.name, parameters, body)
 
     def _if(self, command: Command, body: list[Command]) -> None:
@@ -165,7 +130,7 @@ class _Runner:
         taken, test, depth = False, command, 0
         for inner in [*body, Command("else", (), command.file, command.line)]:
             if depth == 0 and inner.name in ("elseif", "else"):
-                if not taken and (test.name == "else" or holds(self.words(test), self.variables)):
+                if not taken and (test.name == "else" or holds(self.variables.words(test), self.variables.values)):
                     taken = True
                     self.run(branch)
                 branch, test = [], inner
@@ -174,17 +139,17 @@ class _Runner:
             branch.append(inner)
 
     def _foreach(self, command: Command, body: list[Command]) -> None:
-        name, *items = self.words(command) or [""]
+        name, *items = self.variables.words(command) or [""]
         if items[:1] == ["IN"]:
             lists = items[items.index("LISTS") + 1 :] if "LISTS" in items else []
             values = items[items.index("ITEMS") + 1 :] if "ITEMS" in items else []
-            items = [v for key in lists for v in self.variables.get(key, "").split(";") if v] + values
+            items = [word for key in lists for word in self.variables.elements(key)] + values
         for item in items:
-            self.variables[name] = item
+            self.variables.values[name] = item
             self.run(body)
 
     def _command(self, command: Command) -> None:
-        words = self.words(command)
+        words = self.variables.words(command)
         if command.name in self.functions:
             self._call(command, words)
         elif command.name in _KEPT:
@@ -212,52 +177,36 @@ class _Runner:
         if kind == "function":
             self._run_inside(body, given)
         else:
-            before = {name: self.variables.get(name) for name in given}
-            self.variables |= given
-            self.run(body)  # its return() is its caller's
-            self.variables = {**self.variables, **{name: value or "" for name, value in before.items()}}
+            with self.variables.lent(given):
+                self.run(body)  # its return() is its caller's
         self.depth -= 1
 
     def _run_inside(self, body: list[Command], given: dict[str, str]) -> None:
-        outer = self.variables
-        self.outer.append(outer)
-        self.variables = outer | given
-        try:
-            self.run(body)
-        except _Returned:
-            pass
-        self.variables = self.outer.pop()
+        with self.variables.inside(given):
+            try:
+                self.run(body)
+            except _Returned:
+                pass
 
     def project(self, command: Command, words: list[str]) -> None:
         if not words:
             raise command.error("project() needs a name")
-        self.reading.project = self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = words[0]
+        self.reading.project = words[0]
+        self.variables.values |= {"PROJECT_NAME": words[0], "CMAKE_PROJECT_NAME": words[0]}
 
     def find_package(self, command: Command, words: list[str]) -> None:
         self.reading.found += words[:1]
         if words:
-            self.variables[f"{words[0]}_FOUND"] = "1"
+            self.variables.values[f"{words[0]}_FOUND"] = "1"
 
     def set_variable(self, command: Command, words: list[str]) -> None:
-        values = words[1:]
-        for stop in ("CACHE", "PARENT_SCOPE"):
-            values = values[: values.index(stop)] if stop in values else values
-        if words:
-            above = "PARENT_SCOPE" in words and self.outer
-            (self.outer[-1] if above else self.variables)[words[0]] = ";".join(values)
+        self.variables.set_command(words)
 
     def unset_variable(self, command: Command, words: list[str]) -> None:
-        above = "PARENT_SCOPE" in words and self.outer
-        (self.outer[-1] if above else self.variables).pop((words or [""])[0], None)
+        self.variables.unset_command(words)
 
     def list_command(self, command: Command, words: list[str]) -> None:
-        if len(words) > 2 and words[0] in ("APPEND", "PREPEND"):
-            known = [v for v in self.variables.get(words[1], "").split(";") if v]
-            self.variables[words[1]] = ";".join(known + words[2:] if words[0] == "APPEND" else words[2:] + known)
-        elif len(words) > 1 and words[0] in ("REMOVE_ITEM", "REMOVE_DUPLICATES"):
-            known = self.variables.get(words[1], "").split(";")
-            left = dict.fromkeys(known) if words[0] == "REMOVE_DUPLICATES" else [v for v in known if v not in words[2:]]
-            self.variables[words[1]] = ";".join(left)
+        self.variables.list_command(words)
 
     def file_command(self, command: Command, words: list[str]) -> None:
         if len(words) < 3 or words[0] not in ("GLOB", "GLOB_RECURSE"):
@@ -266,8 +215,9 @@ class _Runner:
         if "RELATIVE" in patterns:
             at = patterns.index("RELATIVE")
             base, patterns = Path(patterns[at + 1]), patterns[:at] + patterns[at + 2 :]
-        found = [p for text in patterns if text != "CONFIGURE_DEPENDS" for p in self._glob(text, words[0])]
-        self.variables[words[1]] = ";".join(os.path.relpath(p, base) if base else str(p) for p in sorted(set(found)))
+        found = {p for text in patterns if text != "CONFIGURE_DEPENDS" for p in self._glob(text, words[0])}
+        paths = [os.path.relpath(path, base) if base else str(path) for path in sorted(found)]
+        self.variables.values[words[1]] = ";".join(paths)
 
     def _glob(self, text: str, mode: str) -> list[Path]:
         pattern = os.path.relpath(self.folder / text, self.folder)

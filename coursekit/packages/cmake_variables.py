@@ -1,0 +1,121 @@
+"""The variables of a CMakeLists.txt: their scopes, and the commands that put words in and take them out."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from coursekit.packages.cmake_text import Command
+
+_REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
+_DEEPEST = 20
+"""How often a variable's text may name another one."""
+
+
+def _parts(text: str) -> list[str]:
+    """The words of a list.
+
+    >>> _parts("a;;b")
+    ['a', 'b']
+    """
+    return [part for part in text.split(";") if part]
+
+
+class Variables:
+    """What the variables of the running folder and function hold.
+
+    >>> variables = Variables(Path("robot"))
+    >>> variables.set_command(["NODES", "talker", "listener"])
+    >>> with variables.inside({"NAME": "inner"}):
+    ...     variables.set_command(["NODES", "alone", "PARENT_SCOPE"])
+    ...     variables.expand("${NAME}: ${NODES}")
+    'inner: talker;listener'
+    >>> variables.expand("${NAME}: ${NODES}")
+    ': alone'
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.values = {
+            "CMAKE_SOURCE_DIR": str(folder),
+            "CMAKE_CURRENT_SOURCE_DIR": str(folder),
+            "CMAKE_CURRENT_LIST_DIR": str(folder),
+            "PROJECT_SOURCE_DIR": str(folder),
+            "CMAKE_INSTALL_PREFIX": "",
+            "UNIX": "1",
+            "CMAKE_INSTALL_LIBDIR": "lib",
+            "CMAKE_INSTALL_BINDIR": "bin",
+            "CMAKE_INSTALL_DATADIR": "share",
+            "CMAKE_INSTALL_INCLUDEDIR": "include",
+            "CMAKE_BUILD_TYPE": "Release",
+            "ROS_DISTRO": "humble",
+        }
+        self._outer: list[dict[str, str]] = []
+        """The values of those who called the functions that run, and of the folders above."""
+
+    @contextmanager
+    def inside(self, given: dict[str, str]) -> Iterator[None]:
+        """A scope of its own, as functions and folders have: what is set in it is gone behind it."""
+        self._outer.append(self.values)
+        self.values = self.values | given
+        yield
+        self.values = self._outer.pop()
+
+    @contextmanager
+    def lent(self, given: dict[str, str]) -> Iterator[None]:
+        """The arguments of a macro, which has no scope of its own: they alone are gone behind it."""
+        before = {name: self.values.get(name) for name in given}
+        self.values |= given
+        yield
+        self.values = {**self.values, **{name: value or "" for name, value in before.items()}}
+
+    def words(self, command: Command) -> list[str]:
+        """The words of a command with variables put in; unquoted lists become several words."""
+        words: list[str] = []
+        for argument in command.arguments:
+            text = self.expand(argument.text)
+            words += [text] if argument.quoted else _parts(text)
+        return words
+
+    def expand(self, text: str) -> str:
+        """A text with variables put in; an unknown one is empty."""
+        for _ in range(_DEEPEST):
+            replaced = _REFERENCE.sub(self._value, text)
+            if replaced == text:
+                break
+            text = replaced
+        return text
+
+    def _value(self, match: re.Match[str]) -> str:
+        return os.environ.get(match[2], "") if match[1] else self.values.get(match[2], "")
+
+    def elements(self, name: str) -> list[str]:
+        """The words that a variable's list has."""
+        return _parts(self.values.get(name, ""))
+
+    def set_command(self, words: list[str]) -> None:
+        """set(NAME VALUES... [CACHE ...] [PARENT_SCOPE])."""
+        values = words[1:]
+        for stop in ("CACHE", "PARENT_SCOPE"):
+            values = values[: values.index(stop)] if stop in values else values
+        if words:
+            self._meant(words)[words[0]] = ";".join(values)
+
+    def unset_command(self, words: list[str]) -> None:
+        """unset(NAME [PARENT_SCOPE])."""
+        self._meant(words).pop((words or [""])[0], None)
+
+    def _meant(self, words: list[str]) -> dict[str, str]:
+        return self._outer[-1] if "PARENT_SCOPE" in words and self._outer else self.values
+
+    def list_command(self, words: list[str]) -> None:
+        """list(APPEND|PREPEND|REMOVE_ITEM|REMOVE_DUPLICATES NAME ...)."""
+        if len(words) > 2 and words[0] in ("APPEND", "PREPEND"):
+            known = self.elements(words[1])
+            self.values[words[1]] = ";".join(known + words[2:] if words[0] == "APPEND" else words[2:] + known)
+        elif len(words) > 1 and words[0] in ("REMOVE_ITEM", "REMOVE_DUPLICATES"):
+            known = self.values.get(words[1], "").split(";")
+            left = dict.fromkeys(known) if words[0] == "REMOVE_DUPLICATES" else [v for v in known if v not in words[2:]]
+            self.values[words[1]] = ";".join(left)

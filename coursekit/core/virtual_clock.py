@@ -116,7 +116,7 @@ class VirtualClock:
         self.children = 0
         """Real child processes that live: while there are any, time passes no faster than on the wall."""
         self.frozen = 0
-        """Real child processes that take no virtual time (a build): while there are any, time stands still."""
+        """Real child processes that take no virtual time (a build): while there are any, time does not advance."""
         self.partner: Any = None
         """Another interpreter that shares this time: `partner.meet(deadline)` is asked before time goes on."""
         self._elapsed = 0

@@ -77,7 +77,7 @@ class ScenePanel(Panel):
         self._stream.hurry()
 
     def follows(self) -> list[float] | None:
-        """The place [m, m, m, rad] of what the camera goes with; None: it stands still."""
+        """The place [m, m, m, rad] of what the camera goes with; None: it does not move."""
         return None
 
     def marked(self) -> int | None:

@@ -59,7 +59,7 @@ class Viewer(ViewerPage):
 
     @property
     def fixed_frame(self) -> str:
-        """The frame that stands still; can be set, '' guesses it."""
+        """The fixed frame; can be set, '' guesses it."""
         self.stage.update()
         return self.stage.fixed_frame
 
@@ -104,7 +104,7 @@ class Viewer(ViewerPage):
         save(Config(self.fixed_frame, shown, self.stage.looking.view(), views=self.stage.config.views), path)
 
     def follow(self, frame: str, turn: bool = False) -> None:
-        """Look at a frame and go with it, '' at what stands still; with `turn` also turn with it, as a follower does."""
+        """Look at a frame and go with it, '' in the fixed frame; with `turn` also turn with it, as a follower does."""
         self.stage.looking.follow(frame, FOLLOWER if turn else ORBIT)
         self.look_anew()
 

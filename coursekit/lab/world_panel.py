@@ -56,7 +56,7 @@ class WorldView(ScenePanel):
     # -- from code
 
     def pause(self) -> None:
-        """The world stands still."""
+        """The world is paused."""
         self._soon("pause", True)
 
     def play(self) -> None:
@@ -64,7 +64,7 @@ class WorldView(ScenePanel):
         self._soon("pause", False)
 
     def step(self, seconds: float = STEP_S) -> None:
-        """Let a little time pass in a world that stands still [s]."""
+        """Let a little time pass in a paused world [s]."""
         self._soon("step", seconds)
 
     def reset(self) -> None:
@@ -115,18 +115,18 @@ class WorldView(ScenePanel):
     # -- without the browser
 
     def text(self) -> str:
-        """The world in lines: its time, robots, what can be pushed, how much stands."""
+        """The world in lines: its time, robots, what can be pushed, how much is fixed."""
         found = self._newest()
         if found is None:
             return f"world view: {NOTHING}"
         simulation = found.simulation
         with simulation.busy:
-            state = "stands still" if found.time.paused else "runs"
+            state = "paused" if found.time.paused else "running"
             lines = [f"world '{simulation.world.name}': {simulation.now_ns * 1e-9:.2f} s, {state}"]
             lines += [_robot_line(name, robot) for name, robot in simulation.robots.items()]
             lines += [f"  {name}: can be pushed, at {_at(simulation.pose_of(name))}" for name in simulation.things]
             count = len(simulation.fixed_things())
-        return "\n".join([*lines, f"  {count} thing{'s stand' if count != 1 else ' stands'} fast"])
+        return "\n".join([*lines, f"  {count} fixed thing{'s' if count != 1 else ''}"])
 
     # -- with the browser
 

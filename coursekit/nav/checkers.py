@@ -62,7 +62,7 @@ class ProgressChecker:
     _mark: tuple[float, float, float, float] | None = None
 
     def reset(self) -> None:
-        """It may stand still until now."""
+        """It may have been still until now."""
         self._mark = None
 
     def gets_on(self, x: float, y: float, now: float, yaw: float = 0.0) -> bool:

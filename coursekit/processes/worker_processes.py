@@ -35,7 +35,7 @@ def _virtual_clock() -> Any:
 
 
 def _ready(objects: list[Any], seconds: float) -> bool:
-    """Whether one of them is ready within so much real time; `wait` reads the clock, which would stand still meanwhile."""
+    """Whether one of them is ready within so much real time; `wait` reads the clock, which would not advance meanwhile."""
     if sys.platform == "win32":
         return bool(_real_wait(objects, seconds))
     with selectors.PollSelector() as selector:
@@ -80,7 +80,7 @@ def _looks_first(real: Callable[..., Any]) -> Callable[..., Any]:
     def wait(object_list: Any, timeout: float | None = None) -> Any:
         objects = list(object_list)
         _let_others_run(objects, timeout)
-        return real(objects, timeout if _virtual_clock() is None else -1)  # not 0: until a clock that stands still goes on
+        return real(objects, timeout if _virtual_clock() is None else -1)  # not 0: until a clock that is stopped goes on
 
     return wait
 

@@ -19,7 +19,7 @@ from .world import Thing
 FIXED, LOOSE, ROBOT = 1, 2, 3
 """Kinds of shapes."""
 SKIN_HEIGHTS = (0.05, 0.15, 0.3)
-"""Where meshes that stand fast are cut for bumping [m]."""
+"""Where fixed meshes are cut for bumping [m]."""
 SILL, FLOOR, FLAT = 0.02, 0.15, 0.05
 """Wheels roll over what is lower than a sill [m]; what is lower than FLOOR and FLAT times as thick as wide is stood upon."""
 

@@ -54,7 +54,7 @@ class RobotModel:
     drive: Drive | None = field(default_factory=Drive)
     drift: Drift = EXACT
     fixed: bool = False
-    """Whether it stands fast: a mast with sensors. It may stand in things, and have no parts."""
+    """Whether it is fixed: a mast with sensors. It may stand in things, and have no parts."""
     grip: float = 1.0
     """Friction between its wheels and the floor."""
     reach: dict[str, Reach] = field(default_factory=dict, hash=False)
@@ -79,7 +79,7 @@ class Robot:
         self.restart()
 
     def restart(self) -> None:
-        """Everything measured begins anew; it stands still."""
+        """Everything measured begins anew; it does not move."""
         drive = self.model.drive
         self.wheels = self.target = (0.0, 0.0, 0.0)
         self.commanded_ns = None

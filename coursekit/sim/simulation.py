@@ -58,7 +58,7 @@ class Simulation:
         self._doors: dict[str, list[Any]] = {}
         self._fixed: dict[str, Thing] = {}
         self._posts: dict[str, pymunk.Body] = {}
-        """The bodies of what stands fast."""
+        """The bodies of what is fixed."""
         self._scenes: dict[float, OutlineScene] = {}
         self.space.on_collision(ROBOT, None, begin=touch, separate=part)
         self.space.on_collision(LOOSE, None, begin=pass_by)

@@ -102,7 +102,7 @@ class Turtle:
         self.forward, self.sideways, self.turning, self.commanded_at = forward, sideways, turning, now
 
     def stop(self) -> None:
-        """Stand still."""
+        """Stop."""
         self.forward = self.sideways = self.turning = 0.0
 
     def rotate_to(self, theta: float) -> Rotation:

@@ -28,7 +28,7 @@ class Hinge:
 
 @dataclass(frozen=True)
 class Thing:
-    """Something in the world. Without `mass` it stands fast; with one it can be pushed."""
+    """Something in the world. Without `mass` it is fixed; with one it can be pushed."""
 
     name: str
     parts: tuple[Part, ...]
@@ -98,7 +98,7 @@ class World:
         raise LookupError(f"world '{self.name}' has no '{name}'. {known(name, [one.name for one in self.things])}")
 
     def fixed(self) -> Iterator[Thing]:
-        """The things that stand fast."""
+        """The fixed things."""
         return (thing for thing in self.things if not thing.moves)
 
     def movable(self) -> Iterator[Thing]:
@@ -106,7 +106,7 @@ class World:
         return (thing for thing in self.things if thing.moves)
 
     def cut(self, height: float) -> Cut:
-        """The outline of what stands fast."""
+        """The outline of what is fixed."""
         return join([thing.cut(height).moved(thing.place) for thing in self.fixed()])
 
     def bounds(self) -> tuple[float, float, float, float]:

@@ -101,7 +101,7 @@ class Stage:
 
     @property
     def fixed_frame(self) -> str:
-        """The frame that stands still: as told, else guessed as soon as frames or a robot are known."""
+        """The fixed frame: as told, else guessed as soon as frames or a robot are known."""
         return self.config.fixed_frame or self._guessed or self._root_of_a_robot() or "map"
 
     def fix(self, frame: str) -> None:

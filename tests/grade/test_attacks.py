@@ -182,7 +182,7 @@ DESERVE = {
     "the names of Python deleted": (RIGHT + UNNAMED, 0),
     "every module gone": (RIGHT + "import sys\nsys.modules.clear()\n", 1),
     "every function of os replaced": (RIGHT + OTHER_OS, 1),
-    "the time stands still": (RIGHT + "import time\ntime.time = time.monotonic = time.sleep = lambda *_: 0\n", 1),
+    "time is stopped": (RIGHT + "import time\ntime.time = time.monotonic = time.sleep = lambda *_: 0\n", 1),
     "the streams closed": (RIGHT + "import sys\nsys.stdout.close()\nsys.stdout = sys.stderr = None\n", 1),
     "JSON replaced": ("import json\njson.dumps = lambda *_, **__: '{\"value\": \"/scan\", \"points\": 1}'\n" + RIGHT, 0),
     "the runner's own object found and replaced": (REPLACED_RUNNER, 0),

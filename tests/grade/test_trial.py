@@ -1,4 +1,4 @@
-"""Trials run beside the session: its clock stands still meanwhile, and an endless loop ends them."""
+"""Trials run beside the session: its clock does not advance meanwhile, and an endless loop ends them."""
 
 import json
 from dataclasses import asdict

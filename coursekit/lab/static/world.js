@@ -98,7 +98,7 @@ export default {
       if (speed.options.length !== message.speeds.length)
         speed.replaceChildren(...message.speeds.map((times) => make("option", { value: times, textContent: `${times} x` })));
       if (document.activeElement !== speed) speed.value = message.speed;
-      time.textContent = `${message.time.toFixed(1)} s` + (message.paused ? gettext(", stands still") : gettext(", {0} x real time", message.factor.toFixed(2)));
+      time.textContent = `${message.time.toFixed(1)} s` + (message.paused ? gettext(", paused") : gettext(", {0} x real time", message.factor.toFixed(2)));
     };
     const ready = (scene, { THREE }) => {
       scene.daylight(THREE);

@@ -64,7 +64,7 @@ _IDLE_WEIGHT = 250
 """Questions that one which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
 _TOO_LONG = (
     "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
-    "stands still meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
+    "does not advance meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
 )
 _ANOTHER_AGE = (
     "[coursekit] {name} was built by another version of coursekit than this one, and cannot talk with it. Build its "
@@ -238,7 +238,7 @@ class Host:
             children.send_signal(self._child, signal_called("SIGKILL"))  # to what it has started too: a debugger's program
 
     def wait_for(self, connection: socket.socket) -> None:
-        """Wait, really, while the program computes: virtual time stands still. One that never stops is ended."""
+        """Wait, really, while the program computes: virtual time does not advance. One that never stops is ended."""
         limit = float(self.process.env.get("COURSEKIT_COMPUTE_LIMIT") or _COMPUTE_LIMIT_S)
         try:
             self.output.wait_for(connection, limit)

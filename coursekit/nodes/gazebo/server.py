@@ -217,12 +217,12 @@ class Gazebo(Node):
                 self.simulation.reshape(name, parts)
 
     def pause(self, pause: bool) -> None:
-        """Stand still, or go on."""
+        """Pause the simulation, or resume it."""
         self.advance()
         (self.time.pause if pause else self.time.go_on)()
 
     def step(self, seconds: float) -> None:
-        """Let so much simulated time pass and stand still after it."""
+        """Let so much simulated time pass, then pause."""
         self.pause(True)
         self.time.set(self.time.now() + round(seconds * 1e9))
         self._do_due()

@@ -31,7 +31,7 @@ class SimTime:
         return self._held if self.paused else self._held + round((self._clock.steady() - self._begin) * self.speed)
 
     def pause(self) -> None:
-        """Stand still; harmless when it does."""
+        """Pause; harmless when paused already."""
         self._held, self.paused = self.now(), True
 
     def go_on(self) -> None:

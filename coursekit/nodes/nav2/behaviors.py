@@ -67,7 +67,7 @@ async def _go(server: Any, handle: Any, kind: Any, name: str, distance: float, s
 
 
 async def wait(server: Any, name: str, handle: Any) -> Any:
-    """Stand still for a while."""
+    """Wait without moving."""
     seconds = handle.request.time.sec + handle.request.time.nanosec * 1e-9
 
     def step(gone: float) -> Speeds | None:

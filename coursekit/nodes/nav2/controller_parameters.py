@@ -126,7 +126,7 @@ _MAKERS: dict[str, tuple[Callable[[dict[str, Any]], Controller], dict[str, Any]]
 
 
 def goal_checkers(node: Node, names: Iterable[str]) -> dict[str, GoalChecker]:
-    """The goal checkers by their names; StoppedGoalChecker is one that waits for its robot to stand still."""
+    """The goal checkers by their names; StoppedGoalChecker is one that waits for the robot to stop."""
     found = {}
     for name in names:
         kind, one = declare(node, _GOAL_KIND, name)["plugin"], declare(node, _GOAL, name)

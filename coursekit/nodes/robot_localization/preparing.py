@@ -39,7 +39,7 @@ class Preparing:
     # -- poses
 
     def pose(self, source: Source, frame: str, stamp_ns: int, pose: Pose, covariance: Any) -> Measurement | None:
-        """A pose in a frame that stands still; None for the first of a differential source."""
+        """A pose in a fixed frame; None for the first of a differential source."""
         used, own = source.part("pose"), square(covariance)
         if source.differential:
             return self._difference(source, stamp_ns, pose, own, used)

@@ -105,7 +105,7 @@ def describe(display: DisplayConfig) -> str:
 def _config(argv: list[str]) -> Config:
     parser = argparse.ArgumentParser(prog="rviz2", description="Shows robots, frames and messages")
     parser.add_argument("-d", "--display-config", metavar="FILE", help="what to show: our YAML or an .rviz file")
-    parser.add_argument("-f", "--fixed-frame", default="", help="the frame that stands still")
+    parser.add_argument("-f", "--fixed-frame", default="", help="the fixed frame")
     parser.add_argument("-s", "--splash-screen", help=argparse.SUPPRESS)
     args = parser.parse_args(argv)
     config = make_config(displays=["Grid", "RobotModel", "TF"])

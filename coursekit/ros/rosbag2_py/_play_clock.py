@@ -40,7 +40,7 @@ class PlayClock:
         return True
 
     def pause(self) -> None:
-        """Stand still."""
+        """Pause."""
         self.jump(self.now())
         self.paused = True
 
@@ -50,7 +50,7 @@ class PlayClock:
         self.paused = False
 
     def seconds_until(self, time: int) -> float | None:
-        """Seconds of the session until the recording is there, 0.0 when it is; None while it stands still."""
+        """Seconds of the session until the recording is there, 0.0 when it is; None while it is paused."""
         if self.paused:
             return None
         due = self._here + math.ceil((time - self._there) / self.rate)

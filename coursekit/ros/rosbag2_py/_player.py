@@ -183,7 +183,7 @@ class PlayerNode(Node):
         return False
 
     def pause(self) -> None:
-        """Stand still."""
+        """Pause."""
         self.clock.pause()
         self.get_logger().info("Pausing play.")
 
@@ -193,7 +193,7 @@ class PlayerNode(Node):
         self.get_logger().info("Resuming play.")
 
     def toggle_paused(self) -> None:
-        """Stand still, or go on."""
+        """Pause, or resume."""
         (self.resume if self.clock.paused else self.pause)()
 
     def play_next(self) -> bool:

@@ -1,4 +1,4 @@
-"""Sensors of other people's robots: each type of message, cameras' formats, masts that stand fast."""
+"""Sensors of other people's robots: each type of message, cameras' formats, fixed masts."""
 
 import math
 

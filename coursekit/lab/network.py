@@ -71,7 +71,7 @@ def _confirmed(moves: list[str]) -> bool:
     """Ask the user; where nobody can be asked, the answer is no."""
     print(gettext("This would move a robot as soon as you join:"), *(f"  {one}" for one in moves), sep="\n")
     try:
-        asked = gettext("Is the robot's way free, and somebody at its stop button? Type yes to join: ")
+        asked = gettext("Is the robot's path clear, and somebody at its stop button? Type yes to join: ")
         return input(asked).strip().lower() == "yes"
     except (EOFError, RuntimeError, NotImplementedError):
         print(gettext("Nobody can be asked here. If you are sure: %network ADDRESS --yes"))

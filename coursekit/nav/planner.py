@@ -1,4 +1,4 @@
-"""Paths through costmaps: the cheapest way for the robot's centre, kept away from obstacles by their inflation."""
+"""Paths through costmaps: the cheapest path for the robot's centre, kept away from obstacles by their inflation."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Planner:
         self, costs: Costmap, start: tuple[float, float, float], goal: tuple[float, float, float],
         before: tuple[float, float] | None = None,
     ) -> np.ndarray:  # fmt: skip
-        """Poses (n, 3) from start to goal [m, rad]; PlanError when there is no way.
+        """Poses (n, 3) from start to goal [m, rad]; PlanError when there is none.
 
         `before` is where the last path to this goal ended: beside a goal that is still taken it ends there again.
         """
@@ -83,7 +83,7 @@ class Planner:
             moved = np.hypot(x - before[0], y - before[1]) if before else gaps
             return int(reached[np.where(good, moved, np.inf).argmin()])
         cost = costs.cost(goal[0], goal[1])
-        why = "the goal is inside or beside an obstacle" if INSCRIBED <= cost < UNKNOWN else "no way leads there"
+        why = "the goal is inside or beside an obstacle" if INSCRIBED <= cost < UNKNOWN else "no path leads there"
         near = f"; the nearest place that can be reached is {gaps.min():.2f} m away" if len(gaps) else ""
         raise PlanError(f"{why} (cost {cost}){near}, farther than the tolerance of {self.tolerance:.2f} m")
 

@@ -17,7 +17,7 @@ def test_what_is_seen_grows_and_stays():
     rows, columns = np.nonzero(world.cells == FREE)
     seen = zip(rows.tolist(), columns.tolist(), strict=True)
     world.go(max(seen, key=lambda at: world.can_go(at) and abs(at[0] - world.here[0])))
-    assert world.known() > known and world.way > 1.0
+    assert world.known() > known and world.driven > 1.0
     assert (world.cells[before != UNKNOWN] == before[before != UNKNOWN]).all()
 
 

@@ -1,4 +1,4 @@
-"""A way over costs, shown in the notebook and said in words."""
+"""A path over costs, shown in the notebook and said in words."""
 
 import numpy as np
 import pytest
@@ -10,18 +10,18 @@ COSTS = np.array([[0, 0, 253], [100, 0, 0]])
 
 def test_it_is_a_picture_whose_words_are_the_text():
     shown = way_view(COSTS, [(0, 0), (0, 1), (1, 1)])
-    assert repr(shown) == "The costs of 2 x 3 cells from above, and a way of 2 steps over them."
-    assert f'role="img" aria-label="{shown!r}"' in shown._repr_html_() and "the way" in shown._repr_html_()
+    assert repr(shown) == "The costs of 2 x 3 cells from above, and a path of 2 steps over them."
+    assert f'role="img" aria-label="{shown!r}"' in shown._repr_html_() and "the path" in shown._repr_html_()
 
 
-def test_where_no_way_leads_the_costs_are_shown():
-    assert "a way of 0 steps" in repr(way_view(COSTS, None)) and "<svg" in way_view(COSTS)._repr_html_()
+def test_where_no_path_leads_the_costs_are_shown():
+    assert "a path of 0 steps" in repr(way_view(COSTS, None)) and "<svg" in way_view(COSTS)._repr_html_()
 
 
-@pytest.mark.parametrize("way", [[(0, 3)], [(2, 0)], [(-1, 0)]])
-def test_a_way_that_leaves_the_floor_is_told_where(way):
+@pytest.mark.parametrize("path", [[(0, 3)], [(2, 0)], [(-1, 0)]])
+def test_a_path_that_leaves_the_floor_is_told_where(path):
     with pytest.raises(ValueError, match="row first, then column"):
-        way_view(COSTS, way)
+        way_view(COSTS, path)
 
 
 @pytest.mark.parametrize("costs", [[1, 2], "costs", [["a"]], None])

@@ -64,7 +64,7 @@ def test_beside_a_goal_that_is_taken_paths_keep_to_one_side_while_scans_see_it_a
         ((1.0, 1.0, 0.0), (50.0, 1.0, 0.0), "The goal .50.00, 1.00. is off the global costmap"),
         ((-1.0, 1.0, 0.0), (5.0, 1.0, 0.0), "The start .* is off the global costmap"),
         ((1.0, 1.0, 0.0), (math.nan, 1.0, 0.0), "The goal is not made of finite numbers"),
-        ((1.0, 1.0, 0.0), (5.0, 1.0, 0.0), "no way leads there"),
+        ((1.0, 1.0, 0.0), (5.0, 1.0, 0.0), "no path leads there"),
     ],
 )
 def test_what_cannot_be_planned_says_why(start, goal, says):

@@ -161,7 +161,7 @@ def _estimate(a: float, b: float, yaw: float) -> Any:
     "The lookout",
     points=2,
     hints=(
-        "What is the way from Vera to the pallet, in map? And how do the same three numbers read in Vera's axes?",
+        "What is the vector from Vera to the pallet, in map? And how do the same three numbers read in Vera's axes?",
         "Her orientation turns from her axes into those of map. You need the opposite turn: a matrix's transpose does it.",
     ),
 )
@@ -223,8 +223,8 @@ def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quate
     "Once around",
     points=3,
     hints=(
-        "Counter-clockwise, the outside is on the right of the way from corner to corner.",
-        "The pose looks back against the way out; atan2 makes an angle of a direction.",
+        "Counter-clockwise, the outside is on the right of the line from corner to corner.",
+        "The pose looks back, against the direction out; atan2 makes an angle of a direction.",
     ),
 )
 def once_around(work: Work) -> None:

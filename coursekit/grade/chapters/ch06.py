@@ -161,7 +161,7 @@ def by_hand(work: Work) -> None:
     points=3,
     hints=(
         "The left wheels go around a circle, too, and the right ones around another. What are their radii?",
-        "Rolling: the wheel's own angle times its own radius is the way along the floor.",
+        "Rolling: the wheel's own angle times its own radius is the distance along the floor.",
     ),
 )
 def rolling(work: Work) -> None:

@@ -164,8 +164,8 @@ def _row(stages: Sequence[int]) -> str:
     "No collisions",
     points=3,
     hints=(
-        "Draw two poses, and look whether the way over them keeps clear of all the other ways. If it does not, draw again.",
-        "How far are two ways from each other? Take points each few centimetres on both, and the nearest pair of them.",
+        "Draw two poses, and check that the path over them keeps clear of all the others. If it does not, draw again.",
+        "How far are two paths from each other? Take points every few centimetres on both, and the nearest pair of them.",
         "What if no draw fits? One position is certainly free: the robot's own.",
     ),
 )

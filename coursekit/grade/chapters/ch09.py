@@ -1,4 +1,4 @@
-"""Chapter 9: costs around walls, the cheapest way, a round that is driven, four robots that never meet."""
+"""Chapter 9: costs around walls, the cheapest path, a round that is driven, four robots that never meet."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from coursekit.grade.chapters.measures.cheapest import Cell, cells_of, prices, way_back
+from coursekit.grade.chapters.measures.cheapest import Cell, cells_of, path_back, prices
 from coursekit.grade.chapters.measures.warehouse import delivered, expect_apart, expect_drivable, warehouse
 from coursekit.grade.exercise import exercise
 from coursekit.grade.figures.drives import driven, estimates_and_plans
-from coursekit.grade.figures.floors import closed_floor, crew, inflated, spots, way_over_costs
+from coursekit.grade.figures.floors import closed_floor, crew, inflated, path_over_costs, spots
 from coursekit.grade.outputs import course_said, exit_code, last_words, said
 from coursekit.grade.plain import called, fields, shown, whole
 from coursekit.grade.verdict import NO_HINT, Wrong
@@ -86,8 +86,8 @@ def _why_cost(got: int, gap: float, inscribed: float = 0.2, scaling: float = 3.0
     "The planner",
     points=3,
     hints=(
-        "The heap may hold tuples (price plus steps still to come, price, way so far). heappop gives the smallest.",
-        "A cell that was taken from the heap once has its cheapest way: skip it when it comes again.",
+        "The heap may hold tuples (price plus steps still to come, price, path so far). heappop gives the smallest.",
+        "When a cell is first taken from the heap, its cheapest path is known: skip it when it comes again.",
     ),
 )
 def planner(work: Work) -> None:
@@ -96,22 +96,22 @@ def planner(work: Work) -> None:
 
     find, chance = work.function("find_way"), np.random.default_rng(work.dice("ch09.q2").getrandbits(60))
     open_floor = np.zeros((6, 9), int)
-    _judge_way(work, find, open_floor, (0, 0), (5, 8), "an empty floor of 6 x 9")
-    _judge_way(work, find, open_floor, (2, 2), (2, 2), "start and goal in one cell")
+    _judge_path(work, find, open_floor, (0, 0), (5, 8), "an empty floor of 6 x 9")
+    _judge_path(work, find, open_floor, (2, 2), (2, 2), "start and goal in one cell")
     closed = open_floor.copy()
     closed[:, 4] = 253
-    _judge_way(work, find, closed, (2, 1), (2, 7), "a floor that 253 cuts in two")
+    _judge_path(work, find, closed, (2, 1), (2, 7), "a floor that 253 cuts in two")
     dear = open_floor.copy()
     dear[0:5, 4] = 200
-    _judge_way(work, find, dear, (0, 1), (0, 7), "a dear strip that one can go around")
+    _judge_path(work, find, dear, (0, 1), (0, 7), "a dear strip that one can go around")
     for number in range(1, 25):
         costs = chance.integers(0, 253, (14, 17)) * (chance.random((14, 17)) < 0.5)
         costs[chance.random((14, 17)) < 0.25] = 254
         costs[0, 0] = costs[13, 16] = 0
-        _judge_way(work, find, costs, (0, 0), (13, 16), f"random floor {number}")
+        _judge_path(work, find, costs, (0, 0), (13, 16), f"random floor {number}")
 
 
-def _judge_way(work: Work, find: Any, costs: np.ndarray, start: Cell, goal: Cell, told: str) -> None:
+def _judge_path(work: Work, find: Any, costs: np.ndarray, start: Cell, goal: Cell, told: str) -> None:
     got, price = called(find, costs.copy(), start, goal, told=f"find_way on {told}"), prices(costs, start)
     least = float(price[goal])
     if math.isinf(least):
@@ -119,21 +119,21 @@ def _judge_way(work: Work, find: Any, costs: np.ndarray, start: Cell, goal: Cell
             with suppress(Wrong):
                 work.illustrate(closed_floor, costs, cells_of(got, told), start, goal, told)
             cause = "Nothing of 253 and more may be entered."
-            raise Wrong(f"None on {told}: no way leads there", gave=shown(got, 60), cause=cause)
+            raise Wrong(f"None on {told}: no path leads there", gave=shown(got, 60), cause=cause)
         return
-    work.illustrate(way_over_costs, costs, [], way_back(price, goal), told)
-    way = cells_of(got, told)
-    work.illustrate(way_over_costs, costs, way, way_back(price, goal), told)
-    if not way or way[0] != start or way[-1] != goal:
+    work.illustrate(path_over_costs, costs, [], path_back(price, goal), told)
+    path = cells_of(got, told)
+    work.illustrate(path_over_costs, costs, path, path_back(price, goal), told)
+    if not path or path[0] != start or path[-1] != goal:
         cause = "Both ends belong to it."
-        expected = f"a way from {start} to {goal} on {told}"
-        raise Wrong(expected, gave=shown(way, 60), cause=cause, share=0.1, at=spots(start, goal))
-    for before, after in pairwise(way):
+        expected = f"a path from {start} to {goal} on {told}"
+        raise Wrong(expected, gave=shown(path, 60), cause=cause, share=0.1, at=spots(start, goal))
+    for before, after in pairwise(path):
         _expect_step(costs, before, after, told)
-    paid = sum(1 + float(costs[cell]) / 50 for cell in way[1:])
+    paid = sum(1 + float(costs[cell]) / 50 for cell in path[1:])
     if not paid <= least + 1e-6:
         cause = "Is the goal taken when it comes out of the heap, not when it goes in? Are the costs of the cells counted?"
-        wanted = f"a way of price {least:.2f} on {told}"
+        wanted = f"a path of price {least:.2f} on {told}"
         raise Wrong(wanted, gave=f"one of {paid:.2f}", cause=cause, share=0.5, hint=1)
 
 
@@ -247,14 +247,14 @@ def _judge_plan(work: Work, manage: Any, number: int, chance: Random) -> _Planne
     got = called(manage, free.copy(), dict(homes), list(loads), told=f"manage, {told}")
     if type(got) is not dict or any(type(name) is not str for name in got) or set(got) != set(homes):
         cause = "Is there a `return`?" if got is None else ""
-        wanted = f"a dictionary with a way for each of {', '.join(homes)}"
+        wanted = f"a dictionary with a path for each of {', '.join(homes)}"
         raise Wrong(wanted, gave=shown(got, 60), cause=cause, hint=NO_HINT)
-    ways = {name: cells_of(got[name], f"{name} in {told}") for name in homes}
-    drawn = free, homes, loads, ways, told
+    paths = {name: cells_of(got[name], f"{name} in {told}") for name in homes}
+    drawn = free, homes, loads, paths, told
     work.illustrate(crew, *drawn)
-    for name, way in ways.items():
-        expect_drivable(free, way, homes[name], f"{name} in {told}")
-    expect_apart(ways, told)
-    ticks = delivered(ways, homes, loads, told)
+    for name, path in paths.items():
+        expect_drivable(free, path, homes[name], f"{name} in {told}")
+    expect_apart(paths, told)
+    ticks = delivered(paths, homes, loads, told)
     price = prices(np.where(free, 0, 254), homes["robot1"])
     return _Planned(ticks, sum(2 * round(float(price[load])) for load in loads), drawn)

@@ -1,4 +1,4 @@
-"""Floors of cells: costs around walls, a way over them, robots in a warehouse."""
+"""Floors of cells: costs around walls, a path over them, robots in a warehouse."""
 
 from __future__ import annotations
 
@@ -39,29 +39,29 @@ def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: f
     return Figure([Panel([line, dots], view=(0.0, end, 0.0, 268.0), axes=axes)], f"{alt}; {len(asked)} of your answers.")
 
 
-def way_over_costs(costs: np.ndarray, way: Sequence[Cell], cheapest: Sequence[Cell], told: str) -> Figure:
-    """A floor of costs with the way that was found; where another one is cheaper, that one, too."""
-    paid, least = (sum(1 + costs[one] / 50 for one in cells[1:] if _inside(one, costs)) for cells in (way, cheapest))
-    right = list(way[:1]) == list(cheapest[:1]) and abs(paid - least) < 1e-6
-    better = [] if right else [Line(spots(*cheapest), "truth", "the cheapest way", wide=True)]
-    shapes = [_costs(costs), *better, Line(spots(*way), "guess", "your way", wide=True), *_ends(cheapest)]
-    alt = f"The costs of {told} from above, and your way of {max(0, len(way) - 1)} steps"
-    alt += ", the cheapest." if right else f"; the cheapest way has {len(cheapest) - 1}."
+def path_over_costs(costs: np.ndarray, path: Sequence[Cell], cheapest: Sequence[Cell], told: str) -> Figure:
+    """A floor of costs with the path that was found; where another one is cheaper, that one, too."""
+    paid, least = (sum(1 + costs[one] / 50 for one in cells[1:] if _inside(one, costs)) for cells in (path, cheapest))
+    right = list(path[:1]) == list(cheapest[:1]) and abs(paid - least) < 1e-6
+    better = [] if right else [Line(spots(*cheapest), "truth", "the cheapest path", wide=True)]
+    shapes = [_costs(costs), *better, Line(spots(*path), "guess", "your path", wide=True), *_ends(cheapest)]
+    alt = f"The costs of {told} from above, and your path of {max(0, len(path) - 1)} steps"
+    alt += ", the cheapest." if right else f"; the cheapest path has {len(cheapest) - 1}."
     return Figure([Panel(shapes, told, _whole(costs), down=True)], alt)
 
 
-def closed_floor(costs: np.ndarray, way: Sequence[Cell], start: Cell, goal: Cell, told: str) -> Figure:
-    """A floor on which no way leads to the goal, with the way that was given."""
-    figure = way_over_costs(costs, way, [start, goal], told)
-    shapes = [one for one in figure.panels[0].shapes if not isinstance(one, Line) or one.label == "your way"]
-    return Figure([Panel(shapes, told, _whole(costs), down=True)], f"{told} from above: no way leads to the goal.")
+def closed_floor(costs: np.ndarray, path: Sequence[Cell], start: Cell, goal: Cell, told: str) -> Figure:
+    """A floor on which no path leads to the goal, with the path that was given."""
+    figure = path_over_costs(costs, path, [start, goal], told)
+    shapes = [one for one in figure.panels[0].shapes if not isinstance(one, Line) or one.label == "your path"]
+    return Figure([Panel(shapes, told, _whole(costs), down=True)], f"{told} from above: no path leads to the goal.")
 
 
-def way_on_map(costs: np.ndarray, way: Sequence[Cell]) -> Figure:
-    """Costs of a map, whose rows grow upwards, with a way over them."""
-    shapes = [_costs(costs), Line(spots(*way), "guess", "the way", wide=True), *_ends(way)]
+def path_on_map(costs: np.ndarray, path: Sequence[Cell]) -> Figure:
+    """Costs of a map, whose rows grow upwards, with a path over them."""
+    shapes = [_costs(costs), Line(spots(*path), "guess", "the path", wide=True), *_ends(path)]
     rows, columns = costs.shape
-    alt = f"The costs of {rows} x {columns} cells from above, and a way of {max(0, len(way) - 1)} steps over them."
+    alt = f"The costs of {rows} x {columns} cells from above, and a path of {max(0, len(path) - 1)} steps over them."
     return Figure([Panel(shapes, view=_whole(costs))], alt)
 
 
@@ -72,8 +72,8 @@ def _costs(costs: np.ndarray) -> Cells:
     return Cells(np.digitize(costs, DEARER), COSTS, labels)
 
 
-def _ends(way: Sequence[Cell]) -> list[Shape]:
-    return [Dots(spots(*way[:1]), "ink", "start", 4.5), Dots(spots(*way[-1:]), "guess", "goal", 5.5)]
+def _ends(path: Sequence[Cell]) -> list[Shape]:
+    return [Dots(spots(*path[:1]), "ink", "start", 4.5), Dots(spots(*path[-1:]), "guess", "goal", 5.5)]
 
 
 def _inside(cell: Cell, floor: np.ndarray) -> bool:
@@ -85,20 +85,20 @@ def _whole(floor: np.ndarray) -> tuple[float, float, float, float]:
 
 
 def crew(
-    free: np.ndarray, homes: Mapping[str, Cell], loads: Sequence[Cell], ways: Mapping[str, Sequence[Cell]], told: str
+    free: np.ndarray, homes: Mapping[str, Cell], loads: Sequence[Cell], paths: Mapping[str, Sequence[Cell]], told: str
 ) -> Figure:
-    """A warehouse with the ways of its robots, side by side where they share an aisle."""
+    """A warehouse with the paths of its robots, side by side where they share an aisle."""
     shapes: list[Shape] = [Cells((~free).astype(int), ("free", "shelf"))]
     shapes.append(Dots(spots(*loads), "ink", "a load", 3.0))
-    for number, (name, way) in enumerate(ways.items(), 1):
+    for number, (name, path) in enumerate(paths.items(), 1):
         aside = (number - 2.5) * 0.16
         kind = f"robot{number}"
-        shapes.append(Line([(x + aside, y + aside) for x, y in spots(*way)], kind, name))
+        shapes.append(Line([(x + aside, y + aside) for x, y in spots(*path)], kind, name))
         shapes += [Dots(spots(homes[name]), kind, "", 5.0), Words(0.1, homes[name][0] + 0.5, str(number), "wall")]
-        shapes.append(Mover(spots(*way), kind))
-    ticks = ", ".join(f"{name} {max(0, len(way) - 1)}" for name, way in ways.items())
-    alt = f"{told} from above with the robots' ways. Ticks: {ticks}."
+        shapes.append(Mover(spots(*path), kind))
+    ticks = ", ".join(f"{name} {max(0, len(path) - 1)}" for name, path in paths.items())
+    alt = f"{told} from above with the robots' paths. Ticks: {ticks}."
     return Figure([Panel(shapes, told, _whole(free), down=True)], alt)
 
 
-__all__ = ["closed_floor", "crew", "inflated", "spots", "way_on_map", "way_over_costs"]
+__all__ = ["closed_floor", "crew", "inflated", "path_on_map", "path_over_costs", "spots"]

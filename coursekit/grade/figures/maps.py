@@ -44,19 +44,19 @@ def _known(grid: GridMap, missed: np.ndarray) -> View:
 
 
 def explored(worlds: Sequence[tuple[str, Unseen, list[Cell]]]) -> Figure:
-    """Each world as it was seen, and the way from goal to goal; floor that was never seen is marked."""
+    """Each world as it was seen, and the path from goal to goal; floor that was never seen is marked."""
     panels = [_explored(*one) for one in worlds]
     told = [f"{name}: {len(stops) - 1} goals, {_percent(world)} of the floor seen" for name, world, stops in worlds]
-    return Figure(panels, f"Maps from above with the explorer's way. {'; '.join(told)}.")
+    return Figure(panels, f"Maps from above with the explorer's path. {'; '.join(told)}.")
 
 
 def _explored(name: str, world: Unseen, stops: list[Cell]) -> Panel:
     codes = np.select([world.cells == 0, world.cells > WALL, world.unseen_floor()], [0, 2, 3], 1)
     cells = Cells(codes, (*KINDS, "missed"), (*KINDS, "floor that was not seen"))
-    way = [(column + 0.5, row + 0.5) for row, column in world.ways(stops)]
+    path = [(column + 0.5, row + 0.5) for row, column in world.path(stops)]
     goals = Dots([(column + 0.5, row + 0.5) for row, column in stops[1:]], "own", "a goal", 2.0)
     start = Dots([(stops[0][1] + 0.5, stops[0][0] + 0.5)], "truth", "her start", 5.0)
-    return Panel([cells, Line(way, "own", "her way"), goals, start], f"{name}: {_percent(world)} seen", _seen(codes))
+    return Panel([cells, Line(path, "own", "her path"), goals, start], f"{name}: {_percent(world)} seen", _seen(codes))
 
 
 def _percent(world: Unseen) -> str:

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from coursekit.grade.chapters.measures.rolling import judge_wheel_s_way
+from coursekit.grade.chapters.measures.rolling import judge_wheel_s_distance
 from coursekit.grade.checking import judge
 from coursekit.grade.exercise import find
 from coursekit.grade.verdict import Wrong
@@ -115,5 +115,5 @@ def test_an_arm_s_fault_is_named(tmp_path, tip, cause):
 )
 def test_a_slipping_wheel_s_fault_is_named(radius, factor, cause):
     with pytest.raises(Wrong) as caught:
-        judge_wheel_s_way("left_back_joint", radius, 0.77, 0.094, 0.77 * factor(radius, 0.094))
+        judge_wheel_s_distance("left_back_joint", radius, 0.77, 0.094, 0.77 * factor(radius, 0.094))
     assert cause in caught.value.cause

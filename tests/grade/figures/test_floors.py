@@ -1,4 +1,4 @@
-"""Costs, ways over them and robots in a warehouse: the way that was found, the cheapest one, and where it goes wrong."""
+"""Costs, paths over them and robots in a warehouse: the path that was found, the cheapest one, and where it goes wrong."""
 
 import math
 
@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from coursekit.grade.chapters.ch09 import _expect_step
-from coursekit.grade.chapters.measures.cheapest import prices, way_back
-from coursekit.grade.figures.floors import crew, way_over_costs
+from coursekit.grade.chapters.measures.cheapest import path_back, prices
+from coursekit.grade.figures.floors import crew, path_over_costs
 from coursekit.grade.verdict import Wrong
 from coursekit.view.figure import Mover
 
@@ -23,29 +23,29 @@ def straight(costs, start, goal):
 def test_the_cheapest_way_costs_what_the_prices_say():
     costs = np.random.default_rng(3).integers(0, 253, (9, 9))
     price = prices(costs, (0, 0))
-    way = way_back(price, (8, 8))
-    assert way[0] == (0, 0) and way[-1] == (8, 8)
-    assert sum(1 + costs[one] / 50 for one in way[1:]) == pytest.approx(price[8, 8])
+    path = path_back(price, (8, 8))
+    assert path[0] == (0, 0) and path[-1] == (8, 8)
+    assert sum(1 + costs[one] / 50 for one in path[1:]) == pytest.approx(price[8, 8])
 
 
 def test_a_cheapest_way_stands_alone_and_a_dearer_one_beside_the_cheapest():
     costs = np.zeros((3, 4), int)
     costs[1, 0] = 200
-    cheapest = way_back(prices(costs, (0, 0)), (2, 3))
-    assert "the cheapest way" not in labels(way_over_costs(costs, cheapest, cheapest, "a floor"))
-    figure = way_over_costs(costs, straight(costs, (0, 0), (2, 3)), cheapest, "a floor")
-    assert {"the cheapest way", "your way"} <= labels(figure)
+    cheapest = path_back(prices(costs, (0, 0)), (2, 3))
+    assert "the cheapest path" not in labels(path_over_costs(costs, cheapest, cheapest, "a floor"))
+    figure = path_over_costs(costs, straight(costs, (0, 0), (2, 3)), cheapest, "a floor")
+    assert {"the cheapest path", "your path"} <= labels(figure)
 
 
 def test_dearer_cells_have_darker_colours():
-    cells = way_over_costs(np.array([[0, 1, 64, 127, 190, 252, 253]]), [], [(0, 0)], "a row").panels[0].shapes[0]
+    cells = path_over_costs(np.array([[0, 1, 64, 127, 190, 252, 253]]), [], [(0, 0)], "a row").panels[0].shapes[0]
     assert [cells.kinds[one] for one in cells.codes[0]] == ["free", "cost1", "cost2", "cost3", "cost4", "cost4", "wall"]
 
 
 def test_a_way_through_a_closed_wall_is_drawn_where_none_leads():
     figure, passed = handed_out("ch09.q2", find_way=straight)
-    assert not passed and "your way" in labels(figure) and "the cheapest way" not in labels(figure)
-    assert "no way leads" in figure.alt
+    assert not passed and "your path" in labels(figure) and "the cheapest path" not in labels(figure)
+    assert "no path leads" in figure.alt
 
 
 def test_a_jump_is_marked_where_it_lands():
@@ -90,8 +90,8 @@ def test_loads_that_stay_where_they_are_are_marked():
 
 
 def test_a_robot_s_line_lies_beside_another_s_in_one_aisle():
-    way = [(0, 0), (0, 1), (0, 2)]
+    path = [(0, 0), (0, 1), (0, 2)]
     homes = {"robot1": (0, 0), "robot2": (0, 0)}
-    lines = [one for one in crew(np.ones((2, 4), bool), homes, [], dict.fromkeys(homes, way), "a").panels[0].shapes
+    lines = [one for one in crew(np.ones((2, 4), bool), homes, [], dict.fromkeys(homes, path), "a").panels[0].shapes
              if getattr(one, "label", "").startswith("robot")]  # fmt: skip
     assert lines[0].points[0] != lines[1].points[0]

@@ -1,4 +1,4 @@
-"""The own map beside the truth, and the explorer's way: what is wrong is marked."""
+"""The own map beside the truth, and the explorer's path: what is wrong is marked."""
 
 from itertools import pairwise
 
@@ -50,15 +50,15 @@ def test_a_map_without_walls_is_drawn_all_the_same(cells):
 def test_the_way_leads_over_floor_from_goal_to_goal():
     world = Unseen(_world("robot_world"))
     goals = [tuple(one) for one in np.argwhere(world.cells == FREE)[[10, 300, 700]].tolist()]
-    way = world.ways([world.here, *goals])
-    assert [one for one in way if one in goals] == goals and all(world.cells[one] == FREE for one in way)
-    assert all(max(abs(a[0] - b[0]), abs(a[1] - b[1])) == 1 for a, b in pairwise(way))
+    path = world.path([world.here, *goals])
+    assert [one for one in path if one in goals] == goals and all(world.cells[one] == FREE for one in path)
+    assert all(max(abs(a[0] - b[0]), abs(a[1] - b[1])) == 1 for a, b in pairwise(path))
 
 
 def test_floor_that_was_not_seen_is_marked():
     figure, passed = handed_out("ch08.q4", next_goal=lambda cells, here: None)
     assert not passed and count(figure, "missed") > 100 and "0 goals, 50 % of the floor seen" in figure.alt
-    assert "her way" in labels(figure)
+    assert "her path" in labels(figure)
 
 
 def test_a_goal_that_cannot_be_reached_is_marked_where_it_is():

@@ -1,4 +1,4 @@
-"""The cheapest way over a floor of costs, and a way that somebody gave."""
+"""The cheapest path over a floor of costs, and a path that somebody gave."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 
 Cell = tuple[int, int]
 MOST_TICKS = 5000
-"""So many steps a way may have."""
+"""So many steps a path may have."""
 
 
 def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
-    """The price of the cheapest way to each cell, by relaxing all until nothing changes; infinite where none leads."""
+    """The price of the cheapest path to each cell, by relaxing all until nothing changes; infinite where none leads."""
     import numpy as np
 
     price = np.full((costs.shape[0] + 2, costs.shape[1] + 2), np.inf)
@@ -30,15 +30,15 @@ def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
         inner[:] = better
 
 
-def way_back(price: np.ndarray, goal: Cell) -> list[Cell]:
-    """The cheapest way to a goal that can be reached, from where `price` is 0."""
-    way = [goal]
-    while price[way[-1]] > 0:
-        r, c = way[-1]
+def path_back(price: np.ndarray, goal: Cell) -> list[Cell]:
+    """The cheapest path to a goal that can be reached, from where `price` is 0."""
+    path = [goal]
+    while price[path[-1]] > 0:
+        r, c = path[-1]
         near = ((r + 1, c), (r - 1, c), (r, c + 1), (r, c - 1))
         inside = (to for to in near if 0 <= to[0] < price.shape[0] and 0 <= to[1] < price.shape[1])
-        way.append(min(inside, key=price.__getitem__))
-    return way[::-1]
+        path.append(min(inside, key=price.__getitem__))
+    return path[::-1]
 
 
 def cells_of(got: Any, told: str) -> list[Cell]:

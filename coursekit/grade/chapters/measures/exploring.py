@@ -42,7 +42,7 @@ class Unseen:
             floor = np.argwhere(self._reachable)
             self.here = tuple(floor[int(part * (len(floor) - 1))].tolist())
         self.cells = np.full((rows, columns), UNKNOWN, np.int8)
-        self.way = 0.0
+        self.driven = 0.0
         angles, along = np.linspace(0, 2 * math.pi, BEAMS, endpoint=False), np.arange(0, sight / CELL, 0.4)
         self._rays = np.stack([np.outer(np.sin(angles), along), np.outer(np.cos(angles), along)], axis=-1)
         self.look()
@@ -65,7 +65,7 @@ class Unseen:
 
     def go(self, goal: Cell) -> None:
         """Go there and look."""
-        self.way += CELL * math.dist(goal, self.here)
+        self.driven += CELL * math.dist(goal, self.here)
         self.here = goal
         self.look()
 
@@ -78,18 +78,18 @@ class Unseen:
         unseen: np.ndarray = self._reachable & (self.cells == UNKNOWN)
         return unseen
 
-    def ways(self, stops: list[Cell]) -> list[Cell]:
-        """The cells of a short way over seen floor from each stop to the next."""
+    def path(self, stops: list[Cell]) -> list[Cell]:
+        """The cells of a short path over seen floor from each stop to the next."""
         from scipy.sparse.csgraph import breadth_first_order
 
-        floor, columns, way = _neighbours(self.cells == FREE), self.cells.shape[1], stops[:1]
+        floor, columns, path = _neighbours(self.cells == FREE), self.cells.shape[1], stops[:1]
         for begin, end in pairwise(stops):
             before = breadth_first_order(floor, end[0] * columns + end[1])[1]
             at = begin[0] * columns + begin[1]
             while before[at] >= 0:
                 at = int(before[at])
-                way.append(divmod(at, columns))
-        return way
+                path.append(divmod(at, columns))
+        return path
 
 
 def _neighbours(free: np.ndarray) -> Any:

@@ -1,4 +1,4 @@
-"""Wheels that roll: how long each one's way over the floor is, and what another length tells."""
+"""Wheels that roll: how long each one's distance over the floor is, and what another length tells."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ WHEELS = {f"{side}_{end}_joint" for side in ("left", "right") for end in ("front
 
 
 def judge_rolling(seen: Seen, radius: float) -> None:
-    """Wrong unless all wheels unroll the ways of their places on a circle of that radius [m]."""
+    """Wrong unless all wheels unroll the distances of their places on a circle of that radius [m]."""
     frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
     states = [message for _, message in heard(seen, "/joint_states")]
     if len(states) < 40 or len(frames) < 40:
@@ -25,20 +25,20 @@ def judge_rolling(seen: Seen, radius: float) -> None:
     first, last = _moved(frames[0]), _moved(frames[steps])
     turn = math.remainder(last[2] - first[2], math.tau)
     if not near(turn, math.radians(steps), 1e-3) or not near(math.hypot(first[0], first[1]), radius, 1e-3):
-        raise Wrong(f"a circle of {radius:g} m, 1° a step", "another way", "Is py_state_publisher_node.py as it was given?")
+        raise Wrong(f"a circle of {radius:g} m, 1° a step", "another path", "Is py_state_publisher_node.py as it was given?")
     before, after = _angles(states[0]), _angles(states[steps])
     for name in sorted(WHEELS):
         aside = ASIDE if name.startswith("left") else -ASIDE
-        judge_wheel_s_way(name, radius, turn, aside, WHEEL * (after[name] - before[name]))
+        judge_wheel_s_distance(name, radius, turn, aside, WHEEL * (after[name] - before[name]))
 
 
-def judge_wheel_s_way(name: str, radius: float, turn: float, aside: float, unrolled: float) -> None:
-    """Wrong unless a wheel so far aside of the middle unrolls [m] its way in a turn of the robot [rad]."""
-    way = turn * (radius - aside)
-    if not near(unrolled, way, 1e-3 + 0.005 * abs(way)):
+def judge_wheel_s_distance(name: str, radius: float, turn: float, aside: float, unrolled: float) -> None:
+    """Wrong unless a wheel so far aside of the middle unrolls [m] its distance in a turn of the robot [rad]."""
+    distance = turn * (radius - aside)
+    if not near(unrolled, distance, 1e-3 + 0.005 * abs(distance)):
         middle = near(unrolled, turn * radius, 0.01)
         raise Wrong(
-            f"on a circle of {radius:g} m, {name} unrolls {way:.3f} m, as its place on the robot goes",
+            f"on a circle of {radius:g} m, {name} unrolls {distance:.3f} m, as its place on the robot goes",
             f"{unrolled:.3f} m",
             _slip(radius, turn, aside, unrolled),
             share=0.4 if middle and radius == 1.0 else 0.0,
@@ -56,14 +56,14 @@ def _angles(state: Any) -> dict[str, float]:
 
 
 def _slip(radius: float, turn: float, aside: float, unrolled: float) -> str:
-    way = turn * (radius - aside)
+    distance = turn * (radius - aside)
     causes = {
-        "That is the way of the robot's middle: the inner wheels have less to go, the outer ones more.": turn * radius,
-        "The right length, but backwards.": -way,
-        "That is the other side's way: to the left, the left wheels are the inner ones.": turn * (radius + aside),
+        "That is the distance of the robot's middle: the inner wheels roll less, the outer ones more.": turn * radius,
+        "The right length, but backwards.": -distance,
+        "That is the other side's distance: to the left, the left wheels are the inner ones.": turn * (radius + aside),
         "That is right on a circle of 1 m only: is `radius` used?": turn * (1.0 - aside),
-        "An angle is asked for: the length on the floor, divided by the wheel's radius.": WHEEL * way,
-        "Radians are asked for, as `step` is.": math.degrees(way),
+        "An angle is asked for: the length on the floor, divided by the wheel's radius.": WHEEL * distance,
+        "Radians are asked for, as `step` is.": math.degrees(distance),
     }
     for cause, length in causes.items():
         if near(unrolled, length, 1e-3 + 0.005 * abs(length)):

@@ -1,4 +1,4 @@
-"""A warehouse of cells, and whether robots' ways in it can be driven, keep apart and bring all loads home."""
+"""A warehouse of cells, and whether robots' paths in it can be driven, keep apart and bring all loads home."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ def warehouse(number: int, chance: Random) -> tuple[np.ndarray, dict[str, Cell],
     return free, homes, loads
 
 
-def expect_drivable(free: np.ndarray, way: list[Cell], home: Cell, told: str) -> None:
-    """Wrong unless a robot can drive this way from its home, cell by cell."""
-    if not way or way[0] != home:
-        raise Wrong(f"a way of {told} that begins at its home {home}", gave=f"{way[:3]}", hint=NO_HINT)
-    if len(way) > MOST_TICKS:
-        raise Wrong(f"at most {MOST_TICKS} ticks for {told}", gave=f"{len(way)}", hint=NO_HINT)
-    for before, after in pairwise(way):
+def expect_drivable(free: np.ndarray, path: list[Cell], home: Cell, told: str) -> None:
+    """Wrong unless a robot can drive this path from its home, cell by cell."""
+    if not path or path[0] != home:
+        raise Wrong(f"a path of {told} that begins at its home {home}", gave=f"{path[:3]}", hint=NO_HINT)
+    if len(path) > MOST_TICKS:
+        raise Wrong(f"at most {MOST_TICKS} ticks for {told}", gave=f"{len(path)}", hint=NO_HINT)
+    for before, after in pairwise(path):
         if abs(before[0] - after[0]) + abs(before[1] - after[1]) > 1:
             wanted, gave = f"{told} stays or goes to a neighbour in each tick", f"{before} to {after}"
             raise Wrong(wanted, gave=gave, hint=NO_HINT, at=spots(after))
@@ -47,17 +47,17 @@ def expect_drivable(free: np.ndarray, way: list[Cell], home: Cell, told: str) ->
             raise Wrong(f"{told} on free cells", gave=f"{after}, which is none", hint=NO_HINT, at=spots(after))
 
 
-def _at(way: list[Cell], tick: int) -> Cell:
-    return way[min(tick, len(way) - 1)]
+def _at(path: list[Cell], tick: int) -> Cell:
+    return path[min(tick, len(path) - 1)]
 
 
-def expect_apart(ways: dict[str, list[Cell]], told: str) -> None:
+def expect_apart(paths: dict[str, list[Cell]], told: str) -> None:
     """Wrong when two robots are in one cell, or drive through each other."""
-    for tick in range(1, max(map(len, ways.values()))):
+    for tick in range(1, max(map(len, paths.values()))):
         seen: dict[Cell, str] = {}
-        moves = {(_at(way, tick - 1), _at(way, tick)): name for name, way in ways.items()}
-        for name, way in ways.items():
-            here, before = _at(way, tick), _at(way, tick - 1)
+        moves = {(_at(path, tick - 1), _at(path, tick)): name for name, path in paths.items()}
+        for name, path in paths.items():
+            here, before = _at(path, tick), _at(path, tick - 1)
             other = seen.setdefault(here, name)
             if other != name:
                 both = f"{other} and {name} both in {here} at tick {tick}"
@@ -68,12 +68,12 @@ def expect_apart(ways: dict[str, list[Cell]], told: str) -> None:
                 raise Wrong(f"no two robots through each other in {told}", what, cause, at=spots(before, here))
 
 
-def delivered(ways: dict[str, list[Cell]], homes: dict[str, Cell], loads: list[Cell], told: str) -> int:
+def delivered(paths: dict[str, list[Cell]], homes: dict[str, Cell], loads: list[Cell], told: str) -> int:
     """The tick when the last load is at home."""
-    left, carried, done, last = set(loads), dict.fromkeys(ways, False), 0, 0
-    for tick in range(max(map(len, ways.values()))):
-        for name, way in ways.items():
-            here = _at(way, tick)
+    left, carried, done, last = set(loads), dict.fromkeys(paths, False), 0, 0
+    for tick in range(max(map(len, paths.values()))):
+        for name, path in paths.items():
+            here = _at(path, tick)
             if carried[name] and here == homes[name]:
                 carried[name], done, last = False, done + 1, tick
             elif not carried[name] and here in left:

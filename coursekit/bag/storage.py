@@ -43,7 +43,11 @@ class FileWriter(Protocol):
 
 
 def storage_id_of(path: Path) -> str:
-    """Return the kind of a file by its name; BagError for another name."""
+    """Return the kind of a file by its name; BagError for another name.
+
+    >>> storage_id_of(Path("run_0.db3")), storage_id_of(Path("run_0.mcap"))
+    ('sqlite3', 'mcap')
+    """
     name = path.name.removesuffix(".zstd")
     for storage_id, suffix in SUFFIXES.items():
         if name.endswith(suffix):

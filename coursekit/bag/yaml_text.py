@@ -23,5 +23,12 @@ _Dumper.add_representer(str, _text)
 
 
 def dump(value: Any) -> str:
-    """Return YAML text in rosbag2's layout, without the last line break."""
+    """Return YAML text in rosbag2's layout, without the last line break.
+
+    >>> print(dump({"topics": ["/scan", "/odom"], "note": ""}))
+    topics:
+      - /scan
+      - /odom
+    note: ""
+    """
     return yaml.dump(value, Dumper=_Dumper, sort_keys=False, width=10**9, allow_unicode=True).rstrip("\n")

@@ -71,13 +71,22 @@ class Pose2D(NamedTuple):
 
 
 def rotation(theta: float) -> Array:
-    """The 2 x 2 rotation matrix."""
+    """The 2 x 2 rotation matrix.
+
+    >>> rotation(math.pi / 2).round(6).tolist()
+    [[0.0, -1.0], [1.0, 0.0]]
+    """
     c, s = math.cos(theta), math.sin(theta)
     return np.array([[c, -s], [s, c]])
 
 
 def compose(first: Array, second: Array) -> Array:
-    """`first @ second`, row by row; shapes (n, 3), either may be (3,)."""
+    """`first @ second`, row by row; shapes (n, 3), either may be (3,).
+
+    >>> ahead, left = np.array([2.0, 0.0, 0.0]), np.array([1.0, 0.0, math.pi / 2])
+    >>> compose(left, ahead).round(3).tolist()
+    [1.0, 2.0, 1.571]
+    """
     first, second = np.asarray(first, float), np.asarray(second, float)
     c, s = np.cos(first[..., 2]), np.sin(first[..., 2])
     x = first[..., 0] + c * second[..., 0] - s * second[..., 1]

@@ -57,7 +57,12 @@ def inverse(a: Pose) -> Pose:
 
 
 def between(target: Pose, source: Pose) -> Pose:
-    """`inverse(target)` after `source`: both given in the same frame."""
+    """`inverse(target)` after `source`: both given in the same frame.
+
+    >>> here, there = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), (3.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    >>> between(here, there)[:3]
+    (2.0, 2.0, 0.0)
+    """
     x, y, z, i, j, k, w = target
     sx, sy, sz, si, sj, sk, sw = source
     return compose((0.0, 0.0, 0.0, -i, -j, -k, w), (sx - x, sy - y, sz - z, si, sj, sk, sw))
@@ -78,7 +83,11 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
-    """First the turn `b`, then `a`."""
+    """First the turn `b`, then `a`.
+
+    >>> multiply((0.0, 0.0, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0))
+    (0.0, 1.0, 0.0, 0.0)
+    """
     i, j, k, w = a
     bi, bj, bk, bw = b
     return (
@@ -99,7 +108,11 @@ def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:
 
 
 def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
-    """Part of the way from pose `a` to pose `b`: straight in position, `slerp` in attitude."""
+    """Part of the way from pose `a` to pose `b`: straight in position, `slerp` in attitude.
+
+    >>> interpolate(IDENTITY, (2.0, 4.0, 0.0, 0.0, 0.0, 0.0, 1.0), 0.25)[:3]
+    (0.5, 1.0, 0.0)
+    """
     x, y, z, i, j, k, w = a
     bx, by, bz, bi, bj, bk, bw = b
     rest = 1.0 - ratio
@@ -156,7 +169,11 @@ def canonical(pose: Pose) -> Pose:
 
 
 def normalized(pose: Pose) -> Pose:
-    """The same pose with a quaternion of length 1."""
+    """The same pose with a quaternion of length 1.
+
+    >>> normalized((1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 2.0))
+    (1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0)
+    """
     x, y, z, i, j, k, w = pose
     length = sqrt(i * i + j * j + k * k + w * w)
     return x, y, z, i / length, j / length, k / length, w / length

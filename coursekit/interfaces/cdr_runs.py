@@ -71,19 +71,31 @@ def exactly(values: Sized, size: int, name: str) -> None:
 
 
 def encode_wide(text: str) -> bytes:
-    """Return UTF-16 units in four bytes each, as Humble's Fast DDS writes a wstring."""
+    """Return UTF-16 units in four bytes each, as Humble's Fast DDS writes a wstring.
+
+    >>> encode_wide("Ñ").hex()
+    'd1000000'
+    """
     units = array("H", text.encode("utf-16-le", "surrogatepass"))
     return struct.pack(f"<{len(units)}I", *units)
 
 
 def decode_wide(data: bytes) -> str:
-    """Return the text of UTF-16 units in four bytes each."""
+    """Return the text of UTF-16 units in four bytes each.
+
+    >>> decode_wide(encode_wide("Año"))
+    'Año'
+    """
     units = struct.unpack(f"<{len(data) // 4}I", data)
     return b"".join((unit & 0xFFFF).to_bytes(2, "little") for unit in units).decode("utf-16-le", "replace")
 
 
 def read_string(body: memoryview, position: int, bound: int = 0) -> tuple[str, int]:
-    """Return the string at a position and the position after it."""
+    r"""Return the string at a position and the position after it.
+
+    >>> read_string(memoryview(b"\x03\0\0\0hi\0"), 0)
+    ('hi', 7)
+    """
     position += -position % 4
     (length,) = struct.unpack_from("<I", body, position)
     data = take(body, position + 4, length)
@@ -100,7 +112,13 @@ def read_wide(body: memoryview, position: int) -> tuple[str, int]:
 
 
 def write_string(out: bytearray, text: str) -> None:
-    """Append a string to a body that starts at byte 4 of `out`."""
+    r"""Append a string to a body that starts at byte 4 of `out`.
+
+    >>> out = bytearray()
+    >>> write_string(out, "hi")
+    >>> bytes(out)
+    b'\x03\x00\x00\x00hi\x00'
+    """
     data = text.encode()
     out += PAD4[len(out) & 3] + (len(data) + 1).to_bytes(4, "little") + data + b"\0"
 

@@ -13,7 +13,11 @@ _PLAIN = (list, tuple)
 
 
 def is_collection(value: object) -> bool:
-    """Tell whether a value is a set or a sequence, and no string."""
+    """Tell whether a value is a set or a sequence, and no string.
+
+    >>> is_collection((1, 2)), is_collection("12")
+    (True, False)
+    """
     if type(value) in _PLAIN:
         return True
     return isinstance(value, (Sequence, Set, UserList)) and not isinstance(value, (str, UserString))
@@ -32,12 +36,20 @@ def all_are(values: Any, kind: type) -> bool:
 
 
 def all_within(values: Any, low: int, high: int) -> bool:
-    """Tell whether each integer lies in [low, high]; an empty collection does."""
+    """Tell whether each integer lies in [low, high]; an empty collection does.
+
+    >>> all_within([0, 255], 0, 255), all_within([-1], 0, 255)
+    (True, False)
+    """
     return not values or (min(values) >= low and max(values) <= high)
 
 
 def all_float32(values: Any) -> bool:
-    """Tell whether each number is a float32: within its bounds, infinite or not a number."""
+    """Tell whether each number is a float32: within its bounds, infinite or not a number.
+
+    >>> all_float32([0.1, float("inf")]), all_float32([1e39])
+    (True, False)
+    """
     return all(
         not (v < -FLOAT32_MAX or v > FLOAT32_MAX) or v in (float("inf"), float("-inf")) for v in values
     )
@@ -53,10 +65,18 @@ def float32(value: float) -> float:
 
 
 def all_no_longer_than(values: Any, length: int) -> bool:
-    """Tell whether each string has at most `length` characters."""
+    """Tell whether each string has at most `length` characters.
+
+    >>> all_no_longer_than(["map", "odom"], 3)
+    False
+    """
     return all(len(value) <= length for value in values)
 
 
 def is_octet(value: object) -> bool:
-    """Tell whether a value is one byte."""
+    """Tell whether a value is one byte.
+
+    >>> is_octet(b"a"), is_octet(97)
+    (True, False)
+    """
     return isinstance(value, (bytes, bytearray)) and len(value) == 1

@@ -43,7 +43,11 @@ _PYTHON = {
 
 
 def python_type(kind: FieldType) -> str:
-    """Return the name of the Python type of one element, as Humble's messages name it."""
+    """Return the name of the Python type of one element, as Humble's messages name it.
+
+    >>> python_type(FieldType("float32")), python_type(FieldType("std_msgs/Header"))
+    ('float', 'Header')
+    """
     return _PYTHON.get(kind.base, "int") if kind.is_primitive else kind.base.rsplit("/", 1)[1]
 
 

@@ -57,6 +57,9 @@ def find_definition(name: str) -> Path:
     """Return the definition file of 'package/msg/Name' (or 'package/Name').
 
     Raises UnknownInterface, which lists close names.
+
+    >>> find_definition("std_msgs/String").name
+    'String.msg'
     """
     package, kind, short = split_name(name)
     for prefix in prefixes():
@@ -67,7 +70,11 @@ def find_definition(name: str) -> Path:
 
 
 def definition_text(name: str) -> str:
-    """Return the text of a definition file, comments and spacing kept."""
+    """Return the text of a definition file, comments and spacing kept.
+
+    >>> "float64 x" in definition_text("geometry_msgs/msg/Point")
+    True
+    """
     return read_text(find_definition(name))
 
 

@@ -111,7 +111,11 @@ def _number_token(text: str) -> Reason | None:
 
 
 def validate_full_topic_name(text: str) -> Reason | None:
-    """Return (reason, index) when `text` is no absolute, fully expanded topic name, else None."""
+    """Return (reason, index) when `text` is no absolute, fully expanded topic name, else None.
+
+    >>> validate_full_topic_name("scan"), validate_full_topic_name("/scan")
+    (("topic name must be absolute, it must lead with a '/'", 0), None)
+    """
     if not text:
         return "topic name must not be empty", 0
     if text[0] != "/":
@@ -126,7 +130,11 @@ def validate_full_topic_name(text: str) -> Reason | None:
 
 
 def validate_namespace(text: str, kind: str = "namespace") -> Reason | None:
-    """Return (reason, index) when `text` is no absolute namespace, else None."""
+    """Return (reason, index) when `text` is no absolute namespace, else None.
+
+    >>> validate_namespace("/robot/"), validate_namespace("/robot")
+    (("namespace must not end with a '/', unless only a '/'", 6), None)
+    """
     if not text:
         return f"{kind} must not be empty", 0
     if text == "/":
@@ -154,7 +162,11 @@ def _bad_path(kind: str, text: str) -> Reason | None:
 
 
 def validate_node_name(text: str) -> Reason | None:
-    """Return (reason, index) when `text` is no node name, else None."""
+    """Return (reason, index) when `text` is no node name, else None.
+
+    >>> validate_node_name("2nd"), validate_node_name("second")
+    (('node name must not start with a number', 0), None)
+    """
     if not text:
         return "node name must not be empty", 0
     if found := _NOT_WORD.search(text):

@@ -133,7 +133,11 @@ def matches(pattern: str, node: str) -> bool:
 
 
 def values_for(overrides: Overrides, node: str) -> dict[str, Value]:
-    """Return the values meant for the node, later patterns over earlier ones."""
+    """Return the values meant for the node, later patterns over earlier ones.
+
+    >>> values_for({"/**": {"speed": 1.0}, "/turtle": {"speed": 2.0}}, "/turtle")
+    {'speed': 2.0}
+    """
     values: dict[str, Value] = {}
     for pattern, said in overrides.items():
         if matches(pattern, node):
@@ -142,7 +146,13 @@ def values_for(overrides: Overrides, node: str) -> dict[str, Value]:
 
 
 def add(target: Overrides, more: Overrides) -> None:
-    """Add `more` to `target`; a pattern keeps the place at which it came first."""
+    """Add `more` to `target`; a pattern keeps the place at which it came first.
+
+    >>> overrides = {"/turtle": {"speed": 1.0}}
+    >>> add(overrides, {"/turtle": {"width": 3}})
+    >>> overrides
+    {'/turtle': {'speed': 1.0, 'width': 3}}
+    """
     for pattern, values in more.items():
         target.setdefault(pattern, {}).update(values)
 

@@ -32,7 +32,11 @@ class RuleError(ValueError):
 
 
 def scope(text: str) -> tuple[str | None, str]:
-    """Return the node that a rule is for (None for all) and the rest of the rule."""
+    """Return the node that a rule is for (None for all) and the rest of the rule.
+
+    >>> scope("talker:chatter:=news"), scope("chatter:=news")
+    (('talker', 'chatter:=news'), (None, 'chatter:=news'))
+    """
     found = _SCOPE.fullmatch(text)
     assert found is not None  # the pattern takes any text
     if found[1] in ("rostopic", "rosservice") and found[2].startswith("//"):
@@ -41,7 +45,11 @@ def scope(text: str) -> tuple[str | None, str]:
 
 
 def sides(rule: str) -> tuple[str, str]:
-    """Return the parts before and after `:=`; RuleError when the rule has no such form."""
+    """Return the parts before and after `:=`; RuleError when the rule has no such form.
+
+    >>> sides("chatter:=news")
+    ('chatter', 'news')
+    """
     left, mark, right = rule.partition(":=")
     if not mark:
         raise RuleError("Expected ':=' between the two sides, as in name:=value")

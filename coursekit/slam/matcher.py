@@ -83,7 +83,11 @@ def correlate(  # type: ignore[no-untyped-def]
 
 
 def sample(points: Array, limit: int) -> Array:
-    """At most `limit` of the points, evenly spread."""
+    """At most `limit` of the points, evenly spread.
+
+    >>> sample(np.arange(10.0).reshape(5, 2), 3)[:, 0].tolist()
+    [0.0, 4.0, 8.0]
+    """
     return points if len(points) <= limit else np.ascontiguousarray(points[:: -(-len(points) // limit)])
 
 

@@ -54,7 +54,11 @@ def sent_for(special: str, code: str) -> str:
 
 
 def codes_of(typed: str) -> list[str]:
-    """How msvcrt gives what a terminal has sent: character by character, or two codes for one of the keys above."""
+    r"""How msvcrt gives what a terminal has sent: character by character, or two codes for one of the keys above.
+
+    >>> codes_of("w\n")
+    ['w', '\r']
+    """
     if typed in _CODES:
         return [SPECIAL[1], _CODES[typed]]
     return ["\r" if sign == "\n" else sign for sign in typed]

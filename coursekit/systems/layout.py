@@ -20,7 +20,11 @@ def executable_files(folder: Path, name: str) -> list[Path]:
 
 
 def executable_name(path: Path) -> str:
-    """By what name an executable is called: NAME of NAME.exe."""
+    """By what name an executable is called: NAME of NAME.exe.
+
+    >>> executable_name(Path("lib/demo/talker.exe")), executable_name(Path("lib/demo/talker"))
+    ('talker', 'talker')
+    """
     return path.stem if path.suffix == ".exe" else path.name
 
 

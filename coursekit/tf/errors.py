@@ -86,7 +86,11 @@ def unconnected(target: str, source: str) -> str:
 
 
 def invalid_name(frame: str) -> str | None:
-    """Why a name can be no frame's; None when it can."""
+    """Why a name can be no frame's; None when it can.
+
+    >>> invalid_name("/map"), invalid_name("map")
+    ("in tf2 frame_ids cannot start with a '/'", None)
+    """
     if not frame:
         return "in tf2 frame_ids cannot be empty"
     if frame[0] == "/":

@@ -13,7 +13,11 @@ UNIT_TOLERANCE = 10e-3
 
 
 def faults(parent: str, child: str, pose: Pose, authority: str) -> Iterator[str]:
-    """Why a pose cannot be taken; nothing when it can, once its quaternion is normalized."""
+    """Why a pose cannot be taken; nothing when it can, once its quaternion is normalized.
+
+    >>> list(faults("odom", "", (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), "driver"))
+    ['TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "driver" because child_frame_id not set ']
+    """
     if child == parent:
         yield (
             f'TF_SELF_TRANSFORM: Ignoring transform from authority "{authority}" with frame_id and  '

@@ -28,13 +28,21 @@ class Finding:
 
 
 def matrix(inertial: Inertial) -> np.ndarray:
-    """The inertia about the centre of mass as a symmetric 3x3 matrix [kg m^2]."""
+    """The inertia about the centre of mass as a symmetric 3x3 matrix [kg m^2].
+
+    >>> matrix(Inertial(2.0, (1.0, 0.1, 0.0, 1.0, 0.0, 2.0))).tolist()
+    [[1.0, 0.1, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 2.0]]
+    """
     ixx, ixy, ixz, iyy, iyz, izz = inertial.inertia
     return np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
 
 
 def principal(inertial: Inertial) -> np.ndarray:
-    """The three moments about the principal axes, ascending [kg m^2]."""
+    """The three moments about the principal axes, ascending [kg m^2].
+
+    >>> principal(Inertial(2.0, (1.0, 0.5, 0.0, 1.0, 0.0, 2.0))).round(6).tolist()
+    [0.5, 1.5, 2.0]
+    """
     return np.linalg.eigvalsh(matrix(inertial))
 
 

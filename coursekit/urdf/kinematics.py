@@ -25,7 +25,11 @@ Term = float | str
 
 
 def pose_of(origin: Origin) -> Pose:
-    """An origin as a pose."""
+    """An origin as a pose.
+
+    >>> pose_of(Origin((1.0, 2.0, 3.0)))
+    (1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0)
+    """
     return (*origin.xyz, *quaternion_of(origin.rpy))
 
 

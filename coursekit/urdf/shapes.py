@@ -21,7 +21,11 @@ ROUND = 32
 
 
 def matrix_of(origin: Origin) -> np.ndarray:
-    """An origin as a 4x4 matrix."""
+    """An origin as a 4x4 matrix.
+
+    >>> matrix_of(Origin((1.0, 2.0, 3.0)))[:, 3].tolist()
+    [1.0, 2.0, 3.0, 1.0]
+    """
     (cr, cp, cy), (sr, sp, sy) = np.cos(origin.rpy), np.sin(origin.rpy)
     result = np.eye(4)
     result[:3, :3] = [

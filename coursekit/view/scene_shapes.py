@@ -109,7 +109,11 @@ def colour_of(rgb: list[int] | tuple[int, ...], alpha: float = 1.0) -> Colour:
 
 
 def rotation(quaternions: np.ndarray) -> np.ndarray:
-    """(n, 4) quaternions x, y, z, w as (n, 3, 3) matrices."""
+    """(n, 4) quaternions x, y, z, w as (n, 3, 3) matrices.
+
+    >>> rotation(np.array([[0.0, 0.0, 1.0, 0.0]]))[0].tolist()
+    [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
+    """
     x, y, z, w = np.moveaxis(np.asarray(quaternions, float), -1, 0)
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -121,7 +125,12 @@ def rotation(quaternions: np.ndarray) -> np.ndarray:
 
 @lru_cache(maxsize=64)
 def box(x: float = 1.0, y: float = 1.0, z: float = 1.0) -> Body:
-    """Vertices and faces of a box around the origin."""
+    """Vertices and faces of a box around the origin.
+
+    >>> vertices, faces = box(2.0, 1.0, 1.0)
+    >>> vertices.shape, faces.shape, float(vertices[:, 0].max())
+    ((8, 3), (12, 3), 1.0)
+    """
     import trimesh
 
     made = trimesh.creation.box(extents=(x, y, z))
@@ -164,7 +173,12 @@ def join(parts: list[Body], colour: Colour) -> Triangles:
 
 
 def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -> Body:
-    """The same body at many places (n, 3), turned by quaternions (n, 4), as one."""
+    """The same body at many places (n, 3), turned by quaternions (n, 4), as one.
+
+    >>> vertices, _ = scattered(box(), np.array([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]))
+    >>> len(vertices), float(vertices[:, 0].max())
+    (16, 5.5)
+    """
     vertices, faces = body
     turned = np.broadcast_to(vertices, (len(places), *vertices.shape))
     if turns is not None:
@@ -174,7 +188,11 @@ def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -
 
 
 def towards(direction: np.ndarray) -> np.ndarray:
-    """A rotation that turns x to a direction."""
+    """A rotation that turns x to a direction.
+
+    >>> (towards(np.array([0.0, 2.0, 0.0])) @ [1.0, 0.0, 0.0]).tolist()
+    [0.0, 1.0, 0.0]
+    """
     x = direction / np.linalg.norm(direction)
     other = np.array([0.0, 0.0, 1.0]) if abs(x[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
     y = np.cross(other, x)

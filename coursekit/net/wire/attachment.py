@@ -26,7 +26,11 @@ class Attachment(NamedTuple):
 
 
 def read_attachment(data: bytes) -> Attachment:
-    """Read what came with a message; ValueError for what is no attachment."""
+    """Read what came with a message; ValueError for what is no attachment.
+
+    >>> read_attachment(Attachment(7, 1000, bytes(16)).data()).number
+    7
+    """
     if len(data) != _LAYOUT.size or data[16] != _GID_SIZE:
         raise ValueError(f"{len(data)} bytes that are no attachment")
     number, stamp, _, gid = _LAYOUT.unpack(data)

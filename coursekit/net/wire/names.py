@@ -43,7 +43,11 @@ def mangle(name: str) -> str:
 
 
 def demangle(name: str) -> str:
-    """The name that `mangle` was given; ValueError for what can be no name of a topic."""
+    """The name that `mangle` was given; ValueError for what can be no name of a topic.
+
+    >>> demangle("%robot%scan")
+    '/robot/scan'
+    """
     found = name.replace("%", "/")
     if not _NAME.fullmatch(found) or not found.isascii():
         raise ValueError(f"'{found[:80]}' is no name of a topic")

@@ -28,6 +28,9 @@ def painted(cells: np.ndarray, scheme: str = "map") -> np.ndarray:
     """(rows, columns, 4) RGBA of a grid of -1 and 0 .. 100, its uppermost row first, in RViz's colours.
 
     'map': white is free, black occupied, greenish grey unknown. 'costmap': from blue to red, free is clear.
+
+    >>> painted(np.array([[0, 100, -1]])).tolist()
+    [[[255, 255, 255, 255], [0, 0, 0, 255], [112, 137, 134, 255]]]
     """
     table = np.zeros((256, 4), np.uint8)
     table[:] = (*_ILLEGAL, 255)

@@ -26,7 +26,11 @@ _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"
 
 
 def rainbow(values: np.ndarray) -> np.ndarray:
-    """(n, 3) colours: the least value blue, the greatest red."""
+    """(n, 3) colours: the least value blue, the greatest red.
+
+    >>> rainbow(np.array([0.0, 1.0, 2.0])).tolist()
+    [[0.0, 0.0, 0.5], [0.5, 1.0, 0.5], [0.5, 0.0, 0.0]]
+    """
     if not len(values):
         return np.zeros((0, 3))
     low, high = float(np.min(values)), float(np.max(values))

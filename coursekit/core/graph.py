@@ -228,7 +228,14 @@ class Graph:
 
 
 def names_and_types(endpoints: Iterable[Endpoint]) -> list[tuple[str, list[str]]]:
-    """(name, sorted types) of these endpoints, by name."""
+    """(name, sorted types) of these endpoints, by name.
+
+    >>> from std_msgs.msg import String
+    >>> from coursekit.core.virtual_clock import VirtualClock
+    >>> node = Graph(VirtualClock()).add_node("talker", "/")
+    >>> names_and_types([node.publisher("/chatter", String, Qos())])
+    [('/chatter', ['std_msgs/msg/String'])]
+    """
     found: dict[str, dict[str, None]] = {}
     for endpoint in endpoints:
         found.setdefault(endpoint.name, {})[endpoint.type_name] = None

@@ -33,7 +33,11 @@ class Qos:
     lease: int = 0
 
     def resolved(self) -> Qos:
-        """With the middleware's choice where the profile leaves it to the system."""
+        """With the middleware's choice where the profile leaves it to the system.
+
+        >>> Qos(depth=0, reliability=SYSTEM_DEFAULT).resolved().depth
+        1
+        """
         return replace(
             self,
             history=self.history if self.history in (KEEP_LAST, KEEP_ALL) else KEEP_LAST,

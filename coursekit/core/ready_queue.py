@@ -51,7 +51,14 @@ class Source:
 
 
 class ReadyQueue:
-    """An executor's work, in the order in which it became ready, and the timers that will be due."""
+    """An executor's work, in the order in which it became ready, and the timers that will be due.
+
+    >>> from coursekit.core.virtual_clock import VirtualClock
+    >>> queue = ReadyQueue(VirtualClock())
+    >>> queue.put("scan"); queue.put("odometry")
+    >>> queue.pop(), queue.pop(), queue.pop()
+    ('scan', 'odometry', None)
+    """
 
     def __init__(self, clock: Any) -> None:
         self.clock = clock

@@ -22,7 +22,19 @@ class RequestId:
 
 
 class Server(Endpoint):
-    """The answering end: a queue of (request, RequestId)."""
+    """The answering end: a queue of (request, RequestId).
+
+    >>> from std_srvs.srv import SetBool
+    >>> from coursekit.core.graph import Graph
+    >>> from coursekit.core.virtual_clock import VirtualClock
+    >>> node = Graph(VirtualClock()).add_node("gripper", "/")
+    >>> server, client = node.server("/grip", SetBool, Qos()), node.client("/grip", SetBool, Qos())
+    >>> number = client.send(SetBool.Request(data=True))
+    >>> request, asked = server.take()
+    >>> server.respond(asked, SetBool.Response(success=request.data, message="closed"))
+    >>> client.take() == (number, SetBool.Response(success=True, message="closed"))
+    True
+    """
 
     __slots__ = ("queue",)
 

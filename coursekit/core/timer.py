@@ -7,7 +7,19 @@ from .time_base import TimeBase
 
 
 class Timer(Source):
-    """Becomes ready every `period` nanoseconds of its clock."""
+    """Becomes ready every `period` nanoseconds of its clock.
+
+    >>> from coursekit.core.time_base import STEADY_TIME
+    >>> from coursekit.core.virtual_clock import VirtualClock
+    >>> clock = VirtualClock()
+    >>> timer = Timer(TimeBase(STEADY_TIME, clock), 500_000_000)
+    >>> clock.sleep(1.7)
+    >>> timer.has_work(), timer.time_until_next_call()
+    (True, -1200000000)
+    >>> timer.call()
+    >>> timer.time_until_next_call()
+    300000000
+    """
 
     __slots__ = ("__weakref__", "base", "canceled", "generation", "last", "next", "number", "period")
 

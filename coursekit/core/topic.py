@@ -66,7 +66,18 @@ class Publisher(Endpoint):
             self._live = False  # alive only once it says so
 
     def publish(self, msg: Any) -> None:
-        """Hand a copy of `msg` to every matching subscription."""
+        """Hand a copy of `msg` to every matching subscription.
+
+        >>> from std_msgs.msg import String
+        >>> from coursekit.core.graph import Graph
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> node = Graph(VirtualClock()).add_node("robot", "/")
+        >>> heard, said = node.subscription("/chatter", String, Qos()), node.publisher("/chatter", String, Qos())
+        >>> said.publish(String(data="hello"))
+        >>> msg, stamp, publisher = heard.take()
+        >>> msg.data, publisher is said
+        ('hello', True)
+        """
         stamp = self.graph.clock.now()
         for target in self.targets:
             kept = msg._clone() if target.reduce is None else target.reduce(msg)

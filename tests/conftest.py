@@ -9,6 +9,8 @@ import tempfile
 import pytest
 from hypothesis import settings
 
+from tests import compiler_cache
+
 # Property tests have no time limit of their own, and try the same examples every time; with COURSEKIT_FUZZ, new ones.
 settings.register_profile("coursekit", deadline=None, derandomize="COURSEKIT_FUZZ" not in os.environ)
 settings.load_profile("coursekit")
@@ -16,6 +18,8 @@ settings.load_profile("coursekit")
 _sessions = tempfile.TemporaryDirectory(prefix="ck-")  # short: a Unix socket's path has room for 107 bytes
 os.environ["COURSEKIT_RUNTIME_DIR"] = _sessions.name
 os.environ["ROS_LOG_DIR"] = os.path.join(_sessions.name, "log")  # not among the user's own
+
+compiler_cache.use()
 
 # Its first import sources ROS: not within a test that sets AMENT_PREFIX_PATH for a while, and takes it back.
 importlib.import_module("ament_index_python")

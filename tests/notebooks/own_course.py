@@ -8,11 +8,13 @@ from pathlib import Path
 from nbval.plugin import IPyNbFile
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+from tests import compiler_cache
 from tests.needs import ON_WINDOWS
 
 from .alike import compare_alike
 from .running import clock_of, name_student, read
 
+compiler_cache.use()
 _folder = tempfile.TemporaryDirectory(prefix="course-")
 
 

@@ -14,6 +14,7 @@ import sys
 
 import pytest
 
+from tests.compiler_cache import LAUNCHERS
 from tests.needs import ON_WINDOWS
 from tests.packages import course_cpp
 from tests.packages.test_cpp_workspace import BIN, ENV
@@ -30,7 +31,8 @@ def tools(tmp_path_factory):
     folder = tmp_path_factory.mktemp("bin")
     for name in ("env", "sh", "bash"):
         (folder / name).symlink_to(shutil.which(name))
-    return ENV | {"PATH": f"{BIN}{os.pathsep}{folder}"}
+    own = {name: value for name, value in ENV.items() if name not in LAUNCHERS}
+    return own | {"PATH": f"{BIN}{os.pathsep}{folder}"}
 
 
 def test_coursekit_cpp_makes_the_runtime(tools):

@@ -11,6 +11,7 @@ from pathlib import Path
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.harmless import cell, shown
 
+from .attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
 from .forged_bundles import (
     all_resealed,
     borrowed,
@@ -23,7 +24,6 @@ from .forged_bundles import (
 )
 from .hostile_kinds import HOSTILE
 from .kinds import TOPICS, Kind, Notebook, Packed, Placed, answers, solution_cells, stubs
-from .test_attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
 
 
 def bundle(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Packed]:

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from .attacks import COLLIDING, LIES, NESTED, SLEEP, SURROGATE, WIDE
 from .kinds import CAPSTONE, ROBOTS, SLAM, TOPICS, Kind, Notebook, Packed, Placed, answers
-from .test_attacks import COLLIDING, LIES, NESTED, SLEEP, SURROGATE, WIDE
 
 HOST = Path(__file__).resolve().parents[2] / "escaped"
 """What an attack that gets out would write."""

@@ -16,8 +16,9 @@ from coursekit.grade.mark import mark
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 
+from .attacks import RIGHT
 from .forged_bundles import resealed
-from .test_attacks import RIGHT, cells
+from .test_attacks import cells
 
 
 @pytest.fixture(scope="module")

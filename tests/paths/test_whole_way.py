@@ -15,7 +15,8 @@ from jupyter_client.manager import KernelManager
 from coursekit.cli.coursekit import main
 from coursekit.cli.lab import lab_environment
 from coursekit.cli.terminal_settings import terminal_settings
-from tests.grade.test_attacks import RIGHT, cells
+from tests.grade.attacks import RIGHT
+from tests.grade.test_attacks import cells
 from tests.paths import workspace
 from tests.paths.workspace import HOSTILE, type_in
 

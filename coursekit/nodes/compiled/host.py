@@ -11,7 +11,6 @@ import contextvars
 import os
 import signal
 import socket
-import subprocess
 import sys
 import threading
 from pathlib import Path
@@ -45,21 +44,17 @@ from coursekit.nodes.compiled import (
     waiting,
 )
 from coursekit.nodes.compiled.channel import Channel, Gone
+from coursekit.nodes.compiled.child import Child
 from coursekit.nodes.compiled.door import open_door
 from coursekit.nodes.compiled.frames import Unpacker
-from coursekit.nodes.compiled.output import ChildOutput
 from coursekit.nodes.compiled.workers import Workers
 from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
-from coursekit.systems import children, which
-from coursekit.systems.signal_names import signal_called
 
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
 _COMPUTE_LIMIT_S = 60.0
-_ENDED_BY_CTRL_C = 0xC000013A
-"""The exit code of a program of Windows that Ctrl-C has ended."""
 _IDLE_WEIGHT = 250
 """Questions that one which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
 _TOO_LONG = (
@@ -122,8 +117,6 @@ class Host:
         self.context = contextvars.copy_context()
         self.caught: set[int] = set()
         """The signals that end what the program waits for, and not the program."""
-        self._signalled = 0
-        """The last signal that the program was given."""
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
         self._workers = Workers(self.clock, lambda: self.accept()[1])
@@ -140,19 +133,11 @@ class Host:
         """Run it to its end; its exit code, negative where a signal ended it."""
         self._door = open_door()
         try:
-            self._child = subprocess.Popen(
-                [self.path, *self.argv],
-                env={**self.process.env, "COURSEKIT_LINK": self._door.address},
-                cwd=self.process.cwd,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                **children.apart(),
-            )
-            self.output = ChildOutput(self._child, self.process.out.write)
+            self._child = Child([self.path, *self.argv], self._door.address, self.process, self._workers.tell_signal)
+            self.output = self._child.output
             for number in (signal.SIGINT, signal.SIGTERM):
                 self.process.handlers[number] = self._on_signal
-            self.process.cleanups.append(self._kill)
+            self.process.cleanups.append(self._child.kill)
             return self._stand_for_it() if self.clock.virtual else self._stand_by()
         finally:
             self._door.close()
@@ -162,10 +147,10 @@ class Host:
         if self.output.wait_for(self._door.listening):
             self.accept()[1].serve()
         self.over = True
-        self._child.wait()
+        code = self._child.wait()
         self.output.drain()
         self._workers.end()
-        return self._code()
+        return code
 
     def _stand_by(self) -> int:
         ended = self.clock.new_event()
@@ -178,12 +163,7 @@ class Host:
             channel.ended.wait(_LAST_WORDS_S)
         self._door.close()
         self._workers.end()
-        return self._code()
-
-    def _code(self) -> int:
-        """The exit code of the program, which has ended; minus the signal where that ended it."""
-        code = self._child.returncode
-        return -self._signalled if which.WINDOWS and code == _ENDED_BY_CTRL_C and self._signalled else code
+        return self._child.wait()
 
     def _watch(self, ended: Any) -> None:
         self.output.pass_all_on()
@@ -216,26 +196,14 @@ class Host:
             self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
         self.stopping = True
         self._wake()
-        self._pass_on(signum)
+        self._child.send(signum)
         self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
-
-    def _pass_on(self, signum: int) -> None:
-        """Give the program a signal: over its connection on Windows, where a program without a console hears of none."""
-        self._signalled = signum
-        if which.WINDOWS and self._workers.tell_signal(signum):
-            return
-        if self._child.poll() is None:
-            children.send_signal(self._child, signum)
 
     def _wake(self) -> None:
         """Have whoever waits in the program's stead look at what has happened."""
         self.process.stdin.wake()
         for queue in list(self.waiting):
             queue.wake()
-
-    def _kill(self) -> None:
-        if self._child.poll() is None:
-            children.send_signal(self._child, signal_called("SIGKILL"))  # to what it has started too: a debugger's program
 
     def wait_for(self, connection: socket.socket) -> None:
         """Wait, really, while the program computes: virtual time does not advance. One that never stops is ended."""
@@ -244,7 +212,7 @@ class Host:
             self.output.wait_for(connection, limit)
         except TimeoutError:
             self.process.out.write("stderr", _TOO_LONG.format(name=os.path.basename(self.path), limit=limit))
-            self._kill()
+            self._child.kill()
             raise Gone from None
 
     # -- what it asks

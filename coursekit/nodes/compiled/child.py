@@ -1,0 +1,55 @@
+"""A compiled program as the system has it: started, given signals, ended, and asked for its exit code."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable, Sequence
+
+from coursekit.nodes.compiled.output import ChildOutput
+from coursekit.processes.process import Process
+from coursekit.systems import children, which
+from coursekit.systems.signal_names import signal_called
+
+_ENDED_BY_CTRL_C = 0xC000013A
+"""The exit code of a program of Windows that Ctrl-C has ended."""
+
+
+class Child:
+    """The program, started in the environment and folder of the session's process that it runs for.
+
+    `address` is where it finds its host. `tell_signal` gives it a signal over its connection: on Windows a program without
+    a console hears of none.
+    """
+
+    def __init__(self, words: Sequence[str], address: str, process: Process, tell_signal: Callable[[int], bool]) -> None:
+        self._child = subprocess.Popen(
+            words,
+            env={**process.env, "COURSEKIT_LINK": address},
+            cwd=process.cwd,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            **children.apart(),
+        )
+        self.output = ChildOutput(self._child, process.out.write)
+        self._tell_signal = tell_signal
+        self._signalled = 0
+        """The last signal that it was given."""
+
+    def wait(self) -> int:
+        """Wait for its end; its exit code, or minus the signal that ended it."""
+        code = self._child.wait()
+        return -self._signalled if which.WINDOWS and code == _ENDED_BY_CTRL_C and self._signalled else code
+
+    def send(self, signum: int) -> None:
+        """Give it a signal; nothing when it has ended."""
+        self._signalled = signum
+        if which.WINDOWS and self._tell_signal(signum):
+            return
+        if self._child.poll() is None:
+            children.send_signal(self._child, signum)
+
+    def kill(self) -> None:
+        """End it at once, and what it has started: a debugger's program is one."""
+        if self._child.poll() is None:
+            children.send_signal(self._child, signal_called("SIGKILL"))

@@ -133,9 +133,27 @@ def reset() -> None:
     for graph in session.graphs.values():
         graph.clear()
     _forget_interpreter_contexts(session)
-    print(gettext(f"Reset: {ended} processes and {nodes} nodes ended. The graph is empty."))
+    print(_farewell(ended, nodes))
     if left:
         print(gettext("The network was left. To join it again: %network ADDRESS"))
+
+
+def _farewell(processes: int, nodes: int) -> str:
+    """What a reset has ended, in words.
+
+    >>> _farewell(0, 0)
+    'Reset: nothing was running. The graph is empty.'
+    >>> _farewell(2, 1)
+    'Reset: 2 processes and 1 node ended. The graph is empty.'
+    """
+    counts = []
+    if processes:
+        counts.append(gettext("1 process") if processes == 1 else gettext(f"{processes} processes"))
+    if nodes:
+        counts.append(gettext("1 node") if nodes == 1 else gettext(f"{nodes} nodes"))
+    if not counts:
+        return gettext("Reset: nothing was running. The graph is empty.")
+    return gettext(f"Reset: {gettext(' and ').join(counts)} ended. The graph is empty.")
 
 
 def leave_network(session: Session) -> bool:

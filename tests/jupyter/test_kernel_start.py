@@ -43,7 +43,7 @@ def test_the_names_and_magics_of_the_lab_are_there_at_every_start(kernel):
         assert kernel("%ros2 pkg prefix turtlesim --share").strip().endswith("turtlesim")
         assert kernel("%%write src/a.txt\nhello") == "Wrote ros2_ws/src/a.txt (1 lines)\n"
         assert kernel("print(graph, check, terminal, wait, reset)").count("<function") == 5
-        assert kernel("from coursekit.lab import *\nreset()").startswith("Reset: 0 processes and 0 nodes")
+        assert kernel("from coursekit.lab import *\nreset()").startswith("Reset: nothing was running.")
         restarted(kernel)
 
 

@@ -21,6 +21,13 @@ def test_a_chapter_begins_with_what_every_kernel_of_the_lab_has_anyway(chapter):
     assert code_cells(read(chapter))[0].source == "from coursekit.lab import *\n\nreset()"
 
 
+@pytest.mark.parametrize("section", ["Break it", "On a real robot", "Practice", "What is called what"])
+@pytest.mark.parametrize("lesson", [path for path in chapters() if path.stem[0] == "0"], ids=lambda path: path.stem)
+def test_a_lesson_has_its_sections(lesson, section):
+    texts = [cell.source for cell in read(lesson).cells if cell.cell_type == "markdown"]
+    assert any(line.startswith(f"## {section}") for text in texts for line in text.splitlines())
+
+
 def test_a_package_is_made_in_the_workspace_also_after_a_restart(chapter):
     for cell in code_cells(read(chapter)):
         above, made, _ = cell.source.partition("%ros2 pkg create")

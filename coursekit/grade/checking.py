@@ -22,7 +22,7 @@ from .noted import NotedWork
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
-from .verdict import NO_HINT, CheckFailed, Verdict, Wrong
+from .verdict import NO_HINT, CheckFailed, Skipped, Verdict, Wrong
 from .work import Work
 
 ENDLESS = "That is unusually long. If there may be a loop in your code that never ends, stop it with ■ in the toolbar above."
@@ -62,6 +62,8 @@ def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
         return _refused(exercise, wrong, noted, tries)
     except (Gone, NeedsWorkspace):
         raise
+    except Skipped as skipped:
+        return Verdict(exercise.name, exercise.title, 0, exercise.points, skipped=str(skipped))
     except NotImplementedError:
         illustration.forget()
         return Verdict(exercise.name, exercise.title, 0, exercise.points, "your code", "the stub is still there")

@@ -24,9 +24,12 @@ DATA_STUB = "# YOUR CODE HERE"
 """The stub in files of data with comments like Python's: what raises there would only break a build."""
 MARKUP_STUB = "<!-- YOUR CODE HERE -->"
 """The stub in files of XML: URDF, xacro, launch files"""
-_SOLUTION = re.compile(r"^([ \t]*)### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
+CPP_STUB = "// YOUR CODE HERE"
+"""The stub in C++, which compiles."""
+_SOLUTION = re.compile(r"^([ \t]*)(?:// )?### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
 _MARKUP = re.compile(r"%%write [^\n]*\.(urdf|xacro|xml|sdf)\s*\n")
 _DATA = re.compile(r"%%write [^\n]*\.(msg|srv|action|ya?ml)\s*\n")
+_CPP = re.compile(r"%%write [^\n]*\.(cpp|hpp)\s*\n")
 _HIDDEN = re.compile(r"^[ \t]*### BEGIN HIDDEN TESTS.*?### END HIDDEN TESTS[ \t]*\n?", re.S | re.M)
 
 
@@ -38,7 +41,8 @@ def without_solution(source: str) -> str:
     # YOUR CODE HERE
     raise NotImplementedError()
     """
-    text = MARKUP_STUB if _MARKUP.match(source) else DATA_STUB if _DATA.match(source) else STUB
+    stubs = ((_MARKUP, MARKUP_STUB), (_DATA, DATA_STUB), (_CPP, CPP_STUB))
+    text = next((stub for kind, stub in stubs if kind.match(source)), STUB)
 
     def stub(found: re.Match[str]) -> str:
         return "\n".join(found[1] + line for line in text.splitlines())

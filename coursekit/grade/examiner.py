@@ -165,7 +165,7 @@ def _run_and_judge(
     wanted = [step.exercise for step in repaired.steps if step.exercise in exercises]
     try:
         for step in repaired.steps:
-            if not repaired.begun.get(step.exercise, True):
+            if step.exercise in exercises and not repaired.begun.get(step.exercise, True):
                 verdicts.append(unjudged(exercises[step.exercise], "the cell as it was handed out"))
             elif step.exercise in exercises:
                 work.judge_from_here(step.exercise)

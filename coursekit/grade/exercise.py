@@ -16,7 +16,10 @@ from .variants import checks_in
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise under one name; `judge(work)` raises `Wrong` when the work does not do it."""
+    """An exercise under one name; `judge(work)` raises `Wrong` when the work does not do it.
+
+    One without points is voluntary: it is checked in the notebook, and no part of a mark.
+    """
 
     name: str
     title: str
@@ -56,9 +59,9 @@ def all_exercises() -> dict[str, Exercise]:
 
 
 def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
-    """The exercises that the notebooks check."""
+    """The exercises of the notebooks that have points."""
     checked = {name for notebook in notebooks for name in checks_in(notebook)}
-    return {name: one for name, one in all_exercises().items() if name in checked}
+    return {name: one for name, one in all_exercises().items() if name in checked and one.points}
 
 
 def find(name: str) -> Exercise:

@@ -58,20 +58,26 @@ class Progress:
             self._change(verdict.name, "points", verdict.points)
         if verdict.passed:
             self._change(verdict.name, "tries", 0)
+        if verdict.passed and not verdict.skipped:
+            self._change(verdict.name, "done", 1)
 
     def points(self, name: str) -> float:
         """The best points for an exercise so far."""
         return float(self._kept.get(name, {}).get("points", 0))
 
     def chapters(self) -> dict[str, tuple[float, float, list[tuple[str, str, float, float]]]]:
-        """For each chapter: points, of how many, and (name, title, points, of) of its exercises."""
+        """For each chapter: points, of how many, and (name, title, points, of) of its exercises.
+
+        Of a voluntary exercise the points are 1 of 0 when it is done.
+        """
         found: dict[str, Any] = {}
         for name, exercise in all_exercises().items():
             if not name.startswith(self.only):
                 continue
             points, of, rows = found.get(name.partition(".")[0], (0.0, 0.0, []))
             got = self.points(name)
-            rows.append((name, exercise.title, got, exercise.points))
+            done = float(self._kept.get(name, {}).get("done", 0))
+            rows.append((name, exercise.title, got if exercise.points else done, exercise.points))
             found[name.partition(".")[0]] = (points + got, of + exercise.points, rows)
         return found
 
@@ -100,12 +106,14 @@ class Progress:
 
 
 def _told(name: str, title: str, got: float, most: float) -> str:
-    return escape(f"{name} {gettext(title)}: {gettext(f'{got:g} of {most:g}')}", quote=False)
+    voluntary = gettext("done (no points)") if got else gettext("not done (no points)")
+    score = gettext(f"{got:g} of {most:g}") if most else voluntary
+    return escape(f"{name} {gettext(title)}: {score}", quote=False)
 
 
 def _colour(got: float, most: float) -> str:
     """Green for all points, yellow for some, grey for none."""
-    return "#1a7f4b" if got >= most else "#c9a13b" if got else "#c8ced3"
+    return "#1a7f4b" if got and got >= most else "#c9a13b" if got else "#c8ced3"
 
 
 def progress(chapter: str = "") -> Progress:

@@ -58,6 +58,10 @@ class Wrong(Exception):
         """Where the fault is in the last panel of the picture that the judge handed out: x and y, in its units."""
 
 
+class Skipped(Exception):
+    """Raised by a check of a voluntary exercise: why it cannot be judged on this computer."""
+
+
 @dataclass(frozen=True)
 class Verdict:
     """The outcome of one check: `got` is what was seen in a trial, `gave` the student's own answer."""
@@ -75,19 +79,29 @@ class Verdict:
     """Whether the work was not judged to the end because its time was over."""
     fault: str = ""
     """The error of the check itself: then the work is not judged, and its author is not to blame."""
+    skipped: str = ""
+    """Why a voluntary exercise is not judged here."""
 
     @property
     def passed(self) -> bool:
-        """Whether all points were earned."""
-        return self.points >= self.of and not self.fault
+        """Whether all points were earned; without points, whether nothing was wrong."""
+        return self.points >= self.of and not self.fault and bool(self.of or not self.expected)
 
     def score(self) -> str:
         """The points in words.
 
         >>> Verdict("ch02.q1", "Publish", 1, 2).score()
         '1 of 2 points'
+        >>> Verdict("ch02.q5", "Publish in C++", 0, 0).score()
+        'done (no points)'
         """
-        return gettext("not judged") if self.fault else gettext(f"{self.points:g} of {self.of:g} point{_s(self.of)}")
+        if self.fault:
+            return gettext("not judged")
+        if self.skipped:
+            return gettext("skipped")
+        if not self.of:
+            return gettext("done (no points)") if self.passed else gettext("not done (no points)")
+        return gettext(f"{self.points:g} of {self.of:g} point{_s(self.of)}")
 
     def text(self) -> str:
         """For a terminal, and for notebooks without a browser.
@@ -95,12 +109,15 @@ class Verdict:
         >>> print(Verdict("ch02.q1", "Publish", 2, 2).text())
         ✔ ch02.q1 Publish: 2 of 2 points
         """
-        lines = [f"{'✔' if self.passed else '✘'} {self.name} {gettext(self.title)}: {self.score()}"]
+        mark = "–" if self.skipped else "✔" if self.passed else "✘"
+        lines = [f"{mark} {self.name} {gettext(self.title)}: {self.score()}"]
         lines += [f"  {label}: {value}" for label, value in self._rows()]
         return "\n".join(lines)
 
     def _rows(self) -> list[tuple[str, str]]:
         """The lines below the head, in the course's language; what the student gave stays as it is."""
+        if self.skipped:
+            return [(gettext("why"), gettext(self.skipped))]
         rows = [(gettext("expected"), gettext(self.expected)), (gettext("you gave"), self.gave)]
         rows += [(gettext("seen"), gettext(self.got)), (gettext("likely cause"), gettext(self.cause))]
         rows += [(gettext("hint"), gettext(self.hint)), (gettext("fault of the check"), self.fault)]
@@ -111,12 +128,14 @@ class Verdict:
     def html(self, picture: str = "") -> str:
         """For the notebook; `picture` is HTML below the words."""
         colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
+        if self.skipped:
+            colour, mark = "var(--muted, #5c6b76)", "–"
         rows = "".join(
             f"<tr style='background:none'><td style='{_CELL};opacity:.7;padding-right:12px;white-space:nowrap'>{label}</td>"
             f"<td style='{_CELL};white-space:pre-wrap'>{_as_html(label, value)}</td></tr>"
             for label, value in self._rows()
         )
-        number, _, rest = (self.score(), "", "") if self.fault else self.score().partition(" ")
+        number, _, rest = self.score().partition(" ") if self.of and not self.fault else (self.score(), "", "")
         table = f"<table style='margin:4px 0 0 0'>{rows}</table>" if rows else ""
         return (
             f"<div style='border-left:4px solid {colour};padding:6px 12px;margin:4px 0'>"

@@ -14,7 +14,7 @@ from coursekit.systems.words import split_words
 
 from . import reading
 from .trial import Plan, Seen, TrialFailed, try_out
-from .verdict import NO_HINT, Wrong
+from .verdict import NO_HINT, Skipped, Wrong
 
 if TYPE_CHECKING:
     from coursekit.interfaces.model import Message
@@ -118,6 +118,17 @@ class Work:
             if found.fault.startswith("the last build of"):
                 command = f"The build's output says why. Mend that, then {command[0].lower()}{command[1:]}"
             raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or command)
+
+    def compiled(self, package: str, *of: str) -> None:
+        """Wrong when a package in C++ was not built as it is now; Skipped where C++ cannot be compiled."""
+        from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+
+        try:
+            find_toolchain()
+        except NoToolchain:
+            why = "There is no C++ compiler here, and this exercise has no points. `coursekit cpp` gets one."
+            raise Skipped(why) from None
+        self.built(package, *of)
 
     def robot(self, path: str) -> Robot:
         """The robot in a URDF or xacro file; Wrong says what is wrong with it, and where."""

@@ -1,4 +1,4 @@
-"""Chapter 2: names, a listener, a relay, a node of one's own."""
+"""Chapter 2: names, a listener, a relay in both languages, a node of one's own."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
-PACKAGE, STRING = "s2_py_pubsub", "std_msgs/msg/String"
+PACKAGE, CPP, STRING = "s2_py_pubsub", "s2_cpp_pubsub", "std_msgs/msg/String"
 SECONDS = 6.0
 """How long a health node is watched."""
 AT_ONCE = 0.005
@@ -105,34 +105,59 @@ def listener(work: Work) -> None:
 def relay(work: Work) -> None:
     """Each message comes out in capitals, once and at once; also those that come in quick succession."""
     work.built(PACKAGE, "py_relay_node")
-    chance = work.dice("ch02.q3")
-    texts = ["Vera is awake: 1", "grüß dich", *(f"{_word(chance)} MiXed {number}" for number in range(6))]
+    _judge_relay(work, PACKAGE, "py", work.dice("ch02.q3"), "str has a method for it.")
+
+
+def _judge_relay(work: Work, package: str, language: str, chance: Random, cause_of_case: str) -> None:
+    """The relay of a package, whose node and topics are named after the language."""
+    hears, says = f"/{language}_str_topic", f"/{language}_upper_topic"
+    texts = ["Vera is awake: 1", *(f"{_word(chance)} MiXed {number}" for number in range(7))]
+    if language == "py":
+        texts[1] = "grüß dich"  # in C++ a text is bytes, of which a letter may have two
     times = [0.5 + 0.4 * index + chance.uniform(0.0, 0.3) for index in range(len(texts) - 2)]
     times += [times[-1] + 0.011, times[-1] + 0.022]
-    spoken = [(when, "/py_str_topic", STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
-    seen = work.try_out(f"run {PACKAGE} relay_exe", record=["/py_upper_topic"], publish=spoken, seconds=4.5)
-    expect_node(seen, "/py_relay_node")
-    _expect_ends(seen)
-    answers = [(when, field(one, "data", str, "/py_upper_topic")) for when, one in heard(seen, "/py_upper_topic")]
+    spoken = [(when, hears, STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
+    seen = work.try_out(f"run {package} relay_exe", record=[says], publish=spoken, seconds=4.5)
+    expect_node(seen, f"/{language}_relay_node")
+    _expect_ends(seen, hears, says)
+    answers = [(when, field(one, "data", str, says)) for when, one in heard(seen, says)]
     got = [one for _, one in answers]
     if [one.casefold() for one in got] != [one.casefold() for one in texts]:
         wanted = f"{len(texts)} messages, one for each that came in"
         cause = "Does a timer publish? It misses what comes in between, or sends it twice." if got else ""
         raise Wrong(wanted, f"{counted(len(got), 'message')}: {shown(got)}", cause, share=0.25, hint=2 if got else 0)
     if got != [one.upper() for one in texts]:
-        raise Wrong("texts in capitals", shown(got), "str has a method for it.", share=0.5, hint=1)
+        raise Wrong("texts in capitals", shown(got), cause_of_case, share=0.5, hint=1)
     late = [when - came for (when, _), came in zip(answers, times, strict=True)]
     if not max(late) <= AT_ONCE:
         cause = "Publish in the callback, not on a timer."
         raise Wrong("an answer at once", f"{max(late):.3f} s later", cause, share=0.5, hint=2)
 
 
-def _expect_ends(seen: Seen) -> None:
+def _expect_ends(seen: Seen, hears: str, says: str) -> None:
     """Wrong unless the relay hears the one topic and speaks on the other."""
-    if not seen.publishers.get("/py_upper_topic"):
+    if not seen.publishers.get(says):
         names = ", ".join(name for name, ends in seen.publishers.items() if ends and name not in EVERY_NODE_S) or "none"
-        raise Wrong("a publisher on /py_upper_topic", f"publishers: {names}", "Is the topic's name right?", hint=0)
-    expect_subscription(seen, "/py_str_topic", STRING, hint=0)
+        raise Wrong(f"a publisher on {says}", f"publishers: {names}", "Is the topic's name right?", hint=0)
+    expect_subscription(seen, hears, STRING, hint=0)
+
+
+@exercise(
+    "ch02.q5",
+    "A relay in C++",
+    points=0,
+    hints=(
+        "Both lines stand in this chapter's C++ nodes: create_publisher<String>(topic, 10), and create_subscription with a "
+        "lambda. Keep what they return in the members of the class.",
+        "The lambda may take the message by value, `[this](String msg)`: then it can change the text and publish it.",
+        "The callback itself publishes: one message goes out for each that comes in, without a timer.",
+    ),
+)
+def relay_in_cpp(work: Work) -> None:
+    """The same relay, between the topics of the C++ nodes."""
+    work.compiled(CPP, "cpp_relay_node")
+    cause = "`std::toupper` makes one letter a capital: is every letter changed?"
+    _judge_relay(work, CPP, "cpp", work.dice("ch02.q5"), cause)
 
 
 @exercise(

@@ -1,4 +1,4 @@
-"""Chapter 3: a callback that answers, a client as a program, a server that asks, a switch of one's own."""
+"""Chapter 3: a callback that answers, a client as a program, a server that asks, a switch of one's own, a gripper in C++."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 
-PACKAGE = "s3_py_srvcli"
+PACKAGE, CPP = "s3_py_srvcli", "s3_cpp_srvcli"
 ADD = "example_interfaces/srv/AddTwoInts"
 SET = "std_srvs/srv/SetBool"
 SERVER = "run coursekit_robots odd_adder --ros-args -r add_two_ints:=/py_add_two_ints_service -p more:="
@@ -216,3 +216,31 @@ def _tells(before: list[Any], on: list[Any], after: list[Any]) -> bool:
         return min(on) > max(before + after) or max(on) < min(before + after)
     said_on, said_off = {repr(one) for one in on}, ({repr(one) for one in before}, {repr(one) for one in after})
     return not said_on & (said_off[0] | said_off[1]) and bool(said_off[0] & said_off[1])
+
+
+@exercise(
+    "ch03.q5",
+    "A gripper in C++",
+    points=0,
+    hints=(
+        "It works exactly when request.data differs from holding_.",
+        "Fill in both fields of the response in every case: response.success and response.message. Nothing is returned.",
+    ),
+)
+def gripper(work: Work) -> None:
+    """Lifting and putting down alternate, in whichever order they are asked for; the impossible changes nothing."""
+    work.compiled(CPP, "cpp_gripper_node")
+    chance = work.dice("ch03.q5")
+    asked = [True, True, False, False, *(chance.random() < 0.5 for _ in range(8))]
+    calls = [(1.0 + 0.25 * at, "/cpp_gripper_service", SET, {"data": lift}) for at, lift in enumerate(asked)]
+    seen = work.try_out(f"run {CPP} gripper_exe", call=calls, seconds=5.0)
+    expect_node(seen, "/cpp_gripper_node")
+    holds = False
+    for number, (lift, response) in enumerate(zip(asked, seen.responses, strict=True), 1):
+        case = f"request {number}, to {'lift' if lift else 'put down'} with {'a box' if holds else 'empty hands'}"
+        succeeds = lift is not holds
+        if field(response, "success", bool, case) is not succeeds:
+            raise Wrong(f"{case}: success is {str(succeeds).lower()}", shown(response), hint=0)
+        if not field(response, "message", str, case).strip():
+            raise Wrong(f"{case}: a message in words", "an empty message", hint=1)
+        holds = lift if succeeds else holds

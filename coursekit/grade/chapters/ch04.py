@@ -1,4 +1,4 @@
-"""Chapter 4: a message type, its listener, an action that can be cancelled, a type of one's own."""
+"""Chapter 4: a message type, its listener, an action that can be cancelled, a type of one's own, an alarm in C++."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import expect_node, expect_subscription, heard, last_words, said
-from coursekit.grade.plain import shown
+from coursekit.grade.plain import field, shown
 from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from coursekit.interfaces.model import Field, Message
 
 TYPES = "s4_custom_interface"
-APPS = "s4_py_apps"
+APPS, CPP = "s4_py_apps", "s4_cpp_apps"
 METRES = re.compile(r"\b(m|met(re|er)s?|metros?|mètres?|metri)\b", re.I)
 """How the unit of a length is written, in the languages of the course."""
 
@@ -216,3 +216,36 @@ def _missing(message: Message) -> Iterator[str]:
         yield "a constant: in capitals, with ="
     if all(field.default is None for field in message.fields):
         yield "a field with a default value: after its name"
+
+
+@exercise(
+    "ch04.q5",
+    "An alarm in C++",
+    points=0,
+    hints=(
+        "Both lines stand in this chapter's C++ nodes: create_publisher<HardwareStatus>(topic, 10), and create_subscription "
+        "with a lambda. Keep what they return in the members of the class.",
+        "The lambda may take the message by value, `[this](HardwareStatus status)`: then it can fill in the text.",
+    ),
+)
+def alarm(work: Work) -> None:
+    """Hot statuses come out again with a text, cool ones do not."""
+    work.compiled(CPP, "cpp_alarm_node")
+    chance, kind = work.dice("ch04.q5"), f"{TYPES}/msg/HardwareStatus"
+    degrees = [61, 60, chance.randint(62, 95), chance.randint(-20, 59), chance.randint(62, 95)]
+    states = [{"temperature": one, "are_motors_up": chance.random() < 0.5} for one in degrees]
+    publish = [(1.0 + 0.5 * at, "/cpp_hs_topic", kind, state) for at, state in enumerate(states)]
+    seen = work.try_out(f"run {CPP} alarm_exe", record=["/cpp_alarm_topic"], publish=publish, seconds=4.5)
+    expect_node(seen, "/cpp_alarm_node")
+    expect_subscription(seen, "/cpp_hs_topic", kind, hint=0)
+    alarms = [message for _, message in heard(seen, "/cpp_alarm_topic")]
+    got = [(field(one, "temperature", int), field(one, "are_motors_up", bool)) for one in alarms]
+    hot = [(state["temperature"], state["are_motors_up"]) for state in states if state["temperature"] > 60]
+    if got != hot:
+        told = f"of statuses with {', '.join(map(str, degrees))} degrees"
+        came = f"alarms at {', '.join(str(one) for one, _ in got) or 'no'} degrees"
+        cause = "60 degrees are not above 60." if (60, states[1]["are_motors_up"]) in got else ""
+        raise Wrong(f"{told} those above 60, unchanged, on /cpp_alarm_topic", came, cause, hint=0)
+    texts = {field(one, "debug_message", str) for one in alarms}
+    if texts != {"too hot"}:
+        raise Wrong("`too hot` in each alarm's debug_message", shown(sorted(texts)), hint=1)

@@ -1,4 +1,4 @@
-"""Chapter 5: a lamp's parameters, a file for a fleet, two cameras from one launch file, a ball that is followed."""
+"""Chapter 5: a lamp's parameters in both languages, a file for a fleet, two cameras, a ball that is followed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
-PACKAGE, USERS = "s5_py_camera", "s5_py_camera_usr"
+PACKAGE, USERS, CPP = "s5_py_camera", "s5_py_camera_usr", "s5_cpp_camera"
 LAMP = "/py_lamp_node"
 NOT_SET, BOOL, INTEGER, DOUBLE, STRING = range(5)
 PICTURES = 12
@@ -282,3 +282,35 @@ def _judge_places(work: Work, seen: Seen, places: dict[int, tuple[float, float]]
             share=0.5,
             hint=1,
         )
+
+
+@exercise(
+    "ch05.q5",
+    "A lamp in C++",
+    points=0,
+    hints=(
+        "parameter.get_name() is the name, parameter.as_string() the value. Look at the name first: others come here, too.",
+        "A loop over all of them, `for (const auto & parameter : parameters)`, and one result for all together.",
+    ),
+)
+def lamp_in_cpp(work: Work) -> None:
+    """Colours that there are not are refused, also as one of several, with a reason; what is taken takes effect."""
+    work.compiled(CPP, "cpp_lamp_node")
+    no_lamp = work.dice("ch05.q5").choice(("violet", "blue", "white", "Red", "pink"))
+    asks: list[tuple[str, dict[str, Any], bool]] = [
+        (f"lamp.colour {no_lamp}", {"lamp.colour": no_lamp}, False),
+        ("lamp.colour red", {"lamp.colour": "red"}, True),
+        ("lamp.note checked", {"lamp.note": "checked"}, True),
+        (f"lamp.note new and lamp.colour {no_lamp} at once", {"lamp.note": "new", "lamp.colour": no_lamp}, False),
+        (f"lamp.colour {no_lamp} and lamp.note new at once", {"lamp.colour": no_lamp, "lamp.note": "new"}, False),
+        ("lamp.note new and lamp.colour amber at once", {"lamp.note": "new", "lamp.colour": "amber"}, True),
+    ]
+    service = "/cpp_lamp_node/set_parameters_atomically"
+    calls = [(1.1 + 0.05 * at, service, _SET, _set(ask)) for at, (_, ask, _) in enumerate(asks)]
+    seen = work.try_out(f"run {CPP} lamp_exe", record=["/lamp"], call=calls, seconds=4.0)
+    expect_node(seen, "/cpp_lamp_node")
+    for (told, _, taken), answer in zip(asks, seen.responses, strict=True):
+        _judge_answer(told, answer, taken)
+    late = {field(one, "data", str, "/lamp") for when, one in heard(seen, "/lamp") if when > 2.5}
+    if late != {"amber"}:
+        raise Wrong("the colour that was set last: amber", ", ".join(sorted(late)) or "none", hint=1)

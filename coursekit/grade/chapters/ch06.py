@@ -1,4 +1,4 @@
-"""Chapter 6: a cart that lifts, an arm by hand, wheels that roll, a body that can be and does not fall over."""
+"""Chapter 6: a cart that lifts, an arm by hand, wheels that roll, a body that does not fall over, an arm in C++."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from coursekit.grade.chapters.measures.rolling import judge_rolling
 from coursekit.grade.exercise import exercise
 from coursekit.grade.figures.arms import arm
 from coursekit.grade.figures.bodies import sides, standing
-from coursekit.grade.outputs import expect_node
-from coursekit.grade.plain import called, close, near, numbers, shown
+from coursekit.grade.outputs import expect_node, heard
+from coursekit.grade.plain import called, close, fields, near, numbers, shown
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 from coursekit.urdf.model import Cylinder
@@ -32,7 +32,7 @@ from coursekit.urdf.model import Cylinder
 if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
-PACKAGE = "s6_py_urdf"
+PACKAGE, CPP = "s6_py_urdf", "s6_cpp_urdf"
 POSTURES = 300
 """So many ways of standing are tried when there are more."""
 
@@ -249,3 +249,32 @@ def _postures(robot: Robot, chance: Random) -> list[dict[str, float]]:
 
 def _place(values: Any) -> str:
     return "(" + ", ".join(f"{value:.3f}" for value in values) + ")"
+
+
+@exercise(
+    "ch06.q5",
+    "The arm in C++",
+    points=0,
+    hints=(
+        "It is the sum of exercise 2, with std::cos and std::sin. Two turns about the same axis add up.",
+        "Assign to place.x and place.y; the function returns place.",
+    ),
+)
+def arm_in_cpp(work: Work) -> None:
+    """The tip's place for each pair of angles that is published."""
+    work.compiled(CPP, "cpp_tip_node")
+    chance = work.dice("ch06.q5")
+    angles = [(chance.uniform(-3, 3), chance.uniform(-3, 3)) for _ in range(6)]
+    states = [{"name": ["shoulder", "elbow"], "position": list(pair)} for pair in angles]
+    kind = "sensor_msgs/msg/JointState"
+    publish = [(1.0 + 0.2 * at, "/arm_states", kind, state) for at, state in enumerate(states)]
+    seen = work.try_out(f"run {CPP} tip_exe", record=["/tip"], publish=publish, seconds=3.0)
+    expect_node(seen, "/cpp_tip_node")
+    points = [fields(message, ("x", "y"), "/tip") for _, message in heard(seen, "/tip")]
+    if len(points) != len(angles):
+        raise Wrong(f"{len(angles)} points on /tip, one for each pair of angles", f"{len(points)}", hint=NO_HINT)
+    for (shoulder, elbow), got in zip(angles, points, strict=True):
+        place = arm_tip(shoulder, elbow, 0.4, 0.3)
+        if not close(got, place, 1e-6):
+            told = f"({place[0]:.3f}, {place[1]:.3f}) for the shoulder at {shoulder:.2f} and the elbow at {elbow:.2f} rad"
+            raise Wrong(told, f"({got[0]:.3f}, {got[1]:.3f})", why_tip(got, shoulder, elbow), hint=0)

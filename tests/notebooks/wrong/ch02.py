@@ -119,6 +119,34 @@ WRONG = {
             "self.create_timer(1.2, lambda: (one.publish(String(data=str(now()))), two.publish(Float64(data=now() * 1.0))))",
         ),
     ],
+    "ch02.q5": [
+        """%%write -a src/s2_cpp_pubsub/src/cpp_relay_node.cpp
+
+CppRelay::CppRelay() : Node("cpp_relay_node") {
+  publisher_ = create_publisher<String>("cpp_upper_topic", 10);
+  subscription_ = create_subscription<String>("cpp_str_topic", 10, [this](String msg) {
+    msg.data[0] = std::toupper(msg.data[0]);
+    publisher_->publish(msg);
+  });
+}
+""",
+        """%%write -a src/s2_cpp_pubsub/src/cpp_relay_node.cpp
+
+CppRelay::CppRelay() : Node("cpp_relay_node") {
+  publisher_ = create_publisher<String>("cpp_upper_topic", 10);
+  auto subscription = create_subscription<String>("cpp_str_topic", 10, [this](String msg) {
+    for (char & letter : msg.data) letter = std::toupper(letter);
+    publisher_->publish(msg);
+  });
+}
+""",
+        """%%write -a src/s2_cpp_pubsub/src/cpp_relay_node.cpp
+
+CppRelay::CppRelay() : Node("cpp_relay_node") {
+  publisher_ = create_publisher<String>("cpp_upper_topic", 10)
+}
+""",
+    ],
 }
 RIGHT = {
     "ch02.q4": [

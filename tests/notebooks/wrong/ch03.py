@@ -142,6 +142,23 @@ WRONG = {
         ).replace("Bool(data=self.on)", "UInt64(data=self.get_clock().now().nanoseconds)")
         .replace("(Bool, ", "(UInt64, ").replace("import Bool\n", "import UInt64\n"),
     ],
+    "ch03.q5": [
+        """%%write -a src/s3_cpp_srvcli/src/cpp_gripper_node.cpp
+
+void CppGripper::lift(const SetBool::Request & request, SetBool::Response & response) {
+  response.success = request.data != holding_;
+  holding_ = true;
+  response.message = "done, or not";
+}
+""",
+        """%%write -a src/s3_cpp_srvcli/src/cpp_gripper_node.cpp
+
+void CppGripper::lift(const SetBool::Request & request, SetBool::Response & response) {
+  response.success = request.data != holding_;
+  if (response.success) holding_ = request.data;
+}
+""",
+    ],
 }
 _SAYS = "def switch(self, request, response):", "    self.on = request.data", (
     "    return SetBool.Response(success=True, message=f'it is {self.on}')"

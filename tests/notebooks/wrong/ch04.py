@@ -82,6 +82,27 @@ WRONG = {
         _type("Report", "uint8 EMPTY=0", "uint8 battery=100", "string driver", "float64[] shelves", "uint32 boxes_today"),
         _type("Report", "uint8 EMPTY=0", "uint8 battery", "string driver", "float64[] shelves", "uint32 boxes_today"),
     ],
+    "ch04.q5": [
+        """%%write -a src/s4_cpp_apps/src/cpp_alarm_node.cpp
+
+CppAlarm::CppAlarm() : Node("cpp_alarm_node") {
+  alarms_ = create_publisher<HardwareStatus>("cpp_alarm_topic", 10);
+  statuses_ = create_subscription<HardwareStatus>("cpp_hs_topic", 10, [this](HardwareStatus status) {
+    status.debug_message = "too hot";
+    if (status.temperature >= 60) alarms_->publish(status);
+  });
+}
+""",
+        """%%write -a src/s4_cpp_apps/src/cpp_alarm_node.cpp
+
+CppAlarm::CppAlarm() : Node("cpp_alarm_node") {
+  alarms_ = create_publisher<HardwareStatus>("cpp_alarm_topic", 10);
+  statuses_ = create_subscription<HardwareStatus>("cpp_hs_topic", 10, [this](const HardwareStatus & status) {
+    if (status.temperature > 60) alarms_->publish(status);
+  });
+}
+""",
+    ],
 }
 RIGHT = {
     "ch04.q1": [

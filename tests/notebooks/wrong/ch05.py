@@ -111,4 +111,30 @@ WRONG = {
         _BALL.format(mask=_RED, answer="(float('nan'), float('nan'))"),
         _BALL.format(mask=_RED, answer="by_heart(frame)") + _BY_HEART,
     ],
+    "ch05.q5": [
+        """%%write -a src/s5_cpp_camera/src/cpp_lamp_node.cpp
+
+SetParametersResult CppLamp::judge(const std::vector<rclcpp::Parameter> & parameters) {
+  SetParametersResult result;
+  const auto & one = parameters.front();
+  result.successful = one.get_name() != "lamp.colour" || one.as_string() == "green" || one.as_string() == "amber" ||
+                      one.as_string() == "red";
+  result.reason = result.successful ? "" : "no such colour";
+  return result;
+}
+""",
+        """%%write -a src/s5_cpp_camera/src/cpp_lamp_node.cpp
+
+SetParametersResult CppLamp::judge(const std::vector<rclcpp::Parameter> & parameters) {
+  SetParametersResult result;
+  result.successful = true;
+  for (const auto & one : parameters) {
+    const std::string colour = one.as_string();
+    if (colour != "green" && colour != "amber" && colour != "red") result.successful = false;
+  }
+  result.reason = "no such colour";
+  return result;
+}
+""",
+    ],
 }

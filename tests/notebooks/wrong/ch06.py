@@ -100,6 +100,26 @@ WRONG = {
         _own(reach="0.01"),
         _own(reach="0.9", mass="5"),
     ],
+    "ch06.q5": [
+        """%%write -a src/s6_cpp_urdf/src/cpp_tip_node.cpp
+
+Point tip(double shoulder, double elbow) {
+  Point place;
+  place.x = upper * std::cos(shoulder) + fore * std::cos(elbow);
+  place.y = upper * std::sin(shoulder) + fore * std::sin(elbow);
+  return place;
+}
+""",
+        """%%write -a src/s6_cpp_urdf/src/cpp_tip_node.cpp
+
+Point tip(double shoulder, double elbow) {
+  Point place;
+  place.x = upper * std::sin(shoulder) + fore * std::sin(shoulder + elbow);
+  place.y = upper * std::cos(shoulder) + fore * std::cos(shoulder + elbow);
+  return place;
+}
+""",
+    ],
 }
 RIGHT = {
     "ch06.q2": [

@@ -256,7 +256,7 @@ def _place(values: Any) -> str:
     "The arm in C++",
     points=0,
     hints=(
-        "It is the sum of exercise 2, with std::cos and std::sin. Two turns about the same axis add up.",
+        "It is the formula of exercise 2, with std::cos and std::sin. Two turns about the same axis add up.",
         "Assign to place.x and place.y; the function returns place.",
     ),
 )

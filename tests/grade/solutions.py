@@ -9,7 +9,7 @@ from pathlib import Path
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 MARKER = "### BEGIN SOLUTION"
-_BETWEEN = re.compile(r"### BEGIN SOLUTION\n(.*?)\n[ \t]*### END SOLUTION", re.S)
+_BETWEEN = re.compile(r"### BEGIN SOLUTION\n(.*?)\n[ \t]*(?:// )?### END SOLUTION", re.S)
 SHORT = 40
 """Letters below which a solution's text says too little to be told from other code."""
 

@@ -19,6 +19,11 @@ def test_in_data_the_stub_is_a_comment_alone_which_breaks_no_build(file):
     assert text == f"%%write {file}\n  # YOUR CODE HERE\nend"
 
 
+def test_in_cpp_the_stub_is_a_comment_which_compiles():
+    solved = SOLVED.replace("###", "// ###").format(head="%%write -a src/p/src/node.cpp")
+    assert without_solution(solved) == "%%write -a src/p/src/node.cpp\n  // YOUR CODE HERE\nend"
+
+
 @pytest.mark.parametrize("head", ["import math", "%%write src/p/p/node.py"])
 def test_elsewhere_the_stub_raises(head):
     text = without_solution(SOLVED.format(head=head))

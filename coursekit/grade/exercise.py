@@ -58,10 +58,15 @@ def all_exercises() -> dict[str, Exercise]:
     return dict(sorted(_known.items()))
 
 
-def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
-    """The exercises of the notebooks that have points."""
+def checked_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
+    """The exercises that the notebooks check."""
     checked = {name for notebook in notebooks for name in checks_in(notebook)}
-    return {name: one for name, one in all_exercises().items() if name in checked and one.points}
+    return {name: one for name, one in all_exercises().items() if name in checked}
+
+
+def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
+    """Those of them that have points, of which a mark is made."""
+    return {name: one for name, one in checked_in(*notebooks).items() if one.points}
 
 
 def find(name: str) -> Exercise:

@@ -12,7 +12,7 @@ from coursekit.files import write_whole
 
 from .copy import HANDED_OUT, edition_of, student_notebook
 from .editions import ENGLISH, IMAGES, pictures_of, read
-from .exercise import exercises_in
+from .exercise import checked_in, exercises_in
 from .handing_out import write_for_moodle, write_list
 from .harmless import name_of_files
 from .own_checks import OWN, own_files
@@ -35,7 +35,7 @@ def released(notebook: dict[str, Any]) -> dict[str, Any]:
 
 def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
     """The notebook with the judges' points in its metadata: what is told is what is given."""
-    points = {name: one.points for name, one in exercises_in(notebook).items()}
+    points = {name: one.points for name, one in checked_in(notebook).items()}
     for name, place in checks_in(notebook).items():
         grading = notebook["cells"][place].get("metadata", {}).get("nbgrader", {})
         if grading.get("grade") and name in points:
@@ -61,7 +61,7 @@ def release(
     """
     sources = {file.name: _in_language(read(file, language), language) for file in sorted(notebooks)}
     pictures = {one.name: one for file in notebooks for one in pictures_of(sources[file.name], file.parent)}
-    beside = [*pictures.values(), *own_files(exercises_in(*sources.values()).values())]
+    beside = [*pictures.values(), *own_files(checked_in(*sources.values()).values())]
     written = []
     if variants:
         archives = {one: _copy_of(one, variants, sources, out, personal, beside) for one in variants.roster.people}

@@ -28,7 +28,7 @@ READS_A_VARIABLE = [
 JUDGES_A_TRIAL = [
     "appa.q1", "appa.q2", "appb.q3", "ch00.q2", "ch01.q2", "ch01.q3", "ch01.q4", "ch02.q2", "ch02.q3", "ch02.q4", "ch03.q2",
     "ch03.q3", "ch03.q4", "ch04.q2", "ch04.q3", "ch04.q4", "ch05.q1", "ch05.q3", "ch05.q4", "ch06.q3", "ch07.q2", "ch07.q3",
-    "ch07.q4", "ch09.q3",
+    "ch07.q4", "ch09.q3", "ch02.q5", "ch03.q5", "ch04.q5", "ch05.q5", "ch06.q5",
 ]  # fmt: skip
 JUDGES_A_FILE = ["appc.q2", "ch04.q1", "ch05.q2", "ch06.q1", "ch06.q4"]
 GOOD = {
@@ -61,6 +61,8 @@ class Fed(Work):
 
     def built(self, package, *of):
         return None
+
+    compiled = built
 
     def message(self, path):
         from coursekit.interfaces.parser import parse
@@ -95,7 +97,7 @@ def refused(name, work, told):
         exercise.judge(work)
     assert 0 <= caught.value.share < 1, told
     verdict = judge_work(exercise, work)
-    assert verdict.points < verdict.of, told
+    assert verdict.points < verdict.of or not (verdict.of or verdict.passed), told
     assert isinstance(verdict.text(), str) and isinstance(verdict.html(), str)
 
 

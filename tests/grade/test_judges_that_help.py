@@ -152,7 +152,7 @@ def test_an_unknown_name_gets_a_short_answer_without_a_traceback(name):
 
 
 def test_the_names_of_the_chapter_are_listed():
-    with pytest.raises(UnknownExercise, match=r"There are: ch02.q1, ch02.q2, ch02.q3, ch02.q4\.$"):
+    with pytest.raises(UnknownExercise, match=r"There are: ch02.q1, ch02.q2, ch02.q3, ch02.q4, ch02.q5\.$"):
         find("ch02.q9")
 
 

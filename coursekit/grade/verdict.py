@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from coursekit.words.gettext import gettext
 
-_OURS = ("expected", "likely cause", "hint")
+_OURS = ("expected", "likely cause", "hint", "why")
 """The rows that are a check's own words; the others are the student's, and shown as they are."""
 
 _CELL = "padding:1px 0;text-align:left;vertical-align:top"

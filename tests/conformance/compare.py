@@ -25,6 +25,9 @@ Results = dict[str, str]
 BAD = {"failure", "error"}
 """The tags of pytest's report for a test that failed."""
 
+STACKS_S, LONGEST_S = 100, 900
+"""When a test that hangs tells its stacks, and when its interpreter is ended [s]; the suite takes half a minute."""
+
 
 def why_not_real() -> str:
     """Why the real rclpy cannot be asked on this machine; empty when it can."""
@@ -63,10 +66,11 @@ def run(python: Path | str) -> Results:
         report = Path(folder) / "report.xml"
         options = ["-q", "-o", "addopts=", "-p", "no:cacheprovider", "-W", "ignore", f"--junitxml={report}"]
         options += ["--confcutdir", str(HERE)]  # the real rclpy's environment has nothing for other tests
+        options += ["-o", f"faulthandler_timeout={STACKS_S}"]
         command = [str(python), "-m", "pytest", str(HERE), *options]
         command = command if python == sys.executable else alone(command) or command
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-        subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False)
+        subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=False, timeout=LONGEST_S)
         if not report.exists():
             raise SystemExit(f"{python} could not run pytest; try: {' '.join(command)}")
         xml = report.read_text()

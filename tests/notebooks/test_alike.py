@@ -26,7 +26,9 @@ def test_what_differs_by_system_only_is_alike(here, there):
     assert alike(here) == alike(there)
 
 
-@pytest.mark.parametrize(("one", "other"), [("points 340", "points 343"), ("a/b", "a/c"), ("x.exec", "x"), ("/a: 1", "/b: 1")])
+@pytest.mark.parametrize(
+    ("one", "other"), [("points 340", "points 343"), ("a/b", "a/c"), ("x.exec", "x"), ("/a: 1", "/b: 1")]
+)
 def test_what_differs_otherwise_is_not(one, other):
     assert alike(one) != alike(other)
 
@@ -53,7 +55,8 @@ def test_what_a_reader_would_see_is_a_difference(one, other):
 
 def test_widgets_of_stored_outputs_are_the_same_every_time():
     def stored(model_id):
-        cell = nbformat.v4.new_code_cell(id="abc", outputs=[nbformat.v4.new_output("display_data", {WIDGET: {"model_id": model_id}})])
+        output = nbformat.v4.new_output("display_data", {WIDGET: {"model_id": model_id}})
+        cell = nbformat.v4.new_code_cell(id="abc", outputs=[output])
         notebook = nbformat.v4.new_notebook(cells=[cell])
         number_widgets(notebook)
         return notebook

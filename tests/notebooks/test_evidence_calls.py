@@ -13,7 +13,8 @@ PRACTICES = [path for path in chapters() if path.stem[0].isdigit() and path.stem
 @pytest.mark.parametrize("chapter", PRACTICES, ids=lambda path: path.stem)
 def test_a_practice_makes_the_evidence_that_it_names(chapter):
     cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
-    texts = {kind: "\n".join("".join(one["source"]) for one in cells if one["cell_type"] == kind) for kind in ("markdown", "code")}
+    kinds = ("markdown", "code")
+    texts = {kind: "\n".join("".join(one["source"]) for one in cells if one["cell_type"] == kind) for kind in kinds}
     number = int(chapter.stem[:2])
     asked = set(re.findall(rf"(?:_evidence|`\.\.\.)_s({number}(?:_\d)?)\b", texts["markdown"]))
     made = set(re.findall(r'^evidence\("s(\d+(?:_\d)?)', texts["code"], re.M))

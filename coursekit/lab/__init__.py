@@ -21,6 +21,7 @@ from .messages import echo
 from .network_panel import network_panel
 from .pad import pad
 from .parameter_panel import parameter_panel
+from .path_view import path_view
 from .plot_panel import plot
 from .practice_robot import practice_robot, weak_link
 from .rqt_windows import show_rqt_windows
@@ -32,7 +33,6 @@ from .turtle import turtlesim_window
 from .viewer import viewer
 from .viewer_windows import show_rviz_windows
 from .waiting import wait
-from .way_view import way_view
 from .windows import show_new_windows, windows
 from .world_windows import show_world_windows, world_view
 
@@ -55,6 +55,7 @@ __all__ = [
     "network_panel",
     "pad",
     "parameter_panel",
+    "path_view",
     "plot",
     "practice_robot",
     "progress",
@@ -68,7 +69,6 @@ __all__ = [
     "turtlesim_window",
     "viewer",
     "wait",
-    "way_view",
     "weak_link",
     "windows",
     "workspace",

@@ -94,7 +94,7 @@ def planner(work: Work) -> None:
     """Ways that may be driven, and none is cheaper."""
     import numpy as np
 
-    find, chance = work.function("find_way"), np.random.default_rng(work.dice("ch09.q2").getrandbits(60))
+    find, chance = work.function("find_path"), np.random.default_rng(work.dice("ch09.q2").getrandbits(60))
     open_floor = np.zeros((6, 9), int)
     _judge_path(work, find, open_floor, (0, 0), (5, 8), "an empty floor of 6 x 9")
     _judge_path(work, find, open_floor, (2, 2), (2, 2), "start and goal in one cell")
@@ -112,7 +112,7 @@ def planner(work: Work) -> None:
 
 
 def _judge_path(work: Work, find: Any, costs: np.ndarray, start: Cell, goal: Cell, told: str) -> None:
-    got, price = called(find, costs.copy(), start, goal, told=f"find_way on {told}"), prices(costs, start)
+    got, price = called(find, costs.copy(), start, goal, told=f"find_path on {told}"), prices(costs, start)
     least = float(price[goal])
     if math.isinf(least):
         if got is not None:

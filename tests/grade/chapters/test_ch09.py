@@ -48,4 +48,4 @@ def test_lines_that_are_not_as_asked_for_are_told_why(output, cause):
 
 
 def test_a_price_is_no_way(tmp_path):
-    assert "One number came" in told_of("ch09.q2", {"find_way": lambda *_: 13.0}, tmp_path).cause
+    assert "One number came" in told_of("ch09.q2", {"find_path": lambda *_: 13.0}, tmp_path).cause

@@ -43,13 +43,13 @@ def test_dearer_cells_have_darker_colours():
 
 
 def test_a_way_through_a_closed_wall_is_drawn_where_none_leads():
-    figure, passed = handed_out("ch09.q2", find_way=straight)
+    figure, passed = handed_out("ch09.q2", find_path=straight)
     assert not passed and "your path" in labels(figure) and "the cheapest path" not in labels(figure)
     assert "no path leads" in figure.alt
 
 
 def test_a_jump_is_marked_where_it_lands():
-    figure, passed = handed_out("ch09.q2", find_way=lambda costs, start, goal: [start, goal])
+    figure, passed = handed_out("ch09.q2", find_path=lambda costs, start, goal: [start, goal])
     assert not passed and figure.panels[0].rings == [(8.5, 5.5)]
 
 

@@ -6,7 +6,7 @@ import math
 
 def next_step(x, y, theta, stage, pickup, delivery):
     goal_x, goal_y, yaw = {goal}
-    way = math.hypot(goal_x - x, goal_y - y)
+    far = math.hypot(goal_x - x, goal_y - y)
     if stage in (1, 4):
         part = {part}
         return x + part * (goal_x - x), y + part * (goal_y - y), theta, stage + ({there})
@@ -34,7 +34,7 @@ _CHOICE = (
     "%%write src/s7_py_task_manager/s7_py_task_manager/choice.py\nimport math\nfrom geometry_msgs.msg import Pose2D\n\n"
 )
 _CHOICE += "def choose(start, others, draw):\n    {lines}\n"
-_PART, _REST = "min(1.0, 0.01 / max(way, 1e-9))", "math.remainder(yaw - theta, 2 * math.pi)"
+_PART, _REST = "min(1.0, 0.01 / max(far, 1e-9))", "math.remainder(yaw - theta, 2 * math.pi)"
 
 
 def _stages(
@@ -71,7 +71,7 @@ WRONG = {
     "ch07.q2": [
         _stages(goal="pickup"),
         _stages(rest="yaw - theta"),
-        _stages(part="0.01 / way", there="way < 0.01"),
+        _stages(part="0.01 / far", there="far < 0.01"),
         _stages(end="theta"),
         _stages(turn="0.1"),
         _stages(part="1.0"),
@@ -91,7 +91,7 @@ WRONG = {
         _CHOICE.format(lines="return Pose2D(x=start[0], y=start[1]), Pose2D(x=start[0], y=start[1])"),
         _CHOICE.format(
             lines="for _ in range(300):\n        two = draw(), draw()\n"
-            "        if all(math.dist((one.x, one.y), p) > 0.6 for one in two for way in others for p in way):\n"
+            "        if all(math.dist((one.x, one.y), p) > 0.6 for one in two for path in others for p in path):\n"
             "            return two\n    return two"
         ),
         _CHOICE.format(lines="return drow(), draw()"),

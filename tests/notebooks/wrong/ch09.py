@@ -25,39 +25,39 @@ def inflation_cost(distance, inscribed=0.2, scaling=3.0, radius=0.55):
     return {answer} if {edge} else 0"""
 
 
-def _way(price: str = "price + 1 + costs[to] / 50", limit: str = "253") -> str:
+def _path(price: str = "price + 1 + costs[to] / 50", limit: str = "253") -> str:
     return f"""from heapq import heappop, heappush
 
-def find_way(costs, start, goal):
+def find_path(costs, start, goal):
     heap, done = [(0.0, [start])], set()
     while heap:
-        price, way = heappop(heap)
-        r, c = way[-1]
+        price, path = heappop(heap)
+        r, c = path[-1]
         if (r, c) == goal:
-            return way
+            return path
         if (r, c) in done:
             continue
         done.add((r, c))
         for to in ((r + 1, c), (r - 1, c), (r, c + 1), (r, c - 1)):
             if 0 <= to[0] < costs.shape[0] and 0 <= to[1] < costs.shape[1] and costs[to] < {limit}:
-                heappush(heap, ({price}, way + [to]))"""
+                heappush(heap, ({price}, path + [to]))"""
 
 
-def _manage(trip: str = "", after: str = "reserve(taken, way)", who: str = "k % 4") -> str:
-    trip = trip or "leg(aisles, leg(aisles, ways[name], load, taken), homes[name], taken)"
+def _manage(trip: str = "", after: str = "reserve(taken, path)", who: str = "k % 4") -> str:
+    trip = trip or "leg(aisles, leg(aisles, paths[name], load, taken), homes[name], taken)"
     return f"""def manage(free, homes, loads):
     aisles = without_bays(free, homes, loads)
-    taken, ways, names = set(), {{name: [home] for name, home in homes.items()}}, list(homes)
+    taken, paths, names = set(), {{name: [home] for name, home in homes.items()}}, list(homes)
     for k, load in enumerate(loads):
         name = names[{who}]
-        way = ways[name] = {trip}
+        path = paths[name] = {trip}
         {after}
-    return ways"""
+    return paths"""
 
 
 WRONG = {
     "ch09.q1": [_cost(touching="distance < inscribed / 2"), _cost(edge="True"), _cost(answer="cost"), _cost(answer="round(cost)")],
-    "ch09.q2": [_way(price="price + 1"), _way(limit="255"), "def find_way(costs, start, goal):\n    pass"],
+    "ch09.q2": [_path(price="price + 1"), _path(limit="255"), "def find_path(costs, start, goal):\n    pass"],
     "ch09.q3": [
         _patrol(
             "rclpy.init()",
@@ -86,7 +86,7 @@ WRONG = {
     "ch09.q4": [
         _manage(after="pass"),
         _manage(who="0"),
-        _manage(trip="leg(aisles, ways[name], load, taken)"),
+        _manage(trip="leg(aisles, paths[name], load, taken)"),
         "def manage(free, homes, loads):\n    return {name: [home] for name, home in homes.items()}",
     ],
 }

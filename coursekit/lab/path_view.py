@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 
-class WayView:
+class PathView:
     """Costs and a path over them; shows itself, and says in words what it shows."""
 
     def __init__(self, costs: np.ndarray, path: Sequence[tuple[int, int]]) -> None:
@@ -25,11 +25,11 @@ class WayView:
         return html(self.figure)
 
 
-def way_view(costs: np.ndarray, path: Sequence[tuple[int, int]] | None = None) -> WayView:
+def path_view(costs: np.ndarray, path: Sequence[tuple[int, int]] | None = None) -> PathView:
     """Costs (rows, columns) from 0 to 254, row 0 at the bottom, and a path of cells (row, column) over them.
 
     >>> import numpy as np
-    >>> way_view(np.zeros((4, 6), int), [(0, 0), (0, 1), (1, 1)])
+    >>> path_view(np.zeros((4, 6), int), [(0, 0), (0, 1), (1, 1)])
     The costs of 4 x 6 cells from above, and a path of 2 steps over them.
 
     Raises:
@@ -46,7 +46,7 @@ def way_view(costs: np.ndarray, path: Sequence[tuple[int, int]] | None = None) -
         if not (0 <= row < table.shape[0] and 0 <= column < table.shape[1]):
             size = f"{table.shape[0]} x {table.shape[1]}"
             raise ValueError(f"the path leaves the {size} cells at ({row}, {column}): is it row first, then column?")
-    return WayView(table, cells)
+    return PathView(table, cells)
 
 
-__all__ = ["WayView", "way_view"]
+__all__ = ["PathView", "path_view"]

@@ -104,7 +104,7 @@ class Viewer(ViewerPage):
         save(Config(self.fixed_frame, shown, self.stage.looking.view(), views=self.stage.config.views), path)
 
     def follow(self, frame: str, turn: bool = False) -> None:
-        """Look at a frame and go with it, '' in the fixed frame; with `turn` also turn with it, as a follower does."""
+        """Look at a frame and move with it, '' with none; with `turn` also turn with it, as a follower does."""
         self.stage.looking.follow(frame, FOLLOWER if turn else ORBIT)
         self.look_anew()
 

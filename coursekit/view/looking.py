@@ -57,7 +57,7 @@ class Looking:
         self.moved = self._in_frame(make_view(numbers) or {})
 
     def follow(self, frame: str, type_: str = ORBIT) -> None:
-        """Look at a frame and go with it, '' in the fixed frame; a ThirdPersonFollower turns with it, too.
+        """Look at a frame and move with it, '' with none; a ThirdPersonFollower turns with it, too.
 
         A TopDownOrtho looks straight down, x to the right.
         """

@@ -7,17 +7,19 @@ import statistics
 from random import Random
 from typing import Any
 
+from coursekit.grade.chapters.measures.lamps import Ask, calls_that_set, judge_answers, judge_range, no_colour
 from coursekit.grade.exercise import exercise
 from coursekit.grade.figures.sightings import seen_at
 from coursekit.grade.outputs import expect_node, heard, last_words, said
-from coursekit.grade.plain import field, fields, near, shown
+from coursekit.grade.plain import field, fields, shown
 from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 PACKAGE, USERS, CPP = "s5_py_camera", "s5_py_camera_usr", "s5_cpp_camera"
-LAMP = "/py_lamp_node"
-NOT_SET, BOOL, INTEGER, DOUBLE, STRING = range(5)
+LAMP, CPP_LAMP = "/py_lamp_node", "/cpp_lamp_node"
+INTEGER = 2
+"""The type of a parameter in rcl_interfaces/msg/ParameterType."""
 PICTURES = 12
 """So many of each size are shown to the tracker."""
 
@@ -35,8 +37,8 @@ PICTURES = 12
 def lamp(work: Work) -> None:
     """Range and callback refuse what they should, also as one of several, and what is taken takes effect."""
     work.built(PACKAGE, "py_lamp_node", "lamp_settings")
-    no_lamp = work.dice("ch05.q1").choice(("violet", "blue", "white", "Red", "pink"))
-    asks: list[tuple[str, dict[str, Any], bool]] = [
+    no_lamp = no_colour(work.dice("ch05.q1"))
+    asks: list[Ask] = [
         ("lamp.period 5.0", {"lamp.period": 5.0}, False),
         ("lamp.period 0.05", {"lamp.period": 0.05}, False),
         (f"lamp.colour {no_lamp}", {"lamp.colour": no_lamp}, False),
@@ -46,61 +48,20 @@ def lamp(work: Work) -> None:
         ("lamp.period 0.2 and lamp.colour amber at once", {"lamp.period": 0.2, "lamp.colour": "amber"}, True),
     ]
     describe = (0.5, f"{LAMP}/describe_parameters", "rcl_interfaces/srv/DescribeParameters", {"names": ["lamp.period"]})
-    service = f"{LAMP}/set_parameters_atomically"
-    calls = [(1.1 + 0.05 * index, service, _SET, _set(ask)) for index, (_, ask, _) in enumerate(asks)]
-    seen = work.try_out(f"run {PACKAGE} lamp_exe", record=["/lamp"], call=[describe, *calls], seconds=5.0)
+    calls = [describe, *calls_that_set(LAMP, asks)]
+    seen = work.try_out(f"run {PACKAGE} lamp_exe", record=["/lamp"], call=calls, seconds=5.0)
     expect_node(seen, LAMP)
     colours = [(when, field(one, "data", str, "/lamp")) for when, one in heard(seen, "/lamp")]
     early = [colour for when, colour in colours if when < 1.1]
     if early != ["green", "green"]:
         raise Wrong("green twice in the first second, as the defaults say", f"{shown(early)}", "Are name and default right?")
-    _judge_range(seen.responses[0])
-    for (told, _, taken), answer in zip(asks, seen.responses[1:], strict=True):
-        _judge_answer(told, answer, taken)
+    judge_range(seen.responses[0])
+    judge_answers(asks, seen.responses[1:])
     late = [colour for when, colour in colours if when > 3.0]
     if set(late) != {"amber"}:
         raise Wrong("the colour that was set last: amber", ", ".join(sorted(set(late))) or "none", share=0.5, hint=1)
     if not 9 <= len(late) <= 11:
         raise Wrong("10 colours in 2 s after lamp.period was set to 0.2", f"{len(late)}", share=0.5, hint=1)
-
-
-_SET = "rcl_interfaces/srv/SetParametersAtomically"
-
-
-def _set(values: dict[str, Any]) -> dict[str, Any]:
-    typed = {
-        name: {"type": DOUBLE, "double_value": value}
-        if isinstance(value, float)
-        else {"type": STRING, "string_value": value}
-        for name, value in values.items()
-    }
-    return {"parameters": [{"name": name, "value": value} for name, value in typed.items()]}
-
-
-def _judge_range(answer: Any) -> None:
-    wanted = "lamp.period described with a floating_point_range from 0.1 to 2.0"
-    descriptor = (field(answer, "descriptors", list, wanted) or [None])[0]
-    ranges = field(descriptor, "floating_point_range", list, wanted)
-    if not ranges:
-        cause = "The range goes into the ParameterDescriptor, the third argument of declare_parameter."
-        raise Wrong(wanted, "it has none", cause, share=0.25, hint=0)
-    ends = fields(ranges[0], ("from_value", "to_value"), wanted)
-    if not near(ends[0], 0.1, 1e-9) or not near(ends[1], 2.0, 1e-9):
-        raise Wrong(wanted, f"from {ends[0]:g} to {ends[1]:g}", share=0.25, hint=0)
-
-
-def _judge_answer(told: str, answer: Any, taken: bool) -> None:
-    if answer is None:
-        cause = "Does judge return a SetParametersResult in every case?"
-        raise Wrong(f"an answer to: {told}", "none", cause, share=0.25, hint=1)
-    successful, reason = field(answer, "result.successful", bool), field(answer, "result.reason", str)
-    if successful is not taken:
-        seen = "taken" if successful else f"refused: {reason[:160]}"
-        cause = "judge gets a list: every one of them counts." if "at once" in told else ""
-        raise Wrong(f"{told}: {'taken' if taken else 'refused'}", seen, cause, share=0.5, hint=1)
-    if not taken and "colour" in told and not reason.strip():
-        cause = "SetParametersResult has a field for it."
-        raise Wrong("a reason with the refused colour", "an empty one", cause, share=0.75, hint=1)
 
 
 @exercise(
@@ -296,8 +257,8 @@ def _judge_places(work: Work, seen: Seen, places: dict[int, tuple[float, float]]
 def lamp_in_cpp(work: Work) -> None:
     """Colours that there are not are refused, also as one of several, with a reason; what is taken takes effect."""
     work.compiled(CPP, "cpp_lamp_node")
-    no_lamp = work.dice("ch05.q5").choice(("violet", "blue", "white", "Red", "pink"))
-    asks: list[tuple[str, dict[str, Any], bool]] = [
+    no_lamp = no_colour(work.dice("ch05.q5"))
+    asks: list[Ask] = [
         (f"lamp.colour {no_lamp}", {"lamp.colour": no_lamp}, False),
         ("lamp.colour red", {"lamp.colour": "red"}, True),
         ("lamp.note checked", {"lamp.note": "checked"}, True),
@@ -305,12 +266,10 @@ def lamp_in_cpp(work: Work) -> None:
         (f"lamp.colour {no_lamp} and lamp.note new at once", {"lamp.colour": no_lamp, "lamp.note": "new"}, False),
         ("lamp.note new and lamp.colour amber at once", {"lamp.note": "new", "lamp.colour": "amber"}, True),
     ]
-    service = "/cpp_lamp_node/set_parameters_atomically"
-    calls = [(1.1 + 0.05 * at, service, _SET, _set(ask)) for at, (_, ask, _) in enumerate(asks)]
+    calls = calls_that_set(CPP_LAMP, asks)
     seen = work.try_out(f"run {CPP} lamp_exe", record=["/lamp"], call=calls, seconds=4.0)
-    expect_node(seen, "/cpp_lamp_node")
-    for (told, _, taken), answer in zip(asks, seen.responses, strict=True):
-        _judge_answer(told, answer, taken)
+    expect_node(seen, CPP_LAMP)
+    judge_answers(asks, seen.responses)
     late = {field(one, "data", str, "/lamp") for when, one in heard(seen, "/lamp") if when > 2.5}
     if late != {"amber"}:
         raise Wrong("the colour that was set last: amber", ", ".join(sorted(late)) or "none", hint=1)

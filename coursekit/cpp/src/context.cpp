@@ -89,16 +89,20 @@ bool Context::shutdown(const std::string & reason)
   call(after_);
   return true;
 }
-void Context::call(std::vector<std::pair<int64_t, OnShutdownCallback>> & callbacks)
+void Context::call(const Callbacks & callbacks)
 {
-  decltype(before_) all;
-  {
-    std::lock_guard<std::mutex> hold(lock_);
-    all = callbacks;
+  for (auto & callback : callbacks_in(callbacks)) {
+    callback();
   }
-  for (auto & entry : all) {
-    entry.second();
+}
+std::vector<Context::OnShutdownCallback> Context::callbacks_in(const Callbacks & callbacks) const
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  std::vector<OnShutdownCallback> all;
+  for (auto & entry : callbacks) {
+    all.push_back(entry.second);
   }
+  return all;
 }
 Context::OnShutdownCallback Context::on_shutdown(OnShutdownCallback callback)
 {
@@ -111,22 +115,31 @@ OnShutdownCallbackHandle Context::add_on_shutdown_callback(OnShutdownCallback ca
   after_.emplace_back(next_, std::move(callback));
   return {next_++};
 }
-OnShutdownCallbackHandle Context::add_pre_shutdown_callback(OnShutdownCallback callback)
+PreShutdownCallbackHandle Context::add_pre_shutdown_callback(OnShutdownCallback callback)
 {
   std::lock_guard<std::mutex> hold(lock_);
   before_.emplace_back(next_, std::move(callback));
   return {next_++};
 }
-bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle)
+bool Context::remove(Callbacks & callbacks, const ShutdownCallbackHandle & handle)
 {
   std::lock_guard<std::mutex> hold(lock_);
   auto is_it = [&](auto & entry) {return entry.first == handle.number;};
-  auto found = std::find_if(after_.begin(), after_.end(), is_it);
-  if (found == after_.end()) {
+  auto found = std::find_if(callbacks.begin(), callbacks.end(), is_it);
+  if (found == callbacks.end()) {
     return false;
   }
-  after_.erase(found);
+  callbacks.erase(found);
   return true;
+}
+bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle) {return remove(after_, handle);}
+bool Context::remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle) {return remove(before_, handle);}
+size_t Context::get_domain_id() const
+{
+  if (!valid_) {
+    throw exceptions::RCLError("failed to get domain id from context: context is not initialized");
+  }
+  return static_cast<size_t>(ask("domain", Packer{}.i(number_)).i());
 }
 bool Context::sleep_for(const std::chrono::nanoseconds & duration)
 {

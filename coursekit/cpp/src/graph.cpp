@@ -57,6 +57,11 @@ std::string NodeBaseInterface::resolve_service_name(const std::string & service,
 {
   return ask("resolve_service", Packer{}.i(id).s(service).i(only_expand)).s();
 }
+std::string NodeBaseInterface::resolve_topic_or_service_name(
+  const std::string & name, bool is_service, bool only_expand) const
+{
+  return is_service ? resolve_service_name(name, only_expand) : resolve_topic_name(name, only_expand);
+}
 std::string expand_topic_or_service_name(
   const std::string & name, const std::string & node_name, const std::string & space, bool is_service)
 {
@@ -69,21 +74,21 @@ std::vector<std::string> NodeBaseInterface::get_node_names() const
 {
   return ask("node_names", Packer{}.i(id)).texts();
 }
-std::map<std::string, std::vector<std::string>> NodeBaseInterface::names_and_types(const char * what, const Packer & with) const
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::names_and_types(const char * what, const Packer & with) const
 {
   Unpacker answer = ask(what, with);
-  std::map<std::string, std::vector<std::string>> all;
+  NamesAndTypes all;
   for (int64_t count = answer.i(); count > 0; --count) {
     std::string name = answer.s();
     all[name] = answer.texts();
   }
   return all;
 }
-std::map<std::string, std::vector<std::string>> NodeBaseInterface::get_topic_names_and_types(bool) const
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_topic_names_and_types(bool) const
 {
   return names_and_types("topics", Packer{}.i(id));
 }
-std::map<std::string, std::vector<std::string>> NodeBaseInterface::get_service_names_and_types() const
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_service_names_and_types() const
 {
   return names_and_types("services", Packer{}.i(id));
 }
@@ -95,10 +100,30 @@ size_t NodeBaseInterface::count_subscribers(const std::string & topic) const
 {
   return static_cast<size_t>(ask("count_subscribers", Packer{}.i(id).s(topic)).i());
 }
-std::map<std::string, std::vector<std::string>> NodeBaseInterface::get_service_names_and_types_by_node(
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::ends_of(
+  const char * which, const std::string & name, const std::string & space) const
+{
+  return names_and_types("ends_of", Packer{}.i(id).s(which).s(name).s(space));
+}
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_service_names_and_types_by_node(
   const std::string & name, const std::string & space) const
 {
-  return names_and_types("services_of", Packer{}.i(id).s(name).s(space));
+  return ends_of("service", name, space);
+}
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_client_names_and_types_by_node(
+  const std::string & name, const std::string & space) const
+{
+  return ends_of("client", name, space);
+}
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_publisher_names_and_types_by_node(
+  const std::string & name, const std::string & space, bool) const
+{
+  return ends_of("publisher", name, space);
+}
+NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_subscriber_names_and_types_by_node(
+  const std::string & name, const std::string & space, bool) const
+{
+  return ends_of("subscriber", name, space);
 }
 std::vector<TopicEndpointInfo> NodeBaseInterface::endpoints(const char * what, const std::string & topic, bool no_mangle) const
 {
@@ -141,6 +166,14 @@ std::vector<std::pair<std::string, std::string>> NodeBaseInterface::get_node_nam
   for (auto & full : get_node_names()) {
     size_t slash = full.rfind('/');
     all.emplace_back(full.substr(slash + 1), slash ? full.substr(0, slash) : "/");
+  }
+  return all;
+}
+std::vector<std::tuple<std::string, std::string, std::string>> NodeBaseInterface::get_node_names_with_enclaves() const
+{
+  std::vector<std::tuple<std::string, std::string, std::string>> all;
+  for (auto & [node, space] : get_node_names_and_namespaces()) {
+    all.emplace_back(node, space, "/");  // nothing is encrypted, so that all are in one enclave
   }
   return all;
 }

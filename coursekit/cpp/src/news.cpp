@@ -106,23 +106,23 @@ constexpr char WITHOUT_IPC[] = "_on_new_intra_process_message_callback for subsc
 template<class Owner, class Type>
 void listen(Owner & owner, Type event, std::function<void (size_t)> callback, const char * what)
 {
-  if (!owner.events.has(event)) {
+  if (!owner.events.count(event)) {
     RCLCPP_WARN(get_logger("rclcpp"), "%s%s", NOT_REGISTERED, what);
     return;
   }
   if (!callback) {
     throw std::invalid_argument("The callback passed to set_on_new_qos_event_callback is not callable.");
   }
-  owner.news.tell(owner, event, {"set_on_ready_callback", "rclcpp::QOSEventHandlerBase", "on ready"}, std::move(callback));
+  owner.events.at(event)->set_on_ready_callback([callback](size_t count, int) {callback(count);});
 }
 template<class Owner, class Type>
 void listen_no_more(Owner & owner, Type event)
 {
-  if (!owner.events.has(event)) {
+  if (!owner.events.count(event)) {
     RCLCPP_WARN(get_logger("rclcpp"), "Calling clear_on_new_qos_event_callback for non registered event_type");
     return;
   }
-  owner.news.tell_no_more(owner, event);
+  owner.events.at(event)->clear_on_ready_callback();
 }
 }  // namespace
 

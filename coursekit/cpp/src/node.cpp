@@ -3,6 +3,8 @@
 
 namespace rclcpp
 {
+using node_interfaces::NodeBaseInterface;
+
 NodeFace::NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle)
 : base_(std::make_shared<NodeBase>()), options_(options)
 {
@@ -46,41 +48,16 @@ QoSCheckCompatibleResult qos_check_compatible(const QoS & publisher, const QoS &
 
 namespace
 {
-void unpack(Unpacker & from, rmw_event_count_t & info)
+/// The number of the handler that the session calls for an event; 0 where nobody listens to it.
+template<class Owner, class Type>
+void pack_event(Owner & owner, Type event, Packer & with)
 {
-  info.total_count = static_cast<int32_t>(from.i());
-  info.total_count_change = static_cast<int32_t>(from.i());
-}
-void unpack(Unpacker & from, rmw_qos_incompatible_event_status_t & info)
-{
-  unpack(from, static_cast<rmw_event_count_t &>(info));
-  info.last_policy_kind = static_cast<rmw_qos_policy_kind_t>(from.i());
-}
-void unpack(Unpacker & from, rmw_liveliness_changed_status_t & info)
-{
-  info.alive_count = static_cast<int32_t>(from.i());
-  info.not_alive_count = static_cast<int32_t>(from.i());
-  info.alive_count_change = static_cast<int32_t>(from.i());
-  info.not_alive_count_change = static_cast<int32_t>(from.i());
-}
-void unpack(Unpacker & from, rmw_message_lost_status_t & info)
-{
-  info.total_count = static_cast<size_t>(from.i());
-  info.total_count_change = static_cast<size_t>(from.i());
-}
-template<class Info>
-void pack_event(coursekit::Entity & owner, const std::function<void (Info &)> & callback, Packer & with)
-{
-  if (!callback) {
+  auto found = owner.events.find(event);
+  if (found == owner.events.end()) {
     with.i(0);
     return;
   }
-  with.i(owner.handle(
-      [callback](Unpacker & from, Packer &) {
-        Info info;
-        unpack(from, info);
-        callback(info);
-      }));
+  with.i(owner.handle([call = found->second->call()](Unpacker & from, Packer &) {call(from);}));
 }
 void pack_overriding(const QosOverridingOptions & options, coursekit::Entity & owner, Packer & with)
 {
@@ -125,10 +102,10 @@ void detail::make_publisher(
 {
   Packer with = Packer{}.i(node.id).s(type).s(topic).i(number_of(options.callback_group));
   qos.pack(with);
-  pack_event(made, options.event_callbacks.deadline_callback, with);
-  pack_event(made, options.event_callbacks.liveliness_callback, with);
-  pack_event(made, options.event_callbacks.incompatible_qos_callback, with);
-  with.i(options.use_default_callbacks);
+  detail::listen_to_events(node, made, topic, options);
+  for (auto event : {RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, RCL_PUBLISHER_LIVELINESS_LOST, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS}) {
+    pack_event(made, event, with);
+  }
   pack_overriding(options.qos_overriding_options, made, with);
   Unpacker answer = ask("publisher", with);
   made.id = answer.i();
@@ -139,10 +116,6 @@ void detail::make_publisher(
   if (made.intra_process) {
     coursekit::note("stays", Packer{}.i(made.id));
   }
-  auto & callbacks = options.event_callbacks;
-  made.events.add(RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, callbacks.deadline_callback != nullptr);
-  made.events.add(RCL_PUBLISHER_LIVELINESS_LOST, callbacks.liveliness_callback != nullptr);
-  made.events.add(RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS, callbacks.incompatible_qos_callback || options.use_default_callbacks);
   std::string gid = answer.s();
   std::copy_n(gid.begin(), std::min(gid.size(), sizeof(made.gid.data)), made.gid.data);
   made.gid.implementation_identifier = "coursekit";
@@ -162,11 +135,13 @@ void detail::make_subscription(
     });
   Packer with = Packer{}.i(node.id).s(type).s(topic).i(handler).i(number_of(options.callback_group));
   qos.pack(with);
-  pack_event(*made, options.event_callbacks.deadline_callback, with);
-  pack_event(*made, options.event_callbacks.liveliness_callback, with);
-  pack_event(*made, options.event_callbacks.incompatible_qos_callback, with);
-  pack_event(*made, options.event_callbacks.message_lost_callback, with);
-  with.i(options.use_default_callbacks).i(options.ignore_local_publications);
+  detail::listen_to_events(node, *made, topic, options);
+  for (auto event : {RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
+      RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, RCL_SUBSCRIPTION_MESSAGE_LOST})
+  {
+    pack_event(*made, event, with);
+  }
+  with.i(options.ignore_local_publications);
   pack_overriding(options.qos_overriding_options, *made, with);
   auto & statistics = options.topic_stats_options;
   bool node_wants = statistics.state == TopicStatisticsState::NodeDefault && node.topic_statistics;
@@ -182,21 +157,21 @@ void detail::make_subscription(
     intra_process::enter(made->inbox);
     coursekit::note("stays", Packer{}.i(made->id));
   }
-  auto & callbacks = options.event_callbacks;
-  made->events.add(RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, callbacks.deadline_callback != nullptr);
-  made->events.add(RCL_SUBSCRIPTION_LIVELINESS_CHANGED, callbacks.liveliness_callback != nullptr);
-  made->events.add(RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, callbacks.incompatible_qos_callback || options.use_default_callbacks);
-  made->events.add(RCL_SUBSCRIPTION_MESSAGE_LOST, callbacks.message_lost_callback != nullptr);
   auto & filter = options.content_filter_options;
   if (!filter.filter_expression.empty()) {
     made->set_content_filter(filter.filter_expression, filter.expression_parameters);
   }
 }
-void detail::make_timer(
-  NodeBase & node, const TimerBase::SharedPtr & made, std::chrono::nanoseconds period, const CallbackGroup::SharedPtr & group,
-  const Clock::SharedPtr & clock)
+void NodeBaseInterface::add_timer(TimerBase::SharedPtr timer, CallbackGroup::SharedPtr in)
 {
-  if (period.count() < 0) {
+  if (in && !callback_group_in_node(in)) {
+    throw std::runtime_error("Cannot create timer, group not in node.");
+  }
+  detail::make_timer(*this, timer, in);
+}
+void detail::make_timer(NodeBase & node, const TimerBase::SharedPtr & made, const CallbackGroup::SharedPtr & group)
+{
+  if (made->period.count() < 0) {
     throw std::invalid_argument("timer period cannot be negative");
   }
   std::weak_ptr<TimerBase> weak = made;
@@ -206,9 +181,9 @@ void detail::make_timer(
         me->callback();
       }
     });
-  rcl_clock_type_t kind = clock ? clock->get_clock_type() : RCL_STEADY_TIME;
+  rcl_clock_type_t kind = made->clock ? made->clock->get_clock_type() : RCL_STEADY_TIME;
   made->steady = kind == RCL_STEADY_TIME;
-  made->id = ask("timer", Packer{}.i(node.id).i(period.count()).i(kind).i(handler).i(number_of(group))).i();
+  made->id = ask("timer", Packer{}.i(node.id).i(made->period.count()).i(kind).i(handler).i(number_of(group))).i();
 }
 
 // -- sub-nodes

@@ -64,6 +64,18 @@ std::vector<Parameter> NodeBaseInterface::get_parameters(const std::vector<std::
   }
   return parameters;
 }
+bool NodeBaseInterface::get_parameters_by_prefix(const std::string & prefix, std::map<std::string, Parameter> & parameters) const
+{
+  std::string start = prefix.empty() ? "" : prefix + ".";
+  bool any = false;
+  for (auto & name : list_parameters({prefix}, 0).names) {
+    if (name.compare(0, start.size(), start) == 0) {
+      parameters[name.substr(start.size())] = get_parameter(name);
+      any = true;
+    }
+  }
+  return any;
+}
 SetParametersResult NodeBaseInterface::set_parameter(const Parameter & parameter) {return set({parameter}, false)[0];}
 std::vector<SetParametersResult> NodeBaseInterface::set_parameters(const std::vector<Parameter> & parameters)
 {
@@ -120,6 +132,7 @@ OnSetParametersCallbackHandle::SharedPtr NodeBaseInterface::add_on_set_parameter
   OnParametersSetCallbackType callback)
 {
   auto made = std::make_shared<OnSetParametersCallbackHandle>();
+  made->callback = callback;
   int64_t handler = made->handle(
     [callback](Unpacker & from, Packer & to) {
       std::vector<Parameter> parameters;

@@ -12,11 +12,11 @@ namespace
 {
 using Entities = std::vector<const Entity *>;
 
-/// Visit the five kinds in the order in which the link has them.
+/// Visit the six kinds in the order in which the link has them.
 template<class Visit>
 void each_kind(rcl_wait_set_t & set, Visit visit)
 {
-  for (Entities * all : {&set.subscriptions, &set.guard_conditions, &set.timers, &set.clients, &set.services}) {
+  for (Entities * all : {&set.subscriptions, &set.guard_conditions, &set.timers, &set.clients, &set.services, &set.events}) {
     visit(*all);
   }
 }

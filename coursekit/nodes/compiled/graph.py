@@ -56,10 +56,10 @@ def do_services(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return _names_and_types(host.things[frame.integer()].get_service_names_and_types())
 
 
-def do_services_of(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The services of one node with their types."""
-    node, name, namespace = host.things[frame.integer()], frame.text(), frame.text()
-    return _names_and_types(node.get_service_names_and_types_by_node(name, namespace))
+def do_ends_of(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """What one node publishes, hears, serves or calls, with the types: which of them a word says, such as "service"."""
+    node, which, name, namespace = host.things[frame.integer()], frame.text(), frame.text(), frame.text()
+    return _names_and_types(getattr(node, f"get_{which}_names_and_types_by_node")(name, namespace))
 
 
 def _names_and_types(found: list[tuple[str, list[str]]]) -> bytes:

@@ -29,6 +29,11 @@ def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
     host.process.on_signal.clear()
 
 
+def do_domain(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The ROS domain of a context."""
+    return packed(host.context_called(frame.integer()).get_domain_id())
+
+
 def do_catch_signals(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """The program lets Ctrl-C and `kill` end its spinning, or no more."""
     interrupt, terminate = frame.integer(), frame.integer()

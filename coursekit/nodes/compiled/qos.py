@@ -17,11 +17,6 @@ from coursekit.nodes.compiled.frames import Unpacker, packed
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
-_WARNINGS = {
-    "publisher": "New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. ",
-    "subscription": "New publisher discovered on topic '{}', offering incompatible QoS. No messages will be sent to it. ",
-}
-
 
 def profile(frame: Unpacker) -> QoSProfile:
     """The profile that a frame goes on with."""
@@ -52,23 +47,21 @@ def packed_profile(qos: QoSProfile) -> bytes:
     )
 
 
-def publisher_events(host: Host, node: Any, topic: str, frame: Unpacker) -> PublisherEventCallbacks:
-    """The callbacks of a publisher's events; rclcpp's own warning where the program has none and wants it."""
+def publisher_events(host: Host, frame: Unpacker) -> PublisherEventCallbacks:
+    """The callbacks of a publisher's events; rclcpp's own warnings are among the program's."""
     deadline, liveliness, incompatible = (_telling(host, frame.integer()) for _ in range(3))
-    warn = _warning(node, "publisher", topic) if frame.integer() else None
     return PublisherEventCallbacks(
-        deadline=deadline, liveliness=liveliness, incompatible_qos=incompatible or warn, use_default_callbacks=False
+        deadline=deadline, liveliness=liveliness, incompatible_qos=incompatible, use_default_callbacks=False
     )
 
 
-def subscription_events(host: Host, node: Any, topic: str, frame: Unpacker) -> SubscriptionEventCallbacks:
+def subscription_events(host: Host, frame: Unpacker) -> SubscriptionEventCallbacks:
     """The callbacks of a subscription's events."""
     deadline, liveliness, incompatible, lost = (_telling(host, frame.integer()) for _ in range(4))
-    warn = _warning(node, "subscription", topic) if frame.integer() else None
     return SubscriptionEventCallbacks(
         deadline=deadline,
         liveliness=liveliness,
-        incompatible_qos=incompatible or warn,
+        incompatible_qos=incompatible,
         message_lost=lost,
         use_default_callbacks=False,
     )
@@ -76,18 +69,14 @@ def subscription_events(host: Host, node: Any, topic: str, frame: Unpacker) -> S
 
 def _telling(host: Host, handler: int) -> Callable[[Any], None] | None:
     def tell(info: Any) -> None:
-        host.call(handler, packed(*map(int, astuple(info))))
+        host.call(handler, packed_event(info))
 
     return tell if handler else None
 
 
-def _warning(node: Any, who: str, topic: str) -> Callable[[Any], None]:
-    def warn(info: Any) -> None:
-        policy = QoSPolicyKind(info.last_policy_kind).name
-        full = node.resolve_topic_name(topic)
-        node.get_logger().warning(f"{_WARNINGS[who].format(full)}Last incompatible policy: {policy}_QOS_POLICY")
-
-    return warn
+def packed_event(info: Any) -> bytes:
+    """What an event tells, as the program's handlers of events read it."""
+    return packed(*map(int, astuple(info)))
 
 
 def overriding(host: Host, frame: Unpacker) -> QoSOverridingOptions | None:

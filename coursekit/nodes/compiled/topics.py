@@ -61,7 +61,7 @@ def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         topic,
         qos.profile(frame),
         callback_group=group,
-        event_callbacks=qos.publisher_events(host, node, topic, frame),
+        event_callbacks=qos.publisher_events(host, frame),
         qos_overriding_options=qos.overriding(host, frame),
     )
     host.own_gids.add(publisher._core.gid)
@@ -93,7 +93,7 @@ def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     wanted = qos.profile(frame)
-    events = qos.subscription_events(host, node, topic, frame)
+    events = qos.subscription_events(host, frame)
     hearing = Hearing(host, kind, handler, host.own_gids if frame.integer() else ())
     subscription = node.create_subscription(
         kind,

@@ -7,12 +7,34 @@ from typing import TYPE_CHECKING, Any
 from rclpy.guard_condition import GuardCondition
 
 from coursekit.core.ready_queue import ReadyQueue
+from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
+
+class AwaitedEvent:
+    """An event of one of the program's ends that is waited for beside its callback."""
+
+    def __init__(self, event: Any) -> None:
+        self.event = event
+
+    def _sources(self) -> list[Any]:
+        return [self.event.core]
+
+
+def do_event(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """One kind of event of a publisher or subscription, to be waited for."""
+    end, kind = entity_of(host.things[frame.integer()]), frame.integer()
+    handler = next(one for one in end.event_handlers if one.event_type == kind)
+    return packed(host.keep(AwaitedEvent(handler._event)))
+
+
+def do_take_event(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """What such an event tells; it has not happened any more then."""
+    return qos.packed_event(host.things[frame.integer()].event.take_event())
 
 
 def do_guard_condition(host: Host, _channel: Channel, _frame: Unpacker) -> bytes:

@@ -18,6 +18,7 @@ enum rcl_clock_change_t
 typedef int64_t rcl_time_point_value_t;
 typedef int64_t rcl_duration_value_t;
 typedef struct {rcl_duration_value_t nanoseconds;} rcl_duration_t;
+typedef struct {rcl_time_point_value_t nanoseconds; rcl_clock_type_t clock_type;} rcl_time_point_t;
 typedef struct {rcl_clock_change_t clock_change; rcl_duration_t delta;} rcl_time_jump_t;
 /// Which jumps count; a smallest jump of 0 is none.
 typedef struct {bool on_clock_change; rcl_duration_t min_forward; rcl_duration_t min_backward;} rcl_jump_threshold_t;

@@ -12,11 +12,13 @@ using rcl_guard_condition_t = coursekit::Entity;
 using rcl_timer_t = coursekit::Entity;
 using rcl_client_t = coursekit::Entity;
 using rcl_service_t = coursekit::Entity;
+using rcl_event_t = coursekit::Entity;
 
 struct rcl_wait_set_t
 {
-  std::vector<const coursekit::Entity *> subscriptions, guard_conditions, timers, clients, services;
-  size_t size_of_subscriptions = 0, size_of_guard_conditions = 0, size_of_timers = 0, size_of_clients = 0, size_of_services = 0;
+  std::vector<const coursekit::Entity *> subscriptions, guard_conditions, timers, clients, services, events;
+  size_t size_of_subscriptions = 0, size_of_guard_conditions = 0, size_of_timers = 0;
+  size_t size_of_clients = 0, size_of_services = 0, size_of_events = 0;
 };
 
 inline rcl_wait_set_t rcl_get_zero_initialized_wait_set() {return {};}
@@ -39,4 +41,5 @@ COURSEKIT_ADD(guard_condition, guard_conditions)
 COURSEKIT_ADD(timer, timers)
 COURSEKIT_ADD(client, clients)
 COURSEKIT_ADD(service, services)
+COURSEKIT_ADD(event, events)
 #undef COURSEKIT_ADD

@@ -11,6 +11,7 @@
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/future_return_code.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/qos.hpp"
 #include "rmw/types.h"
 
 namespace rclcpp
@@ -42,6 +43,8 @@ class ClientBase : public coursekit::Entity, public std::enable_shared_from_this
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ClientBase)
   const char * get_service_name() const {return name.c_str();}
+  QoS get_request_publisher_actual_qos() const {return qos;}
+  QoS get_response_subscription_actual_qos() const {return qos;}
   std::shared_ptr<coursekit::Entity> get_client_handle() {return shared_from_this();}
   std::shared_ptr<const coursekit::Entity> get_client_handle() const {return shared_from_this();}
   /// Have a function called with how many responses have come, as soon as they have.
@@ -63,6 +66,7 @@ public:
     auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(timeout);
     return ask("wait_for_service", Packer{}.i(id).i(nanoseconds.count())).i();
   }
+  QoS qos{10};
 };
 
 template<class S>

@@ -8,6 +8,7 @@
 
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
+#include "rcutils/allocator.h"
 
 namespace rclcpp
 {
@@ -15,6 +16,7 @@ class InitOptions
 {
 public:
   InitOptions() = default;
+  explicit InitOptions(const rcl_allocator_t &) {}
   bool shutdown_on_signal = true;
   InitOptions & auto_initialize_logging(bool) {return *this;}
   bool auto_initialize_logging() const {return true;}
@@ -29,6 +31,7 @@ private:
 
 struct ShutdownCallbackHandle {int64_t number = 0;};
 using OnShutdownCallbackHandle = ShutdownCallbackHandle;
+using PreShutdownCallbackHandle = ShutdownCallbackHandle;
 
 class Context : public std::enable_shared_from_this<Context>
 {
@@ -46,7 +49,12 @@ public:
   virtual OnShutdownCallback on_shutdown(OnShutdownCallback callback);
   virtual OnShutdownCallbackHandle add_on_shutdown_callback(OnShutdownCallback callback);
   virtual bool remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle);
-  OnShutdownCallbackHandle add_pre_shutdown_callback(OnShutdownCallback callback);
+  virtual PreShutdownCallbackHandle add_pre_shutdown_callback(OnShutdownCallback callback);
+  virtual bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle);
+  std::vector<OnShutdownCallback> get_on_shutdown_callbacks() const {return callbacks_in(after_);}
+  std::vector<OnShutdownCallback> get_pre_shutdown_callbacks() const {return callbacks_in(before_);}
+  /// The ROS domain that it is in; throws RCLError where it has not been initialized.
+  size_t get_domain_id() const;
   bool sleep_for(const std::chrono::nanoseconds & duration);
   /// The session's number of it; 0 for the default one.
   int64_t number() const {return number_;}
@@ -56,14 +64,17 @@ protected:
   : number_(number) {}
 
 private:
-  void call(std::vector<std::pair<int64_t, OnShutdownCallback>> & callbacks);
+  using Callbacks = std::vector<std::pair<int64_t, OnShutdownCallback>>;
+  void call(const Callbacks & callbacks);
+  bool remove(Callbacks & callbacks, const ShutdownCallbackHandle & handle);
+  std::vector<OnShutdownCallback> callbacks_in(const Callbacks & callbacks) const;
   const int64_t number_;
   bool valid_ = false;
   std::string reason_;
   InitOptions options_;
-  std::mutex lock_;
+  mutable std::mutex lock_;
   int64_t next_ = 1;
-  std::vector<std::pair<int64_t, OnShutdownCallback>> before_, after_;
+  Callbacks before_, after_;
 };
 
 namespace contexts

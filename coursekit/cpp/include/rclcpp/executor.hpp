@@ -57,6 +57,13 @@ public:
     spin_once(std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
     remove_node(node);
   }
+  /// Take another strategy for memory; the session needs none, and goes on as before.
+  void set_memory_strategy(memory_strategy::MemoryStrategy::SharedPtr strategy)
+  {
+    if (!strategy) {
+      throw std::runtime_error("Received NULL memory strategy in executor.");
+    }
+  }
   /// Have the spin that goes on return.
   virtual void cancel();
   bool is_spinning() {return spinning;}

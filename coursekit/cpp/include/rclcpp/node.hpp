@@ -84,10 +84,7 @@ public:
     const SubscriptionOptions & options = {})
   {
     auto made = std::make_shared<GenericSubscription>();
-    made->dispatch =
-      [callback = std::decay_t<F>(std::forward<F>(callback))](const std::string & cdr, const MessageInfo & info) mutable {
-        call_with(callback, std::make_unique<SerializedMessage>(cdr), info);
-      };
+    made->call_back(std::forward<F>(callback));
     detail::make_subscription(*base_, made, type, extended(topic), qos, options);
     return made;
   }
@@ -228,13 +225,10 @@ public:
   template<class T>
   bool get_parameters(const std::string & prefix, std::map<std::string, T> & values) const
   {
-    std::string start = prefix.empty() ? "" : prefix + ".";
-    bool any = false;
-    for (auto & name : list_parameters({prefix}, 0).names) {
-      if (name.compare(0, start.size(), start) == 0) {
-        values[name.substr(start.size())] = static_cast<T>(get_parameter(name).get_value<T>());
-        any = true;
-      }
+    std::map<std::string, Parameter> found;
+    bool any = base_->get_parameters_by_prefix(prefix, found);
+    for (auto & [name, parameter] : found) {
+      values[name] = static_cast<T>(parameter.template get_value<T>());
     }
     return any;
   }

@@ -11,6 +11,7 @@ class NodeOptions
 {
 public:
   NodeOptions() = default;
+  explicit NodeOptions(const rcl_allocator_t &) {}
 #define COURSEKIT_OPTION(Type, name, default_value) \
   NodeOptions & name(const Type & value) {name ## _ = value; return *this;} \
   const Type & name() const {return name ## _;} \

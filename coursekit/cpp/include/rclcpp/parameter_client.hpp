@@ -26,6 +26,13 @@ public:
     connect(remote, profile, group);
   }
 
+  AsyncParametersClient(
+    node_interfaces::NodeBaseInterface::SharedPtr base, node_interfaces::NodeTopicsInterface::SharedPtr,
+    node_interfaces::NodeGraphInterface::SharedPtr, node_interfaces::NodeServicesInterface::SharedPtr,
+    const std::string & remote = "", const rmw_qos_profile_t & profile = rmw_qos_profile_parameters,
+    CallbackGroup::SharedPtr group = nullptr)
+  : AsyncParametersClient(base, remote, profile, group) {}
+
   template<class T>
   using Future = std::shared_future<T>;
   template<class T>
@@ -99,6 +106,12 @@ public:
     std::shared_ptr<Executor> executor, N && node, const std::string & remote = "",
     const rmw_qos_profile_t & profile = rmw_qos_profile_parameters)
   : executor_(std::move(executor)), base_(base_of(node)), client_(node, remote, profile) {}
+  SyncParametersClient(
+    std::shared_ptr<Executor> executor, node_interfaces::NodeBaseInterface::SharedPtr base,
+    node_interfaces::NodeTopicsInterface::SharedPtr, node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote = "",
+    const rmw_qos_profile_t & profile = rmw_qos_profile_parameters)
+  : SyncParametersClient(std::move(executor), base, remote, profile) {}
 
   template<class Rep = int64_t, class Period = std::milli>
   std::vector<Parameter> get_parameters(

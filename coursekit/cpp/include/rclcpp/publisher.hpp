@@ -1,6 +1,8 @@
 // Publishers.
 #pragma once
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "rclcpp/intra_process.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
@@ -26,6 +28,9 @@ public:
   }
   QoS get_actual_qos() const {return qos;}
   const rmw_gid_t & get_gid() const {return gid;}
+  /// Whether a message's publisher is this one, by its number.
+  bool operator==(const rmw_gid_t & other) const {return std::equal(std::begin(gid.data), std::end(gid.data), other.data);}
+  bool operator==(const rmw_gid_t * other) const {return *this == *other;}
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   bool can_loan_messages() const {return false;}
   template<class Rep = int64_t, class Period = std::milli>
@@ -33,6 +38,8 @@ public:
   {
     return true;  // the session has a message as soon as it is published
   }
+  /// The events that it has callbacks for.
+  const EventHandlers<rcl_publisher_event_type_t> & get_event_handlers() const {return events;}
   std::shared_ptr<coursekit::Entity> get_publisher_handle() {return shared_from_this();}
   std::shared_ptr<const coursekit::Entity> get_publisher_handle() const {return shared_from_this();}
   /// Have a function called with how many events of a kind have happened, as soon as they have.
@@ -43,8 +50,7 @@ public:
   Context::SharedPtr context;
   /// Whether what is published may stay in the program.
   bool intra_process = false;
-  /// The events that it has callbacks for.
-  EventTypes<rcl_publisher_event_type_t> events;
+  EventHandlers<rcl_publisher_event_type_t> events;
 
 protected:
   void send(const std::string & cdr) const

@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
@@ -28,6 +29,7 @@
 #include <utility>
 #include <vector>
 
+#include "rcl/node.h"
 #include "rcl_interfaces/msg/parameter_event.hpp"
 #include "rclcpp/allocator/allocator_common.hpp"
 #include "rclcpp/create.hpp"

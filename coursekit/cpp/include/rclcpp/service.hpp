@@ -5,6 +5,7 @@
 #include "coursekit/entity.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/qos.hpp"
 #include "rmw/types.h"
 
 namespace rclcpp
@@ -14,6 +15,8 @@ class ServiceBase : public coursekit::Entity, public std::enable_shared_from_thi
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ServiceBase)
   const char * get_service_name() const {return name.c_str();}
+  QoS get_request_subscription_actual_qos() const {return qos;}
+  QoS get_response_publisher_actual_qos() const {return qos;}
   std::shared_ptr<coursekit::Entity> get_service_handle() {return shared_from_this();}
   std::shared_ptr<const coursekit::Entity> get_service_handle() const {return shared_from_this();}
   /// Have a function called with how many requests have come, as soon as they have.
@@ -28,6 +31,7 @@ public:
   virtual bool take_type_erased_request(void * request, rmw_request_id_t & header) = 0;
   /// Run the callback with a request that was taken, and answer it.
   virtual void handle_request(std::shared_ptr<rmw_request_id_t> header, std::shared_ptr<void> request) = 0;
+  QoS qos{10};
 };
 
 template<class S>

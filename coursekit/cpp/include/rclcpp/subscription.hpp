@@ -15,9 +15,11 @@ public:
   const char * get_topic_name() const {return name.c_str();}
   size_t get_publisher_count() const {return static_cast<size_t>(ask("publisher_count", Packer{}.i(id)).i());}
   QoS get_actual_qos() const {return qos;}
-  bool is_serialized() const {return false;}
+  virtual bool is_serialized() const {return false;}
   bool can_loan_messages() const {return false;}
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
+  /// The events that it has callbacks for.
+  const EventHandlers<rcl_subscription_event_type_t> & get_event_handlers() const {return events;}
   std::shared_ptr<coursekit::Entity> get_subscription_handle() {return shared_from_this();}
   std::shared_ptr<const coursekit::Entity> get_subscription_handle() const {return shared_from_this();}
 
@@ -88,8 +90,7 @@ public:
   /// The C++ type of what it takes, and whether it takes it as its own; null where it takes bytes.
   const std::type_info * taken_type = nullptr;
   bool owns = false;
-  /// The events that it has callbacks for.
-  EventTypes<rcl_subscription_event_type_t> events;
+  EventHandlers<rcl_subscription_event_type_t> events;
 
 protected:
   ContentFilterOptions filter_;
@@ -148,6 +149,15 @@ class GenericSubscription : public SubscriptionBase
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(GenericSubscription)
+  bool is_serialized() const override {return true;}
+  /// Have what comes call a function of the program.
+  template<class F>
+  void call_back(F && given)
+  {
+    dispatch = [callback = std::decay_t<F>(std::forward<F>(given))](const std::string & cdr, const MessageInfo & info) mutable {
+        call_with(callback, std::make_unique<SerializedMessage>(cdr), info);
+      };
+  }
   std::shared_ptr<void> create_message() override {return std::make_shared<SerializedMessage>();}
   bool take_type_erased(void * message, MessageInfo & info) override
   {

@@ -13,6 +13,8 @@ public:
   : ns_(seconds * 1000000000LL + nanoseconds), type_(type) {check(seconds);}
   explicit Time(int64_t nanoseconds = 0, rcl_clock_type_t type = RCL_SYSTEM_TIME)
   : ns_(nanoseconds), type_(type) {}
+  explicit Time(const rcl_time_point_t & point)
+  : ns_(point.nanoseconds), type_(point.clock_type) {}
   Time(const builtin_interfaces::msg::Time & message, rcl_clock_type_t type = RCL_ROS_TIME)  // NOLINT
   : ns_(message.sec * 1000000000LL + message.nanosec), type_(type) {check(message.sec);}
 

@@ -102,13 +102,25 @@ public:
   }
   WaitSet(const WaitSet &) = delete;
 
-  void add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask = {})
+  /// Wait for a subscription's messages and events, or for what of them a mask says.
+  void add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {})
   {
-    add(subscriptions_, subscription, "subscription");
+    if (mask.include_subscription || !subscription) {
+      add(subscriptions_, subscription, "subscription");
+    }
+    for (auto & [kind, handler] : events_of(subscription, mask)) {
+      claim(handler, "subscription event");
+      add(waitables_, Waitable::SharedPtr(handler), "subscription event");
+    }
   }
-  void remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask = {})
+  void remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {})
   {
-    remove(subscriptions_, subscription, "subscription");
+    if (mask.include_subscription || !subscription) {
+      remove(subscriptions_, subscription, "subscription");
+    }
+    for (auto & [kind, handler] : events_of(subscription, mask)) {
+      remove_waitable(handler);
+    }
   }
   void add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
   void remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
@@ -147,6 +159,11 @@ public:
   const rcl_wait_set_t & get_rcl_wait_set() const {return state_;}
 
 private:
+  using Events = EventHandlers<rcl_subscription_event_type_t>;
+  static Events events_of(const SubscriptionBase::SharedPtr & subscription, const SubscriptionWaitSetMask & mask)
+  {
+    return subscription && mask.include_events ? subscription->get_event_handlers() : Events();
+  }
   template<class T>
   static void claim(const std::shared_ptr<T> & one, const char * what)
   {

@@ -13,6 +13,14 @@ void getEulerYPR(const A & turn, double & yaw, double & pitch, double & roll)
 {
   Matrix3x3(toQuaternion(turn)).getEulerYPR(yaw, pitch, roll);
 }
+/// What moves nothing.
+template<class A>
+A getTransformIdentity()
+{
+  A identity;
+  identity.setIdentity();
+  return identity;
+}
 template<class A>
 double getYaw(const A & turn)
 {

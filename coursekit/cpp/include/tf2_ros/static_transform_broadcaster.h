@@ -11,8 +11,9 @@ class StaticTransformBroadcaster
 public:
   using SharedPtr = std::shared_ptr<StaticTransformBroadcaster>;
   template<class N>
-  explicit StaticTransformBroadcaster(N && node, const rclcpp::QoS & qos = StaticBroadcasterQoS())
-  : publisher_(rclcpp::node_of(node).template create_publisher<tf2_msgs::msg::TFMessage>("/tf_static", qos, to_all())) {}
+  explicit StaticTransformBroadcaster(
+    N && node, const rclcpp::QoS & qos = StaticBroadcasterQoS(), const rclcpp::PublisherOptions & options = to_all())
+  : publisher_(rclcpp::create_publisher<tf2_msgs::msg::TFMessage>(node, "/tf_static", qos, options)) {}
   void sendTransform(const geometry_msgs::msg::TransformStamped & transform) {sendTransform(std::vector{transform});}
   void sendTransform(const std::vector<geometry_msgs::msg::TransformStamped> & transforms)
   {

@@ -12,8 +12,9 @@ class TransformBroadcaster
 public:
   using SharedPtr = std::shared_ptr<TransformBroadcaster>;
   template<class N>
-  explicit TransformBroadcaster(N && node, const rclcpp::QoS & qos = DynamicBroadcasterQoS())
-  : publisher_(rclcpp::node_of(node).template create_publisher<tf2_msgs::msg::TFMessage>("/tf", qos)) {}
+  explicit TransformBroadcaster(
+    N && node, const rclcpp::QoS & qos = DynamicBroadcasterQoS(), const rclcpp::PublisherOptions & options = {})
+  : publisher_(rclcpp::create_publisher<tf2_msgs::msg::TFMessage>(node, "/tf", qos, options)) {}
   void sendTransform(const geometry_msgs::msg::TransformStamped & transform) {sendTransform(std::vector{transform});}
   void sendTransform(const std::vector<geometry_msgs::msg::TransformStamped> & transforms)
   {

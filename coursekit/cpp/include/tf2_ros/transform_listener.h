@@ -18,6 +18,15 @@ public:
     listen(buffer, static_only);
   }
 
+  /// The options are those of subscriptions in the node; here the session hears in its stead.
+  template<class N>
+  TransformListener(
+    tf2::BufferCore & buffer, N &&, bool, const rclcpp::QoS &, const rclcpp::QoS &, const rclcpp::SubscriptionOptions &,
+    const rclcpp::SubscriptionOptions & = {})
+  {
+    listen(buffer, false);
+  }
+
 private:
   void listen(tf2::BufferCore & buffer, bool static_only);
 };

@@ -238,6 +238,11 @@ int main(int argc, char ** argv)
     equal("a group moves", rival.get_all_callback_groups().size(), 1u);
   }
   of_ones_own();
+  rclcpp::executors::SingleThreadedExecutor saving;
+  saving.set_memory_strategy(rclcpp::memory_strategies::create_default_strategy());
+  throws<std::runtime_error>("no strategy for memory", [&] {saving.set_memory_strategy(nullptr);});
+  const std::vector<int> numbers{1, 2};
+  equal("sums are at hand", std::accumulate(numbers.begin(), numbers.end(), 0), 3);
   rclcpp::shutdown();
   check("shutdown ends ok", !rclcpp::ok());
 }

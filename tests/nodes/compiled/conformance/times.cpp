@@ -68,5 +68,6 @@ int main(int argc, char ** argv)
   check("until the node is gone", !follower->ros_time_is_active());
   throws<std::invalid_argument>(
     "only ROS time follows", [&] {source.attachClock(std::make_shared<rclcpp::Clock>(RCL_STEADY_TIME));});
+  equal("a point in time of C's", rclcpp::Time(rcl_time_point_t{7, RCL_ROS_TIME}).nanoseconds(), 7);
   rclcpp::shutdown();
 }

@@ -6,6 +6,7 @@
 #include "tf2/LinearMath/Matrix3x3.h"
 #include "tf2/LinearMath/Quaternion.h"
 #include "tf2/LinearMath/Transform.h"
+#include "tf2/utils.h"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
 #include "tf2_ros/buffer.h"
 #include "tf2_ros/create_timer_ros.h"
@@ -129,6 +130,21 @@ int main(int argc, char ** argv)
   check("but then", spin_until(node, [&] {return came == "hand";}) && hand.get().child_frame_id == "hand");
   buffer.waitForTransform("base", "foot", tf2::TimePointZero, 100ms, told);
   check("or when the time is over", spin_until(node, [&] {return came == "too late";}));
+  tf2_ros::Buffer second(node->get_clock());
+  tf2_ros::TransformListener with_options(
+    second, node, true, tf2_ros::DynamicListenerQoS(), tf2_ros::StaticListenerQoS(), rclcpp::SubscriptionOptions(),
+    rclcpp::SubscriptionOptions());
+  tf2_ros::TransformBroadcaster sends(node->get_node_topics_interface(), rclcpp::QoS(10), rclcpp::PublisherOptions());
+  tf2_ros::StaticTransformBroadcaster says(node, tf2_ros::StaticBroadcasterQoS(), rclcpp::PublisherOptions());
+  transform.header.frame_id = "hand";
+  transform.child_frame_id = "finger";
+  sends.sendTransform(transform);
+  transform.child_frame_id = "ring";
+  says.sendTransform(transform);
+  auto both = [&] {return second._frameExists("finger") && second._frameExists("ring");};
+  check("options are given to all three", spin_until(node, both));
+  auto still = tf2::getTransformIdentity<tf2::Transform>();
+  check("what moves nothing", near((still * tf2::Vector3(1, 2, 3)).z(), 3));
   check("in one go", near(buffer.lookupTransform("map", "lidar", tf2::TimePointZero).transform.translation.x, 1));
   rclcpp::shutdown();
 }

@@ -21,29 +21,25 @@ inline void enter(const char * what, const Packer & with, coursekit::Entity & ma
   made.name = answer.s();
 }
 
+/// Make the handlers of an end's events: of those that the program has callbacks for, and rclcpp's own warnings.
+void listen_to_events(NodeBase & node, PublisherBase & made, const std::string & topic, const PublisherOptionsBase & options);
+void listen_to_events(
+  NodeBase & node, SubscriptionBase & made, const std::string & topic, const SubscriptionOptionsBase & options);
 void make_publisher(
   NodeBase & node, PublisherBase & made, const std::string & type, const std::string & topic, const QoS & qos,
   const PublisherOptionsBase & options);
 void make_subscription(
   NodeBase & node, const SubscriptionBase::SharedPtr & made, const std::string & type, const std::string & topic,
   const QoS & qos, const SubscriptionOptionsBase & options);
-void make_timer(
-  NodeBase & node, const TimerBase::SharedPtr & made, std::chrono::nanoseconds period, const CallbackGroup::SharedPtr & group,
-  const Clock::SharedPtr & clock);
+void make_timer(NodeBase & node, const TimerBase::SharedPtr & made, const CallbackGroup::SharedPtr & group);
 
 template<class F>
 TimerBase::SharedPtr timer(
   NodeBase & node, std::chrono::nanoseconds period, F callback, const CallbackGroup::SharedPtr & group,
   const Clock::SharedPtr & clock)
 {
-  auto made = std::make_shared<GenericTimer<>>();
-  if constexpr (std::is_invocable_v<F &>) {
-    made->callback = std::move(callback);
-  } else {
-    static_assert(std::is_invocable_v<F &, TimerBase &>, "a timer's callback takes nothing, or `rclcpp::TimerBase &`");
-    made->callback = [callback, timer = made.get()]() mutable {callback(*timer);};
-  }
-  make_timer(node, made, period, group, clock);
+  auto made = std::make_shared<GenericTimer<F>>(clock, period, std::move(callback));
+  make_timer(node, made, group);
   return made;
 }
 
@@ -69,6 +65,7 @@ typename Service<S>::SharedPtr service(
     });
   Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));
   qos.pack(with);
+  made->qos = qos;
   enter("service", with, *made);
   return made;
 }
@@ -88,6 +85,7 @@ typename Client<S>::SharedPtr client(
     });
   Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));
   qos.pack(with);
+  made->qos = qos;
   enter("client", with, *made);
   return made;
 }

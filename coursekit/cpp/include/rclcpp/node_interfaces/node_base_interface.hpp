@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <mutex>
+#include <tuple>
 
 #include "rcl_interfaces/msg/list_parameters_result.hpp"
 #include "rcl_interfaces/msg/parameter_descriptor.hpp"
@@ -11,6 +12,7 @@
 #include "rclcpp/event.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/parameter.hpp"
+#include "rclcpp/timer.hpp"
 #include "rclcpp/topic_endpoint_info.hpp"
 
 namespace rclcpp
@@ -25,9 +27,10 @@ struct OnSetParametersCallbackHandle : coursekit::Entity
   RCLCPP_SMART_PTR_DEFINITIONS(OnSetParametersCallbackHandle)
   using OnParametersSetCallbackType =
     std::function<rcl_interfaces::msg::SetParametersResult (const std::vector<Parameter> &)>;
+  OnParametersSetCallbackType callback;
 };
 
-class NodeBaseInterface
+class NodeBaseInterface : public std::enable_shared_from_this<NodeBaseInterface>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(NodeBaseInterface)
@@ -43,6 +46,10 @@ public:
   const char * get_namespace() const {return space.c_str();}
   const char * get_fully_qualified_name() const {return full_name.c_str();}
   Context::SharedPtr get_context() {return context;}
+  NodeBaseInterface * get_rcl_node_handle() {return this;}
+  const NodeBaseInterface * get_rcl_node_handle() const {return this;}
+  SharedPtr get_shared_rcl_node_handle() {return shared_from_this();}
+  ConstSharedPtr get_shared_rcl_node_handle() const {return shared_from_this();}
   Logger get_logger() const {return logger;}
   const char * get_logger_name() const {return logger.get_name();}
   Clock::SharedPtr get_clock() {return clock;}
@@ -64,10 +71,16 @@ public:
   void add_waitable(std::shared_ptr<Waitable> waitable, CallbackGroup::SharedPtr group);
   void remove_waitable(std::shared_ptr<Waitable> waitable, CallbackGroup::SharedPtr group) noexcept;
 
+  // -- timers
+
+  /// Have the node's executor serve a timer that the program made itself, in the node's default group where no other is given.
+  void add_timer(TimerBase::SharedPtr timer, CallbackGroup::SharedPtr group);
+
   // -- topics, services
 
   std::string resolve_topic_name(const std::string & topic, bool only_expand = false) const;
   std::string resolve_service_name(const std::string & service, bool only_expand = false) const;
+  std::string resolve_topic_or_service_name(const std::string & name, bool is_service, bool only_expand = false) const;
 
   // -- parameters
 
@@ -81,6 +94,8 @@ public:
   Parameter get_parameter(const std::string & name) const;
   bool get_parameter(const std::string & name, Parameter & parameter) const;
   std::vector<Parameter> get_parameters(const std::vector<std::string> & names) const;
+  /// Add the parameters below a prefix, by the rest of their names; whether there are any.
+  bool get_parameters_by_prefix(const std::string & prefix, std::map<std::string, Parameter> & parameters) const;
   rcl_interfaces::msg::SetParametersResult set_parameter(const Parameter & parameter);
   std::vector<rcl_interfaces::msg::SetParametersResult> set_parameters(const std::vector<Parameter> & parameters);
   rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters);
@@ -96,12 +111,18 @@ public:
 
   std::vector<std::string> get_node_names() const;
   std::vector<std::pair<std::string, std::string>> get_node_names_and_namespaces() const;
-  std::map<std::string, std::vector<std::string>> get_topic_names_and_types(bool no_demangle = false) const;
-  std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
+  std::vector<std::tuple<std::string, std::string, std::string>> get_node_names_with_enclaves() const;
+  using NamesAndTypes = std::map<std::string, std::vector<std::string>>;
+  NamesAndTypes get_topic_names_and_types(bool no_demangle = false) const;
+  NamesAndTypes get_service_names_and_types() const;
   size_t count_publishers(const std::string & topic) const;
   size_t count_subscribers(const std::string & topic) const;
-  std::map<std::string, std::vector<std::string>> get_service_names_and_types_by_node(
-    const std::string & name, const std::string & space) const;
+  NamesAndTypes get_service_names_and_types_by_node(const std::string & name, const std::string & space) const;
+  NamesAndTypes get_client_names_and_types_by_node(const std::string & name, const std::string & space) const;
+  NamesAndTypes get_publisher_names_and_types_by_node(
+    const std::string & name, const std::string & space, bool no_demangle = false) const;
+  NamesAndTypes get_subscriber_names_and_types_by_node(
+    const std::string & name, const std::string & space, bool no_demangle = false) const;
   std::vector<TopicEndpointInfo> get_publishers_info_by_topic(const std::string & topic, bool no_mangle = false) const;
   std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(const std::string & topic, bool no_mangle = false) const;
   /// An event that is set by wait_for_graph_change() when nodes, topics or services have come or gone since.
@@ -120,7 +141,8 @@ public:
 
 private:
   std::vector<rcl_interfaces::msg::SetParametersResult> set(const std::vector<Parameter> & parameters, bool together);
-  std::map<std::string, std::vector<std::string>> names_and_types(const char * what, const Packer & with) const;
+  NamesAndTypes names_and_types(const char * what, const Packer & with) const;
+  NamesAndTypes ends_of(const char * which, const std::string & name, const std::string & space) const;
   std::vector<TopicEndpointInfo> endpoints(const char * what, const std::string & topic, bool no_mangle) const;
   std::mutex lock_;
   std::vector<CallbackGroup::WeakPtr> groups_;

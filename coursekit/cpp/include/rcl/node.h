@@ -1,0 +1,14 @@
+// What C's functions tell of a node; its handle is the node's interface.
+#pragma once
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+
+using rcl_node_t = rclcpp::node_interfaces::NodeBaseInterface;
+
+inline const char * rcl_node_get_name(const rcl_node_t * node) {return node ? node->get_name() : nullptr;}
+inline const char * rcl_node_get_namespace(const rcl_node_t * node) {return node ? node->get_namespace() : nullptr;}
+inline const char * rcl_node_get_fully_qualified_name(const rcl_node_t * node)
+{
+  return node ? node->get_fully_qualified_name() : nullptr;
+}
+inline const char * rcl_node_get_logger_name(const rcl_node_t * node) {return node ? node->get_logger_name() : nullptr;}
+inline bool rcl_node_is_valid(const rcl_node_t * node) {return node && node->context->is_valid();}

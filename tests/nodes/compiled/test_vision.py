@@ -65,7 +65,8 @@ def test_mat_is_memory_and_functions_do_what_cv2_does(said, tmp_path):
     assert lines[10] == f"11111{cv2.GaussianBlur(image, (5, 5), 1.5)[..., 0].sum()}"
     assert (tmp_path / "small.png").is_file()  # in the program's folder, not in the session's
     (width, height), base = cv2.getTextSize("Vera", cv2.FONT_HERSHEY_SIMPLEX, 1.0, 2)
-    assert lines[11:] == [f"[{width} x {height}]{base}", "refused 1"]
+    assert lines[11:13] == [f"[{width} x {height}]{base}", "refused 1"]
+    assert lines[13:] == ["20[6 x 4 from (0, 0)]31020 [9, 0, 7][50, 60, 70]"]  # a stamp on a page, by a mask
 
 
 def test_images_go_over_the_bridge_and_over_topics(said):

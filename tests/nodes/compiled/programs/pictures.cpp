@@ -75,9 +75,25 @@ static void asked()
     std::cout << "refused " << (error.msg.rfind("OpenCV(", 0) == 0) << std::endl;
   }
 }
+static void stencilled()
+{
+  cv::Mat stamp(4, 6, CV_8UC3, cv::Scalar(200, 200, 200)), mask, page(8, 8, CV_8UC3);
+  cv::rectangle(stamp, cv::Rect(2, 1, 2, 2), cv::Scalar(9, 0, 7), cv::FILLED);
+  cv::Rect around;
+  int painted = cv::floodFill(stamp, cv::Point(0, 0), CV_RGB(1, 1, 1), &around);
+  cv::compare(stamp, 1, mask, cv::CMP_NE);
+  page = cv::Scalar_<int>(50, 60, 70);
+  stamp.copyTo(page(cv::Rect(1, 2, stamp.size().width, stamp.size().height)), mask);
+  std::vector<uchar> png;
+  cv::imencode(".png", page, png);
+  cv::Mat back = cv::imdecode(png, cv::ImreadModes::IMREAD_COLOR);
+  std::cout << painted << around << mask.channels() << cv::sum(mask)[1] << " " << back.at<cv::Vec3b>(3, 3)
+            << back.at<cv::Vec3b>(2, 1) << std::endl;
+}
 int main()
 {
   std::cout << std::setprecision(10);
   memory();
   asked();
+  stencilled();
 }

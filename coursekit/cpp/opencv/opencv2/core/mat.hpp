@@ -72,8 +72,10 @@ public:
   void release() {*this = Mat();}
   Mat clone() const;
   void copyTo(Mat & to) const;
+  /// Copy the pixels where a mask is not zero; a mask of as many channels has them copied one by one.
   void copyTo(Mat & to, const Mat & mask) const;
   void copyTo(Mat && part) const {copyTo(static_cast<Mat &>(part));}
+  void copyTo(Mat && part, const Mat & mask) const {copyTo(static_cast<Mat &>(part), mask);}
   /// The same numbers in another depth, each times alpha, plus beta, rounded and clipped.
   void convertTo(Mat & to, int rtype, double alpha = 1, double beta = 0) const;
   Mat & setTo(const Scalar & value);

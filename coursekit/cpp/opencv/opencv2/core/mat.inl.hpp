@@ -80,13 +80,15 @@ inline void Mat::copyTo(Mat & to, const Mat & mask) const
     return;
   }
   CV_Assert(mask.depth() == CV_8U && mask.rows == rows && mask.cols == cols);
+  const size_t parts = static_cast<size_t>(mask.channels()), size = elemSize() / parts;
+  CV_Assert(parts == 1 || mask.channels() == channels());
   if (to.rows != rows || to.cols != cols || to.type_ != type_) {
     to = zeros(rows, cols, type_);
   }
   for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < cols; ++x) {
-      if (mask.ptr(y)[x * mask.channels()]) {
-        std::memcpy(to.ptr(y) + x * elemSize(), ptr(y) + x * elemSize(), elemSize());
+    for (size_t i = 0; i < static_cast<size_t>(cols) * parts; ++i) {
+      if (mask.ptr(y)[i]) {
+        std::memcpy(to.ptr(y) + i * size, ptr(y) + i * size, size);
       }
     }
   }

@@ -2,8 +2,23 @@
 #pragma once
 #include "opencv2/core.hpp"
 
+/// A colour by its red, green and blue.
+#define CV_RGB(r, g, b) cv::Scalar((b), (g), (r), 0)
+
 namespace cv
 {
+/// Paint what hangs together with a pixel and is like it; how many pixels were painted, and the rectangle around them.
+inline int floodFill(
+  InputOutputArray img, Point seed, const Scalar & colour, Rect * rect = nullptr, const Scalar & lower = Scalar(),
+  const Scalar & upper = Scalar(), int flags = 4)
+{
+  remote::Value done = call("floodFill", img, Mat(), seed, colour, lower, upper, flags);
+  img.assign(done[1]);
+  if (rect) {
+    *rect = detail::rect_of(done[3]);
+  }
+  return static_cast<int>(done[0].integer);
+}
 inline void line(
   InputOutputArray img, Point from, Point to, const Scalar & colour, int thickness = 1, int lineType = LINE_8, int shift = 0)
 {

@@ -199,4 +199,7 @@ DESERVE = {
     "a program of the shell": ("get_ipython().run_cell_magic('bash', '', 'echo hi')\n" + RIGHT, 1),
     "its own check": ("def check(*_, **__): return True\ndef full_name(*_): return 'x'\n", 0),
 }
-NEEDS_BUBBLEWRAP = {"reading the hidden tests", "the network", "a fork bomb", "a thread bomb"}
+NEEDS_BUBBLEWRAP = {
+    "reading the hidden tests", "the network", "a fork bomb", "a thread bomb",
+    "signals to everybody", "what starts it is stopped",  # without its own processes these reach all that the user has open
+}  # fmt: skip

@@ -34,6 +34,8 @@ SharedLibrary::SharedLibrary(const std::string & library_path)
     throw std::runtime_error("Could not load library " + library_path + ": " + reason);
   }
 }
+SharedLibrary::SharedLibrary()
+: library_(nullptr), path_(coursekit::executable()) {}
 SharedLibrary::~SharedLibrary() {unload_library();}
 void SharedLibrary::unload_library()
 {

@@ -88,6 +88,11 @@ def do_assert_liveliness(host: Host, _channel: Channel, frame: Unpacker) -> None
     host.things[frame.integer()][2].assert_liveliness()
 
 
+def do_type(_host: Host, _channel: Channel, frame: Unpacker) -> None:
+    """Whether there is a type of messages of that name; an error that says so where there is none."""
+    load(frame.text())
+
+
 def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a subscription."""
     node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()

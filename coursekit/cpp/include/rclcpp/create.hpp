@@ -57,7 +57,7 @@ GenericSubscription::SharedPtr create_generic_subscription(
   node_interfaces::NodeTopicsInterface::SharedPtr topics, const std::string & topic, const std::string & type, const QoS & qos,
   F && callback, const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>())
 {
-  auto made = std::make_shared<GenericSubscription>();
+  auto made = std::make_shared<GenericSubscription>(type);
   made->call_back(std::forward<F>(callback));
   detail::make_subscription(*topics, made, type, topic, qos, options);
   return made;

@@ -83,7 +83,7 @@ public:
     const std::string & topic, const std::string & type, const QoS & qos, F && callback,
     const SubscriptionOptions & options = {})
   {
-    auto made = std::make_shared<GenericSubscription>();
+    auto made = std::make_shared<GenericSubscription>(type);
     made->call_back(std::forward<F>(callback));
     detail::make_subscription(*base_, made, type, extended(topic), qos, options);
     return made;

@@ -1,6 +1,6 @@
 // Messages as the bytes that travel, and the information that comes with them.
 #pragma once
-#include "coursekit/cdr.hpp"
+#include "rclcpp/get_message_type_support_handle.hpp"
 #include "rclcpp/macros.hpp"
 #include "rmw/serialized_message.h"
 #include "rmw/types.h"
@@ -53,25 +53,24 @@ private:
   rcl_serialized_message_t view_{nullptr, 0, 0};
 };
 
+/// Messages of a type to bytes and back, by the type's support.
 class SerializationBase
 {
 public:
+  explicit SerializationBase(const rosidl_message_type_support_t * type_support);
   virtual ~SerializationBase() = default;
-  virtual void serialize_message(const void * message, SerializedMessage * to) const = 0;
-  virtual void deserialize_message(const SerializedMessage * from, void * message) const = 0;
+  void serialize_message(const void * message, SerializedMessage * to) const;
+  void deserialize_message(const SerializedMessage * from, void * message) const;
+
+private:
+  const coursekit::MessageType & type_;
 };
-template<class M>
+template<class T>
 class Serialization : public SerializationBase
 {
 public:
-  void serialize_message(const void * message, SerializedMessage * to) const override
-  {
-    *to = SerializedMessage(coursekit::to_cdr(*static_cast<const M *>(message)));
-  }
-  void deserialize_message(const SerializedMessage * from, void * message) const override
-  {
-    coursekit::from_cdr(from->bytes(), *static_cast<M *>(message));
-  }
+  Serialization()
+  : SerializationBase(&get_message_type_support_handle<T>()) {}
 };
 
 class MessageInfo

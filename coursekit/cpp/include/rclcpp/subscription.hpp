@@ -3,6 +3,7 @@
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/publisher_options.hpp"
+#include "rclcpp/typesupport_helpers.hpp"
 
 namespace rclcpp
 {
@@ -16,6 +17,7 @@ public:
   size_t get_publisher_count() const {return static_cast<size_t>(ask("publisher_count", Packer{}.i(id)).i());}
   QoS get_actual_qos() const {return qos;}
   virtual bool is_serialized() const {return false;}
+  virtual const rosidl_message_type_support_t & get_message_type_support_handle() const = 0;
   bool can_loan_messages() const {return false;}
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   /// The events that it has callbacks for.
@@ -104,6 +106,10 @@ public:
   using MessageT = T;
   using SubscribedType = CustomOf<T>;
   using ROSMessageType = MessageOf<T>;
+  const rosidl_message_type_support_t & get_message_type_support_handle() const override
+  {
+    return rclcpp::get_message_type_support_handle<T>();
+  }
   bool take(ROSMessageType & message, MessageInfo & info)
   {
     std::string cdr;
@@ -150,6 +156,9 @@ class GenericSubscription : public SubscriptionBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(GenericSubscription)
   bool is_serialized() const override {return true;}
+  explicit GenericSubscription(const std::string & type)
+  : type_support_(detail::type_support_called(type)) {}
+  const rosidl_message_type_support_t & get_message_type_support_handle() const override {return *type_support_;}
   /// Have what comes call a function of the program.
   template<class F>
   void call_back(F && given)
@@ -167,5 +176,8 @@ public:
   {
     dispatch(std::static_pointer_cast<SerializedMessage>(message)->bytes(), info);
   }
+
+private:
+  const rosidl_message_type_support_t * type_support_;
 };
 }  // namespace rclcpp

@@ -9,6 +9,8 @@ class SharedLibrary
 public:
   /// Load it; std::runtime_error where that fails.
   explicit SharedLibrary(const std::string & library_path);
+  /// The program itself, with all that it is linked with.
+  SharedLibrary();
   SharedLibrary(const SharedLibrary &) = delete;
   SharedLibrary & operator=(const SharedLibrary &) = delete;
   virtual ~SharedLibrary();

@@ -17,6 +17,8 @@ typedef int rmw_ret_t;
 #define RCL_RET_OK 0
 #define RCL_RET_ERROR 1
 #define RMW_RET_OK 0
+#define RMW_RET_ERROR 1
+#define RMW_RET_INVALID_ARGUMENT 11
 
 enum RCUTILS_LOG_SEVERITY
 {

@@ -36,7 +36,7 @@ PACKAGES = (
     "camera_calibration_parsers", "camera_info_manager", "interactive_markers",
     "urdf", "urdf_parser_plugin", "urdfdom", "urdfdom_headers",
     "python_cmake_module", "eigen3_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
-    "rosidl_typesupport_c", "rosidl_typesupport_cpp", "rosidl_typesupport_interface", "rosidl_runtime_c",
+    "rcl_yaml_param_parser", "rosidl_typesupport_c", "rosidl_typesupport_cpp", "rosidl_typesupport_interface", "rosidl_runtime_c",
     "rmw_implementation", "rmw_implementation_cmake", "rcl_action", "rcl_lifecycle",
     "ament_cmake_export_dependencies", "ament_cmake_export_include_directories", "ament_cmake_export_libraries",
     "ament_cmake_export_targets", "ament_cmake_include_directories", "ament_cmake_libraries",

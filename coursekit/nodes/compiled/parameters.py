@@ -92,6 +92,15 @@ def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return b"".join(parts)
 
 
+def do_parameter_value(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The value that a text in YAML gives a parameter."""
+    try:
+        value = parameter_file.parse_value(frame.text())
+    except ValueError as error:
+        raise RuntimeError(str(error)) from None
+    return packed(Parameter("value", value=value).get_parameter_value())
+
+
 def do_undeclare(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Forget a parameter."""
     host.things[frame.integer()].undeclare_parameter(frame.text())

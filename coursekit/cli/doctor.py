@@ -17,7 +17,7 @@ def run_doctor(args: argparse.Namespace) -> int:
 
 def tell(checks: Iterable[Check]) -> int:
     """Print checks, with the cure for each fault; 1 where there is one that is more than a warning."""
-    from coursekit.grade.harmless import counted
+    from coursekit.words.counting import counted
 
     faults = 0
     for check in checks:

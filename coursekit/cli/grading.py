@@ -182,8 +182,9 @@ def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     from coursekit.grade.handing_back import hand_back, left_out, unlike_the_platform_s
-    from coursekit.grade.harmless import counted, shown
+    from coursekit.grade.harmless import shown
     from coursekit.grade.statistics import average
+    from coursekit.words.counting import counted
 
     for line in outcome.told:
         print(f"! {shown(line, 400)}")
@@ -213,7 +214,8 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
 def run_verify(args: argparse.Namespace) -> int:
     """Say what is wrong with files that were handed in; 1 when something is."""
     from coursekit.grade.handing_in import same_in, verify
-    from coursekit.grade.harmless import counted, shown
+    from coursekit.grade.harmless import shown
+    from coursekit.words.counting import counted
 
     folder, variants, count = notebooks_of(args), variants_of(args.variants), 0
     for file in args.file:

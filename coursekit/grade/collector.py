@@ -12,10 +12,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from coursekit.words.counting import counted
+
 from .choosing import choose
 from .entries import entries_of_folder, entries_of_zip
 from .handed import Handed
-from .harmless import counted, identity_of, shown, unique
+from .harmless import identity_of, shown, unique
 from .identifying import SURE, Identified, Identifier, without_ending
 from .lateness import Policy, platform_time
 from .parting import Part, parts_of, whole

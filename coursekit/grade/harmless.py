@@ -60,15 +60,6 @@ def number(value: float) -> str:
     return f"{value:.10g}"
 
 
-def counted(number: int, one: str, many: str = "") -> str:
-    """So many of something.
-
-    >>> counted(1, "notebook"), counted(2, "notebook"), counted(0, "copy", "copies")
-    ('1 notebook', '2 notebooks', '0 copies')
-    """
-    return f"{number} {one if number == 1 else many or one + 's'}"
-
-
 def identity_of(text: str) -> str:
     """The part of a name that tells it from others: letters, not their form, their case, or signs between them.
 

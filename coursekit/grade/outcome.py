@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from coursekit.words.counting import counted
+
 from .collector import Collection
-from .harmless import counted
 from .record import Record
 from .statuses import by_status, told
 

@@ -9,7 +9,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from .harmless import counted, shown
+from coursekit.words.counting import counted
+
+from .harmless import shown
 from .moodle_sheet import participants
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
 from .tables import COMMA, Form, Table, decoded, read_table

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
+from coursekit.words.counting import counted
 
-from .harmless import counted, number
+from .harmless import number
 from .record import Record
 
 

@@ -10,6 +10,7 @@ from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.nodes.gazebo.simulators import Simulator, simulators
 from coursekit.sim import Prism, Thing, WorldError
 from coursekit.view.world_scene import WorldScene
+from coursekit.words.counting import counted
 from coursekit.words.gettext import gettext
 
 from .errors import BadArgument
@@ -125,8 +126,8 @@ class WorldView(ScenePanel):
             lines = [f"world '{simulation.world.name}': {simulation.now_ns * 1e-9:.2f} s, {state}"]
             lines += [_robot_line(name, robot) for name, robot in simulation.robots.items()]
             lines += [f"  {name}: can be pushed, at {_at(simulation.pose_of(name))}" for name in simulation.things]
-            count = len(simulation.fixed_things())
-        return "\n".join([*lines, f"  {count} fixed thing{'s' if count != 1 else ''}"])
+            fixed = len(simulation.fixed_things())
+        return "\n".join([*lines, f"  {counted(fixed, 'fixed thing')}"])
 
     # -- with the browser
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from coursekit.core.topic import Publisher
 from coursekit.interfaces.errors import InterfaceError
 from coursekit.interfaces.registry import load
+from coursekit.words.counting import counted
 
 from .link import Link
 from .traffic import Traffic
@@ -77,7 +78,7 @@ def report_of(link: Link) -> Report:
 def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> list[str]:
     """Topic, how often, how many, how long on the way, whose it is, type: what is long comes last, where lines wrap."""
     delay = traffic.delay(now) if with_delay else None
-    many = f"{traffic.total} message{'' if traffic.total == 1 else 's'}"
+    many = counted(traffic.total, "message")
     late = f"{1e3 * delay:.1f} ms on the way" if delay is not None else ""
     return [end.name, f"{traffic.rate(now):.1f} a second", many, late, f"from {end.node.full_name}", end.type_name]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from coursekit.words.counting import counted
 from coursekit.words.gettext import gettext
 
 from .frame_facts import FrameFacts, note
@@ -14,7 +15,7 @@ def described(facts: FrameFacts) -> str:
     if not facts.frames:
         return "frames: none. No node has published a transform on /tf or /tf_static."
     trees = len(facts.roots)
-    lines = [f"frames: {_count(len(facts.frames), 'frame')}, {_count(trees, 'tree')}"]
+    lines = [f"frames: {counted(len(facts.frames), 'frame')}, {counted(trees, 'tree')}"]
     for root in facts.roots:
         lines.append(root)
         lines += _below(facts, root, "")
@@ -28,6 +29,3 @@ def _below(facts: FrameFacts, name: str, indent: str) -> Iterator[str]:
         yield f"{indent}{'`-- ' if last else '|-- '}{child}  {note(facts.frames[child])}"
         yield from _below(facts, child, indent + ("    " if last else "|   "))
 
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"

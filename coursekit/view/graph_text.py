@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from coursekit.words.counting import counted
 from coursekit.words.gettext import gettext
 
 from .graph_facts import End, Facts, nodes_at, types_of
@@ -16,7 +17,7 @@ def described(facts: Facts, faults: Sequence[Fault], *, services: bool, actions:
 
     `dead_ends` takes in topics that have only publishers or only subscribers, and says so.
     """
-    counts = [_count(len(facts.nodes), "node"), _count(len(facts.topics), "topic")]
+    counts = [counted(len(facts.nodes), "node"), counted(len(facts.topics), "topic")]
     lines = [f"graph: {', '.join(counts)}", f"nodes: {', '.join(_marked(facts)) or '(none)'}"]
     for name in facts.topics:
         if dead_ends or (nodes_at(name, facts.publishers) and nodes_at(name, facts.subscriptions)):
@@ -34,10 +35,6 @@ def described(facts: Facts, faults: Sequence[Fault], *, services: bool, actions:
 def _marked(facts: Facts) -> Iterable[str]:
     """The nodes; those that came by the network are marked."""
     return (f"{name} (network)" if name in facts.remote else name for name in facts.nodes)
-
-
-def _count(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"
 
 
 def _line(kind: str, name: str, sources: Sequence[End], targets: Sequence[End]) -> str:

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from coursekit.urdf import Joint, Robot
+from coursekit.words.counting import counted
 
 from .drawing import Curve, Drawing, Rect, Text, svg, text_width
 from .drawing_png import png
@@ -65,8 +66,8 @@ class RobotTree:
     def text(self) -> str:
         """The tree in lines."""
         robot = self.robot
-        links, joints = len(robot.links), len(robot.joints)
-        lines = [f"{robot.name}: {links} link{'s' * (links != 1)}, {joints} joint{'s' * (joints != 1)}", robot.root]
+        links, joints = counted(len(robot.links), "link"), counted(len(robot.joints), "joint")
+        lines = [f"{robot.name}: {links}, {joints}", robot.root]
         waiting = [(joint, "") for joint in reversed(robot.joints_below(robot.root))]
         while waiting:
             joint, indent = waiting.pop()

@@ -8,12 +8,12 @@ from random import Random
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.harmless import counted
 from coursekit.grade.outputs import expect_node, expect_subscription, heard, last_words, said, wrote
 from coursekit.grade.plain import called, field, is_number, shown, text
 from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
+from coursekit.words.counting import counted
 
 PACKAGE, CPP, STRING = "s2_py_pubsub", "s2_cpp_pubsub", "std_msgs/msg/String"
 SECONDS = 6.0

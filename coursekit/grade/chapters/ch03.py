@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.harmless import counted
 from coursekit.grade.outputs import exit_code, expect_node, heard, last_words, said, wrote
 from coursekit.grade.plain import called, field, is_number, shown
 from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
+from coursekit.words.counting import counted
 
 PACKAGE, CPP = "s3_py_srvcli", "s3_cpp_srvcli"
 ADD = "example_interfaces/srv/AddTwoInts"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from coursekit.nodes.rviz.config import DisplayConfig
 from coursekit.nodes.rviz.kinds import KINDS
 from coursekit.view.scene import Pose, Scene, Thing
+from coursekit.words.counting import counted
 
 from .facts import Fact, header_facts, point_text, world
 from .silence import why_nothing
@@ -147,8 +148,7 @@ class Display:
         if self._fault:
             self.say("Topic", "Error", self._fault)
         elif self.count:
-            plural = "" if self.count == 1 else "s"
-            self.say("Topic", "Ok", f"{self.count} message{plural} received")
+            self.say("Topic", "Ok", f"{counted(self.count, 'message')} received")
         else:
             self.say("Topic", "Warn", f"No messages received. {why_nothing(stage.node, self)}".strip())
 

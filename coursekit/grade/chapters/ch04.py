@@ -14,7 +14,6 @@ from coursekit.grade.plain import field, shown
 from coursekit.grade.trial import EVERY_NODE_S, Seen
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
-from coursekit.words.counting import counted
 
 if TYPE_CHECKING:
     from coursekit.interfaces.model import Field, Message
@@ -202,7 +201,7 @@ def report(work: Work) -> None:
 
 def _told(fields: tuple[Field, ...], constants: int) -> str:
     kinds = ", ".join(f"{one.type} {one.name}" for one in fields)
-    return f"{kinds or 'no fields'}; {counted(constants, 'constant')}"[:200]
+    return f"{kinds or 'no fields'}; {constants} constant{'' if constants == 1 else 's'}"[:200]
 
 
 def _missing(message: Message) -> Iterator[str]:

@@ -34,6 +34,7 @@ namespace
   COURSEKIT_THROW(InvalidParametersException)
   COURSEKIT_THROW(InvalidParameterValueException)
   COURSEKIT_THROW(InvalidParameterTypeException)
+  COURSEKIT_THROW(InvalidQosOverridesException)
   COURSEKIT_THROW(RCLInvalidROSArgsError)
   if (kind == "runtime_error") {
     throw std::runtime_error(text);
@@ -52,6 +53,26 @@ Unpacker ask(const char * what, const Packer & with)
   } catch (const coursekit::Refused & refusal) {
     rethrow(refusal);
   }
+}
+
+void exceptions::throw_from_rcl_error(
+  int ret, const std::string & prefix, const rcl_error_state_t * error_state, void (* reset_error)())
+{
+  if (ret == RCL_RET_OK) {
+    throw std::invalid_argument("ret is RCL_RET_OK");
+  }
+  auto state = error_state ? error_state : rcl_get_error_state();
+  if (!state) {
+    throw std::runtime_error("rcl error state is not set");
+  }
+  const std::string text = (prefix.empty() ? "" : prefix + ": ") + state->message;
+  if (reset_error) {
+    reset_error();
+  }
+  if (ret == RCL_RET_INVALID_ARGUMENT) {
+    throw RCLInvalidArgument(text, ret);
+  }
+  throw RCLError(text, ret);
 }
 
 // -- the context

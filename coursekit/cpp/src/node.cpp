@@ -102,7 +102,7 @@ void detail::make_publisher(
 {
   Packer with = Packer{}.i(node.id).s(type).s(topic).i(number_of(options.callback_group));
   qos.pack(with);
-  detail::listen_to_events(node, made, topic, options);
+  detail::listen_to_events(node, made, options);
   for (auto event : {RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, RCL_PUBLISHER_LIVELINESS_LOST, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS}) {
     pack_event(made, event, with);
   }
@@ -135,7 +135,7 @@ void detail::make_subscription(
     });
   Packer with = Packer{}.i(node.id).s(type).s(topic).i(handler).i(number_of(options.callback_group));
   qos.pack(with);
-  detail::listen_to_events(node, *made, topic, options);
+  detail::listen_to_events(node, *made, options);
   for (auto event : {RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
       RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, RCL_SUBSCRIPTION_MESSAGE_LOST})
   {

@@ -80,35 +80,36 @@ void listen(Owner & owner, Type kind, const std::function<void (Info &)> & callb
   }
 }
 /// What hears of ends that do not match: the program's callback, else a warning where it is not switched off.
-template<class Options>
+template<class Owner, class Options>
 QOSOfferedIncompatibleQoSCallbackType about_mismatch(
-  const detail::NodeBase & node, const std::string & topic, const Options & options, const char * warning)
+  const detail::NodeBase & node, Owner & owner, const Options & options, const char * warning)
 {
   auto & given = options.event_callbacks.incompatible_qos_callback;
   if (given || !options.use_default_callbacks) {
     return given;
   }
-  return [logger = node.get_logger(), topic = node.resolve_topic_name(topic), warning](auto & info) {
-           const std::string policy = qos_policy_name_from_kind(info.last_policy_kind);
-           RCLCPP_WARN(logger, warning, topic.c_str(), policy.c_str());
+  return [logger = node.get_logger(), weak = owner.weak_from_this(), warning](auto & info) {
+           if (auto me = weak.lock()) {
+             const std::string policy = qos_policy_name_from_kind(info.last_policy_kind);
+             RCLCPP_WARN(logger, warning, me->get_topic_name(), policy.c_str());
+           }
          };
 }
 }  // namespace
 
-void detail::listen_to_events(NodeBase & node, PublisherBase & made, const std::string & topic, const PublisherOptionsBase & options)
+void detail::listen_to_events(NodeBase & node, PublisherBase & made, const PublisherOptionsBase & options)
 {
   listen(made, RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, options.event_callbacks.deadline_callback);
   listen(made, RCL_PUBLISHER_LIVELINESS_LOST, options.event_callbacks.liveliness_callback);
-  listen(made, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS, about_mismatch(node, topic, options,
+  listen(made, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS, about_mismatch(node, made, options,
     "New subscription discovered on topic '%s', requesting incompatible QoS. No messages will be sent to it. "
     "Last incompatible policy: %s"));
 }
-void detail::listen_to_events(
-  NodeBase & node, SubscriptionBase & made, const std::string & topic, const SubscriptionOptionsBase & options)
+void detail::listen_to_events(NodeBase & node, SubscriptionBase & made, const SubscriptionOptionsBase & options)
 {
   listen(made, RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, options.event_callbacks.deadline_callback);
   listen(made, RCL_SUBSCRIPTION_LIVELINESS_CHANGED, options.event_callbacks.liveliness_callback);
-  listen(made, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, about_mismatch(node, topic, options,
+  listen(made, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, about_mismatch(node, made, options,
     "New publisher discovered on topic '%s', offering incompatible QoS. No messages will be sent to it. "
     "Last incompatible policy: %s"));
   listen(made, RCL_SUBSCRIPTION_MESSAGE_LOST, options.event_callbacks.message_lost_callback);

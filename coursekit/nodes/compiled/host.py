@@ -71,6 +71,7 @@ _ERRORS = {
     "InvalidTopicNameException": "InvalidTopicNameError",
     "InvalidServiceNameException": "InvalidServiceNameError",
     "UnsupportedEventTypeError": "UnsupportedEventTypeException",
+    "InvalidQosOverridesError": "InvalidQosOverridesException",
     "UnknownROSArgsError": "RCLInvalidROSArgsError",
 }
 _ROOMS = (

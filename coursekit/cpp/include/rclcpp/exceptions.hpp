@@ -4,6 +4,8 @@
 #include <string>
 
 #include "coursekit/link.hpp"
+#include "rcl/error_handling.h"
+#include "rcl/wait.h"
 
 namespace rclcpp
 {
@@ -16,15 +18,19 @@ namespace exceptions
 public: \
     using Parent::Parent; \
   };
-COURSEKIT_ERROR(RCLErrorBase, std::runtime_error)
-class RCLError : public RCLErrorBase
+/// What the session refused; rcl would tell a place in its own source, too.
+class RCLErrorBase : public std::runtime_error
 {
 public:
-  explicit RCLError(const std::string & text)
-  : RCLErrorBase(text), message(text), formatted_message(text) {}
-  std::string message, formatted_message;
+  explicit RCLErrorBase(const std::string & text, int ret_ = RCL_RET_ERROR)
+  : std::runtime_error(text), ret(ret_), message(text), formatted_message(text) {}
+  int ret;
+  std::string message, file;
+  size_t line = 0;
+  std::string formatted_message;
 };
-COURSEKIT_ERROR(RCLBadAlloc, std::runtime_error)
+COURSEKIT_ERROR(RCLError, RCLErrorBase)
+COURSEKIT_ERROR(RCLBadAlloc, RCLErrorBase)
 COURSEKIT_ERROR(RCLInvalidArgument, RCLError)
 COURSEKIT_ERROR(RCLInvalidROSArgsError, RCLError)
 COURSEKIT_ERROR(NameValidationError, std::invalid_argument)
@@ -38,14 +44,25 @@ COURSEKIT_ERROR(UnsupportedEventTypeException, RCLErrorBase)
 COURSEKIT_ERROR(InvalidEventError, std::runtime_error)
 COURSEKIT_ERROR(InvalidParametersException, std::runtime_error)
 COURSEKIT_ERROR(InvalidParameterValueException, std::runtime_error)
-COURSEKIT_ERROR(InvalidParameterTypeException, std::runtime_error)
+class InvalidParameterTypeException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+  InvalidParameterTypeException(const std::string & name, const std::string & text)
+  : std::runtime_error("parameter '" + name + "' has invalid type: " + text) {}
+};
 COURSEKIT_ERROR(ParameterAlreadyDeclaredException, std::runtime_error)
 COURSEKIT_ERROR(ParameterNotDeclaredException, std::runtime_error)
 COURSEKIT_ERROR(ParameterImmutableException, std::runtime_error)
 COURSEKIT_ERROR(ParameterModifiedInCallbackException, std::runtime_error)
 COURSEKIT_ERROR(ParameterUninitializedException, std::runtime_error)
 COURSEKIT_ERROR(UninitializedStaticallyTypedParameterException, std::runtime_error)
+COURSEKIT_ERROR(InvalidQosOverridesException, std::runtime_error)
 COURSEKIT_ERROR(QoSCheckCompatibleException, std::runtime_error)
+/// Throw what belongs to a return value of C's functions, with the last error there and what it is about.
+[[noreturn]] void throw_from_rcl_error(
+  int ret, const std::string & prefix = "", const rcl_error_state_t * error_state = nullptr,
+  void (* reset_error)() = rcl_reset_error);
 class EventNotRegisteredError : public std::runtime_error
 {
 public:

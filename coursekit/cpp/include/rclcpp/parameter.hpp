@@ -15,8 +15,7 @@ class Parameter
     try {
       return get();
     } catch (const ParameterTypeException & error) {
-      throw exceptions::InvalidParameterTypeException(
-              "parameter '" + name_ + "' has invalid type: " + error.what());
+      throw exceptions::InvalidParameterTypeException(name_, error.what());
     }
   }
 

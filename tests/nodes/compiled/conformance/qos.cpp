@@ -67,5 +67,9 @@ int main(int argc, char ** argv)
   rclcpp::PublisherOptions allowing;
   allowing.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
   equal("a parameter overrides the depth", told->create_publisher<String>("told", 1, allowing)->get_actual_qos().depth(), 42u);
+  allowing.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies(
+    [](const rclcpp::QoS &) {return rclcpp::QosCallbackResult{false, "too deep"};}, "deep");
+  throws<rclcpp::exceptions::InvalidQosOverridesException>(
+    "a callback refuses a profile", [&] {told->create_publisher<String>("told", 1, allowing);});
   rclcpp::shutdown();
 }

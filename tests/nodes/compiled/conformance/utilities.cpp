@@ -207,8 +207,26 @@ static void log_lines()
   equal("the terminal's handler leaves the arguments to others", heard, "30 ears 5 of seven;");
 }
 
+static void errors_of_c()
+{
+  namespace errors = rclcpp::exceptions;
+  throws<std::invalid_argument>("what succeeded is no error", [] {errors::throw_from_rcl_error(RCL_RET_OK);});
+  throws<std::runtime_error>("an error has a reason", [] {errors::throw_from_rcl_error(RCL_RET_ERROR);});
+  RCL_SET_ERROR_MSG("too far");
+  try {
+    errors::throw_from_rcl_error(RCL_RET_INVALID_ARGUMENT, "the arm");
+  } catch (const errors::RCLErrorBase & error) {
+    equal("what it is about, and the reason", std::string(error.formatted_message), "the arm: too far");
+    equal("what was returned", error.ret, RCL_RET_INVALID_ARGUMENT);
+  }
+  check("the error was taken", !rcl_error_is_set());
+  equal(
+    "a parameter of a wrong type", std::string(errors::InvalidParameterTypeException("x", "none").what()),
+    "parameter 'x' has invalid type: none");
+}
 int main(int argc, char ** argv)
 {
+  errors_of_c();
   rclcpp::init(argc, argv);
   paths();
   texts();

@@ -22,9 +22,8 @@ inline void enter(const char * what, const Packer & with, coursekit::Entity & ma
 }
 
 /// Make the handlers of an end's events: of those that the program has callbacks for, and rclcpp's own warnings.
-void listen_to_events(NodeBase & node, PublisherBase & made, const std::string & topic, const PublisherOptionsBase & options);
-void listen_to_events(
-  NodeBase & node, SubscriptionBase & made, const std::string & topic, const SubscriptionOptionsBase & options);
+void listen_to_events(NodeBase & node, PublisherBase & made, const PublisherOptionsBase & options);
+void listen_to_events(NodeBase & node, SubscriptionBase & made, const SubscriptionOptionsBase & options);
 void make_publisher(
   NodeBase & node, PublisherBase & made, const std::string & type, const std::string & topic, const QoS & qos,
   const PublisherOptionsBase & options);

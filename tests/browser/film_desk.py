@@ -5,6 +5,8 @@ No test, so it is named: `COURSEKIT_PICTURES=FOLDER python -m pytest tests/brows
 
 import io
 import os
+import time
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -13,10 +15,10 @@ from PIL import Image
 from tests.browser.test_desk import LIVE
 
 FRAME_MS = 250
-"""Of the page's time and of the film's."""
+"""Between two pictures, at least: a busy computer takes longer, and each picture is shown as long as it took."""
 WIDTH = 900
-ROUTE = (("ArrowUp", 10), ("ArrowLeft", 6), ("ArrowUp", 14), ("ArrowLeft", 6), ("ArrowUp", 10), ("", 6))
-"""Which key is held for how many frames."""
+ROUTE = (("ArrowUp", 9.0), ("ArrowLeft", 1.6), ("ArrowUp", 7.0), ("ArrowLeft", 1.6), ("ArrowUp", 4.0), ("", 1.5))
+"""Which key is held for how long [s]."""
 
 
 class Film:
@@ -25,9 +27,17 @@ class Film:
     def __init__(self, page):
         self._page = page
         self._frames = []
+        self._times = []
 
-    def take(self):
-        """Add what the page shows now."""
+    def take_for(self, seconds):
+        """Add what the page shows, again and again."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self._take()
+            self._page.wait_for_timeout(FRAME_MS)
+
+    def _take(self):
+        self._times.append(time.monotonic())
         whole = Image.open(io.BytesIO(self._page.screenshot())).convert("RGB")
         small = whole.resize((WIDTH, round(whole.height * WIDTH / whole.width)), Image.Resampling.LANCZOS)
         self._frames.append(small)
@@ -36,7 +46,8 @@ class Film:
         """Keep them as a GIF that begins anew at its end; one palette for all, so that nothing flickers."""
         palette = self._frames[-1].quantize(128, dither=Image.Dither.NONE)
         first, *others = [one.quantize(palette=palette, dither=Image.Dither.NONE) for one in self._frames]
-        first.save(path, save_all=True, append_images=others, duration=FRAME_MS, loop=0, optimize=True)
+        durations = [round(1000 * (after - before)) for before, after in pairwise(self._times)] + [FRAME_MS]
+        first.save(path, save_all=True, append_images=others, duration=durations, loop=0, optimize=True)
 
 
 def test_film(chapter):
@@ -48,12 +59,10 @@ def test_film(chapter):
     page.wait_for_timeout(4000)
     page.locator(".jupyterlab-sidecar .ck-pad .ck-field").click()
     film = Film(page)
-    for key, frames in ROUTE:
+    for key, seconds in ROUTE:
         if key:
             page.keyboard.down(key)
-        for _ in range(frames):
-            film.take()
-            page.wait_for_timeout(FRAME_MS)
+        film.take_for(seconds)
         if key:
             page.keyboard.up(key)
     folder = Path(os.environ["COURSEKIT_PICTURES"])

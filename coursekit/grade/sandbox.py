@@ -23,6 +23,7 @@ from coursekit.systems import children, inherited, which
 
 from . import folders
 from .confined import SERVICE_VARIABLES, confined
+from .unsandboxed import cure
 
 PACKAGE = Path(__file__).resolve().parents[1]
 _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/fonts", "/etc/ld.so.cache")
@@ -104,29 +105,37 @@ class Sandboxed:
             folders.remove(self.scratch)
 
 
-@functools.cache
 def tier() -> str:
     """The best tier that works on this machine.
 
     >>> tier() in ("bubblewrap", "limits")
     True
     """
+    return "bubblewrap" if complaint() == "" else "limits"
+
+
+@functools.cache
+def complaint() -> str | None:
+    """What bubblewrap writes when it fails here; empty where it works, None where there is none."""
     if _bwrap() is None:
-        return "limits"
-    with tempfile.TemporaryDirectory() as work, contextlib.suppress(OSError):
+        return None
+    with tempfile.TemporaryDirectory() as work:
         probe = [*_bubblewrap(Path(work), True, {"PATH": "/usr/bin:/bin"}, Limits()), "true"]
-        if subprocess.run(probe, capture_output=True, stdin=subprocess.DEVNULL).returncode == 0:
-            return "bubblewrap"
-    return "limits"
+        try:
+            tried = subprocess.run(probe, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        except OSError as error:
+            return str(error)
+    said = tried.stderr.decode(errors="replace").strip()
+    return "" if tried.returncode == 0 else said or f"exit code {tried.returncode}"
 
 
 def refusal(*, allow_root: bool = False, unsafe: bool = False) -> str:
     """Why other people's work must not be run here, in words for the teacher; empty when it may."""
     if tier() != "bubblewrap" and not unsafe:
         return (
-            "Submissions are programs of other people, and this computer has nothing that keeps them in: no working "
-            "bubblewrap. On Debian or Ubuntu: sudo apt install bubblewrap. For work that you trust as your own, add "
-            "--unsafe: it can then read your files, the solutions and other submissions."
+            "Submissions are programs of other people, and this computer has nothing that keeps them in: "
+            f"{cure(complaint())} For work that you trust as your own, add --unsafe: it can then read your files, the "
+            "solutions and other submissions."
         )
     if hasattr(os, "geteuid") and os.geteuid() == 0 and not allow_root:
         return (

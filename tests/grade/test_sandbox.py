@@ -8,6 +8,7 @@ import pytest
 
 from coursekit.grade import folders, sandbox
 from coursekit.grade.confined import confined
+from coursekit.grade.unsandboxed import cure
 from coursekit.systems import which
 from tests.needs import posix
 
@@ -182,6 +183,24 @@ def test_other_people_s_work_runs_only_behind_walls(monkeypatch, tier, uid, opti
     monkeypatch.setattr(os, "geteuid", lambda: uid, raising=False)
     refusal = sandbox.refusal(**options)
     assert (why in refusal) if why else not refusal
+
+
+@posix("bubblewrap is Linux'")
+def test_a_bubblewrap_that_fails_is_not_to_be_installed_once_more(monkeypatch, tmp_path):
+    """Ubuntu has it, and lets it do nothing: the words are about that."""
+    broken, setting = tmp_path / "bwrap", tmp_path / "restricted"
+    broken.write_text("#!/bin/sh\necho 'bwrap: setting up uid map: Permission denied' >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setattr(sandbox, "_bwrap", lambda: str(broken))
+    sandbox.complaint.cache_clear()
+    try:
+        assert sandbox.tier() == "limits"
+        assert "'bwrap: setting up uid map: Permission denied'" in cure(sandbox.complaint(), setting)
+        setting.write_text("1\n")
+        assert "sudo apparmor_parser -r" in cure(sandbox.complaint(), setting)
+        assert "apt install bubblewrap" not in sandbox.refusal()
+    finally:
+        sandbox.complaint.cache_clear()
 
 
 def test_control_groups_are_used_where_the_system_lends_them(monkeypatch):

@@ -12,13 +12,15 @@ _PROFILE = "bwrap-userns-restrict"
 
 
 def cure(complaint: str | None, restricted: Path = RESTRICTED) -> str:
-    """What is missing and what to type, from what bubblewrap wrote when it failed; None where there is no bubblewrap.
+    """What is missing and what to type, from what `sandbox.complaint` says; empty where nothing is missing.
 
     >>> cure(None)
     'no bubblewrap. On Debian or Ubuntu: sudo apt install bubblewrap.'
     >>> cure("bwrap: No space left on device", Path("/no/such/file"))
     "no working bubblewrap. It says: 'bwrap: No space left on device'."
     """
+    if complaint == "":
+        return ""
     if complaint is None:
         return "no bubblewrap. On Debian or Ubuntu: sudo apt install bubblewrap."
     if _is_on(restricted):

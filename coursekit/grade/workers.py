@@ -27,6 +27,7 @@ from .own_checks import own_files, read_checks
 from .results import coursekit_version, judges_digest
 from .sandbox import Limits
 from .submissions import Submission
+from .unsandboxed import cure
 
 CONNECT_S = 20
 """How long a scheduler may take to answer."""
@@ -85,7 +86,8 @@ class Workers:
 
 def facts() -> dict[str, Any]:
     """The settings that a worker's marks depend on, beside its tasks."""
-    return {"judges": judges_digest(), "version": coursekit_version(), "tier": sandbox.tier(), "root": rights.is_root()}
+    known = {"judges": judges_digest(), "version": coursekit_version(), "root": rights.is_root()}
+    return {**known, "tier": sandbox.tier(), "lacks": cure(sandbox.complaint())}
 
 
 def packed(
@@ -142,7 +144,7 @@ def expect_alike(found: Mapping[str, dict[str, Any]], address: str, *, allow_roo
         if (said["judges"], said["version"]) != (own["judges"], own["version"]):
             raise NoWorkers(f"The worker {worker} has another coursekit ({said['version']}): install the same one there.")
         if said["tier"] != "bubblewrap" and not unsafe:
-            raise NoWorkers(f"The worker {worker} has no sandbox: apt install bubblewrap there. (--unsafe marks without.)")
+            raise NoWorkers(f"The worker {worker} has {said['lacks']} (--unsafe marks without.)")
         if said["root"] and not allow_root:
             raise NoWorkers(f"The worker {worker} runs as root: start it as another user. (In a container: --allow-root.)")
     tiers = sorted({str(said["tier"]) for said in found.values()})

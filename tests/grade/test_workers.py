@@ -109,7 +109,7 @@ def other(**facts):
     [
         ({}, "has no workers yet. Start some: dask worker tcp://127.0.0.1:8786 --nthreads 1"),
         (other(judges="another"), "has another coursekit"),
-        (other(tier="limits", lacks="no bubblewrap. On Debian: ..."), "has no bubblewrap. On Debian: ... (--unsafe"),
+        (other(tier="limits", lacks="no bubblewrap. Type: apt"), "has no bubblewrap. Type: apt"),
         (other(root=True), "runs as root: start it as another user"),
     ],
 )

@@ -48,6 +48,10 @@ public:
   {
     subscribe(node.get(), topic, qos, {});
   }
+  void subscribe(NodePtr node, const std::string & topic, const rmw_qos_profile_t qos, rclcpp::SubscriptionOptions options)
+  {
+    subscribe(node.get(), topic, qos, options);
+  }
   void subscribe(
     N * node, const std::string & topic, const rmw_qos_profile_t qos = rmw_qos_profile_default,
     rclcpp::SubscriptionOptions options = {})

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <chrono>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -78,8 +79,8 @@ public:
     for (auto & service : services) {
       add_service(service);
     }
-    for (auto & entry : subscriptions) {
-      add_subscription(entry.subscription, entry.mask);
+    for (auto & entry : subscriptions) {  // without their events, as in Humble
+      add(subscriptions_, entry.subscription, "subscription");
     }
     for (auto & guard : guards) {
       add_guard_condition(guard);
@@ -119,7 +120,9 @@ public:
       remove(subscriptions_, subscription, "subscription");
     }
     for (auto & [kind, handler] : events_of(subscription, mask)) {
-      remove_waitable(handler);
+      if (std::find(waitables_.begin(), waitables_.end(), handler) != waitables_.end()) {
+        remove_waitable(handler);
+      }
     }
   }
   void add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
@@ -177,6 +180,7 @@ private:
     if (!one) {
       throw std::invalid_argument(std::string(what) + " is nullptr");
     }
+    std::lock_guard<std::mutex> hold(lock_);
     if (std::find(all.begin(), all.end(), one) != all.end()) {
       throw std::runtime_error(std::string(what) + " already associated with a wait set");
     }
@@ -186,6 +190,7 @@ private:
   template<class T>
   void remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
   {
+    std::lock_guard<std::mutex> hold(lock_);
     auto found = std::find(all.begin(), all.end(), one);
     if (found == all.end()) {
       throw std::runtime_error(std::string(what) + " not in wait set");
@@ -194,11 +199,19 @@ private:
     forget();
   }
   WaitResultKind wait_ns(int64_t nanoseconds);
-  /// Gather all that is waited for.
-  void gather();
-  /// Gather it, and say of all that it is not ready.
+  /// Wait once; what is ready is told by `state_`. Nothing where only another thread has changed the set.
+  std::optional<WaitResultKind> wait_once(int64_t nanoseconds);
+  /// All that is waited for, but for waitables.
+  rcl_wait_set_t gathered() const;
+  /// Gather it, and say of all that it is not ready; who waits begins again.
   void forget();
 
+protected:
+  /// What another thread raises that adds or removes something; null where none may.
+  GuardCondition::SharedPtr changed_;
+
+private:
+  std::mutex lock_;
   std::vector<SubscriptionBase::SharedPtr> subscriptions_;
   Guards guards_;
   Timers timers_;
@@ -207,7 +220,20 @@ private:
   std::vector<Waitable::SharedPtr> waitables_;
   rcl_wait_set_t state_;
 };
-using ThreadSafeWaitSet = WaitSet;
+
+/// A wait set to which other threads may add, and from which they may remove, while one waits.
+class ThreadSafeWaitSet : public WaitSet
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(ThreadSafeWaitSet)
+  explicit ThreadSafeWaitSet(
+    const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {},
+    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {})
+  : WaitSet(subscriptions, guards, timers, clients, services, waitables)
+  {
+    changed_ = std::make_shared<GuardCondition>();
+  }
+};
 
 /// A wait set whose numbers of entities are fixed.
 template<size_t NSubscriptions, size_t NGuards = 0, size_t NTimers = 0, size_t NClients = 0, size_t NServices = 0,

@@ -67,6 +67,25 @@ int main(int argc, char ** argv)
   rclcpp::ThreadSafeWaitSet safe;
   safe.add_timer(timer);
   check("one for several threads", safe.wait(1s).kind() == Kind::Ready);
+  rclcpp::ThreadSafeWaitSet grows;
+  auto late = std::make_shared<rclcpp::GuardCondition>();
+  std::thread adds([&] {
+      rclcpp::sleep_for(30ms);
+      grows.add_guard_condition(late);
+      rclcpp::sleep_for(30ms);
+      late->trigger();
+    });
+  check("what another thread adds meanwhile ends the wait", grows.wait(5s).kind() == Kind::Ready);
+  check("and is told", grows.get_rcl_wait_set().size_of_guard_conditions == 1 && grows.get_rcl_wait_set().guard_conditions[0]);
+  adds.join();
+  std::thread removes([&] {
+      rclcpp::sleep_for(30ms);
+      grows.remove_guard_condition(late);
+      rclcpp::sleep_for(10ms);
+      late->trigger();
+    });
+  check("what it removes does not", grows.wait(100ms).kind() == Kind::Timeout);
+  removes.join();
 
   // clients and services
   auto server = node->create_service<AddTwoInts>(

@@ -143,9 +143,9 @@ int main(int argc, char ** argv)
   says.sendTransform(transform);
   auto both = [&] {return second._frameExists("finger") && second._frameExists("ring");};
   check("options are given to all three", spin_until(node, both));
-  message_filters::Subscriber<std_msgs::msg::String> filter;
-  filter.subscribe(node, "words", rmw_qos_profile_default, rclcpp::SubscriptionOptions());
-  check("a filter subscribes with options", filter.getSubscriber() && filter.getTopic() == "words");
+  message_filters::Subscriber<std_msgs::msg::String> words;
+  words.subscribe(node, "words", rmw_qos_profile_default, rclcpp::SubscriptionOptions());
+  check("a filter subscribes with options", words.getSubscriber() && words.getTopic() == "words");
   auto still = tf2::getTransformIdentity<tf2::Transform>();
   check("what moves nothing", near((still * tf2::Vector3(1, 2, 3)).z(), 3));
   check("in one go", near(buffer.lookupTransform("map", "lidar", tf2::TimePointZero).transform.translation.x, 1));

@@ -17,6 +17,7 @@ from coursekit.cpp.age import age_source, runtime_key
 from coursekit.cpp.exported import exported_by, version_of_package
 from coursekit.cpp.forwarded import write_forwarded
 from coursekit.cpp.headers import write_headers
+from coursekit.cpp.standard_library import write_visible
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
 from coursekit.files import in_order, read_bytes
 from coursekit.interfaces.find import UNDERLAY, known_interfaces
@@ -120,6 +121,8 @@ def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
     _run(tools.cmake, "-G", tools.generator, "-S", str(ROOM), "-B", str(build), *words)
     _run(tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1))
     _run(tools.cmake, "--install", str(build))
+    if tools.lends_library:
+        write_visible(folder / "lib", tools)
     for path in build.glob("CMakeFiles/*/CMake*Compiler.cmake"):
         kept = folder / "compiler" / path.parent.name
         kept.mkdir(parents=True, exist_ok=True)

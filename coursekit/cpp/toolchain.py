@@ -54,6 +54,11 @@ class Toolchain:
         return told
 
     @property
+    def lends_library(self) -> bool:
+        """Whether programs have to lend the libraries that they load their C++ library: zig's, on Linux."""
+        return self.archiver is not None and self.system is None and sys.platform == "linux"
+
+    @property
     def generator(self) -> str:
         """CMake's name for what runs the build."""
         return "Ninja" if self.ninja else "Unix Makefiles"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.needs import compiler_or_skip
-from tests.packages.test_cpp_workspace import colcon, scripted
+from tests.packages.pip_tools import pip_tools_or_skip
+from tests.packages.test_cpp_workspace import ENV, colcon, scripted
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 MANIFEST = """<?xml version="1.0"?>
@@ -186,17 +187,16 @@ APART = """
 MADE = "[INFO] [1700000000.000000000] [ComponentManager]: {} class: rclcpp_components::NodeFactoryTemplate<{}>"
 
 
-@pytest.fixture(scope="module")
-def workspace(tmp_path_factory):
-    tools = compiler_or_skip()
-    if "ziglang" in str(tools.cxx):
-        pytest.skip("needs a system's compiler: zig's libraries have a C++ library of their own each")
+@pytest.fixture(scope="module", params=["own tools", "pip's tools"])
+def workspace(request, tmp_path_factory):
+    compiler_or_skip()
+    env = pip_tools_or_skip(tmp_path_factory.mktemp("bin")) if request.param == "pip's tools" else ENV
     folder = tmp_path_factory.mktemp("components_ws")
     for name, text in FILES.items():
         path = folder / "src" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text.lstrip(), encoding="utf-8")
-    built = colcon(folder, "build")
+    built = colcon(folder, "build", env=env)
     assert built.returncode == 0 and "2 packages finished" in built.stdout, built.stdout + built.stderr
     return folder
 

@@ -5,34 +5,23 @@ CI installs them for this file, with `pip install ".[cpp]"`; elsewhere it is ski
 
 from __future__ import annotations
 
-import importlib.util
 import os
 import re
-import shutil
 import subprocess
 import sys
 
 import pytest
 
-from tests.compiler_cache import LAUNCHERS
-from tests.needs import ON_WINDOWS
 from tests.packages import course_cpp
+from tests.packages.pip_tools import pip_tools_or_skip
 from tests.packages.test_cpp_workspace import BIN, ENV
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(1200)]
-MISSING = [name for name in ("ziglang", "cmake", "ninja") if importlib.util.find_spec(name) is None]
 
 
 @pytest.fixture(scope="module")
 def tools(tmp_path_factory):
-    """An environment to build in, whose programs are this Python's, and the few that colcon's own scripts need."""
-    if ON_WINDOWS or MISSING:
-        pytest.skip(f"needs pip install 'coursekit[cpp]': there is no {', '.join(MISSING)}")
-    folder = tmp_path_factory.mktemp("bin")
-    for name in ("env", "sh", "bash"):
-        (folder / name).symlink_to(shutil.which(name))
-    own = {name: value for name, value in ENV.items() if name not in LAUNCHERS}
-    return own | {"PATH": f"{BIN}{os.pathsep}{folder}"}
+    return pip_tools_or_skip(tmp_path_factory.mktemp("bin"))
 
 
 def test_coursekit_cpp_makes_the_runtime(tools):

@@ -6,7 +6,8 @@ import pytest
 
 from coursekit.cpp.age import MARK
 from tests.needs import compiler_or_skip
-from tests.packages.test_cpp_workspace import colcon, scripted, sourced
+from tests.packages.pip_tools import pip_tools_or_skip
+from tests.packages.test_cpp_workspace import ENV, colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 MANIFEST = """<?xml version="1.0"?>
@@ -211,17 +212,17 @@ FILES = {
 }
 
 
-@pytest.fixture(scope="module", params=[(), ("--symlink-install",)], ids=["copied", "linked"])
+@pytest.fixture(scope="module", params=["copied", "linked", "pip's tools"])
 def workspace(request, tmp_path_factory):
-    tools = compiler_or_skip()
-    if "ziglang" in str(tools.cxx):
-        pytest.skip("needs a system's compiler: zig's libraries have a C++ library of their own each")
+    compiler_or_skip()
+    env = pip_tools_or_skip(tmp_path_factory.mktemp("bin")) if request.param == "pip's tools" else ENV
     folder = tmp_path_factory.mktemp("plugins_ws")
     for name, text in FILES.items():
         path = folder / "src" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text.lstrip(), encoding="utf-8")
-    built = colcon(folder, "build", *request.param)
+    options = ["--symlink-install"] if request.param == "linked" else []
+    built = colcon(folder, "build", *options, env=env)
     assert built.returncode == 0 and "2 packages finished" in built.stdout, built.stdout + built.stderr
     assert "stderr" not in built.stdout + built.stderr
     return folder

@@ -19,9 +19,9 @@ ENV = {k: v for k, v in os.environ.items() if k not in ("AMENT_PREFIX_PATH", "CO
 ENV |= {"PATH": f"{BIN}{os.pathsep}{ENV['PATH']}", "COURSEKIT_TIME": "virtual"}
 
 
-def colcon(folder, *words):
+def colcon(folder, *words, env=ENV):
     command = [str(BIN / "colcon"), "--log-base", "log", *words]
-    return subprocess.run(command, cwd=folder, env=ENV, capture_output=True, encoding="utf-8", check=False)
+    return subprocess.run(command, cwd=folder, env=env, capture_output=True, encoding="utf-8", check=False)
 
 
 def sourced(folder, command):

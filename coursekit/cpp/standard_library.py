@@ -35,7 +35,7 @@ def _linked_by(tools: Toolchain) -> list[Path]:
         source = Path(name, "empty.cpp")
         source.write_text("int main() {}\n", encoding="utf-8")
         command = [*tools.cxx, "-v", str(source), "-o", str(Path(name, "empty"))]
-        told = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=True).stderr
+        told = subprocess.run(command, cwd=name, capture_output=True, encoding="utf-8", errors="replace", check=True).stderr
     found = {Path(word).name: Path(word) for word in told.split() if word.endswith(PARTS)}
     if missing := [part for part in PARTS if part not in found]:
         raise FileNotFoundError(f"{' '.join(tools.cxx)} links no {', '.join(missing)}")

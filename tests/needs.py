@@ -43,6 +43,14 @@ def compiler_or_skip() -> Toolchain:
         pytest.skip(str(error))
 
 
+def can_compile() -> bool:
+    """Whether something compiles C++ here."""
+    try:
+        return bool(find_toolchain())
+    except NoToolchain:
+        return False
+
+
 def is_private(file: Path) -> bool:
     """Whether its owner alone may read a file; Windows has no such modes, there it lies in a folder of the user's."""
     return ON_WINDOWS or stat.S_IMODE(file.stat().st_mode) == 0o600
@@ -57,4 +65,4 @@ def slashed(text: str | Path) -> str:
     return str(text).replace(os.sep, "/")
 
 
-__all__ = ["ON_WINDOWS", "compiler_or_skip", "in_wine", "posix", "real_windows", "slashed"]
+__all__ = ["ON_WINDOWS", "can_compile", "compiler_or_skip", "in_wine", "posix", "real_windows", "slashed"]

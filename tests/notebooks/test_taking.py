@@ -16,6 +16,7 @@ from nbclient.exceptions import CellExecutionError
 
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.exercise import all_exercises
+from tests.needs import can_compile
 
 from .answers import MODULES, answers_of, grade_id, is_check, is_graded, is_solution, must_fail, must_pass, verdict_of
 from .running import chapters, clock_of, course_environment, exercises_of, read
@@ -75,14 +76,20 @@ def shown(cells):
 
 
 def exercises(notebook):
-    """The cells of each exercise, from its heading to its check, in order."""
+    """The cells of each exercise that is judged here, from its heading to its check, in order."""
     found, start = [], 0
     for index, cell in enumerate(notebook.cells):
         if cell.cell_type == "markdown" and re.search(r"^## ", cell.source, re.MULTILINE):
             start = index
-        elif grade_id(cell).endswith("-check"):
+        elif grade_id(cell).endswith("-check") and is_judged(cell):
             found.append([one for one in range(start, index + 1) if notebook.cells[one].cell_type == "code"])
     return found
+
+
+def is_judged(cell):
+    """Whether this computer can judge an exercise: those in C++, which are voluntary, need a compiler."""
+    name = grade_id(cell).removesuffix("-check").replace("-", ".")
+    return all_exercises()[name].points > 0 or can_compile()
 
 
 def doubled(folder):
@@ -129,7 +136,7 @@ def read_without_solving(execute, notebook, chapter):
             assert is_graded(cell) or "after-exercise" in cell.metadata.get("tags", []), (cell.source, str(error))
             assert error.ename in ("NotImplementedError", "CheckFailed", "NameError"), str(error)
         else:
-            assert not is_check(cell), f"the check passes without a solution: {cell.source}"
+            assert not is_check(cell) or not is_judged(cell), f"the check passes without a solution: {cell.source}"
 
 
 def solve(execute, notebook, chapter, cells):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.systems.links import can_link
-from tests.needs import ON_WINDOWS
+from tests.needs import ON_WINDOWS, compiler_or_skip
 
 WORKSPACE = Path(__file__).parent.parent / "fixtures" / "ros2_ws"
 BIN = Path(sys.executable).parent
@@ -57,8 +57,7 @@ def test_all_ten_packages_are_built_in_order(built):
 
 
 def test_programs_in_cpp_are_compiled_and_installed(built):
-    if ON_WINDOWS:
-        pytest.skip("Windows: C++ is not compiled there yet")
+    compiler_or_skip()
     assert "Skipped C++" not in (built / "output.txt").read_text()
     said = sourced(built, f'"{BIN}/ros2" pkg executables s2_cpp_pubsub')
     assert said.split() == ["s2_cpp_pubsub", "publisher_exe", "s2_cpp_pubsub", "subscriber_exe"]

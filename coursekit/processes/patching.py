@@ -44,7 +44,7 @@ class Patch:
     test: str
     """The test file that shows what it is for."""
     group: str = PROCESSES
-    versions: str = "3.10 to 3.13"
+    versions: str = "3.10 to 3.14"
     only_on: str = ""
     """The value of sys.platform without which there is no such name."""
     bare: Callable[[Any], Any] = field(default=lambda value: value, repr=False)

@@ -14,8 +14,10 @@ from PIL import Image
 
 from tests.browser.test_desk import LIVE
 
-FRAME_MS = 250
-"""Between two pictures, at least: a busy computer takes longer, and each picture is shown as long as it took."""
+FRAME_MS = 100
+"""Between two pictures, at least; a picture itself takes longer."""
+SPEED = 3
+"""How many times faster the film is than the drive."""
 WIDTH = 900
 ROUTE = (("ArrowUp", 9.0), ("ArrowLeft", 1.6), ("ArrowUp", 7.0), ("ArrowLeft", 1.6), ("ArrowUp", 4.0), ("", 1.5))
 """Which key is held for how long [s]."""
@@ -46,7 +48,7 @@ class Film:
         """Keep them as a GIF that begins anew at its end; one palette for all, so that nothing flickers."""
         palette = self._frames[-1].quantize(128, dither=Image.Dither.NONE)
         first, *others = [one.quantize(palette=palette, dither=Image.Dither.NONE) for one in self._frames]
-        durations = [round(1000 * (after - before)) for before, after in pairwise(self._times)] + [FRAME_MS]
+        durations = [round(1000 * (after - before) / SPEED) for before, after in pairwise(self._times)] + [1000]
         first.save(path, save_all=True, append_images=others, duration=durations, loop=0, optimize=True)
 
 
@@ -56,7 +58,7 @@ def test_film(chapter):
     page.set_viewport_size({"width": 1366, "height": 768})
     opened.run_to("desk(")
     page.wait_for_selector(LIVE, timeout=60_000)
-    page.wait_for_timeout(4000)
+    page.wait_for_timeout(12_000)  # until all is laid out
     page.locator(".jupyterlab-sidecar .ck-pad .ck-field").click()
     film = Film(page)
     for key, seconds in ROUTE:

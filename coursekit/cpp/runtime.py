@@ -122,11 +122,18 @@ def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
     _run(tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1))
     _run(tools.cmake, "--install", str(build))
     if tools.lends_library:
-        write_visible(folder / "lib", tools)
+        _lend_library(folder / "lib", tools)
     for path in build.glob("CMakeFiles/*/CMake*Compiler.cmake"):
         kept = folder / "compiler" / path.parent.name
         kept.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, kept)
+
+
+def _lend_library(folder: Path, tools: Toolchain) -> None:
+    try:
+        write_visible(folder, tools)
+    except (OSError, subprocess.CalledProcessError) as error:
+        print(f"C++ programs will load no libraries while they run: {error}", file=sys.stderr)
 
 
 def _run(*command: str) -> None:

@@ -6,6 +6,7 @@ addresses, and what a loaded library throws is caught nowhere. With one copy, th
 
 from __future__ import annotations
 
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -36,10 +37,16 @@ def _linked_by(tools: Toolchain) -> list[Path]:
         source.write_text("int main() {}\n", encoding="utf-8")
         command = [*tools.cxx, "-v", str(source), "-o", str(Path(name, "empty"))]
         told = subprocess.run(command, cwd=name, capture_output=True, encoding="utf-8", errors="replace", check=True).stderr
-    found = {Path(word).name: Path(word) for word in told.split() if word.endswith(PARTS)}
-    if missing := [part for part in PARTS if part not in found]:
-        raise FileNotFoundError(f"{' '.join(tools.cxx)} links no {', '.join(missing)}")
-    return [found[part] for part in PARTS]
+    return [_file_in(told, part) for part in PARTS]
+
+
+def _file_in(told: str, name: str) -> Path:
+    """The file of a name among the words of a command, which zig does not quote: a folder's name may have spaces."""
+    for end in (found.end() for found in re.finditer(rf"/{re.escape(name)}(?=\s|$)", told)):
+        for start in reversed([found.start() for found in re.finditer(r"(?<!\S)/", told[:end])]):
+            if (path := Path(told[start:end])).is_file():
+                return path
+    raise FileNotFoundError(f"zig names no {name} among what it links")
 
 
 def visible_archive(data: bytes) -> bytes:

@@ -4,7 +4,9 @@ import struct
 
 import pytest
 
+from coursekit.cpp import standard_library
 from coursekit.cpp.standard_library import visible_archive
+from tests.needs import posix
 
 LOCAL, GLOBAL, WEAK = 0, 1, 2
 DEFAULT, INTERNAL, HIDDEN, PROTECTED = 0, 1, 2, 3
@@ -34,6 +36,17 @@ def test_hidden_global_names_are_seen_and_nothing_else_changes():
     there, wanted = [(GLOBAL, HIDDEN), (WEAK, HIDDEN)], [(GLOBAL, DEFAULT), (WEAK, DEFAULT)]
     before, after = (elf([symbol(*one) for one in [*kinds, *others]]) for kinds in (there, wanted))
     assert visible_archive(archive(b"an index", before, b"odd", before)) == archive(b"an index", after, b"odd", after)
+
+
+@posix("zig's programs load nothing there")
+def test_zigs_files_are_found_among_its_words_also_in_a_folder_with_a_space(tmp_path):
+    there = tmp_path / "José Luis" / "libc++.a"
+    there.parent.mkdir()
+    there.write_bytes(archive())
+    told = f"ld.lld -o /tmp/a {tmp_path}/none/libc++.a {there} {tmp_path}/libc++abi.a -lc\n"
+    assert standard_library._file_in(told, "libc++.a") == there
+    with pytest.raises(FileNotFoundError, match=r"names no libc\+\+abi\.a"):
+        standard_library._file_in(told, "libc++abi.a")
 
 
 def test_what_is_no_archive_is_refused():

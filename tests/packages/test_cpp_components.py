@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.needs import compiler_or_skip
-from tests.packages.pip_tools import pip_tools_or_skip
-from tests.packages.test_cpp_workspace import ENV, colcon, scripted
+from tests.packages.pip_tools import loading_tools_or_skip
+from tests.packages.test_cpp_workspace import colcon, scripted
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 MANIFEST = """<?xml version="1.0"?>
@@ -189,8 +188,7 @@ MADE = "[INFO] [1700000000.000000000] [ComponentManager]: {} class: rclcpp_compo
 
 @pytest.fixture(scope="module", params=["own tools", "pip's tools"])
 def workspace(request, tmp_path_factory):
-    compiler_or_skip()
-    env = pip_tools_or_skip(tmp_path_factory.mktemp("bin")) if request.param == "pip's tools" else ENV
+    env = loading_tools_or_skip(request.param, tmp_path_factory.mktemp("bin"))
     folder = tmp_path_factory.mktemp("components_ws")
     for name, text in FILES.items():
         path = folder / "src" / name

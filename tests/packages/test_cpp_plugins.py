@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 
 from coursekit.cpp.age import MARK
-from tests.needs import compiler_or_skip
-from tests.packages.pip_tools import pip_tools_or_skip
-from tests.packages.test_cpp_workspace import ENV, colcon, scripted, sourced
+from tests.packages.pip_tools import loading_tools_or_skip
+from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 MANIFEST = """<?xml version="1.0"?>
@@ -214,8 +213,7 @@ FILES = {
 
 @pytest.fixture(scope="module", params=["copied", "linked", "pip's tools"])
 def workspace(request, tmp_path_factory):
-    compiler_or_skip()
-    env = pip_tools_or_skip(tmp_path_factory.mktemp("bin")) if request.param == "pip's tools" else ENV
+    env = loading_tools_or_skip(request.param, tmp_path_factory.mktemp("bin"))
     folder = tmp_path_factory.mktemp("plugins_ws")
     for name, text in FILES.items():
         path = folder / "src" / name

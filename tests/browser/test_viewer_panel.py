@@ -6,7 +6,7 @@ import pytest
 
 from .pages import set_theme
 from .test_accessible import faults_of
-from .test_viewer import DRAWN, OBJECTS, drawn
+from .test_viewer import OBJECTS, appears, drawn
 from .test_viewer_tools import PIXEL
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
@@ -55,7 +55,6 @@ def panel(notebook):
     """The viewer of a notebook whose picture is drawn; with `panel.opened`."""
     opened = notebook(LAB, TALK, VIEWER, width=1366, height=768)
     opened.run()
-    drawn(opened.page, 1)
     found = opened.page.locator(".ck-viewer")
     found.scroll_into_view_if_needed()
     opened.page.wait_for_function(f"() => ({OBJECTS})() >= 4", timeout=60_000)
@@ -244,7 +243,7 @@ def test_a_camera_that_was_moved_is_kept_over_a_reload(panel):
     page.evaluate("window.jupyterapp.commands.execute('docmanager:save')")
     page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")
     page.reload()
-    page.wait_for_function(f"() => ({DRAWN})() >= 1", timeout=60_000)
+    appears(page)
     looks_at(page, 2.5, -1.0)
 
 

@@ -5,6 +5,8 @@ import math
 
 import pytest
 
+from .test_viewer import appears
+
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 
 LAB = "from coursekit.lab import *"
@@ -31,7 +33,6 @@ shown = viewer(fixed_frame="map", displays=["Grid", "Pose /goal_pose", "PoseWith
                view={"distance": 9.0, "yaw": -1.2, "pitch": 0.8, "target": [1.0, 0.5, 0.0]})
 shown
 """.strip()
-DRAWN = "() => Number(document.querySelector('.ck-viewer')?.dataset.messages ?? 0) > 0"
 PIXEL = """([x, y]) => {
     const { camera, dom_element: pane } = document.querySelector('.ck-viewer').viewer.view;
     const place = camera.position.clone().set(x, 0, -y).project(camera), box = pane.getBoundingClientRect();
@@ -59,7 +60,7 @@ def test_what_is_dragged_arrives_where_it_was_dragged(notebook, picture):
     opened = notebook(LAB, LISTEN, VIEWER)
     opened.run()
     page = opened.page
-    page.wait_for_function(DRAWN, timeout=60_000)
+    appears(page)
     page.locator(".ck-viewer").scroll_into_view_if_needed()
     for tool, topic, start, end in (
         ("2D Goal Pose", "/goal_pose", [1.0, 2.0], [1.0, 3.0]),

@@ -57,7 +57,8 @@ def panel(notebook):
     opened.run()
     found = opened.page.locator(".ck-viewer")
     found.scroll_into_view_if_needed()
-    opened.page.wait_for_function(f"() => ({OBJECTS})() >= 4", timeout=60_000)
+    all_there = f"() => ({OBJECTS})() === 5"  # the grid, the axes of two frames, an arrow and the cube
+    opened.page.wait_for_function(all_there, timeout=60_000)
     found.opened = opened
     return found
 

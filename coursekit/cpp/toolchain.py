@@ -54,6 +54,11 @@ class Toolchain:
         return told
 
     @property
+    def ctest(self) -> str:
+        """The program beside CMake that runs tests."""
+        return str(Path(self.cmake).with_stem("ctest"))
+
+    @property
     def lends_library(self) -> bool:
         """Whether programs have to lend the libraries that they load their C++ library: zig's, on Linux."""
         return self.archiver is not None and self.system is None and sys.platform == "linux"

@@ -136,14 +136,15 @@ def completed(env: dict[str, str], tools: Toolchain) -> dict[str, str]:
     return full
 
 
-def configure_tests(build: Path, tools: Toolchain) -> list[str]:
-    """The command that has CMake look at the tests of a package that has been built."""
-    return [tools.cmake, "-DBUILD_TESTING=ON", str(build)]
+def configure_tests(build: Path, tools: Toolchain, results: Path) -> list[str]:
+    """The command that has CMake look at the tests of a package that has been built; their results go to a folder."""
+    return [tools.cmake, "-DBUILD_TESTING=ON", f"-DAMENT_TEST_RESULTS_DIR={results.as_posix()}", str(build)]
 
 
-def build_tests(build: Path, tools: Toolchain, names: list[str]) -> list[str]:
-    """The command that compiles tests."""
-    return [tools.cmake, "--build", str(build), "--target", *names]
+def build_tests(build: Path, tools: Toolchain) -> list[str]:
+    """The command that builds a package with its tests, as many of them as can be built."""
+    go_on = ["-k", "0"] if tools.ninja else ["-k"]
+    return [tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1), "--", *go_on]
 
 
 def reuse_compiler(build: Path, runtime: Path) -> None:

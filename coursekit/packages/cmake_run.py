@@ -6,10 +6,12 @@ Nothing is compiled. What would be compiled is remembered as a target, so that i
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from coursekit.files import read_text
 from coursekit.packages.cmake_beyond import demand
 from coursekit.packages.cmake_condition import holds
 from coursekit.packages.cmake_text import CMakeError, Command, read_commands
@@ -42,6 +44,8 @@ class Reading:
     targets: list[str] = field(default_factory=list)
     tests: list[Call] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
+    hooks: dict[str, str] = field(default_factory=dict)
+    """Scripts that sourcing the workspace runs, by the names of their files."""
 
 
 _KEPT = (
@@ -233,6 +237,18 @@ class _Runner:
         self._run_inside(read_commands(folder / "CMakeLists.txt"), here)
         self.folder = outer
 
+    def environment_hooks(self, command: Command, words: list[str]) -> None:
+        for path in (self.folder / word for word in words):
+            if not path.is_file():
+                raise command.error(f"ament_environment_hooks: there is no {path}")
+            name = path.name.removesuffix(".in")
+            self.reading.hooks[name] = read_text(path) if name == path.name else self._filled_in(read_text(path))
+
+    def _filled_in(self, template: str) -> str:
+        """A text with variables in the place of words between @, but for the prefix, which its installer knows."""
+        known = {**self.variables.values, "CMAKE_INSTALL_PREFIX": "@CMAKE_INSTALL_PREFIX@"}
+        return re.sub(r"@(\w+)@", lambda word: known.get(word[1], ""), template)
+
     def message(self, command: Command, words: list[str]) -> None:
         if words[:1] == ["FATAL_ERROR"]:
             raise command.error(" ".join(words[1:]))
@@ -257,4 +273,5 @@ _ACTIONS: dict[str, Callable[[_Runner, Command, list[str]], None]] = {
     "file": _Runner.file_command,
     "add_subdirectory": _Runner.add_subdirectory,
     "message": _Runner.message,
+    "ament_environment_hooks": _Runner.environment_hooks,
 }

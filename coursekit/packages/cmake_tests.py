@@ -10,14 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
-from coursekit.files import read_text
 from coursekit.packages.cmake_run import Call, Reading
-from coursekit.packages.cmake_text import CMakeError, Command
+from coursekit.packages.cmake_text import CMakeError
 
-_COMPILED = (
-    "ament_add_gtest", "ament_add_gmock", "ament_auto_add_gtest",
-    "ament_add_ros_isolated_gtest", "ament_add_ros_isolated_gmock",
-)  # fmt: skip
 _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
 
 
@@ -30,41 +25,15 @@ class TestCommand:
     results: Path
 
 
-def noted(build: Path, project: str) -> Reading | None:
-    """The tests that CMake has noted while it configured a package with BUILD_TESTING; None where it has not."""
-    path = build / "coursekit_tests.txt"
-    if not path.is_file():
-        return None
-    reading = Reading(project=project)
-    for line in read_text(path).splitlines():
-        name, folder, *words = line.split("\t")
-        reading.tests.append(Call(Command(name, (), path, 0), words, Path(folder)))
-    return reading
-
-
 def commands(reading: Reading, results: Path) -> list[TestCommand]:
     """The tests that can be run here, with their results below a folder; CMakeError for a file that is not there."""
     folder = results / reading.project
     return [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
 
 
-def compiled(reading: Reading) -> list[str]:
-    """The names of the tests in C++."""
-    return [call.words[0] for call in reading.tests if call.words and call.command.name in _COMPILED]
-
-
-def compiled_command(name: str, build: Path, results: Path) -> TestCommand:
-    """The command of a test in C++ that was built."""
-    program = next((path for path in sorted(build.rglob(name)) if path.is_file()), build / name)
-    file = results / f"{name}.gtest.xml"
-    words = [sys.executable, "-m", "coursekit.packages.gtest_program", str(program), f"--gtest_output=xml:{file}"]
-    return TestCommand(name, words, file)
-
-
 def left_out(reading: Reading) -> list[str]:
-    """The names of the tests that neither we nor gtest can run."""
-    known = {*_RUNNABLE, *_COMPILED}
-    return [call.words[0] for call in reading.tests if call.words and call.command.name not in known]
+    """The names of the tests that are not in Python: they need CMake."""
+    return [call.words[0] for call in reading.tests if call.words and call.command.name not in _RUNNABLE]
 
 
 def selection(words: Sequence[str]) -> Callable[[str], bool]:

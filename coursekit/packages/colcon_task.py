@@ -140,6 +140,9 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         for copy in install_rules.copies(reading, package, site):
             self._copy(copy.source, copy.target, copy.program)
             self._copied[copy.target] = Path(os.path.abspath(copy.source))
+        for name, text in reading.hooks.items():
+            known = text.replace("@CMAKE_INSTALL_PREFIX@", self.context.args.install_base)
+            self._create(f"share/{package}/environment/{name}", known)
         if (Path(self.context.args.path) / "package.xml").is_file():
             self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
         self._create(f"{_INDEX}/packages/{package}", "")
@@ -184,7 +187,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         hooks = create_environment_hook(
             "ament_prefix_path", Path(args.install_base), package, "AMENT_PREFIX_PATH", "", mode="prepend"
         )
-        create_environment_scripts(self.context.pkg, args, additional_hooks=hooks)
+        own = [one for one in self._installed if Path(one).parent.as_posix() == f"share/{package}/environment"]
+        create_environment_scripts(self.context.pkg, args, additional_hooks=[*hooks, *own])
         if skipped:
             ours = [one.name for one in stand_ins(package)]
             instead = f"; coursekit's own {', '.join(sorted(ours))} answer in their place" if ours else ""

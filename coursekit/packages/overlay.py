@@ -54,12 +54,14 @@ def _actions(prefix: Path, file: str) -> Iterator[list[str]]:
 
 def _apply(action: list[str], prefix: Path, env: dict[str, str]) -> None:
     kind, name, *values = action
+    if kind.startswith("prepend-non-duplicate"):
+        for path in (str(prefix / value) for value in values or [""]):
+            if not kind.endswith("-if-exists") or Path(path).exists():
+                others = [one for one in env.get(name, "").split(os.pathsep) if one and one != path]
+                env[name] = os.pathsep.join([path, *others])
+        return
     value = values[0] if values else ""
-    path = str(prefix / value) if value else str(prefix)
-    if kind == "prepend-non-duplicate" or (kind == "prepend-non-duplicate-if-exists" and Path(path).exists()):
-        others = [one for one in env.get(name, "").split(os.pathsep) if one and one != path]
-        env[name] = os.pathsep.join([path, *others])
-    elif kind == "set":
-        env[name] = path if value and (prefix / value).exists() else value
+    if kind == "set":
+        env[name] = str(prefix / value) if value and (prefix / value).exists() else value
     elif kind == "set-if-unset":
         env.setdefault(name, value)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.packages.cmake_run import read_project
-from coursekit.packages.cmake_tests import commands, compiled, left_out, selection
+from coursekit.packages.cmake_tests import commands, left_out, selection
 from coursekit.packages.cmake_text import CMakeError
 
 BIN = Path(sys.executable).parent
@@ -55,7 +55,7 @@ def test_a_function_of_the_file_passes_its_words_on(package, tmp_path):
     folder = package(ISOLATED, test_it="", test_math="")
     reading = read_project(folder, testing=True)
     launch, python = commands(reading, tmp_path)
-    assert (launch.name, python.name, compiled(reading), left_out(reading)) == ("named", "math", ["in_cpp"], [])
+    assert (launch.name, python.name, left_out(reading)) == ("named", "math", ["in_cpp"])
     assert launch.command[3:] == [
         str(folder / "test/test_it.py"), f"--junit-xml={tmp_path / 'app' / 'named.xunit.xml'}",
         "--package-name=app", "speed:=2",

@@ -114,7 +114,7 @@ def test_a_library_is_found_with_its_version_its_files_and_what_it_needs(workspa
     tested = colcon(workspace, "test", "--packages-select", "means")
     assert tested.returncode == 0, tested.stdout + tested.stderr
     summary = sourced(workspace, "colcon test-result").stdout
-    assert re.search(r"^Summary: 2 tests, 0 errors, 0 failures", summary, re.M), summary
+    assert re.search(r"^Summary: 4 tests, 0 errors, 0 failures", summary, re.M), summary
 
 
 @pytest.mark.slow

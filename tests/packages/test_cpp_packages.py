@@ -87,7 +87,7 @@ def test_a_package_of_nothing_but_tests_in_cpp_has_them_run(tmp_path):
     assert colcon(tmp_path, "build").returncode == 0
     tested = colcon(tmp_path, "test")
     assert "Skipped" not in tested.stdout, tested.stdout
-    assert colcon(tmp_path, "test-result").stdout == "Summary: 1 test, 0 errors, 0 failures, 0 skipped\n"
+    assert colcon(tmp_path, "test-result").stdout == "Summary: 2 tests, 0 errors, 0 failures, 0 skipped\n"
 
 
 KEEPER = """

@@ -159,11 +159,11 @@ def test_tests_in_cpp_are_built_and_run_or_named(workspace):
         assert "Skipped tests of k_route: test_route, test_with_node" in tested.stdout
         assert "sudo apt install libgtest-dev libgmock-dev" in tested.stdout + tested.stderr
         return
-    assert colcon(workspace, "test-result").stdout == "Summary: 2 tests, 0 errors, 0 failures, 0 skipped\n"
+    assert colcon(workspace, "test-result").stdout == "Summary: 4 tests, 0 errors, 0 failures, 0 skipped\n"
     source = workspace / "src" / "k_route" / "test" / "test_route.cpp"
     right = source.read_text(encoding="utf-8")
     source.write_text(right + "TEST(Route, fails) {EXPECT_EQ(1, 2);}\n", encoding="utf-8")
     colcon(workspace, "test", "--packages-select", "k_route")
     source.write_text(right, encoding="utf-8")
     told = colcon(workspace, "test-result", "--verbose").stdout
-    assert "Summary: 3 tests, 0 errors, 1 failure, 0 skipped" in told and "test_route.cpp" in told
+    assert "Summary: 5 tests, 0 errors, 2 failures, 0 skipped" in told and "test_route.cpp" in told

@@ -1,0 +1,53 @@
+"""`python -m coursekit.packages.manifest_facts package.xml`: what a manifest says, as CMake's variables."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from catkin_pkg.package import InvalidPackage, parse_package
+
+_DEPENDENCIES = {
+    "BUILD_DEPENDS": "build_depends",
+    "BUILDTOOL_DEPENDS": "buildtool_depends",
+    "BUILD_EXPORT_DEPENDS": "build_export_depends",
+    "BUILDTOOL_EXPORT_DEPENDS": "buildtool_export_depends",
+    "EXEC_DEPENDS": "exec_depends",
+    "TEST_DEPENDS": "test_depends",
+    "GROUP_DEPENDS": "group_depends",
+}
+
+
+def facts(package: Any) -> Iterator[str]:
+    """The lines of CMake for a package that catkin_pkg has read."""
+    yield _set("_AMENT_PACKAGE_NAME", [package.name])
+    yield _set(f"{package.name}_VERSION", [package.version])
+    yield _set(f"{package.name}_MAINTAINER", [", ".join(map(str, package.maintainers))])
+    for variable, kind in _DEPENDENCIES.items():
+        yield _set(f"{package.name}_{variable}", map(str, getattr(package, kind)))
+    yield _set(f"{package.name}_MEMBER_OF_GROUPS", map(str, package.member_of_groups))
+    deprecated = next((one.content or "TRUE" for one in package.exports if one.tagname == "deprecated"), "")
+    yield _set(f"{package.name}_DEPRECATED", [deprecated] if deprecated else [])
+
+
+def _set(variable: str, values: Iterable[str]) -> str:
+    quoted = (value.replace("\\", "\\\\").replace('"', '\\"').replace("$", "\\$") for value in values)
+    return f"set({variable} {' '.join(f'{chr(34)}{value}{chr(34)}' for value in quoted) or chr(34) * 2})"
+
+
+def main(words: list[str]) -> int:
+    """Print the facts of a manifest; 1, and why, where it is none."""
+    try:
+        package = parse_package(Path(words[0]))
+    except (InvalidPackage, OSError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    package.evaluate_conditions({"ROS_VERSION": "2", "ROS_DISTRO": "humble"})
+    print("\n".join(facts(package)))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

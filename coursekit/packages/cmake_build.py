@@ -142,9 +142,8 @@ def configure_tests(build: Path, tools: Toolchain, results: Path) -> list[str]:
 
 
 def build_tests(build: Path, tools: Toolchain) -> list[str]:
-    """The command that builds a package with its tests, as many of them as can be built."""
-    go_on = ["-k", "0"] if tools.ninja else ["-k"]
-    return [tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1), "--", *go_on]
+    """The command that builds a package with its tests."""
+    return [tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1)]
 
 
 def reuse_compiler(build: Path, runtime: Path) -> None:

@@ -104,8 +104,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         why = code and cpp_limits.reason(said, self._depends(), bool(stand_ins(package)))
         if why:
             return await self._copy_files(why)
-        hints = [f"hint: {one}\n".encode() for one in cpp_hints.hints(said)] if code else []
-        for line in [*errors, *hints]:
+        for line in cpp_hints.with_hints(errors) if code else errors:
             self.context.put_event_into_queue(StderrLine(line))
         if code == 0:
             self._installed = cmake_build.installed(Path(self.context.args.build_base), Path(self.context.args.install_base))

@@ -14,7 +14,7 @@ from colcon_core.task import TaskExtensionPoint, run
 
 from coursekit.cpp.toolchain import NoToolchain, Toolchain
 from coursekit.files import read_text
-from coursekit.packages import cmake_build, cmake_tests
+from coursekit.packages import cmake_build, cmake_tests, cpp_hints
 from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.prepare_cpp import prepared_toolchain
@@ -28,7 +28,7 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     async def test(self) -> int:
-        """Return 0, also when tests fail, which their results tell; 1 when the package cannot be read or configured."""
+        """Return 0, also when tests fail, which their results tell; another code when the package is not read or built."""
         if (Path(self.context.args.build_base) / "CMakeCache.txt").is_file():
             try:
                 return await self._ctest(await prepared_toolchain())
@@ -49,20 +49,29 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         return 0
 
     async def _ctest(self, tools: Toolchain) -> int:
-        """Build what CMake finds with BUILD_TESTING, and have ctest run it. A test that is not compiled fails there."""
+        """Build what CMake finds with BUILD_TESTING, and have ctest run it."""
         args = self.context.args
         build = Path(args.build_base)
         env = cmake_build.completed(await get_command_environment("build", str(build), self.context.dependencies), tools)
-        configured = await self._done(cmake_build.configure_tests(build, tools, self._results()), env)
-        if configured:
-            return configured
-        await self._done(cmake_build.build_tests(build, tools), env)
+        code = await self._done(cmake_build.configure_tests(build, tools, self._results()), env)
+        code = code or await self._build(cmake_build.build_tests(build, tools), env)
+        if code:
+            return code
         noted = build / "coursekit_skipped_tests.txt"
         self._tell_skipped(read_text(noted).splitlines() if noted.is_file() else [])
         colcon_ctest.CTEST_EXECUTABLE = tools.ctest
         task = colcon_ctest.CmakeTestTask()
         task.set_context(context=self.context)
         return int(await task.test() or 0)
+
+    async def _build(self, command: list[str], env: dict[str, str]) -> int:
+        """Compile; where that fails, the compiler's words are told, with hints."""
+        listening = cmake_build.ErrorsAside(self.context)
+        done = await run(listening, command, cwd=self.context.args.build_base, env=env)
+        if done.returncode:
+            for line in cpp_hints.with_hints(listening.errors):
+                self.context.put_event_into_queue(StderrLine(line))
+        return int(done.returncode)
 
     async def _done(self, command: list[str], env: dict[str, str]) -> int:
         return int((await run(self.context, command, cwd=self.context.args.build_base, env=env)).returncode)

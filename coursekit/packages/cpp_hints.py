@@ -78,7 +78,7 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
     (r"install TARGETS given target \"(?P<name>\w+)\" which does not exist",
      lambda found: f"install(TARGETS ...) names {found['name']}, but no add_executable() or add_library() makes it."),
     (r"fatal error: '?(?P<name>[\w./+-]+?)'?(: No such file| file not found)", _missing_header),
-    (rf"error: expected {_Q};{_Q}", "a statement ends with ; and the one above this place has none."),
+    (rf"error: expected ({_Q},{_Q} or )?{_Q};{_Q}", "a statement ends with ; and the one above this place has none."),
     (_undeclared(_NAMES), lambda found: f"write std::{_name(found)}, with #include <{_STANDARD[_name(found)]}> at the top."),
     (rf"{_Q}(?P<name>{_NAMES}){_Q} is not a member of {_Q}std|no member named '(?P<other>{_NAMES})' in namespace 'std'",
      lambda found: f"add #include <{_STANDARD[_name(found)]}> at the top."),
@@ -106,6 +106,12 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
      "count the braces above this place: one is missing, or one too many."),
     (r"passing .const \S+ as .this. argument discards qualifiers", "the function called is not const, but its object is."),
 )  # fmt: skip
+
+
+def with_hints(lines: list[bytes]) -> list[bytes]:
+    """A compiler's lines, and behind them what to do about them."""
+    said = b"".join(lines).decode(errors="replace")
+    return [*lines, *(f"hint: {one}\n".encode() for one in hints(said))]
 
 
 def hints(text: str) -> list[str]:

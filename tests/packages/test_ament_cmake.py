@@ -113,6 +113,18 @@ def test_ctest_runs_all_kinds_of_tests(workspace):
     assert "100% tests passed, 0 tests failed out of 1" in log
 
 
+@pytest.mark.skipif(not os.path.isfile("/usr/include/gtest/gtest.h"), reason="needs libgtest-dev")
+def test_tests_that_are_not_compiled_are_not_run(workspace):
+    source = workspace / "src" / "asker" / "test" / "test_mock.cpp"
+    right = source.read_text()
+    source.write_text(right + "int after = 1\nint more = 2;\n")
+    tested = colcon(workspace, "test", "--packages-select", "asker")
+    source.write_text(right)
+    assert re.search(r"test_mock\.cpp:[45]:\d+: error: expected", tested.stderr), tested.stderr
+    assert re.search(r"hint: .*test_mock\.cpp.*: a statement ends with ;", tested.stderr), tested.stderr
+    assert "1 package failed: asker" in tested.stdout and tested.returncode != 0
+
+
 HOOKED = """cmake_minimum_required(VERSION 3.8)
 project(hooked)
 find_package(ament_cmake REQUIRED)

@@ -6,6 +6,7 @@ from coursekit.packages.cpp_hints import hints
 
 SAID = {
     "src/a.cpp:9:30: error: expected ‘;’ before ‘return’": "a.cpp:9: a statement ends with ;",
+    "src/a.cpp:9:30: error: expected ‘,’ or ‘;’ before ‘int’": "a.cpp:9: a statement ends with ;",
     "src/a.cpp:9:30: error: expected ';' after expression": "a.cpp:9: a statement ends with ;",
     "a.cpp:2:10: fatal error: std_msgs/msg/String.hpp: No such file or directory": '"std_msgs/msg/string.hpp"',
     "a.cpp:2:10: fatal error: 'sensor_msgs/msg/LaserScan.hpp' file not found": '"sensor_msgs/msg/laser_scan.hpp"',

@@ -84,9 +84,11 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         return code
 
     def _results(self) -> Path:
-        """The folder of the results of tests, in which every package has one."""
+        """The folder of the results of tests, in which every package has one; `--test-result-base` names it, too."""
         args = self.context.args
-        return Path(os.path.abspath(args.test_result_base or args.build_base)) / "test_results"
+        if args.test_result_base:
+            return Path(args.test_result_base).parent  # colcon has put the package's name behind it
+        return Path(os.path.abspath(args.build_base)) / "test_results"
 
     def _tell_skipped(self, names: list[str]) -> None:
         if names:

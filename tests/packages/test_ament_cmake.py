@@ -108,7 +108,8 @@ def test_ctest_runs_all_kinds_of_tests(workspace):
     assert summary == "Summary: 32 tests, 2 errors, 9 failures, 7 skipped" and told.returncode == 1
     assert (workspace / "build" / "asker" / "cmd.txt").read_text() == "helped\n"
     assert "- asker.Bad fails" in colcon(workspace, "test-result", "--verbose").stdout
-    colcon(workspace, "test", "--packages-select", "asker", "--ctest-args", "-L", "gmock")
+    colcon(workspace, "test", "--packages-select", "asker", "--test-result-base", "kept", "--ctest-args", "-L", "gmock")
+    assert (workspace / "kept" / "asker" / "test_mock.gtest.xml").is_file()
     log = (workspace / "log" / "latest_test" / "asker" / "stdout.log").read_text()
     assert "100% tests passed, 0 tests failed out of 1" in log
 

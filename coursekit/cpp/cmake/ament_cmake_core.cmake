@@ -127,15 +127,10 @@ function(assert_file_exists file message)
 endfunction()
 
 function(get_executable_path variable target)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "BUILD;CONFIGURE" "" "")
-  if(TARGET ${target} AND arg_BUILD)
-    set(path "$<TARGET_FILE:${target}>")
-  elseif(TARGET ${target})
-    get_target_property(path ${target} LOCATION)
-  else()
-    set(path "${target}")
+  set(${variable} "${target}" PARENT_SCOPE)
+  if(TARGET ${target})
+    set(${variable} "$<TARGET_FILE:${target}>" PARENT_SCOPE)
   endif()
-  set(${variable} "${path}" PARENT_SCOPE)
 endfunction()
 
 # Configure again when this file has changed.

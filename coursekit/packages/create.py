@@ -11,9 +11,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from coursekit.packages import cmake_templates, licenses, python_templates
+from coursekit.packages import cmake_templates, python_templates
 from coursekit.packages.recipe import Recipe, manifest
 from coursekit.systems.letter_case import other_spelling
+from coursekit.words import licenses
 
 BUILD_TYPES = ("cmake", "ament_cmake", "ament_python")
 _NAME = re.compile(r"[a-zA-Z][a-zA-Z0-9_-]*")

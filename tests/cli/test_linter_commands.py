@@ -2,6 +2,7 @@
 
 import importlib.metadata
 import importlib.util
+import os
 
 import pytest
 
@@ -73,14 +74,64 @@ def test_flake8_s_findings_are_told_counted_and_sorted(linter, capsys):
 def test_clean_files_have_no_problems(linter, capsys):
     told = linter("flake8", "", 0)
     assert flake8(["--linelength", "79", "--exclude", "old.py", "--", "node.py"]) == 0
-    assert capsys.readouterr().out == "\n1 files checked\nNo problems found\n\n\nChecked files:\n\n* node.py\n"
-    assert told.read_text().endswith("--show-source --max-line-length=79 --extend-exclude=old.py node.py")
+    assert capsys.readouterr().out == "\n1 files checked\nNo problems found\n\nChecked files:\n\n* node.py\n"
+    words = "--extend-exclude=build,install,log,old.py --max-line-length=79 node.py"
+    assert told.read_text().endswith(f"ament_flake8.ini {words}")
+
+
+def test_a_code_is_counted_with_the_words_of_its_first_file(linter, capsys, tmp_path):
+    linter("flake8", "z.py:1:1: E302 expected 2 blank lines, found 0\na.py:1:1: E302 expected 2 blank lines, found 1\n", 1)
+    assert flake8(["node.py"]) == 1
+    assert "\n2     E302 expected 2 blank lines, found 1\n" in capsys.readouterr().out
+
+
+def test_ignored_folders_are_not_looked_into(linter, capsys, tmp_path):
+    told = linter("flake8", "", 0)
+    (tmp_path / "old" / "deep").mkdir(parents=True)
+    (tmp_path / "old" / "AMENT_IGNORE").touch()
+    (tmp_path / "old" / "deep" / "x.py").touch()
+    assert flake8(["old"]) == 0
+    assert "\n0 files checked\n" in capsys.readouterr().out and told.read_text().endswith("build,install,log,old old")
 
 
 def test_pep257_counts_its_errors(linter, capsys):
     linter("pydocstyle", "node.py:1 at module level:\n        D400: First line should end with a period\n", 1)
-    assert pep257([]) == 1
-    assert capsys.readouterr().out.endswith("a period\n1 errors\n")
+    assert pep257(["node.py"]) == 1
+    said = capsys.readouterr()
+    assert said.out == "checking node.py\n"
+    assert said.err == "node.py:1 at module level: D400: First line should end with a period\n1 errors\n"
+
+
+ROS = "D100,D101,D102,D103,D104,D105,D106,D107,D203,D212,D404"
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ([], f"--ignore={ROS}"),
+        (["--add-ignore", "D400"], f"--ignore={ROS},D400"),
+        (["--add-select", "D404"], f"--ignore={ROS.removesuffix(',D404')}"),
+        (["--ignore", "D100", "D101"], "--ignore=D100,D101"),
+        (["--select", "D403"], "--select=D403"),
+        (["--convention", "google", "--add-ignore", "D100"], "--convention=google --add-ignore=D100"),
+    ],
+)
+def test_pep257_looks_for_the_codes_that_are_asked_for(linter, capsys, words, told):
+    noted = linter("pydocstyle", "", 0)
+    assert pep257([*words, "--", "node.py"]) == 0
+    assert noted.read_text() == f"{told} node.py"
+    assert capsys.readouterr().out == "checking node.py\nNo problems found\n"
+
+
+def test_pep257_leaves_out_what_is_excluded_and_what_is_hidden(linter, capsys, tmp_path):
+    linter("pydocstyle", "", 0)
+    for folder in (".hidden", "_build", "test"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "test_it.py").touch()
+    assert pep257(["--exclude", "node.py", "--", ".", "test"]) == 0
+    said = [line for line in capsys.readouterr().out.splitlines() if "site" not in line]
+    files = [os.path.join(".", "test", "test_it.py"), os.path.join("test", "test_it.py")]
+    assert said == [*(f"checking {one}" for one in files), "No problems found"]
 
 
 @pytest.mark.parametrize(("run", "name"), [(flake8, "flake8"), (pep257, "pydocstyle")])
@@ -94,7 +145,7 @@ def test_files_without_a_notice_are_named(tmp_path, monkeypatch, capsys):
     (tmp_path / "node.py").write_text("x = 1\n")
     monkeypatch.chdir(tmp_path)
     assert copyright_notices([]) == 1
-    assert capsys.readouterr().err == "node.py: could not find copyright notice\n"
+    assert capsys.readouterr().err == "node.py: could not find copyright notice\n1 errors, checked 1 files\n"
 
 
 def test_they_are_commands():

@@ -1,26 +1,60 @@
-"""Checks that source files start with a copyright notice."""
+"""Checks that source files begin with a copyright notice and a known license."""
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from coursekit.files import read_text
+
+from .notices import LICENSES, UNKNOWN, notice_of
+
 _SUFFIXES = (".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".cmake")
-_HEAD_LINES = 20
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Return 0 when every source file below the folders has a notice, else 1 after naming the others."""
-    words = [one for one in (sys.argv[1:] if argv is None else argv) if not one.startswith("-")]
-    files = {one for word in words or ["."] for one in _sources(Path(word))}
-    bad = [path for path in sorted(files) if not _has_notice(path)]
-    for path in bad:
-        print(f"{path}: could not find copyright notice", file=sys.stderr)
-    counted = f"checked {len(files)} files"
-    print(f"{len(bad)} errors, {counted}" if bad else f"No errors, {counted}")
-    return 1 if bad else 0
+    """Return 0 when every source file below the folders has a notice and a license, else 1 after naming the others."""
+    asked = _parser().parse_args(argv)
+    if asked.list_licenses:
+        print("\n".join(f"{name}: {title}" for name, title in sorted(LICENSES.items())))
+        return 0
+    excluded = {os.path.abspath(one) for one in asked.exclude}
+    found = {one for word in asked.paths for one in _sources(Path(word)) if os.path.abspath(one) not in excluded}
+    if not found:
+        print("No repository roots and files found")
+    bad = 0
+    for path in sorted(found):
+        good, said = _judged(path)
+        bad += not good
+        if not good or asked.verbose:
+            print(f"{path}: {said}", file=sys.stdout if good else sys.stderr)
+    counted = f"checked {len(found)} files"
+    print(f"{bad} errors, {counted}" if bad else f"No problems found, {counted}", file=sys.stderr if bad else sys.stdout)
+    return int(bad > 0)
+
+
+def _parser() -> argparse.ArgumentParser:
+    about = "Check code files for copyright and license information."
+    parser = argparse.ArgumentParser(prog="ament_copyright", description=about)
+    parser.add_argument("paths", nargs="*", default=["."], help="The files or directories to check.")
+    parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="The filenames to exclude.")
+    parser.add_argument("--list-licenses", action="store_true", help="List names of known licenses")
+    parser.add_argument("--verbose", action="store_true", help="Show all files instead of only the ones with errors")
+    return parser
+
+
+def _judged(path: Path) -> tuple[bool, str]:
+    """Whether a file is as it should be, and what is said of it."""
+    text = read_text(path, errors="replace")
+    if not text:
+        return True, "file empty"
+    notice = notice_of(text)
+    if notice is None:
+        return False, "could not find copyright notice"
+    return notice.license != UNKNOWN, f"copyright={', '.join(notice.holders)}, license={notice.license}"
 
 
 def _sources(path: Path) -> Iterator[Path]:
@@ -35,8 +69,3 @@ def _sources(path: Path) -> Iterator[Path]:
         folders[:] = [one for one in folders if one[0] not in "._"]
         left_out = {"setup.py"} if "package.xml" in files else set()
         yield from (Path(place, one) for one in set(files) - left_out if Path(one).suffix in _SUFFIXES)
-
-
-def _has_notice(path: Path) -> bool:
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    return not "".join(lines).strip() or any("copyright" in line.lower() for line in lines[:_HEAD_LINES])

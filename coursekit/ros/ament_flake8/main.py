@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
+import os
 import re
 import subprocess
 import sys
@@ -12,62 +13,75 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-_LEFT_OUT = ("build", "install", "log", ".git")
-_SETTINGS = ("--max-line-length=99", "--extend-ignore=W503,E203", f"--exclude={','.join(_LEFT_OUT)}")
+_SETTINGS = str(Path(__file__).with_name("ament_flake8.ini"))
+_LEFT_OUT = ("build", "install", "log")
+"""What colcon makes; Humble's flake8 is not kept from looking there, but it has nothing of the user's."""
 _FINDING = re.compile(r"(.+?:\d+:\d+: )([A-Z]+\d+)( .*)")
 
 
 def main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, list[str]]:
     """Return 0 or 1, and one line for each finding; raises SkipTest where flake8 is not installed."""
-    paths, options = _asked(argv)
-    code, lines = _run([*options, *paths])
-    return code, lines
+    return _run(_words(_parser().parse_args(argv)))
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Return 0 or 1 after printing the findings, how many there are of each kind, and which files were read."""
-    paths, options = _asked(argv)
-    code, lines = _run(["--show-source", *options, *paths])
+    asked = _parser().parse_args(argv)
+    code, lines = _run(["--show-source", *_words(asked)])
     for line in lines:
         print(f"\n{line}" if _FINDING.fullmatch(line) else line)
-    found = Counter(one[2] + one[3] for line in lines if (one := _FINDING.fullmatch(line)))
-    _summarize(found, sorted(_python_files(paths)))
+    found = [(one[1], one[2], one[3]) for line in lines if (one := _FINDING.fullmatch(line))]
+    found.sort(key=lambda one: one[0].partition(":")[0])
+    excluded = {os.path.abspath(one) for one in asked.exclude}
+    files = {one for path in asked.paths for one in _python_files(path) if os.path.basename(one) not in asked.exclude}
+    _summarize(found, sorted(one for one in files if os.path.abspath(one) not in excluded))
     return code
 
 
-def _asked(argv: Sequence[str] | None) -> tuple[list[str], list[str]]:
-    """The paths to read, and what flake8 is told."""
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="ament_flake8", description="Check code using flake8.")
-    parser.add_argument("--config", metavar="path", help="The config file")
+    parser.add_argument("--config", metavar="path", default=_SETTINGS, help="The config file")
     parser.add_argument("--linelength", metavar="N", type=int, help="The maximum line length")
     parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="The filenames to exclude.")
     parser.add_argument("paths", nargs="*", default=["."], help="The files or directories to check.")
-    asked = parser.parse_args(argv)
-    options = [f"--config={asked.config}"] if asked.config else []
-    options += [f"--max-line-length={asked.linelength}"] if asked.linelength else []
-    options += [f"--extend-exclude={','.join(asked.exclude)}"] if asked.exclude else []
-    return asked.paths, options
+    return parser
+
+
+def _words(asked: argparse.Namespace) -> list[str]:
+    """What flake8 is told."""
+    ignored = [str(one.parent) for path in asked.paths for one in Path(path).rglob("AMENT_IGNORE")]
+    words = [f"--config={asked.config}", f"--extend-exclude={','.join([*_LEFT_OUT, *asked.exclude, *ignored])}"]
+    return [*words, *([f"--max-line-length={asked.linelength}"] if asked.linelength else []), *asked.paths]
 
 
 def _run(words: Sequence[str]) -> tuple[int, list[str]]:
     if importlib.util.find_spec("flake8") is None:
         raise unittest.SkipTest("flake8 is not installed: `pip install flake8` brings it")
-    command = [sys.executable, "-m", "flake8", *_SETTINGS, *words]
+    command = [sys.executable, "-m", "flake8", *words]
     result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     return int(result.returncode != 0), [line for line in (result.stdout + result.stderr).splitlines() if line]
 
 
-def _python_files(paths: Sequence[str]) -> Iterator[str]:
-    for path in map(Path, paths):
-        inside = path.rglob("*.py") if path.is_dir() else [path]
-        yield from (str(one) for one in inside if not set(one.parts) & set(_LEFT_OUT))
+def _python_files(path: str) -> Iterator[str]:
+    """The Python files below a folder, but for those in folders that are left out, or the file itself."""
+    if os.path.isfile(path):
+        yield path
+    for place, folders, files in os.walk(path):
+        folders[:] = [one for one in folders if one not in _LEFT_OUT and one[0] != "."]
+        if "AMENT_IGNORE" in files:
+            folders.clear()
+        else:
+            yield from (os.path.join(place, one) for one in files if one.endswith(".py"))
 
 
-def _summarize(found: Counter[str], files: list[str]) -> None:
+def _summarize(found: Sequence[tuple[str, str, str]], files: list[str]) -> None:
+    """Print how many findings there are of each code, with the text of the first, and which files were read."""
     print()
+    counts, texts = Counter(code for _, code, _ in found), {code: text for _, code, text in reversed(found)}
     if found:
-        print("\n".join(f"{count:<5} {what}" for what, count in sorted(found.items())) + "\n")
-    print(f"{len(files)} files checked\n{f'{found.total()} errors' if found else 'No problems found'}\n")
-    kinds = Counter(letter for what, count in found.items() for letter in what[0] * count)
-    print("".join(f"'{letter}'-type errors: {count}\n" for letter, count in sorted(kinds.items())))
+        print("\n".join(f"{counts[code]:<5} {code}{texts[code]}" for code in sorted(counts)) + "\n")
+    print(f"{len(files)} files checked\n{f'{len(found)} errors' if found else 'No problems found'}\n")
+    for letter, count in sorted(Counter(code[0] for _, code, _ in found).items()):
+        print(f"'{letter}'-type errors: {count}")
+    print("\n" * bool(found), end="")
     print("Checked files:\n" + "".join(f"\n* {one}" for one in files))

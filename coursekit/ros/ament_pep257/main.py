@@ -2,24 +2,74 @@
 
 from __future__ import annotations
 
+import argparse
 import importlib.util
+import os
 import re
 import subprocess
 import sys
 import unittest
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-_IGNORED = "D100,D101,D102,D103,D104,D105,D106,D107,D203,D212,D404"
+_IGNORED = ("D100", "D101", "D102", "D103", "D104", "D105", "D106", "D107", "D203", "D212", "D404")
+_CONVENTIONS = ("ament", "google", "numpy", "pep257")
+_FINDING = re.compile(r"^(.+?:\d+ .*):\n\s+(D\d+: .*)$", re.M)
+_UNREADABLE = re.compile(r"Error in file (.*): (Cannot parse file\.)")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Return 0 or 1 after printing the findings; raises SkipTest where pydocstyle is not installed."""
     if importlib.util.find_spec("pydocstyle") is None:
         raise unittest.SkipTest("pydocstyle is not installed: `pip install pydocstyle` brings it")
-    paths = list(sys.argv[1:] if argv is None else argv) or ["."]
-    command = [sys.executable, "-m", "pydocstyle", f"--ignore={_IGNORED}", *paths]
+    asked = _parser().parse_args(argv)
+    excluded = {os.path.abspath(name) for name in asked.exclude}
+    files = sorted({one for path in asked.paths for one in _sources(path) if os.path.abspath(one) not in excluded})
+    for file in files:
+        print(f"checking {file}")
+    found = _findings(files, _chosen(asked)) if files else []
+    for one in found:
+        print(one, file=sys.stderr)
+    print(f"{len(found)} errors" if found else "No problems found", file=sys.stderr if found else sys.stdout)
+    return int(bool(found))
+
+
+def _parser() -> argparse.ArgumentParser:
+    about = "Check docstrings against the style conventions in PEP 257."
+    parser = argparse.ArgumentParser(prog="ament_pep257", description=about)
+    kinds = parser.add_mutually_exclusive_group()
+    kinds.add_argument("--ignore", nargs="+", help="The codes to ignore, in place of ROS's")
+    kinds.add_argument("--select", nargs="+", help="The codes to look for, no others")
+    kinds.add_argument("--convention", choices=_CONVENTIONS, default="ament", help="A set of codes")
+    parser.add_argument("--add-ignore", nargs="+", default=[], help="More codes to ignore")
+    parser.add_argument("--add-select", nargs="+", default=[], help="More codes to look for")
+    parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="The filenames to exclude.")
+    parser.add_argument("paths", nargs="*", default=["."], help="The files or directories to check.")
+    return parser
+
+
+def _chosen(asked: argparse.Namespace) -> list[str]:
+    """pydocstyle's words for the codes that are asked for."""
+    if asked.select:
+        return [f"--select={','.join([*asked.select, *asked.add_select])}"]
+    if asked.convention != "ament":
+        more = {"--add-select": asked.add_select, "--add-ignore": asked.add_ignore}
+        return [f"--convention={asked.convention}", *(f"{word}={','.join(codes)}" for word, codes in more.items() if codes)]
+    ignored = [one for one in (*(asked.ignore or _IGNORED), *asked.add_ignore) if one not in asked.add_select]
+    return [f"--ignore={','.join(ignored)}"]
+
+
+def _sources(path: str) -> Iterator[str]:
+    """The Python files below a folder, but for those in hidden folders, or the file itself."""
+    if os.path.isfile(path):
+        yield path
+    for place, folders, files in os.walk(path):
+        folders[:] = [one for one in folders if one[0] not in "._"]
+        yield from (os.path.join(place, one) for one in files if one.endswith(".py"))
+
+
+def _findings(files: list[str], chosen: list[str]) -> list[str]:
+    command = [sys.executable, "-m", "pydocstyle", *chosen, *files]
     result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
-    said = result.stdout + result.stderr
-    errors = len(re.findall(r"^\s+D\d+: ", said, re.M))
-    print(said + (f"{errors} errors" if errors else "No errors"))
-    return 1 if result.returncode else 0
+    print(result.stderr.replace("WARNING: ", ""), end="", file=sys.stderr)
+    found = [f"{place}: {what}" for place, what in _FINDING.findall(result.stdout)]
+    return found + [f"{file}: {why}" for file, why in _UNREADABLE.findall(result.stderr)]

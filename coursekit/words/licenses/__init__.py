@@ -1,4 +1,4 @@
-"""Texts of the licenses that `ros2 pkg create` can put into a package."""
+"""Texts of the licenses that `ros2 pkg create` can put into a package, and `ament_copyright` knows."""
 
 from __future__ import annotations
 

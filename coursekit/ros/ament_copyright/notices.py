@@ -1,0 +1,98 @@
+"""Copyright notices and licenses in the comments of a source file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+
+from coursekit.words import licenses
+
+UNKNOWN = "<unknown>"
+LICENSES = {
+    "apache2": "Apache License, Version 2.0",
+    "boost1": "Boost Software License - Version 1.0",
+    "bsd2": "BSD License 2.0",
+    "bsd_2clause": "2-Clause BSD License",
+    "bsd_3clause": "3-Clause BSD License",
+    "gplv3": "GNU General Public License 3.0",
+    "lgplv3": "GNU Lesser General Public License 3.0",
+    "mit": "MIT License",
+    "mit0": "MIT-0 License",
+}
+_FILES = {
+    "mit": "MIT", "boost1": "BSL-1.0", "bsd_3clause": "BSD-3-Clause", "bsd_2clause": "BSD-2-Clause", "bsd2": "BSD-2.0",
+    "mit0": "MIT-0",
+}  # fmt: skip
+"""The licenses whose whole text is a notice; the longer are first, where one begins as another does."""
+_YEARS = r"\d{4}(?:-\d{4})?(?:,\s*\d{4}(?:-\d{4})?)*"
+_COPYRIGHT = re.compile(rf"^.?\s*(?:\\copyright\s*)?copyright(?:\s+\(c\))?\s+({_YEARS}),?\s+(\S.*)$", re.I | re.M)
+_BULLET = re.compile(r"(?<!\S)(?:[*-]|\(?\d[.)])\s")
+_HOLDER = re.compile(r"(?<=name of )the copyright holder|(?<=names of )its")
+_LINES = re.compile(r"^(#|///?)(.*(?:\n\1.*)*)", re.M)
+_BLOCK = re.compile(r"^/\*(.*?)\*/$|^<!--(.*?)-->$", re.M | re.S)
+
+
+@dataclass(frozen=True)
+class Notice:
+    """Whose a file is, such as 'Vera Course (2020)', and the short name of its license."""
+
+    holders: list[str]
+    license: str
+
+
+def notice_of(text: str) -> Notice | None:
+    """The notice in a file's text, None where there is none.
+
+    >>> notice_of("# Copyright (c) 2019-2021, Vera Course\\n# All rights reserved.\\nx = 1\\n")
+    Notice(holders=['Vera Course (2019-2021)'], license='<unknown>')
+    """
+    holders, license_ = [], UNKNOWN
+    for comment in _comments(text):
+        found = list(_COPYRIGHT.finditer(comment))
+        holders += [f"{one[2]} ({one[1]})" for one in found]
+        if license_ == UNKNOWN:
+            license_ = license_of(comment[found[-1].end() :] if found else comment)
+    return Notice(holders, license_) if holders else None
+
+
+def license_of(text: str) -> str:
+    """The short name of the license that a text holds."""
+    words = _words(text)
+    for name, sections in _sections().items():
+        places = [words.find(one) for one in sections]
+        if -1 not in places and places == sorted(places):
+            return name
+    return UNKNOWN
+
+
+def _comments(text: str) -> Iterator[str]:
+    """The comments that begin at the start of a line, without their marks."""
+    for found in _LINES.finditer(text):
+        mark = found[1]
+        yield "\n".join(line[len(mark) + 1 :] for line in found[0].splitlines())
+    for found in _BLOCK.finditer(text):
+        lines = (found[1] or found[2] or "").splitlines()
+        lines = lines[1:-1] if len(lines) > 2 else lines[-1:]
+        yield "\n".join(re.sub(r"^\s*\*? ?", "", line) for line in lines) if len(lines) > 1 else "".join(lines)
+
+
+def _words(text: str) -> str:
+    """A text in one line, without the marks of its lists."""
+    return _BULLET.sub("", " ".join(text.split()))
+
+
+def _text(name: str) -> str:
+    return licenses.text(name) or ""
+
+
+@cache
+def _sections() -> dict[str, list[str]]:
+    """What the comment of each license holds, one piece after the other."""
+    texts = {"apache2": _text("Apache-2.0").rpartition("[name of copyright owner]")[2]}
+    gnu = _text("GPL-3.0-only").rpartition("    This program is free software")[2].partition("If not, see")[0]
+    texts["gplv3"] = "This program is free software" + gnu
+    texts["lgplv3"] = texts["gplv3"].replace("GNU General", "GNU Lesser General")
+    texts |= {name: _text(file) for name, file in _FILES.items()}
+    return {name: [one for one in map(_words, _HOLDER.split(text)) if one] for name, text in texts.items()}

@@ -40,8 +40,11 @@ PACKAGES = (
     "rosidl_typesupport_c", "rosidl_typesupport_cpp", "rosidl_typesupport_interface", "rosidl_runtime_c",
     "rmw_implementation", "rmw_implementation_cmake", "rcl_action", "rcl_lifecycle", "rcl_yaml_param_parser",
     "ament_cmake_export_dependencies", "ament_cmake_export_include_directories", "ament_cmake_export_libraries",
-    "ament_cmake_export_targets", "ament_cmake_include_directories", "ament_cmake_libraries",
-    "ament_cmake_target_dependencies",
+    "ament_cmake_export_targets", "ament_cmake_export_definitions", "ament_cmake_export_interfaces",
+    "ament_cmake_export_link_flags", "ament_cmake_include_directories", "ament_cmake_libraries",
+    "ament_cmake_target_dependencies", "ament_cmake_gen_version_h", "ament_cmake_version", "ament_cmake_nose",
+    "ament_cmake_google_benchmark", "ament_cmake_clang_format", "ament_cmake_clang_tidy", "ament_cmake_mypy",
+    "ament_cmake_pycodestyle", "ament_cmake_pyflakes",
 )  # fmt: skip
 """The packages that are found here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {

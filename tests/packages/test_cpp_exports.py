@@ -135,3 +135,57 @@ def test_packages_are_found_with_others_that_are_there():
         assert set(exported_by(name, share)) <= there, name
     assert set(EXPORTED) <= there
     assert exported_by("nav2_msgs", share) == sorted(exported_by("nav2_msgs", share)) != []
+
+
+OWN = {
+    "rcpputils": {
+        "CMakeLists.txt": """cmake_minimum_required(VERSION 3.8)
+project(rcpputils)
+find_package(ament_cmake REQUIRED)
+add_library(rcpputils src/own.cpp)
+install(TARGETS rcpputils DESTINATION lib)
+ament_export_libraries(rcpputils)
+ament_package()
+""",
+        "src/own.cpp": "namespace rcpputils {namespace fs {int current_path() {return 7;}}}\n",
+    },
+    "asker": {
+        "CMakeLists.txt": """cmake_minimum_required(VERSION 3.8)
+project(asker)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+find_package(rcpputils REQUIRED)
+add_executable(asker src/asker.cpp src/answer.cpp)
+ament_target_dependencies(asker rclcpp rcpputils)
+install(TARGETS asker DESTINATION lib/${PROJECT_NAME})
+ament_package()
+""",
+        "src/asker.cpp": """#include <cstdio>
+#include "rclcpp/rclcpp.hpp"
+int answer();
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("asker");
+  std::printf("%s %d\\n", node->get_name(), answer());
+}
+""",
+        "src/answer.cpp": """namespace rcpputils {namespace fs {int current_path();}}
+int answer() {return rcpputils::fs::current_path();}
+""",
+    },
+}
+
+
+@pytest.mark.slow
+def test_a_workspace_s_own_copy_of_a_package_is_taken_before_the_runtime_s(tmp_path):
+    compiler_or_skip()
+    for name, files in OWN.items():
+        depends = "<depend>rcpputils</depend>" if name == "asker" else ""
+        for path, text in {**files, "package.xml": MANIFEST.format(name=name, depends=depends)}.items():
+            file = tmp_path / "src" / name / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 0, built.stderr
+    assert sourced(tmp_path, "ros2 run asker asker").stdout == "asker 7\n"

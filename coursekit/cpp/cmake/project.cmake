@@ -32,8 +32,11 @@ function(coursekit_link_runtime target)
     return()
   endif()
   set(library "${COURSEKIT_CPP}/lib/libcoursekit.a")
+  _coursekit_replaced(replaced)
   if(APPLE)
     target_link_options(${target} PRIVATE "-Wl,-force_load,${library}")
+  elseif(replaced)
+    cmake_language(DEFER CALL _coursekit_link_runtime_last)
   else()
     target_link_options(${target} PRIVATE "SHELL:-Wl,--whole-archive \"${library}\" -Wl,--no-whole-archive")
   endif()
@@ -44,6 +47,25 @@ function(coursekit_link_runtime target)
     set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES Threads::Threads ${CMAKE_DL_LIBS})
   endif()
 endfunction()
+
+# Whether the workspace has a package whose functions the runtime has as well, such as a clone of tf2: built here, or found.
+function(_coursekit_replaced variable)
+  set(${variable} FALSE PARENT_SCOPE)
+  file(GLOB names RELATIVE "${COURSEKIT_ROOT}/include" "${COURSEKIT_ROOT}/include/*")
+  foreach(name ${names})
+    if(name STREQUAL PROJECT_NAME OR (${name}_DIR AND NOT ${name}_DIR MATCHES "^${COURSEKIT_CPP}"))
+      set(${variable} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# Behind all that the folder's programs are linked with: the functions of the workspace's package are taken, not the runtime's.
+macro(_coursekit_link_runtime_last)
+  if(NOT CMAKE_CXX_LINK_EXECUTABLE MATCHES "libcoursekit")
+    string(APPEND CMAKE_CXX_LINK_EXECUTABLE " -Wl,--allow-multiple-definition -Wl,--whole-archive \"${COURSEKIT_CPP}/lib/libcoursekit.a\""
+      " -Wl,--no-whole-archive -lpthread -ldl")
+  endif()
+endmacro()
 
 # zig links a C++ library of its own into everything. Where the runtime has it with visible names, programs lend theirs to what
 # they load, and that is linked as C is: without one. Elsewhere zig's programs load nothing.

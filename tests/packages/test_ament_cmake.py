@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.packages.overlay import overlay_environment
-from tests.needs import compiler_or_skip
+from tests.needs import compiler_or_skip, posix
 from tests.packages.test_cpp_workspace import colcon, sourced
 
 WORKSPACE = Path(__file__).parents[1] / "fixtures" / "ament_ws"
@@ -135,6 +135,7 @@ ament_package()
 """
 
 
+@posix("bash sources the workspace")
 def test_a_package_of_files_alone_has_hooks_too_without_a_compiler(tmp_path):
     package = tmp_path / "src" / "hooked"
     (package / "env-hooks").mkdir(parents=True)

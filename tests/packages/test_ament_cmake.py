@@ -76,7 +76,7 @@ def test_the_next_package_finds_what_this_one_exports(workspace):
 
 
 def test_programs_have_the_version_and_no_flags_of_targets(workspace):
-    for program in ("use", "use2"):
+    for program in ("use", "use2", "use3"):
         assert sourced(workspace, f"ros2 run asker {program}").stdout == "7 8 9 1.4.2 1\n"
     assert sourced(workspace, "ros2 run sums go.py").stdout == "go 3\n"
 

@@ -195,6 +195,7 @@ class Scene {
     const box = pane.getBoundingClientRect();
     const at = { x: ((event.clientX - box.left) / box.width) * 2 - 1, y: 1 - ((event.clientY - box.top) / box.height) * 2 };
     camera.updateMatrixWorld();
+    this.view.scene.updateMatrixWorld(); // what came since the last picture has no place yet
     this.rays.setFromCamera(at, camera);
     const near = (REACH / box.height) * 2 * tan(camera.fov) * camera.position.distanceTo(controls.target);
     this.rays.params.Points.threshold = this.rays.params.Line.threshold = near;

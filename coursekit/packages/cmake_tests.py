@@ -1,4 +1,4 @@
-"""The tests of a CMakeLists.txt: those of pytest, of launch_testing, and programs of gtest and gmock."""
+"""The tests in Python of a CMakeLists.txt, those of pytest and of launch_testing, for packages that CMake has not built."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from xml.sax.saxutils import quoteattr
 
 from coursekit.packages.cmake_run import Call, Reading
 from coursekit.packages.cmake_text import CMakeError
@@ -52,18 +51,6 @@ def selection(words: Sequence[str]) -> Callable[[str], bool]:
     except re.error as error:
         raise ValueError(f"--ctest-args: {error.pattern!r} is no pattern of names: {error}") from error
     return lambda name: bool(wanted.search(name)) and not unwanted.search(name)
-
-
-def note_missing_result(test: TestCommand) -> None:
-    """Write that a test failed which left no results, since it could not even begin."""
-    if test.results.is_file():
-        return
-    package, name = quoteattr(test.results.parent.name), quoteattr(f"{test.name}.missing_result")
-    test.results.write_text(
-        f'<testsuite name={package} tests="1" failures="0" errors="1" skipped="0">'
-        f'<testcase classname={package} name={name}><failure message="The test left no results."/></testcase></testsuite>\n',
-        encoding="utf-8",
-    )
 
 
 def _pytest(call: Call, results: Path) -> TestCommand:

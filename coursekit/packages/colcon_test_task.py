@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 from colcon_cmake.task.cmake import test as colcon_ctest
@@ -77,11 +78,9 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         return int((await run(self.context, command, cwd=self.context.args.build_base, env=env)).returncode)
 
     async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
-        test.results.parent.mkdir(parents=True, exist_ok=True)
-        test.results.unlink(missing_ok=True)
-        code = await self._done(test.command, env)
-        cmake_tests.note_missing_result(test)
-        return code
+        """Run a test as ctest would: it leaves a result in any case."""
+        runner = [sys.executable, "-m", "coursekit.packages.run_test", str(test.results)]
+        return await self._done([*runner, "--package-name", test.results.parent.name, "--command", *test.command], env)
 
     def _results(self) -> Path:
         """The folder of the results of tests, in which every package has one; `--test-result-base` names it, too."""

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from catkin_pkg.package import InvalidPackage, parse_package
+
+from coursekit.processes.process import DISTRIBUTION
 
 _DEPENDENCIES = {
     "BUILD_DEPENDS": "build_depends",
@@ -33,8 +36,9 @@ def facts(package: Any) -> Iterator[str]:
 
 
 def _set(variable: str, values: Iterable[str]) -> str:
-    quoted = (value.replace("\\", "\\\\").replace('"', '\\"').replace("$", "\\$") for value in values)
-    return f"set({variable} {' '.join(f'{chr(34)}{value}{chr(34)}' for value in quoted) or chr(34) * 2})"
+    escaped = (re.sub(r'(["$\\])', r"\\\1", value) for value in values)
+    words = " ".join(f'"{value}"' for value in escaped) or '""'
+    return f"set({variable} {words})"
 
 
 def main(words: list[str]) -> int:
@@ -44,7 +48,7 @@ def main(words: list[str]) -> int:
     except (InvalidPackage, OSError) as error:
         print(error, file=sys.stderr)
         return 1
-    package.evaluate_conditions({"ROS_VERSION": "2", "ROS_DISTRO": "humble"})
+    package.evaluate_conditions(DISTRIBUTION)
     print("\n".join(facts(package)))
     return 0
 

@@ -45,7 +45,7 @@ macro(ament_export_libraries)
 endmacro()
 
 macro(ament_export_library_names)
-  _coursekit_gather(COURSEKIT_LIBRARIES ${ARGN})
+  ament_export_libraries(${ARGN})
 endmacro()
 
 macro(ament_export_definitions)

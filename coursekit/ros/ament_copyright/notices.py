@@ -21,11 +21,8 @@ LICENSES = {
     "mit": "MIT License",
     "mit0": "MIT-0 License",
 }
-_FILES = {
-    "mit": "MIT", "boost1": "BSL-1.0", "bsd_3clause": "BSD-3-Clause", "bsd_2clause": "BSD-2-Clause", "bsd2": "BSD-2.0",
-    "mit0": "MIT-0",
-}  # fmt: skip
-"""The licenses whose whole text is a notice; the longer are first, where one begins as another does."""
+_FILES = {"mit": "MIT", "mit0": "MIT-0", "boost1": "BSL-1.0", "bsd_3clause": "BSD-3-Clause", "bsd_2clause": "BSD-2-Clause"}
+"""The licenses whose whole text is a notice; bsd2 has the words of bsd_2clause, and goes by that name."""
 _YEARS = r"\d{4}(?:-\d{4})?(?:,\s*\d{4}(?:-\d{4})?)*"
 _COPYRIGHT = re.compile(rf"^.?\s*(?:\\copyright\s*)?copyright(?:\s+\(c\))?\s+({_YEARS}),?\s+(\S.*)$", re.I | re.M)
 _BULLET = re.compile(r"(?<!\S)(?:[*-]|\(?\d[.)])\s")

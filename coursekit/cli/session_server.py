@@ -92,13 +92,12 @@ class Connection:
         self._say({"session": self._session_server.name})
         if "argv" not in first:
             return  # it only wanted to know that
-        self._start(first)
-        for line in lines:
-            self._hear(json.loads(line))
-        if self._process is not None and self._process.exit_code is None:
-            self._process.interrupt()
-            if self._process.wait(2.0) is None:
-                self._process.kill()
+        try:
+            self._start(first)
+            for line in lines:
+                self._hear(json.loads(line))
+        finally:  # a terminal that died before it read all that was said is an error here
+            self._end()
 
     def _start(self, first: dict[str, Any]) -> None:
         argv = [str(word) for word in first.get("argv", [])]
@@ -116,6 +115,14 @@ class Connection:
         self._process = process
         process.on_wants_keys = lambda: self._say({"keys": True})
         process.on_exit(lambda ended: self._say({"exit": ended.exit_code}))
+
+    def _end(self) -> None:
+        """End what still runs: Ctrl-C, and soon after it an end without appeal."""
+        if self._process is None or self._process.exit_code is not None:
+            return
+        self._process.interrupt()
+        if self._process.wait(2.0) is None:
+            self._process.kill()
 
     def _hear(self, said: dict[str, Any]) -> None:
         process = self._process

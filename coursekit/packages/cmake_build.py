@@ -22,7 +22,8 @@ from coursekit.files import read_text
 from coursekit.systems import layout
 
 _MAKES = re.compile(
-    r"^\s*(add_executable|add_library|ament_auto_add_(executable|library)|ament_add_g(test|mock)|pybind11_add_module)\s*\(",
+    r"^\s*((add_executable|add_library|ament_auto_add_(executable|library)|ament_add_g(test|mock)|pybind11_add_module)\s*\("
+    r"|ament_(auto_)?package\s*\([^)]*\bCONFIG_EXTRAS)",
     re.M | re.I,
 )
 _RUNTIME = re.compile(r"/cpp/([0-9a-f]{16})/share/")

@@ -51,6 +51,8 @@ class Reading:
 _KEPT = (
     "install",
     "rosidl_generate_interfaces",
+    "ament_auto_find_build_dependencies",
+    "ament_export_dependencies",
     "ament_python_install_package",
     "ament_auto_package",
     "ament_index_register_resource",

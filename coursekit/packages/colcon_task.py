@@ -146,7 +146,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             self._copy(Path(self.context.args.path) / "package.xml", f"share/{package}/package.xml")
         self._create(f"{_INDEX}/packages/{package}", "")
         if not reading.targets:
-            config = cmake_build.package_config(package, interface_rules.dependencies(reading))
+            config = cmake_build.package_config(package, interface_rules.exported_dependencies(reading))
             self._create(f"share/{package}/cmake/{package}Config.cmake", config)
         if reading.targets:  # so that `ros2 run` can say why an executable is missing
             self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))

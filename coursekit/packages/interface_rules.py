@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
+from coursekit.cpp.exported import exported_by
 from coursekit.files import read_text
 from coursekit.interfaces.cpp_source import header, header_name, inner_headers
 from coursekit.interfaces.errors import InterfaceError, suggestion
@@ -21,6 +23,10 @@ _KEYWORDS = (
     "SKIP_GROUP_MEMBERSHIP_CHECK",
     "ADD_LINTER_TESTS",
 )
+_NO_TUPLE = (
+    "must be represented as an absolute base path separated by a colon from the relative path to the interface file; "
+    "write its path in the package, such as msg/Length.msg; file(GLOB ...) gives such paths with RELATIVE"
+)
 _FACE = """{said}
 
 from coursekit.interfaces.face import expose
@@ -33,12 +39,22 @@ def interface_files(reading: Reading) -> list[Path]:
     """Return the definition files a package generates from; raises CMakeError for missing ones."""
     files = []
     for call in _calls(reading):
-        for name in _listed(call):
-            path = call.folder / name
-            if not path.is_file():
-                raise call.command.error(f"rosidl_generate_interfaces: there is no file '{name}' in {call.folder}")
-            files.append(path)
+        if not _listed(call):
+            raise _problem(call, "called without any interface files")
+        files += [_definition(call, name) for name in _listed(call)]
     return files
+
+
+def _definition(call: Call, name: str) -> Path:
+    """The file of a path, which is relative, or a folder's absolute path, a colon and a path in that folder."""
+    base, _, inner = name.rpartition(":")
+    path = Path(base, inner) if os.path.isabs(base) else call.folder / name
+    if path.is_absolute() and name == str(path):
+        raise _problem(call, f"the passed absolute file '{name}' {_NO_TUPLE}")
+    if not path.is_file():
+        where = f" relative to the CMAKE_CURRENT_SOURCE_DIR '{call.folder}'" if path == call.folder / name else ""
+        raise _problem(call, f"the passed file '{name}' doesn't exist{where}")
+    return path
 
 
 def _calls(reading: Reading) -> list[Call]:
@@ -58,6 +74,12 @@ def dependencies(reading: Reading) -> list[str]:
     return [name for call in _calls(reading) for name in _dependencies(call)]
 
 
+def exported_dependencies(reading: Reading) -> list[str]:
+    """The packages that others find with this one."""
+    exports = [call for call in reading.calls if call.command.name == "ament_export_dependencies"]
+    return list(dict.fromkeys([*dependencies(reading), *(word for call in exports for word in call.words)]))
+
+
 def _dependencies(call: Call) -> list[str]:
     words = call.words[call.words.index("DEPENDENCIES") + 1 :] if "DEPENDENCIES" in call.words else []
     for index, word in enumerate(words):
@@ -71,7 +93,7 @@ def check(package: str, reading: Reading, groups: Iterable[str], prefixes: Itera
     calls = _calls(reading)
     if not calls:
         return []
-    problems = _package_problems(reading, calls[0], groups)
+    problems = _package_problems(reading, calls[0], groups) + _not_found(reading, prefixes)
     return problems + field_problems(package, interface_files(reading), dependencies(reading), prefixes)
 
 
@@ -93,15 +115,34 @@ def field_problems(
 def _package_problems(reading: Reading, call: Call, groups: Iterable[str]) -> list[Exception]:
     problems: list[Exception] = []
     if "rosidl_default_generators" not in reading.found:
-        problems.append(_problem(call, "write find_package(rosidl_default_generators REQUIRED) above this line"))
+        problems.append(_problem(call, "needs find_package(rosidl_default_generators REQUIRED) above this line"))
     if "rosidl_interface_packages" not in groups:
         member = "<member_of_group>rosidl_interface_packages</member_of_group>"
-        problems.append(_problem(call, f"packages with interfaces need {member} in package.xml"))
+        problems.append(_problem(call, f"needs {member} in package.xml"))
     return problems
 
 
+def _not_found(reading: Reading, prefixes: Iterable[Path]) -> list[Exception]:
+    """Dependencies that no find_package() has found, by itself or with another package."""
+    if any(call.command.name == "ament_auto_find_build_dependencies" for call in reading.calls):
+        return []  # all that package.xml names
+    found, places = set(reading.found), [*prefixes, UNDERLAY]
+    waiting = list(found)
+    while waiting:
+        name = waiting.pop()
+        more = {one for place in places for one in exported_by(name, place / "share")} - found
+        found |= more
+        waiting += more
+    return [
+        _problem(call, f"the passed dependency '{name}' has not been found before using find_package()")
+        for call in _calls(reading)
+        for name in _dependencies(call)
+        if name not in found
+    ]
+
+
 def _problem(call: Call, text: str) -> CMakeError:
-    return call.command.error(text)
+    return call.command.error(f"rosidl_generate_interfaces() {text}")
 
 
 def _field_problems(interface: Interface, own: set[str], named: set[str], prefixes: list[Path]) -> list[Exception]:

@@ -1,6 +1,7 @@
 """Real colcon builds the ten packages of the fixture workspace, and says what is wrong in others."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -235,3 +236,31 @@ def test_a_plain_shell_knows_which_ros_it_is_after_sourcing(built, monkeypatch):
     for name in ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION"):
         monkeypatch.delitem(ENV, name, raising=False)
     assert sourced(built, "echo $ROS_DISTRO $ROS_VERSION $ROS_PYTHON_VERSION") == "humble 2 3\n"
+
+
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        ('"msg/Nope.msg"', "passed file 'msg/Nope.msg' doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR '{at}'"),
+        ('"${CMAKE_CURRENT_SOURCE_DIR}/msg/Sphere.msg"', "absolute file '{at}/msg/Sphere.msg' must be represented"),
+        ('"${CMAKE_CURRENT_SOURCE_DIR}:msg/Nope.msg"', "the passed file '{at}:msg/Nope.msg' doesn't exist"),
+        ('"msg/Sphere.msg" DEPENDENCIES nav_msgs', "the passed dependency 'nav_msgs' has not been found before using"),
+        ("", "called without any interface files"),
+    ],
+)
+def test_what_is_passed_for_interfaces_is_refused_as_rosidl_refuses_it(interface_package, written, said):
+    cmake = interface_package / "CMakeLists.txt"
+    call = f"rosidl_generate_interfaces(${{PROJECT_NAME}} {written})"
+    cmake.write_text(re.sub(r"rosidl_generate_interfaces\([^)]*\)", lambda _: call, cmake.read_text()))
+    code, errors = build_errors(interface_package)
+    assert code == 1 and "rosidl_generate_interfaces() " in errors and said.format(at=interface_package) in errors
+
+
+def test_definition_files_may_lie_in_another_folder_and_packages_are_found_with_others(interface_package):
+    cmake = interface_package / "CMakeLists.txt"
+    text = cmake.read_text().replace('"msg/Sphere.msg"', '"${CMAKE_CURRENT_SOURCE_DIR}:msg/Sphere.msg"')
+    cmake.write_text(text.replace("find_package(geometry_msgs", "find_package(nav_msgs"))  # that finds geometry_msgs, too
+    code, errors = build_errors(interface_package)
+    assert code == 0, errors
+    prefix = interface_package.parent.parent / "install" / "s4_custom_interface"
+    assert (prefix / "share/s4_custom_interface/msg/Sphere.msg").is_file()

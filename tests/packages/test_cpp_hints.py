@@ -21,6 +21,13 @@ SAID = {
     'CMake Error at CMakeLists.txt:6 (x):\n  By not providing "Findrclcp.cmake" in CMAKE_MODULE_PATH': "no package rclcp",
     "CMake Error at CMakeLists.txt:9 (x):\n  Cannot find source file:\n\n    src/talkr.cpp": "no file src/talkr.cpp",
     'CMake Error at CMakeLists.txt:9 (install):\n  install TARGETS given target "talkr" which does not exist.': "makes it",
+    "CMake Error at x/rosidl_cmake.cmake:35 (message):\n  the passed dependency 'nav_msgs' has\n"
+    "  not been found before using find_package()": "write find_package(nav_msgs REQUIRED)",
+    "CMake Error at x/rosidl_cmake.cmake:14 (message):\n  '/ws/src/a/msg/B.msg' must be represented as an absolute\n"
+    "  base path separated by a colon": "RELATIVE",
+    "CMake Error at x/ament_cmake.cmake:16 (message):\n  ament_export_libraries() must be called before ament_package()": (
+        "move ament_export_libraries() above it"
+    ),
     "a.cpp:7:3: error: ‘cout’ was not declared in this scope; did you mean ‘std::cout’?": "write std::cout",
     "a.cpp:7:3: error: use of undeclared identifier 'make_shared'": "write std::make_shared",
     "a.cpp:7:8: error: ‘vector’ is not a member of ‘std’": "add #include <vector>",

@@ -1,6 +1,8 @@
-# ament_cmake_core: the resource index, what package.xml says, extension points, and helpers for lists, paths and names.
+# ament_cmake_core: the resource index, what package.xml says, extension points, helpers for lists, paths and names, and a
+# package's end.
 
 include_guard(GLOBAL)
+include(CMakePackageConfigHelpers)
 
 # -- the resource index
 
@@ -136,4 +138,70 @@ endfunction()
 # Configure again when this file has changed.
 function(stamp path)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+endfunction()
+
+# -- a package's environment, and its end
+
+# Scripts that sourcing the workspace runs; of those called NAME.in the words between @ are filled in.
+function(ament_environment_hooks)
+  foreach(file ${ARGN})
+    _coursekit_filled_in("${file}" file)
+    install(FILES "${file}" DESTINATION share/${PROJECT_NAME}/environment)
+  endforeach()
+endfunction()
+
+macro(_coursekit_filled_in path variable)
+  get_filename_component(_coursekit_name "${path}" NAME)
+  set(${variable} "${path}")
+  if(_coursekit_name MATCHES "^(.*)\\.in$")
+    set(${variable} "${CMAKE_CURRENT_BINARY_DIR}/${CMAKE_MATCH_1}")
+    configure_file("${path}" "${${variable}}" @ONLY)
+  endif()
+endmacro()
+
+macro(ament_package)
+  set(_${PROJECT_NAME}_AMENT_PACKAGE TRUE)
+  _coursekit_package(${ARGN})
+endmacro()
+
+# Files that find_package() of this package reads, too.
+function(_coursekit_config_extras variable)
+  set(names "")
+  foreach(file ${ARGN})
+    _coursekit_filled_in("${file}" file)
+    get_filename_component(name "${file}" NAME)
+    install(FILES "${file}" DESTINATION share/${PROJECT_NAME}/cmake)
+    list(APPEND names "${name}")
+  endforeach()
+  set(${variable} ${names} PARENT_SCOPE)
+endfunction()
+
+function(_coursekit_package)
+  cmake_parse_arguments(arg "" "" "CONFIG_EXTRAS;CONFIG_EXTRAS_POST;INSTALL_TO_SHARE" ${ARGN})
+  foreach(what DEPENDENCIES INCLUDES LIBRARIES EXPORTS DEFINITIONS LINK_FLAGS)
+    get_property(${what} DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_${what})
+    if(${what})
+      list(REMOVE_DUPLICATES ${what})
+    endif()
+  endforeach()
+  foreach(name ${EXPORTS})
+    install(EXPORT ${name} DESTINATION share/${PROJECT_NAME}/cmake NAMESPACE ${PROJECT_NAME}:: FILE ${name}Export.cmake)
+  endforeach()
+  if(COMMAND _coursekit_note_skipped_tests)
+    _coursekit_note_skipped_tests()
+  endif()
+  _coursekit_config_extras(EXTRAS ${arg_CONFIG_EXTRAS} ${${PROJECT_NAME}_CONFIG_EXTRAS})
+  _coursekit_config_extras(EXTRAS_POST ${${PROJECT_NAME}_CONFIG_EXTRAS_POST} ${arg_CONFIG_EXTRAS_POST})
+  _coursekit_manifest_version(version)
+  set(config "${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}Config")
+  configure_file("${COURSEKIT_CMAKE}/package_config.cmake.in" "${config}.cmake" @ONLY)
+  write_basic_package_version_file("${config}-version.cmake" VERSION "${version}" COMPATIBILITY AnyNewerVersion ARCH_INDEPENDENT)
+  install(FILES "${config}.cmake" "${config}-version.cmake" DESTINATION share/${PROJECT_NAME}/cmake)
+  install(FILES package.xml DESTINATION share/${PROJECT_NAME})
+  ament_index_register_resource(packages)
+  get_property(components DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_COMPONENTS)
+  if(components)
+    string(REPLACE "|" ";" components "${components}")
+    ament_index_register_resource(rclcpp_components CONTENT "${components}")
+  endif()
 endfunction()

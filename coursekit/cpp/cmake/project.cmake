@@ -19,7 +19,6 @@ endif()
 add_library(coursekit_headers INTERFACE IMPORTED GLOBAL)
 target_include_directories(coursekit_headers SYSTEM INTERFACE "${COURSEKIT_ROOT}/include" "${COURSEKIT_CPP}/include")
 target_compile_features(coursekit_headers INTERFACE cxx_std_17)
-find_package(Threads QUIET)
 
 # A program's clocks, threads and locks are the runtime's, whether or not it includes rclcpp.
 macro(add_executable _coursekit_target)
@@ -30,6 +29,9 @@ endmacro()
 function(coursekit_link_runtime target)
   if("${ARGN}" MATCHES "^(IMPORTED|ALIAS)(;|$)")
     return()
+  endif()
+  if(NOT TARGET Threads::Threads)  # not before: a package of files has no language to look for it in
+    find_package(Threads QUIET)
   endif()
   set(library "${COURSEKIT_CPP}/lib/libcoursekit.a")
   _coursekit_replaced(replaced)

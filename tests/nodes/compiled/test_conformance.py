@@ -12,7 +12,7 @@ from coursekit.processes.session import Session
 
 ROOM = Path(__file__).parent / "conformance"
 NOUNS = sorted(path.stem for path in ROOM.glob("*.cpp"))
-_CALL = re.compile(r'\b(?:check|equal|throws<[\w:]+>)\(\s*"([^"]+)"')
+_CALL = re.compile(r'\b(?:check|equal|throws<[\w:]+>|refuses)\(\s*"([^"]+)"')
 _BY_NAME = re.compile(r'\b(?:said)\(\s*"([^"]+)"')
 _LEAST = 150
 

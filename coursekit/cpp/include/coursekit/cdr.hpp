@@ -55,22 +55,23 @@ public:
   template<class T, size_t N>
   void put(const std::array<T, N> & value) {put_items(value.data(), N);}
   template<class T>
-  void put(const std::vector<T> & value)
-  {
-    put_scalar<uint32_t>(value.size());
-    put_items(value.data(), value.size());
-  }
+  void put(const std::vector<T> & value) {put_sequence(value);}
   template<class T, size_t N>
-  void put(const rosidl_runtime_cpp::BoundedVector<T, N> & value) {put(static_cast<const std::vector<T> &>(value));}
-  void put(const std::vector<bool> & value)
-  {
-    put_scalar<uint32_t>(value.size());
-    for (bool item : value) {
-      put_scalar(item);
-    }
-  }
+  void put(const rosidl_runtime_cpp::BoundedVector<T, N> & value) {put_sequence(value);}
 
 private:
+  template<class Sequence>
+  void put_sequence(const Sequence & value)
+  {
+    put_scalar<uint32_t>(value.size());
+    if constexpr (std::is_same_v<typename Sequence::value_type, bool>) {
+      for (bool item : value) {
+        put_scalar(item);
+      }
+    } else {
+      put_items(value.data(), value.size());
+    }
+  }
   template<class T>
   void put_scalar(T value)
   {
@@ -138,28 +139,26 @@ public:
   template<class T, size_t N>
   void get(std::array<T, N> & value) {get_items(value.data(), N);}
   template<class T>
-  void get(std::vector<T> & value)
-  {
-    value.resize(get_count(std::is_arithmetic_v<T>? sizeof(T) : 1));
-    get_items(value.data(), value.size());
-  }
+  void get(std::vector<T> & value) {get_sequence(value);}
   template<class T, size_t N>
-  void get(rosidl_runtime_cpp::BoundedVector<T, N> & value)
-  {
-    get(static_cast<std::vector<T> &>(value));
-    value.check(value.size());
-  }
-  void get(std::vector<bool> & value)
-  {
-    value.resize(get_count(1));
-    for (size_t i = 0; i < value.size(); ++i) {
-      bool item;
-      get_scalar(item);
-      value[i] = item;
-    }
-  }
+  void get(rosidl_runtime_cpp::BoundedVector<T, N> & value) {get_sequence(value);}
 
 private:
+  template<class Sequence>
+  void get_sequence(Sequence & value)
+  {
+    using Item = typename Sequence::value_type;
+    value.resize(get_count(std::is_arithmetic_v<Item>? sizeof(Item) : 1));
+    if constexpr (std::is_same_v<Item, bool>) {
+      for (size_t i = 0; i < value.size(); ++i) {
+        bool item;
+        get_scalar(item);
+        value[i] = item;
+      }
+    } else {
+      get_items(value.data(), value.size());
+    }
+  }
   template<class T>
   void get_scalar(T & value)
   {

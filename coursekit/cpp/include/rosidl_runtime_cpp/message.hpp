@@ -1,9 +1,10 @@
 // What generated messages stand on: the members that each of them has, and what programs ask of a message type.
 #pragma once
 #include <memory>
+#include <utility>
 
-#include "coursekit/cdr.hpp"
 #include "rosidl_runtime_cpp/message_initialization.hpp"
+#include "rosidl_runtime_cpp/traits.hpp"
 #include "rosidl_runtime_cpp/yaml.hpp"
 
 #define COURSEKIT_MESSAGE(Name, full_name) \
@@ -19,7 +20,7 @@
   using ConstWeakPtr = std::weak_ptr<const Name>; \
   using RawPtr = Name *; \
   using ConstRawPtr = const Name *; \
-  explicit Name(rosidl_runtime_cpp::MessageInitialization = rosidl_runtime_cpp::MessageInitialization::ALL) {}
+  using Name ## _ = Name;
 
 /// A step of a builder's chain: it takes one field, and leads to the next step or to the message.
 #define COURSEKIT_STEP(Name, field, Next) \
@@ -36,25 +37,3 @@ public: \
 private: \
     Name message_; \
   };
-
-namespace rosidl_generator_traits
-{
-template<class T>
-struct is_message : coursekit::is_message<T> {};
-/// "std_msgs/msg/String"
-template<class T>
-const char * name() {return T::coursekit_type;}
-/// "std_msgs::msg::String"
-template<class T>
-const char * data_type()
-{
-  static const std::string text = [] {
-      std::string all = T::coursekit_type;
-      for (size_t at; (at = all.find('/')) != std::string::npos; ) {
-        all.replace(at, 1, "::");
-      }
-      return all;
-    }();
-  return text.c_str();
-}
-}  // namespace rosidl_generator_traits

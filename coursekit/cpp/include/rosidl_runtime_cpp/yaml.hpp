@@ -14,9 +14,29 @@ namespace coursekit::yaml
 /// Whether a member is only there because a structure of C needs one.
 inline bool is_filler(const char * name) {return std::strcmp(name, "structure_needs_at_least_one_member") == 0;}
 
-/// A single value as YAML has it; fractions always have a point.
+/// Whether a message's member is one of bytes.
+template<class M, class = void>
+struct octets
+{
+  static bool has(const char *) {return false;}
+};
+template<class M>
+struct octets<M, std::void_t<decltype(M::coursekit_octets)>>
+{
+  static bool has(const char * name)
+  {
+    for (const char * octet : M::coursekit_octets) {
+      if (std::strcmp(octet, name) == 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+/// A single value as YAML has it; fractions always have a point, bytes two digits.
 template<class T>
-void write_value(const T & value, std::ostream & out)
+void write_value(const T & value, std::ostream & out, [[maybe_unused]] bool is_octet = false)
 {
   if constexpr (std::is_same_v<T, bool>) {
     out << (value ? "true" : "false");
@@ -25,7 +45,13 @@ void write_value(const T & value, std::ostream & out)
     out << std::showpoint << value;
     out.flags(flags);
   } else if constexpr (std::is_integral_v<T>) {
-    out << +value;
+    if (is_octet) {
+      auto flags = out.flags();
+      out << "0x" << std::hex << std::setw(2) << std::setfill('0') << +value;
+      out.flags(flags);
+    } else {
+      out << +value;
+    }
   } else {
     out << '"';
     for (auto letter : value) {
@@ -58,7 +84,7 @@ template<class M, class = std::enable_if_t<is_message<M>::value>>
 void to_flow_style_yaml(const M & message, std::ostream & out);
 
 template<class T>
-void write_flow(const T & value, std::ostream & out)
+void write_flow(const T & value, std::ostream & out, [[maybe_unused]] bool is_octet)
 {
   if constexpr (is_message<T>::value) {
     to_flow_style_yaml(value, out);
@@ -66,12 +92,12 @@ void write_flow(const T & value, std::ostream & out)
     const char * before = "[";
     for (const auto & item : value) {
       out << before;
-      write_flow<typename T::value_type>(item, out);
+      write_flow<typename T::value_type>(item, out, is_octet);
       before = ", ";
     }
     out << (value.size() ? "]" : "[]");
   } else {
-    write_value(value, out);
+    write_value(value, out, is_octet);
   }
 }
 template<class M, class>
@@ -83,7 +109,7 @@ void to_flow_style_yaml(const M & message, std::ostream & out)
         return;
       }
       out << before << name << ": ";
-      write_flow(field, out);
+      write_flow(field, out, octets<M>::has(name));
       before = ", ";
     };
   M::each_field(visit, message);
@@ -114,13 +140,13 @@ void to_block_style_yaml(const M & message, std::ostream & out, size_t indentati
             to_block_style_yaml(item, out, indentation + 2);
           } else {
             out << " ";
-            write_value<typename T::value_type>(item, out);
+            write_value<typename T::value_type>(item, out, octets<M>::has(name));
             out << "\n";
           }
         }
       } else {
         out << " ";
-        write_value(field, out);
+        write_value(field, out, octets<M>::has(name));
         out << "\n";
       }
     };

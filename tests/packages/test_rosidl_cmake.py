@@ -1,0 +1,92 @@
+"""rosidl_cmake's functions in a package with C++, and what has to come before a package's end."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.needs import compiler_or_skip, posix
+from tests.packages.test_cpp_workspace import colcon, sourced
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+MANIFEST = """<package format="3"><name>{name}</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@example.org">a</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>
+<depend>{depend}</depend><export><build_type>ament_cmake</build_type></export></package>"""
+LISTS = """cmake_minimum_required(VERSION 3.8)
+project(lists NONE)
+find_package(ament_cmake_core REQUIRED)
+install(DIRECTORY msg DESTINATION share/lists)
+set(${PROJECT_NAME}_CONFIG_EXTRAS_POST later.cmake)
+ament_package(CONFIG_EXTRAS lists-extras.cmake.in)
+"""
+READER = """cmake_minimum_required(VERSION 3.8)
+project(reader)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_cmake REQUIRED)
+find_package(rosidl_generator_cpp REQUIRED)
+find_package(lists REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "${lists_DIR}/..:${lists_FILE}" SKIP_INSTALL)
+rosidl_get_typesupport_target(generated ${PROJECT_NAME} "rosidl_generator_cpp")
+rosidl_get_typesupport_target(unknown ${PROJECT_NAME} "of_mine")
+message(STATUS "SAID ${generated} ${unknown} ${lists_LATER}")
+add_executable(reads reads.cpp)
+target_link_libraries(reads ${generated})
+install(TARGETS reads DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+READS = """#include <iostream>
+#include "reader/msg/length.hpp"
+int main() {std::cout << rosidl_generator_traits::name<reader::msg::Length>() << std::endl;}
+"""
+LATE = """cmake_minimum_required(VERSION 3.8)
+project(late)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+add_executable(late late.cpp)
+ament_package()
+"""
+
+
+def package(workspace, name, files, depend="std_msgs"):
+    """A package in a workspace, of files by their names."""
+    for file, text in {"package.xml": MANIFEST.format(name=name, depend=depend), **files}.items():
+        path = workspace / "src" / name / file
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+@posix("bash sources the workspace")
+def test_a_package_without_a_language_gives_files_that_another_generates_from(tmp_path):
+    compiler_or_skip()
+    extras = {"lists-extras.cmake.in": "set(@PROJECT_NAME@_FILE msg/Length.msg)\n", "later.cmake": "set(lists_LATER yes)\n"}
+    package(tmp_path, "lists", {"CMakeLists.txt": LISTS, "msg/Length.msg": "float32 metres\n", **extras})
+    package(tmp_path, "reader", {"CMakeLists.txt": READER, "reads.cpp": READS}, depend="lists")
+    built = colcon(tmp_path, "build", "--event-handlers", "console_direct+")
+    assert built.returncode == 0, built.stderr
+    assert "-- SAID reader__rosidl_generator_cpp reader__of_mine-NOTFOUND yes\n" in built.stdout
+    assert sourced(tmp_path, "ros2 run reader reads").stdout == "reader/msg/Length\n"
+    assert not (tmp_path / "install" / "reader" / "include").exists()
+
+
+@pytest.mark.parametrize("function", ["ament_export_libraries", "ament_export_targets", "rosidl_generate_interfaces"])
+def test_what_comes_after_a_package_s_end_is_refused(tmp_path, function):
+    compiler_or_skip()
+    package(tmp_path, "late", {"CMakeLists.txt": f"{LATE}{function}(late more)\n", "late.cpp": "int main() {}"})
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 1 and f"{function}() must be called before ament_package()" in built.stderr
+
+
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        ("late msg/Nope.msg", "the passed file 'msg/Nope.msg' doesn't exist relative to the"),
+        ("late ${CMAKE_CURRENT_SOURCE_DIR}/late.cpp", "must be represented as an absolute base path"),
+        ("late late.cpp DEPENDENCIES nav_msgs", "the passed dependency 'nav_msgs' has not been found before"),
+        ("late", "called without any interface files"),
+    ],
+)
+def test_what_is_passed_for_interfaces_is_refused_as_rosidl_refuses_it(tmp_path, written, said):
+    compiler_or_skip()
+    text = LATE.replace("ament_package()", f"rosidl_generate_interfaces({written})\nament_package()")
+    package(tmp_path, "late", {"CMakeLists.txt": text, "late.cpp": "int main() {}"})
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 1 and said in " ".join(built.stderr.split())

@@ -25,6 +25,8 @@ class GraphNode:
         self.process = process
         self.deaf_to_itself = False
         """Whether it does not hear what it publishes itself: a bridge in both directions would go in circles."""
+        self.participant: object = None
+        """What it shares with others as a DDS participant is shared: each topic has one type among them. None: nothing."""
         self.remote = ""
         """Where it runs, if that is another computer or notebook: the address of the network."""
         self.publishers: list[Publisher] = []

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextvars
 import os
+import re
 import signal
 import socket
 import sys
@@ -227,7 +228,7 @@ class Host:
         """The name of rclcpp's exception for one of rclpy's, and its text."""
         name = type(error).__name__
         text = parameters.told(error) if isinstance(error, ParameterException) else str(error)
-        return _ERRORS.get(name, name), text
+        return _ERRORS.get(name, name), re.sub(r"^[Ff]ailed to create(?= (action )?\w+: )", "could not create", text)
 
     def context_called(self, number: int) -> Context:
         """The program's context of that number; 0 is the default one."""

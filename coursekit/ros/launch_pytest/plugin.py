@@ -56,11 +56,13 @@ def pytest_fixture_setup(fixturedef: Any, request: Any) -> Generator[None, Any, 
 @pytest.hookimpl(tryfirst=True)
 def pytest_pycollect_makeitem(collector: Any, name: str, obj: Any) -> Any:
     """Collect a test with the mark, whether it is a function, a generator or a coroutine."""
+    if isinstance(obj, type) or not collector.istestfunction(obj, name):
+        return None
     marks = getattr(obj, "pytestmark", None)
     own = marks if isinstance(marks, list) else [marks]
     mark = next((one for one in own if getattr(one, "name", "") == "launch"), None)
     mark = mark or collector.get_closest_marker("launch")
-    if mark is None or isinstance(obj, type) or not collector.istestfunction(obj, name):
+    if mark is None:
         return None
     from .collecting import items_of
 

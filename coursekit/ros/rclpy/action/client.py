@@ -12,6 +12,7 @@ from unique_identifier_msgs.msg import UUID
 
 from coursekit.processes import session
 from rclpy._lent import lender
+from rclpy._one_type import check_action_type
 from rclpy.action.client_goal_handle import ClientGoalHandle
 from rclpy.action.goal_state import TERMINAL
 from rclpy.action.names import action_names
@@ -54,6 +55,7 @@ class ActionClient(Waitable):
         self._finished: list[bytes] = []
         self._early_statuses: dict[bytes, int | None] = {}
         names, impl = action_names("client", action_name), action_type.Impl
+        check_action_type(node.handle, "client", names.send_goal, impl.SendGoalService)
 
         def client(type_: Any, name: str, qos: QoSProfile) -> Any:
             return node.create_client(type_, name, qos_profile=qos, callback_group=group)

@@ -11,6 +11,7 @@ from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
 
 from coursekit.processes import session
+from rclpy._one_type import check_action_type
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.defaults import (
     CancelResponse,
@@ -72,6 +73,7 @@ class ActionServer(Waitable):
         self._ended: dict[bytes, Any] = {}
         self._logger = node.get_logger().get_child("action_server")
         names, impl = action_names("server", action_name), action_type.Impl
+        check_action_type(node.handle, "server", names.send_goal, impl.SendGoalService)
         self._feedback_publisher = node.create_publisher(
             impl.FeedbackMessage, names.feedback, feedback_pub_qos_profile, callback_group=group
         )

@@ -8,7 +8,7 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / "coursekit"
 ROOMS = (
-    "files", "suggestions", "words", "systems", "wiring", "geometry",  # the ground
+    "files", "xunit", "suggestions", "words", "systems", "wiring", "geometry",  # the ground
     "tf", "urdf", "sim", "slam", "nav",  # the sciences, without ROS
     "interfaces", "bag", "cpp", "core", "rcl", "processes", "joined",  # the middleware
     "ros", "net", "packages", "nodes", "lib", "view", "jupyter",

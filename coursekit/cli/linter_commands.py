@@ -17,12 +17,12 @@ def copyright_notices(argv: Sequence[str] | None = None) -> int:
 
 
 def flake8(argv: Sequence[str] | None = None) -> int:
-    """Tell what flake8 finds; 1 when it finds anything, or is not installed."""
+    """Tell what flake8 finds; 1 when it finds anything, or is not installed and no file of results is asked for."""
     return _or_told(_flake8, argv)
 
 
 def pep257(argv: Sequence[str] | None = None) -> int:
-    """Tell what pydocstyle finds; 1 when it finds anything, or is not installed."""
+    """Tell what pydocstyle finds; 1 when it finds anything, or is not installed and no file of results is asked for."""
     return _or_told(_pep257, argv)
 
 
@@ -31,4 +31,5 @@ def _or_told(lint: Callable[[Sequence[str] | None], int], argv: Sequence[str] | 
         return lint(argv)
     except unittest.SkipTest as missing:  # which skips the test of a package
         print(missing, file=sys.stderr)
-        return 1
+        asked_for_results = any(word.startswith("--xunit-file") for word in (sys.argv if argv is None else argv))
+        return int(not asked_for_results)  # they say that it was skipped

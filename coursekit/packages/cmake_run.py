@@ -69,6 +69,7 @@ _TESTS = (
     "ament_add_pytest_test", "ament_add_ros_isolated_pytest_test", "add_launch_test",
     "ament_add_gtest", "ament_add_gmock", "ament_add_ros_isolated_gtest", "ament_add_ros_isolated_gmock",
     "ament_auto_add_gtest", "ament_add_test", "ament_add_ros_isolated_test", "add_test",
+    "ament_lint_auto_find_test_dependencies", "ament_copyright", "ament_flake8", "ament_pep257",
 )  # fmt: skip
 
 
@@ -161,7 +162,8 @@ class _Runner:
         elif command.name in _KEPT:
             self.reading.calls.append(Call(command, words, self.folder))
         elif command.name in _TESTS:
-            self.reading.tests.append(Call(command, words, self.folder))
+            found = self._said_to_be_found() if command.name.startswith("ament_lint_auto") else words
+            self.reading.tests.append(Call(command, found, self.folder))
         elif command.name in _TARGETS:
             if words and not {"INTERFACE", "IMPORTED", "ALIAS"} & set(words):
                 self.reading.targets.append(words[0])
@@ -170,6 +172,12 @@ class _Runner:
                 demand(command, words)
             if command.name in _ACTIONS:
                 _ACTIONS[command.name](self, command, words)
+
+    def _said_to_be_found(self) -> list[str]:
+        """The packages that set(NAME_FOUND TRUE) says are found, without looking for them: their linters are left out."""
+        values = self.variables.values
+        names = [one.removesuffix("_FOUND") for one, value in values.items() if one.endswith("_FOUND") and value]
+        return [name for name in names if name not in self.reading.found]
 
     def _call(self, command: Command, words: list[str]) -> None:
         """A function or macro of the file's own: what a function sets stays inside, what a macro sets does not."""

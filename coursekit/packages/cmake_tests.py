@@ -4,35 +4,48 @@ from __future__ import annotations
 
 import argparse
 import re
+import shutil
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from coursekit.packages.cmake_run import Call, Reading
 from coursekit.packages.cmake_text import CMakeError
 
+_LINTS = {
+    "ament_lint_auto_find_test_dependencies": "",
+    **{f"ament_{kind}": kind for kind in ("copyright", "flake8", "pep257")},
+}
+_PATTERNS = {"copyright": "*", "flake8": "*.py", "pep257": "*.py"}
+"""The files for which a linter is a test."""
 _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
 
 
 @dataclass(frozen=True)
 class TestCommand:
-    """A test: its name, the command that runs it, and the file for its results (JUnit's XML)."""
+    """A test: its name, the command that runs it, the file for its results (JUnit's XML), and the folder it runs in."""
 
     name: str
     command: list[str]
     results: Path
+    folder: Path | None = None
 
 
-def commands(reading: Reading, results: Path) -> list[TestCommand]:
-    """The tests that can be run here, with their results below a folder; CMakeError for a file that is not there."""
+def commands(reading: Reading, results: Path, depends: Collection[str] = ()) -> list[TestCommand]:
+    """The tests that can be run here, with their results below a folder; CMakeError for a file that is not there.
+
+    The package's tests depend on the packages `depends`, linters among them.
+    """
     folder = results / reading.project
-    return [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
+    found = [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
+    return found + [lint for call in reading.tests if call.command.name in _LINTS for lint in _lints(call, folder, depends)]
 
 
 def left_out(reading: Reading) -> list[str]:
     """The names of the tests that are not in Python: they need CMake."""
-    return [call.words[0] for call in reading.tests if call.words and call.command.name not in _RUNNABLE]
+    known = {*_RUNNABLE, *_LINTS}
+    return [call.words[0] for call in reading.tests if call.words and call.command.name not in known]
 
 
 def selection(words: Sequence[str]) -> Callable[[str], bool]:
@@ -72,6 +85,21 @@ def _launch_test(call: Call, results: Path) -> TestCommand:
     report = [f"--junit-xml={file}", f"--package-name={results.name}"]
     command = [sys.executable, "-m", "launch_testing.launch_test", str(path), *report, *_arguments(call.words)]
     return TestCommand(name, command, file)
+
+
+def _lints(call: Call, results: Path, depends: Collection[str]) -> list[TestCommand]:
+    """The linters that a call asks for, of those that are here: one, or all on which the package's tests depend."""
+    kinds = [_LINTS[call.command.name]]
+    if kinds == [""]:
+        asked = {f"ament_cmake_{kind}" for kind in _PATTERNS} if "ament_lint_common" in depends else set(depends)
+        kinds = [kind for kind in _PATTERNS if f"ament_cmake_{kind}" in asked - set(call.words)]
+    return [_lint(kind, call.folder, results) for kind in kinds if next(call.folder.rglob(_PATTERNS[kind]), None)]
+
+
+def _lint(kind: str, folder: Path, results: Path) -> TestCommand:
+    file = results / f"{kind}.xunit.xml"
+    script = shutil.which(f"ament_{kind}", path=str(Path(sys.executable).parent)) or f"ament_{kind}"
+    return TestCommand(kind, [script, "--xunit-file", str(file)], file, folder)
 
 
 def _arguments(words: Sequence[str]) -> list[str]:

@@ -40,7 +40,8 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         try:
             reading = read_project(Path(args.path), testing=True)
             chosen = cmake_tests.selection(args.ctest_args or [])
-            tests = [test for test in cmake_tests.commands(reading, self._results()) if chosen(test.name)]
+            depends = {one.name for one in self.context.pkg.dependencies.get("test", ())}
+            tests = [test for test in cmake_tests.commands(reading, self._results(), depends) if chosen(test.name)]
         except (CMakeError, OSError, ValueError) as error:
             return self._fail(error)
         if any([await self._run(test, env) for test in tests]):
@@ -74,13 +75,15 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
                 self.context.put_event_into_queue(StderrLine(line))
         return int(done.returncode)
 
-    async def _done(self, command: list[str], env: dict[str, str]) -> int:
-        return int((await run(self.context, command, cwd=self.context.args.build_base, env=env)).returncode)
+    async def _done(self, command: list[str], env: dict[str, str], folder: Path | None = None) -> int:
+        where = str(folder or self.context.args.build_base)
+        return int((await run(self.context, command, cwd=where, env=env)).returncode)
 
     async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
         """Run a test as ctest would: it leaves a result in any case."""
         runner = [sys.executable, "-m", "coursekit.packages.run_test", str(test.results)]
-        return await self._done([*runner, "--package-name", test.results.parent.name, "--command", *test.command], env)
+        command = [*runner, "--package-name", test.results.parent.name, "--command", *test.command]
+        return await self._done(command, env, test.folder)
 
     def _results(self) -> Path:
         """The folder of the results of tests, in which every package has one; `--test-result-base` names it, too."""

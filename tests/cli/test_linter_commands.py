@@ -3,6 +3,7 @@
 import importlib.metadata
 import importlib.util
 import os
+import xml.etree.ElementTree as ElementTree
 
 import pytest
 
@@ -146,6 +147,32 @@ def test_files_without_a_notice_are_named(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert copyright_notices([]) == 1
     assert capsys.readouterr().err == "node.py: could not find copyright notice\n1 errors, checked 1 files\n"
+
+
+def test_results_are_those_that_colcon_counts(linter, capsys, tmp_path):
+    linter("flake8", SAID, 1)
+    linter("pydocstyle", "node.py:2 at module level:\n        D400: First line should end with a period\n", 1)
+    file = tmp_path / "linted" / "x.xunit.xml"
+    assert flake8(["--xunit-file", str(file), "node.py"]) == 1
+    suite = ElementTree.parse(file).getroot()
+    assert (suite.get("name"), suite.get("tests"), suite.get("failures")) == ("linted.x", "3", "3")
+    first = suite.find("testcase")
+    why = first.find("failure").get("message")
+    assert (first.get("name"), why) == ("E225 (node.py:1:4)", "missing whitespace around operator:\nx =1\n")
+    assert pep257(["--xunit-file", str(file), "node.py"]) == 1
+    assert [one.get("name") for one in ElementTree.parse(file).iter("testcase")] == ["D400 (node.py:2)"]
+    assert copyright_notices(["--xunit-file", str(file), "node.py"]) == 1
+    assert [one.get("message") for one in ElementTree.parse(file).iter("failure")] == ["could not find copyright notice"]
+
+
+@pytest.mark.parametrize(("run", "name"), [(flake8, "flake8"), (pep257, "pydocstyle")])
+def test_a_linter_that_is_missing_leaves_a_result_that_says_so(run, name, monkeypatch, tmp_path):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
+    file = tmp_path / "x.xunit.xml"
+    assert run(["--xunit-file", str(file)]) == 0
+    suite = ElementTree.parse(file).getroot()
+    assert (suite.get("tests"), suite.get("skipped")) == ("1", "1")
+    assert suite.find("testcase/skipped").get("message") == f"{name} is not installed: `pip install {name}` brings it"
 
 
 def test_they_are_commands():

@@ -202,10 +202,7 @@ foreach(_coursekit_name ament_add_nose_test ament_add_google_benchmark ament_add
   endfunction()")
 endforeach()
 
-foreach(_coursekit_name ament_lint_auto_find_test_dependencies ament_copyright ament_cpplint ament_cppcheck ament_uncrustify ament_lint_cmake
-    ament_xmllint ament_flake8 ament_pep257 ament_mypy ament_clang_format ament_clang_tidy ament_pycodestyle)
-  cmake_language(EVAL CODE "function(${_coursekit_name})\nendfunction()")
-endforeach()
+include("${COURSEKIT_CMAKE}/ament_cmake_lint.cmake")
 
 # So that `colcon test` can say them.
 function(_coursekit_note_skipped_tests)

@@ -5,10 +5,12 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from coursekit.files import read_text
+from coursekit.xunit import write_results
 
 from .notices import LICENSES, UNKNOWN, notice_of
 
@@ -17,6 +19,7 @@ _SUFFIXES = (".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Return 0 when every source file below the folders has a notice and a license, else 1 after naming the others."""
+    began = time.monotonic()
     asked = _parser().parse_args(argv)
     if asked.list_licenses:
         print("\n".join(f"{name}: {title}" for name, title in sorted(LICENSES.items())))
@@ -25,14 +28,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     found = {one for word in asked.paths for one in _sources(Path(word)) if os.path.abspath(one) not in excluded}
     if not found:
         print("No repository roots and files found")
-    bad = 0
+    cases = []
     for path in sorted(found):
         good, said = _judged(path)
-        bad += not good
+        cases.append((str(path), "" if good else said))
         if not good or asked.verbose:
             print(f"{path}: {said}", file=sys.stdout if good else sys.stderr)
+    bad = sum(1 for _, why in cases if why)
     counted = f"checked {len(found)} files"
     print(f"{bad} errors, {counted}" if bad else f"No problems found, {counted}", file=sys.stderr if bad else sys.stdout)
+    if asked.xunit_file:
+        write_results(asked.xunit_file, cases, [name for name, _ in cases], time.monotonic() - began)
     return int(bad > 0)
 
 
@@ -42,13 +48,17 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("paths", nargs="*", default=["."], help="The files or directories to check.")
     parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="The filenames to exclude.")
     parser.add_argument("--list-licenses", action="store_true", help="List names of known licenses")
+    parser.add_argument("--xunit-file", metavar="FILE", help="Generate a xunit compliant XML file")
     parser.add_argument("--verbose", action="store_true", help="Show all files instead of only the ones with errors")
     return parser
 
 
 def _judged(path: Path) -> tuple[bool, str]:
     """Whether a file is as it should be, and what is said of it."""
-    text = read_text(path, errors="replace")
+    try:
+        text = read_text(path, errors="replace")
+    except OSError as error:
+        return False, f"cannot be read: {error.strerror}"
     if not text:
         return True, "file empty"
     notice = notice_of(text)

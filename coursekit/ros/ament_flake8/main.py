@@ -8,10 +8,13 @@ import os
 import re
 import subprocess
 import sys
+import time
 import unittest
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+
+from coursekit.xunit import write_results
 
 _SETTINGS = str(Path(__file__).with_name("ament_flake8.ini"))
 _LEFT_OUT = ("build", "install", "log")
@@ -26,15 +29,24 @@ def main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, list[str]]
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Return 0 or 1 after printing the findings, how many there are of each kind, and which files were read."""
+    began = time.monotonic()
     asked = _parser().parse_args(argv)
-    code, lines = _run(["--show-source", *_words(asked)])
+    try:
+        code, lines = _run(["--show-source", *_words(asked)])
+    except unittest.SkipTest as missing:
+        if asked.xunit_file:
+            write_results(asked.xunit_file, [], [], 0.0, skipped=str(missing))
+        raise
     for line in lines:
         print(f"\n{line}" if _FINDING.fullmatch(line) else line)
     found = [(one[1], one[2], one[3]) for line in lines if (one := _FINDING.fullmatch(line))]
     found.sort(key=lambda one: one[0].partition(":")[0])
     excluded = {os.path.abspath(one) for one in asked.exclude}
     files = {one for path in asked.paths for one in _python_files(path) if os.path.basename(one) not in asked.exclude}
-    _summarize(found, sorted(one for one in files if os.path.abspath(one) not in excluded))
+    checked = sorted(one for one in files if os.path.abspath(one) not in excluded)
+    _summarize(found, checked)
+    if asked.xunit_file:
+        write_results(asked.xunit_file, _cases(lines) or [("flake8", "")], checked, time.monotonic() - began)
     return code
 
 
@@ -43,6 +55,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--config", metavar="path", default=_SETTINGS, help="The config file")
     parser.add_argument("--linelength", metavar="N", type=int, help="The maximum line length")
     parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="The filenames to exclude.")
+    parser.add_argument("--xunit-file", metavar="FILE", help="Generate a xunit compliant XML file")
     parser.add_argument("paths", nargs="*", default=["."], help="The files or directories to check.")
     return parser
 
@@ -60,6 +73,12 @@ def _run(words: Sequence[str]) -> tuple[int, list[str]]:
     command = [sys.executable, "-m", "flake8", *words]
     result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     return int(result.returncode != 0), [line for line in (result.stdout + result.stderr).splitlines() if line]
+
+
+def _cases(lines: Sequence[str]) -> list[tuple[str, str]]:
+    """Each finding as a case: its code and place, and its text with the line of the source, which flake8 shows below it."""
+    pairs = [(found, lines[at + 1 : at + 2]) for at, line in enumerate(lines) if (found := _FINDING.fullmatch(line))]
+    return [(f"{one[2]} ({one[1][:-2]})", f"{one[3].strip()}:\n{''.join(source)}\n") for one, source in pairs]
 
 
 def _python_files(path: str) -> Iterator[str]:

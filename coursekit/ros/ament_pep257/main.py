@@ -8,8 +8,11 @@ import os
 import re
 import subprocess
 import sys
+import time
 import unittest
 from collections.abc import Iterator, Sequence
+
+from coursekit.xunit import write_results
 
 _IGNORED = ("D100", "D101", "D102", "D103", "D104", "D105", "D106", "D107", "D203", "D212", "D404")
 _CONVENTIONS = ("ament", "google", "numpy", "pep257")
@@ -19,9 +22,13 @@ _UNREADABLE = re.compile(r"Error in file (.*): (Cannot parse file\.)")
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Return 0 or 1 after printing the findings; raises SkipTest where pydocstyle is not installed."""
-    if importlib.util.find_spec("pydocstyle") is None:
-        raise unittest.SkipTest("pydocstyle is not installed: `pip install pydocstyle` brings it")
+    began = time.monotonic()
     asked = _parser().parse_args(argv)
+    if importlib.util.find_spec("pydocstyle") is None:
+        missing = "pydocstyle is not installed: `pip install pydocstyle` brings it"
+        if asked.xunit_file:
+            write_results(asked.xunit_file, [], [], 0.0, skipped=missing)
+        raise unittest.SkipTest(missing)
     excluded = {os.path.abspath(name) for name in asked.exclude}
     files = sorted({one for path in asked.paths for one in _sources(path) if os.path.abspath(one) not in excluded})
     for file in files:
@@ -30,6 +37,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     for one in found:
         print(one, file=sys.stderr)
     print(f"{len(found)} errors" if found else "No problems found", file=sys.stderr if found else sys.stdout)
+    if asked.xunit_file:
+        write_results(asked.xunit_file, _cases(files, found), files, time.monotonic() - began)
     return int(bool(found))
 
 
@@ -43,6 +52,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--add-ignore", nargs="+", default=[], help="More codes to ignore")
     parser.add_argument("--add-select", nargs="+", default=[], help="More codes to look for")
     parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="The filenames to exclude.")
+    parser.add_argument("--xunit-file", metavar="FILE", help="Generate a xunit compliant XML file")
     parser.add_argument("paths", nargs="*", default=["."], help="The files or directories to check.")
     return parser
 
@@ -65,6 +75,19 @@ def _sources(path: str) -> Iterator[str]:
     for place, folders, files in os.walk(path):
         folders[:] = [one for one in folders if one[0] not in "._"]
         yield from (os.path.join(place, one) for one in files if one.endswith(".py"))
+
+
+def _cases(files: list[str], found: list[str]) -> list[tuple[str, str]]:
+    """Each finding as a case, by its code and place, and each file without one."""
+    cases = []
+    for file in files:
+        own = [one for one in found if one.startswith((f"{file}:", f"{file} "))]
+        for one in own:
+            place, _, what = one.partition(": ")
+            line = place.removeprefix(f"{file}:").split(" ")[0]
+            cases.append((f"{what.partition(':')[0]} ({file}:{line})", what) if line.isdecimal() else (file, what))
+        cases += [] if own else [(file, "")]
+    return cases
 
 
 def _findings(files: list[str], chosen: list[str]) -> list[str]:

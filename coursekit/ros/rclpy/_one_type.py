@@ -20,7 +20,10 @@ def check_type(node: GraphNode, kind: str, name: str, msg_type: Any) -> None:
     for end in there:
         if node.participant is not None and end.node.participant is node.participant and end.type_name != wanted:
             said = _of_topic if is_topic else _of_service
-            raise RCLError(f"{said(kind, name, wanted)}; in this process {name} is of type {end.type_name} already")
+            raise RCLError(
+                f"{said(kind, name, wanted)}; in this process {end.node.full_name} has it with {end.type_name}: "
+                "destroy that node first (in a notebook, reset() destroys all)"
+            )
 
 
 def check_action_type(node: Any, kind: str, name: str, goal_type: Any) -> None:

@@ -151,6 +151,7 @@ void detail::make_subscription(
   made->id = answer.i();
   made->name = answer.s();
   made->qos = QoS::unpack(answer);
+  enlist(node, options.callback_group, made);
   bool stays = stays_in_program(options.use_intra_process_comm, node, made->qos);
   if (stays && made->taken_type && !options.ignore_local_publications) {
     made->inbox = std::make_shared<intra_process::Inbox>(made->name, *made->taken_type, made->owns, made->qos.depth());
@@ -184,6 +185,7 @@ void detail::make_timer(NodeBase & node, const TimerBase::SharedPtr & made, cons
   rcl_clock_type_t kind = made->clock ? made->clock->get_clock_type() : RCL_STEADY_TIME;
   made->steady = kind == RCL_STEADY_TIME;
   made->id = ask("timer", Packer{}.i(node.id).i(made->period.count()).i(kind).i(handler).i(number_of(group))).i();
+  enlist(node, group, made);
 }
 
 // -- sub-nodes

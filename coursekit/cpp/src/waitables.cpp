@@ -124,6 +124,7 @@ void NodeBaseInterface::add_waitable(std::shared_ptr<Waitable> waitable, Callbac
   Packer with = Packer{}.i(id).i(in ? in->id : 0).i(handler);
   served->wait_again(with);
   served->id = ask("waitable", with).i();
+  (in ? in : group)->enlist(waitable);
   std::lock_guard<std::mutex> hold(lock_);
   waitables_[waitable.get()] = served;
 }

@@ -12,6 +12,12 @@ namespace rclcpp::detail
 using NodeBase = node_interfaces::NodeBaseInterface;
 
 inline int64_t number_of(const CallbackGroup::SharedPtr & group) {return group ? group->id : 0;}
+/// Write down what a node has made, in the group that was given, else in its own.
+template<class E>
+void enlist(NodeBase & node, const CallbackGroup::SharedPtr & group, const std::shared_ptr<E> & made)
+{
+  (group ? group : node.group)->enlist(made);
+}
 
 /// Ask the session for an entity; it answers with its number and the name that remapping gave it.
 inline void enter(const char * what, const Packer & with, coursekit::Entity & made)
@@ -66,6 +72,7 @@ typename Service<S>::SharedPtr service(
   qos.pack(with);
   made->qos = qos;
   enter("service", with, *made);
+  enlist<ServiceBase>(node, group, made);
   return made;
 }
 
@@ -86,6 +93,7 @@ typename Client<S>::SharedPtr client(
   qos.pack(with);
   made->qos = qos;
   enter("client", with, *made);
+  enlist<ClientBase>(node, group, made);
   return made;
 }
 }  // namespace rclcpp::detail

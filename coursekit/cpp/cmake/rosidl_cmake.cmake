@@ -3,7 +3,7 @@
 include_guard(GLOBAL)
 
 # The path of a definition file: relative to this folder, or a folder's absolute path, a colon, and a path in that folder.
-function(_interface_path variable file)
+function(_coursekit_interface_path variable file)
   if(NOT IS_ABSOLUTE "${file}")
     set(path "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
     if(NOT EXISTS "${path}")

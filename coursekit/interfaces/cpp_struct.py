@@ -14,7 +14,7 @@ _INIT = "rosidl_runtime_cpp::MessageInitialization"
 def struct_lines(message: Message) -> list[str]:
     """The structure of a message.
 
-    >>> print(*struct_lines(Message("p", "Empty")), sep="\\n")  # doctest: +ELLIPSIS
+    >>> print(*struct_lines(Message("p", "msg", "Empty")), sep="\\n")  # doctest: +ELLIPSIS
     struct Empty
     {
     ...

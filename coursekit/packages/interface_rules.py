@@ -48,11 +48,12 @@ def interface_files(reading: Reading) -> list[Path]:
 def _definition(call: Call, name: str) -> Path:
     """The file of a path, which is relative, or a folder's absolute path, a colon and a path in that folder."""
     base, _, inner = name.rpartition(":")
-    path = Path(base, inner) if os.path.isabs(base) else call.folder / name
-    if path.is_absolute() and name == str(path):
+    is_tuple = os.path.isabs(base)
+    if os.path.isabs(name) and not is_tuple:
         raise _problem(call, f"the passed absolute file '{name}' {_NO_TUPLE}")
+    path = Path(base, inner) if is_tuple else call.folder / name
     if not path.is_file():
-        where = f" relative to the CMAKE_CURRENT_SOURCE_DIR '{call.folder}'" if path == call.folder / name else ""
+        where = "" if is_tuple else f" relative to the CMAKE_CURRENT_SOURCE_DIR '{call.folder}'"
         raise _problem(call, f"the passed file '{name}' doesn't exist{where}")
     return path
 

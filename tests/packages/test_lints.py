@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from tests.needs import compiler_or_skip
@@ -45,7 +47,7 @@ def linted(request, tmp_path, monkeypatch):
             assert done.returncode == 0, done.stdout + done.stderr
         results = tmp_path / "build" / "linted" / "test_results" / "linted"
         told = colcon(tmp_path, "test-result", "--all", "--test-result-base", str(results)).stdout.splitlines()
-        counts = [line.rsplit("/", 1)[-1].split(".xunit.xml: ") for line in told if ".xunit.xml" in line]
+        counts = [re.split(r"[\\/]", line)[-1].split(".xunit.xml: ") for line in told if ".xunit.xml" in line]
         numbers = {name: [int(part.split()[0]) for part in text.split(", ")] for name, text in counts}
         return done.stdout, {name: (tests, failures, skipped) for name, (tests, _, failures, skipped) in numbers.items()}
 

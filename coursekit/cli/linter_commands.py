@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 import unittest
 from collections.abc import Callable, Sequence
@@ -9,6 +10,8 @@ from collections.abc import Callable, Sequence
 from ament_copyright.main import main as _copyright
 from ament_flake8.main import main as _flake8
 from ament_pep257.main import main as _pep257
+
+from coursekit.xunit import write_results
 
 
 def copyright_notices(argv: Sequence[str] | None = None) -> int:
@@ -31,5 +34,10 @@ def _or_told(lint: Callable[[Sequence[str] | None], int], argv: Sequence[str] | 
         return lint(argv)
     except unittest.SkipTest as missing:  # which skips the test of a package
         print(missing, file=sys.stderr)
-        asked_for_results = any(word.startswith("--xunit-file") for word in (sys.argv if argv is None else argv))
-        return int(not asked_for_results)  # they say that it was skipped
+        parser = argparse.ArgumentParser(add_help=False)
+        parser.add_argument("--xunit-file")
+        asked, _ = parser.parse_known_args(argv)
+        if not asked.xunit_file:
+            return 1
+        write_results(asked.xunit_file, [], [], 0.0, skipped=str(missing))
+        return 0

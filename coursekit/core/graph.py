@@ -18,14 +18,16 @@ E = TypeVar("E", bound=Endpoint)
 class GraphNode:
     """A node as the graph sees it."""
 
-    def __init__(self, graph: Graph, name: str, namespace: str, process: Any = None) -> None:
+    def __init__(
+        self, graph: Graph, name: str, namespace: str, process: Any = None, participant: object = None
+    ) -> None:
         self.graph = graph
         self.name = name
         self.namespace = namespace
         self.process = process
         self.deaf_to_itself = False
         """Whether it does not hear what it publishes itself: a bridge in both directions would go in circles."""
-        self.participant: object = None
+        self.participant = participant
         """What it shares with others as a DDS participant is shared: each topic has one type among them. None: nothing."""
         self.remote = ""
         """Where it runs, if that is another computer or notebook: the address of the network."""
@@ -91,9 +93,9 @@ class Graph:
         """A number for an endpoint; the graphs of a session share them."""
         return next(self._numbers)
 
-    def add_node(self, name: str, namespace: str, process: Any = None) -> GraphNode:
+    def add_node(self, name: str, namespace: str, process: Any = None, participant: object = None) -> GraphNode:
         """A new node; two may have the same name, as in ROS."""
-        return self.enter(GraphNode(self, name, namespace, process))
+        return self.enter(GraphNode(self, name, namespace, process, participant))
 
     def enter(self, node: GraphNode) -> GraphNode:
         """Take a node in."""

@@ -69,7 +69,7 @@ _TESTS = (
     "ament_add_pytest_test", "ament_add_ros_isolated_pytest_test", "add_launch_test",
     "ament_add_gtest", "ament_add_gmock", "ament_add_ros_isolated_gtest", "ament_add_ros_isolated_gmock",
     "ament_auto_add_gtest", "ament_add_test", "ament_add_ros_isolated_test", "add_test",
-    "ament_lint_auto_find_test_dependencies", "ament_copyright", "ament_flake8", "ament_pep257",
+    "ament_copyright", "ament_flake8", "ament_pep257",
 )  # fmt: skip
 
 
@@ -162,8 +162,7 @@ class _Runner:
         elif command.name in _KEPT:
             self.reading.calls.append(Call(command, words, self.folder))
         elif command.name in _TESTS:
-            found = self._said_to_be_found() if command.name.startswith("ament_lint_auto") else words
-            self.reading.tests.append(Call(command, found, self.folder))
+            self.reading.tests.append(Call(command, words, self.folder))
         elif command.name in _TARGETS:
             if words and not {"INTERFACE", "IMPORTED", "ALIAS"} & set(words):
                 self.reading.targets.append(words[0])
@@ -172,12 +171,6 @@ class _Runner:
                 demand(command, words)
             if command.name in _ACTIONS:
                 _ACTIONS[command.name](self, command, words)
-
-    def _said_to_be_found(self) -> list[str]:
-        """The packages that set(NAME_FOUND TRUE) says are found, without looking for them: their linters are left out."""
-        values = self.variables.values
-        names = [one.removesuffix("_FOUND") for one, value in values.items() if one.endswith("_FOUND") and value]
-        return [name for name in names if name not in self.reading.found]
 
     def _call(self, command: Command, words: list[str]) -> None:
         """A function or macro of the file's own: what a function sets stays inside, what a macro sets does not."""
@@ -259,6 +252,12 @@ class _Runner:
         known = {**self.variables.values, "CMAKE_INSTALL_PREFIX": "@CMAKE_INSTALL_PREFIX@"}
         return re.sub(r"@(\w+)@", lambda word: known.get(word[1], ""), template)
 
+    def lint_auto(self, command: Command, words: list[str]) -> None:
+        """A test with the packages that set(NAME_FOUND TRUE) says are found, without looking: their linters are left out."""
+        values = self.variables.values
+        said = [name.removesuffix("_FOUND") for name in values if name.endswith("_FOUND") and holds([name], values)]
+        self.reading.tests.append(Call(command, [name for name in said if name not in self.reading.found], self.folder))
+
     def message(self, command: Command, words: list[str]) -> None:
         if words[:1] == ["FATAL_ERROR"]:
             raise command.error(" ".join(words[1:]))
@@ -284,4 +283,5 @@ _ACTIONS: dict[str, Callable[[_Runner, Command, list[str]], None]] = {
     "add_subdirectory": _Runner.add_subdirectory,
     "message": _Runner.message,
     "ament_environment_hooks": _Runner.environment_hooks,
+    "ament_lint_auto_find_test_dependencies": _Runner.lint_auto,
 }

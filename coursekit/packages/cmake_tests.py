@@ -13,12 +13,10 @@ from pathlib import Path
 from coursekit.packages.cmake_run import Call, Reading
 from coursekit.packages.cmake_text import CMakeError
 
-_LINTS = {
-    "ament_lint_auto_find_test_dependencies": "",
-    **{f"ament_{kind}": kind for kind in ("copyright", "flake8", "pep257")},
-}
-_PATTERNS = {"copyright": "*", "flake8": "*.py", "pep257": "*.py"}
-"""The files for which a linter is a test."""
+_LINTERS = {"copyright": "*", "flake8": "*.py", "pep257": "*.py"}
+"""Those that are here, with the files for which each is a test."""
+_LINT_AUTO = "ament_lint_auto_find_test_dependencies"
+_LINTS = {_LINT_AUTO, *(f"ament_{kind}" for kind in _LINTERS)}
 _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
 
 
@@ -89,11 +87,11 @@ def _launch_test(call: Call, results: Path) -> TestCommand:
 
 def _lints(call: Call, results: Path, depends: Collection[str]) -> list[TestCommand]:
     """The linters that a call asks for, of those that are here: one, or all on which the package's tests depend."""
-    kinds = [_LINTS[call.command.name]]
-    if kinds == [""]:
-        asked = {f"ament_cmake_{kind}" for kind in _PATTERNS} if "ament_lint_common" in depends else set(depends)
-        kinds = [kind for kind in _PATTERNS if f"ament_cmake_{kind}" in asked - set(call.words)]
-    return [_lint(kind, call.folder, results) for kind in kinds if next(call.folder.rglob(_PATTERNS[kind]), None)]
+    kinds = [call.command.name.removeprefix("ament_")]
+    if call.command.name == _LINT_AUTO:
+        asked = {f"ament_cmake_{kind}" for kind in _LINTERS} if "ament_lint_common" in depends else set(depends)
+        kinds = [kind for kind in _LINTERS if f"ament_cmake_{kind}" in asked - set(call.words)]
+    return [_lint(kind, call.folder, results) for kind in kinds if next(call.folder.rglob(_LINTERS[kind]), None)]
 
 
 def _lint(kind: str, folder: Path, results: Path) -> TestCommand:

@@ -8,6 +8,7 @@ import time
 import pytest
 
 from coursekit.cli import attach, endpoint
+from coursekit.systems.waiting import lines
 from tests.kernels import surround
 
 DOMAIN = 78
@@ -27,7 +28,7 @@ def talk():
     terminal = endpoint.connect(DOMAIN)
     wish = {"token": endpoint.token(DOMAIN), "env": dict(os.environ), "argv": ["run", "demo_nodes_py", "talker"]}
     terminal.sendall(json.dumps(wish).encode() + b"\n")
-    for said in attach.lines(terminal):
+    for said in lines(terminal):
         if "Publishing" in said:
             break
     terminal.recv(1, socket.MSG_PEEK)

@@ -62,11 +62,13 @@ macro(ament_export_link_flags)
   _coursekit_export(ament_export_link_flags COURSEKIT_LINK_FLAGS ${ARGN})
 endmacro()
 
-foreach(_coursekit_word ament_export_interfaces ament_export_targets)
-  cmake_language(EVAL CODE "macro(${_coursekit_word})
-    _coursekit_export_targets(${_coursekit_word} \${ARGN})
-  endmacro()")
-endforeach()
+macro(ament_export_interfaces)
+  _coursekit_export_targets(ament_export_interfaces ${ARGN})
+endmacro()
+
+macro(ament_export_targets)
+  _coursekit_export_targets(ament_export_targets ${ARGN})
+endmacro()
 
 macro(_coursekit_export_targets function)
   set(_coursekit_exports ${ARGN})

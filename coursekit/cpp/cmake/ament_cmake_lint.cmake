@@ -5,7 +5,9 @@ set(_coursekit_linters copyright cppcheck cpplint flake8 lint_cmake pep257 uncru
 
 # Each linter that package.xml asks for, but for those that CMakeLists.txt says it has found without looking for them.
 macro(ament_lint_auto_find_test_dependencies)
-  ament_package_xml()
+  if(NOT _AMENT_PACKAGE_NAME)
+    ament_package_xml()
+  endif()
   set(_coursekit_asked ${${_AMENT_PACKAGE_NAME}_TEST_DEPENDS})
   if("ament_lint_common" IN_LIST _coursekit_asked)
     list(TRANSFORM _coursekit_linters PREPEND ament_cmake_ OUTPUT_VARIABLE _coursekit_common)

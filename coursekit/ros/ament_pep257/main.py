@@ -11,31 +11,38 @@ import sys
 import time
 import unittest
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from coursekit.xunit import write_results
 
 _IGNORED = ("D100", "D101", "D102", "D103", "D104", "D105", "D106", "D107", "D203", "D212", "D404")
 _CONVENTIONS = ("ament", "google", "numpy", "pep257")
-_FINDING = re.compile(r"^(.+?:\d+ .*):\n\s+(D\d+: .*)$", re.M)
+_FINDING = re.compile(r"^(?P<place>(?P<file>.+?):(?P<line>\d+) .*):\n\s+(?P<what>(?P<code>D\d+): .*)$", re.M)
 _UNREADABLE = re.compile(r"Error in file (.*): (Cannot parse file\.)")
+
+
+class _Finding(NamedTuple):
+    """What is wrong in a file, where, and what it is called among results."""
+
+    file: str
+    place: str
+    what: str
+    name: str
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Return 0 or 1 after printing the findings; raises SkipTest where pydocstyle is not installed."""
+    if importlib.util.find_spec("pydocstyle") is None:
+        raise unittest.SkipTest("pydocstyle is not installed: `pip install pydocstyle` brings it")
     began = time.monotonic()
     asked = _parser().parse_args(argv)
-    if importlib.util.find_spec("pydocstyle") is None:
-        missing = "pydocstyle is not installed: `pip install pydocstyle` brings it"
-        if asked.xunit_file:
-            write_results(asked.xunit_file, [], [], 0.0, skipped=missing)
-        raise unittest.SkipTest(missing)
     excluded = {os.path.abspath(name) for name in asked.exclude}
     files = sorted({one for path in asked.paths for one in _sources(path) if os.path.abspath(one) not in excluded})
     for file in files:
         print(f"checking {file}")
     found = _findings(files, _chosen(asked)) if files else []
     for one in found:
-        print(one, file=sys.stderr)
+        print(f"{one.place}: {one.what}", file=sys.stderr)
     print(f"{len(found)} errors" if found else "No problems found", file=sys.stderr if found else sys.stdout)
     if asked.xunit_file:
         write_results(asked.xunit_file, _cases(files, found), files, time.monotonic() - began)
@@ -77,22 +84,20 @@ def _sources(path: str) -> Iterator[str]:
         yield from (os.path.join(place, one) for one in files if one.endswith(".py"))
 
 
-def _cases(files: list[str], found: list[str]) -> list[tuple[str, str]]:
-    """Each finding as a case, by its code and place, and each file without one."""
-    cases = []
-    for file in files:
-        own = [one for one in found if one.startswith((f"{file}:", f"{file} "))]
-        for one in own:
-            place, _, what = one.partition(": ")
-            line = place.removeprefix(f"{file}:").split(" ")[0]
-            cases.append((f"{what.partition(':')[0]} ({file}:{line})", what) if line.isdecimal() else (file, what))
-        cases += [] if own else [(file, "")]
-    return cases
+def _cases(files: list[str], found: list[_Finding]) -> list[tuple[str, str]]:
+    """Each finding as a case, and each file without one."""
+    by_file: dict[str, list[tuple[str, str]]] = {file: [] for file in files}
+    for one in found:
+        by_file.setdefault(one.file, []).append((one.name, one.what))
+    return [case for file, own in by_file.items() for case in own or [(file, "")]]
 
 
-def _findings(files: list[str], chosen: list[str]) -> list[str]:
+def _findings(files: list[str], chosen: list[str]) -> list[_Finding]:
     command = [sys.executable, "-m", "pydocstyle", *chosen, *files]
     result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     print(result.stderr.replace("WARNING: ", ""), end="", file=sys.stderr)
-    found = [f"{place}: {what}" for place, what in _FINDING.findall(result.stdout)]
-    return found + [f"{file}: {why}" for file, why in _UNREADABLE.findall(result.stderr)]
+    found = [
+        _Finding(one["file"], one["place"], one["what"], f"{one['code']} ({one['file']}:{one['line']})")
+        for one in _FINDING.finditer(result.stdout)
+    ]
+    return found + [_Finding(file, file, why, file) for file, why in _UNREADABLE.findall(result.stderr)]

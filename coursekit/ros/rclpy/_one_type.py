@@ -7,13 +7,15 @@ from typing import Any
 from coursekit.core.graph import GraphNode
 from rclpy._rclpy_names import RCLError
 
+TOPIC_ENDS = ("publisher", "subscription")
+
 
 def check_type(node: GraphNode, kind: str, name: str, msg_type: Any) -> None:
     """RCLError where another end of a topic or service in the node's context has another type.
 
     `kind` is "publisher", "subscription", "service" or "client".
     """
-    is_topic = kind in ("publisher", "subscription")
+    is_topic = kind in TOPIC_ENDS
     graph, wanted = node.graph, msg_type._TYPE_NAME
     ends = (graph.publishers, graph.subscriptions) if is_topic else (graph.servers, graph.clients)
     there = [end for known in ends for end in known.get(name, ())]  # type: ignore[attr-defined]
@@ -32,7 +34,7 @@ def check_action_type(node: Any, kind: str, name: str, goal_type: Any) -> None:
     `kind` is "client" or "server".
     """
     try:
-        check_type(node.core, "client" if kind == "client" else "service", node.resolve(name, "service"), goal_type)
+        node.name_for("client" if kind == "client" else "service", name, goal_type)
     except RCLError as error:
         raise ValueError(f"Failed to create action {kind}: {str(error).partition(': ')[2]}") from None
 

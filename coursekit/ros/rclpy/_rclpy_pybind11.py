@@ -8,7 +8,7 @@ from coursekit.core.ready_queue import Source
 from coursekit.core.time_base import TimeBase
 from coursekit.core.timer import Timer as CoreTimer
 from coursekit.processes.session import current
-from rclpy._one_type import check_type
+from rclpy._one_type import TOPIC_ENDS, check_type
 from rclpy._rclpy_info import RequestInfo, as_bytes, message_info, service_info
 from rclpy._rclpy_names import ClockChange as ClockChange
 from rclpy._rclpy_names import ClockType as ClockType
@@ -173,9 +173,7 @@ class Publisher(Endpoint):
     """Sends on a topic."""
 
     def __init__(self, node: Any, msg_type: Any, topic: str, qos: Any) -> None:
-        topic = node.resolve(topic, "topic")
-        check_type(node.core, "publisher", topic, msg_type)
-        super().__init__(node.core.publisher(topic, msg_type, _qos_of(qos)))
+        super().__init__(node.core.publisher(node.name_for("publisher", topic, msg_type), msg_type, _qos_of(qos)))
 
     def publish(self, msg: Any) -> None:
         """Send a copy."""
@@ -187,9 +185,7 @@ class Subscription(Endpoint):
     """Receives from a topic."""
 
     def __init__(self, node: Any, msg_type: Any, topic: str, qos: Any, *_more: Any) -> None:
-        topic = node.resolve(topic, "topic")
-        check_type(node.core, "subscription", topic, msg_type)
-        super().__init__(node.core.subscription(topic, msg_type, _qos_of(qos)))
+        super().__init__(node.core.subscription(node.name_for("subscription", topic, msg_type), msg_type, _qos_of(qos)))
 
     def take_message(self, msg_type: Any = None, raw: bool = False) -> tuple[Any, dict[str, Any]] | None:
         """The oldest message and what is known of it; None when there is none."""
@@ -205,9 +201,7 @@ class Service(Endpoint):
     """Answers requests."""
 
     def __init__(self, node: Any, srv_type: Any, name: str, qos: Any) -> None:
-        name = node.resolve(name, "service")
-        check_type(node.core, "service", name, srv_type)
-        super().__init__(node.core.server(name, srv_type, _qos_of(qos)))
+        super().__init__(node.core.server(node.name_for("service", name, srv_type), srv_type, _qos_of(qos)))
 
     def service_take_request(self, _request_type: Any = None) -> tuple[Any, Any]:
         """The oldest request and its header; (None, None) when there is none."""
@@ -225,9 +219,7 @@ class Client(Endpoint):
     """Sends requests."""
 
     def __init__(self, node: Any, srv_type: Any, name: str, qos: Any) -> None:
-        name = node.resolve(name, "service")
-        check_type(node.core, "client", name, srv_type)
-        super().__init__(node.core.client(name, srv_type, _qos_of(qos)))
+        super().__init__(node.core.client(node.name_for("client", name, srv_type), srv_type, _qos_of(qos)))
 
     def send_request(self, request: Any) -> int:
         """Send a copy; the request's number."""
@@ -253,6 +245,12 @@ class NodeHandle(Handle):
         super().__init__(core)
         self.resolve = resolve
         self._logger_name = logger_name
+
+    def name_for(self, kind: str, name: str, msg_type: Any) -> str:
+        """The resolved name of a new end, such as a "publisher"; RCLError where it has another type."""
+        resolved: str = self.resolve(name, "topic" if kind in TOPIC_ENDS else "service")
+        check_type(self.core, kind, resolved, msg_type)
+        return resolved
 
     def get_node_name(self) -> str:
         """The name."""

@@ -132,8 +132,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         name = self._arguments.node_name(node_name)
         namespace = self._arguments.node_namespace(node_name, namespace)
         handle = self._context.handle
-        self._graph_node = handle.graph.add_node(name, namespace, current_process())
-        self._graph_node.participant = handle
+        self._graph_node = handle.graph.add_node(name, namespace, current_process(), handle)
         logger_name = self._graph_node.full_name.strip("/").replace("/", ".")
         self._handle = _rclpy.NodeHandle(self._graph_node, self._resolve, logger_name)
         node_made(name, given, handle.domain_id)

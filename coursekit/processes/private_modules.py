@@ -92,18 +92,19 @@ def top_level_names(folder: Path) -> Iterator[str]:
     """
     if not folder.is_dir():
         return
+    here = folder.resolve()
+    beside = [place for place in sys.path if Path(place or ".").resolve() != here]
     for entry in sorted(folder.iterdir()):
         if entry.suffix == ".py":
             yield entry.stem
-        elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER and not _is_elsewhere(entry):
+        elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER and not _is_elsewhere(entry, beside):
             yield entry.name
 
 
-def _is_elsewhere(folder: Path) -> bool:
-    """Whether Python would import something else by this name."""
+def _is_elsewhere(folder: Path, beside: Sequence[str]) -> bool:
+    """Whether Python would import something else by this name, from the folders `beside` this one's."""
     if (folder / "__init__.py").exists():
         return False
-    beside = [place for place in sys.path if Path(place or ".").resolve() != folder.parent.resolve()]
     found = importlib.machinery.PathFinder.find_spec(folder.name, beside)
     return folder.name in sys.builtin_module_names or (found is not None and found.origin is not None)
 

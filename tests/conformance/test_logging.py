@@ -215,7 +215,8 @@ def test_a_severity_is_no_option(logger):
 def test_the_logging_directory_is_named_by_the_environment(monkeypatch, tmp_path):
     for name in ("ROS_LOG_DIR", "ROS_HOME"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("HOME", str(tmp_path))
+    for name in ("HOME", "USERPROFILE"):  # the second on Windows
+        monkeypatch.setenv(name, str(tmp_path))
     assert rclpy.logging.get_logging_directory() == tmp_path / ".ros" / "log"
     monkeypatch.setenv("ROS_HOME", str(tmp_path / "ros"))
     assert rclpy.logging.get_logging_directory() == tmp_path / "ros" / "log"

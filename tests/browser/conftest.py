@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.browser.pages import Notebook, close, lab_in, serving, write_notebook
+from tests.browser.pages import Notebook, close, lab_in, serving, write_notebook, write_settings
 
 
 def chromium():
@@ -31,25 +31,39 @@ def pytest_runtest_makereport(item, call):
     return report
 
 
-@pytest.fixture(scope="module")
-def browser():
-    """A headless Chromium; not for longer, because Playwright's loop counts as the thread's running one."""
+@pytest.fixture(scope="session")
+def sync_playwright():
+    """Playwright, and Chromium's file."""
     playwright = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
     path = chromium()
     if path is None:
         warnings.warn("No Chromium: the browser tests did NOT run (apt-get install chromium)", stacklevel=1)
         pytest.skip("no Chromium: apt-get install --no-install-recommends chromium")
-    with playwright.sync_playwright() as driver:
+    return playwright.sync_playwright, path
+
+
+@pytest.fixture(scope="module")
+def browser(sync_playwright):
+    """A headless Chromium; not for longer, because Playwright's loop counts as the thread's running one."""
+    start, path = sync_playwright
+    with start() as driver:
         opened = driver.chromium.launch(executable_path=path, args=["--no-sandbox"])
         yield opened
         opened.close()
 
 
-@pytest.fixture(scope="module")
-def lab(tmp_path_factory, browser):
-    """JupyterLab, with a ROS domain of its own."""
+@pytest.fixture(scope="session")
+def server(tmp_path_factory, sync_playwright):
+    """JupyterLab, with a ROS domain of its own: one for all files of tests."""
     with lab_in(tmp_path_factory.mktemp("lab"), 100 + os.getpid() % 100) as served:
         yield served
+
+
+@pytest.fixture(scope="module")
+def lab(server, browser):
+    """The same with settings that no other file of tests has changed."""
+    write_settings(server.folder)
+    return server
 
 
 @pytest.fixture(scope="module")

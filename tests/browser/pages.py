@@ -3,6 +3,7 @@
 import json
 import os
 import secrets
+import shutil
 import signal
 import socket
 import subprocess
@@ -104,15 +105,21 @@ def serving(folder: Path, command: list[str], env: dict[str, str]) -> Iterator[L
 @contextmanager
 def lab_in(folder: Path, domain_id: int) -> Iterator[Lab]:
     """JupyterLab in a folder, with the wall clock and a ROS domain of its own."""
-    settings = folder / "settings" / "@jupyterlab" / "apputils-extension"
-    settings.mkdir(parents=True)
-    (settings / "notification.jupyterlab-settings").write_text(json.dumps(_NO_NEWS))
+    write_settings(folder)
     own = {"ROS_DOMAIN_ID": str(domain_id), "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings")}
     own |= {"JUPYTER_PATH": str(write_kernelspec(folder)), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws")}
     command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
     command += [f"--ServerApp.root_dir={folder}"]
     with serving(folder, command, {**os.environ, **own, "COURSEKIT_TIME": "wall"}) as served:
         yield served
+
+
+def write_settings(folder: Path) -> None:
+    """JupyterLab's settings as they are at first: the light theme, and no news."""
+    shutil.rmtree(folder / "settings", ignore_errors=True)
+    apputils = folder / "settings" / "@jupyterlab" / "apputils-extension"
+    apputils.mkdir(parents=True)
+    (apputils / "notification.jupyterlab-settings").write_text(json.dumps(_NO_NEWS))
 
 
 def write_notebook(path: Path, cells: tuple[str, ...]) -> None:

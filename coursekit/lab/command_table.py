@@ -14,6 +14,7 @@ from IPython.core.magic import Magics, cell_magic, magics_class
 
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import current
+from coursekit.systems.typed import line_here
 from coursekit.systems.words import split_words
 from coursekit.words.gettext import gettext
 
@@ -84,7 +85,7 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
         self._magics = magics
         self._cell = this_cell()
         self.terminal: Terminal | None = None
-        self.line = ipywidgets.Text(value=row.command, layout=ipywidgets.Layout(flex="0 0 50%", width="auto"))
+        self.line = ipywidgets.Text(value=line_here(row.command), layout=ipywidgets.Layout(flex="0 0 50%", width="auto"))
         self.button = ipywidgets.Button(
             icon="play",
             disabled=not row.runs,

@@ -25,6 +25,16 @@ def set_variable(name: str, value: str) -> str:
     return f'$env:{name} = "{value}"' if which.WINDOWS else f"export {name}={value}"
 
 
+def line_here(command: str) -> str:
+    """A line of the course's as this computer's shells have it; most are the same everywhere.
+
+    >>> line_here("printenv ROS_DISTRO")
+    'printenv ROS_DISTRO'
+    """
+    program, _, name = command.partition(" ")
+    return f"cmd /c set {name}" if which.WINDOWS and program == "printenv" else command
+
+
 def install(requirement: str) -> str:
     """The line that installs a package: bash, zsh, PowerShell and cmd all take its marks for quotation marks.
 
@@ -43,4 +53,4 @@ def shortcut(key: str) -> str:
     return f"Cmd+{key}" if which.MAC else f"Ctrl+{key}"
 
 
-__all__ = ["install", "set_variable", "shortcut", "source_workspace"]
+__all__ = ["install", "line_here", "set_variable", "shortcut", "source_workspace"]

@@ -19,8 +19,10 @@ from coursekit.net.joining import credentials_from_the_environment, join, link_o
 from coursekit.net.opening import open_client
 from coursekit.processes import current_session
 from coursekit.processes.session import Session
+from coursekit.systems.children import apart, send_signal
 from coursekit.systems.ports import free_port
 from tests.kernels import run, surround, two_kernels
+from tests.needs import posix
 from tests.net.listening import LOOPBACK, listening
 from tests.net.sides import LIMIT
 
@@ -127,6 +129,7 @@ def test_it_ends_though_the_kernel_is_killed(monkeypatch, tmp_path):
             pytest.fail("it lives on")
 
 
+@posix("its sockets are not in /proc, which in Wine is that of Linux")
 @pytest.mark.skipif(not os.path.exists("/proc/net/tcp"), reason="sockets are looked up where Linux tells them")
 def test_nothing_listens_beyond_loopback(vera, session):
     before = listening()
@@ -143,10 +146,10 @@ def test_the_command_ends_with_ctrl_c_and_tells_of_a_port_that_is_taken(vera, tm
     taken = subprocess.run([*command, vera.address], capture_output=True, text=True, timeout=60)
     assert taken.returncode == 1 and "Nobody can listen at" in taken.stderr
     command.append(f"127.0.0.1:{free_port()}")
-    child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **apart())
     try:
         said = [next(line for line in child.stdout if "Wheels and laser are ready" in line)]
-        child.send_signal(signal.SIGINT)
+        send_signal(child, signal.SIGINT)
         said += child.communicate(timeout=LIMIT)[0].splitlines()
         assert child.returncode is not None and not [line for line in said if "Traceback" in line]
     finally:

@@ -29,6 +29,8 @@ def test_each_system_is_told_its_own_words(system):
     }[system]
     assert typed.shortcut("S") == ("Cmd+S" if system == "mac" else "Ctrl+S")
     assert typed.set_variable("A", "b") == ('$env:A = "b"' if system == "windows" else "export A=b")
+    assert typed.line_here("printenv A") == ("cmd /c set A" if system == "windows" else "printenv A")
+    assert typed.line_here("ros2 node list") == "ros2 node list"
 
 
 def test_where_no_runtime_folder_is_safe_the_cure_is_this_system_s(system, monkeypatch):

@@ -32,16 +32,16 @@ def node(package, executable, *remappings, **parameters):
 
 def generate_launch_description():
     true, false = True, False  # as parameters write them
-    told = {{"namespace": SPACE, "use_namespace": str(bool(SPACE)), "use_sim_time": "True", "map": "{map}",
+    told = {{"namespace": SPACE, "use_namespace": str(bool(SPACE)), "use_sim_time": "True", "map": {map!r},
             "slam": "{slam}"}}
     ekf = {{"two_d_mode": True, "odom0": "odom", "odom0_config": {wheels}, "imu0": "imu", "imu0_config": {gyroscope}}}
     topics = {{"nav": {{"topic": "nav_vel", "timeout": 0.5, "priority": 10}},
               "joy": {{"topic": "joy_vel", "timeout": 0.5, "priority": 100}}}}
     return LaunchDescription([
         ExecuteProcess(cmd=["gzserver", "robot_world"]),
-        node("robot_state_publisher", "robot_state_publisher", robot_description=Path("{urdf}").read_text()),
+        node("robot_state_publisher", "robot_state_publisher", robot_description=Path({urdf!r}).read_text()),
         Node(package="gazebo_ros", executable="spawn_entity.py",
-             arguments=["-entity", "car", "-file", "{urdf}"] + (["-robot_namespace", SPACE] if SPACE else [])),
+             arguments=["-entity", "car", "-file", {urdf!r}] + (["-robot_namespace", SPACE] if SPACE else [])),
         node("robot_localization", "ekf_node", **ekf),
         node("twist_mux", "twist_mux", ("cmd_vel_out", "mux_vel"), topics=topics),
         node("joy", "joy_node"),
@@ -79,7 +79,7 @@ def test_navigation_drives_on_the_filters_odometry(session, tmp_path, space, sla
     map_file = save_map(tmp_path / "map", true_map("robot_world"))[0]
     file = tmp_path / "user.launch.py"
     wheels, gyroscope = mask("vx", "vy", "vyaw"), mask("vyaw")
-    file.write_text(LAUNCH.format(space=space, map=map_file, slam=slam, urdf=URDF, wheels=wheels, gyroscope=gyroscope))
+    file.write_text(LAUNCH.format(space=space, map=str(map_file), slam=slam, urdf=str(URDF), wheels=wheels, gyroscope=gyroscope))
     launched = session.start(lambda: run_cli(["launch", str(file)]), name="ros2", argv=["launch"])
     session.clock.sleep(8.0)
     tourist = session.start(lambda: tour(space, slam), name="tour")

@@ -42,6 +42,7 @@ FORWARDED = {
     "rcutils/env.h": "get_env.h",
     "rcutils/macros.h": "/rmw/macros.h",
     "rcpputils/env.hpp": "get_env",
+    "rmw/types.h": "qos_policy_kind.h time.h",
     "rclcpp/qos_event.hpp": "/rmw/incompatible_qos_events_statuses.h /rmw/events_statuses/events_statuses.h",
     "rclcpp/topic_endpoint_info.hpp": "/rmw/topic_endpoint_info.h",
     "rosidl_typesupport_cpp/message_type_support.hpp": (

@@ -12,6 +12,17 @@ namespace rclcpp
 {
 namespace
 {
+/// Throw about a name; the session's text has the reason, the name in a line of its own, and below it an arrow.
+template<class Error>
+[[noreturn]] void throw_about_name(const std::string & text)
+{
+  const size_t reason = text.find(": ") + 2, name = text.find(":\n  '", reason), end = text.rfind("'\n");
+  if (name == std::string::npos || end == std::string::npos) {
+    throw Error("", text.c_str(), 0);
+  }
+  const size_t arrow = text.find('^', end) - end - 5;
+  throw Error(text.substr(name + 5, end - name - 5).c_str(), text.substr(reason, name - reason).c_str(), arrow);
+}
 /// Throw what rclcpp throws for a refusal of the session.
 [[noreturn]] void rethrow(const coursekit::Refused & refusal)
 {
@@ -21,10 +32,14 @@ namespace
   if (kind == #Name) { \
     throw exceptions::Name(text); \
   }
-  COURSEKIT_THROW(InvalidNodeNameError)
-  COURSEKIT_THROW(InvalidNamespaceError)
-  COURSEKIT_THROW(InvalidTopicNameError)
-  COURSEKIT_THROW(InvalidServiceNameError)
+#define COURSEKIT_THROW_ABOUT_NAME(Name) \
+  if (kind == #Name) { \
+    throw_about_name<exceptions::Name>(text); \
+  }
+  COURSEKIT_THROW_ABOUT_NAME(InvalidNodeNameError)
+  COURSEKIT_THROW_ABOUT_NAME(InvalidNamespaceError)
+  COURSEKIT_THROW_ABOUT_NAME(InvalidTopicNameError)
+  COURSEKIT_THROW_ABOUT_NAME(InvalidServiceNameError)
   COURSEKIT_THROW(UnsupportedEventTypeException)
   COURSEKIT_THROW(ParameterAlreadyDeclaredException)
   COURSEKIT_THROW(ParameterNotDeclaredException)

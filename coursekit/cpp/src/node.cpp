@@ -193,11 +193,14 @@ void detail::make_timer(NodeBase & node, const TimerBase::SharedPtr & made, cons
 NodeFace::NodeFace(const NodeFace & other, const std::string & sub_namespace)
 : base_(other.base_), options_(other.options_)
 {
+  auto refuse = [&](const char * why) {
+      throw exceptions::NameValidationError("sub_namespace", sub_namespace.c_str(), why, 0);
+    };
   if (sub_namespace.empty()) {
-    throw exceptions::NameValidationError("Invalid sub_namespace: sub-nodes should not extend nodes by an empty sub-namespace");
+    refuse("sub-nodes should not extend nodes by an empty sub-namespace");
   }
   if (sub_namespace.front() == '/') {
-    throw exceptions::NameValidationError("Invalid sub_namespace: a sub-namespace should not have a leading /");
+    refuse("a sub-namespace should not have a leading /");
   }
   sub_namespace_ = other.sub_namespace_.empty() ? sub_namespace : other.sub_namespace_ + "/" + sub_namespace;
 }

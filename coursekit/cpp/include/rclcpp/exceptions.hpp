@@ -33,11 +33,32 @@ COURSEKIT_ERROR(RCLError, RCLErrorBase)
 COURSEKIT_ERROR(RCLBadAlloc, RCLErrorBase)
 COURSEKIT_ERROR(RCLInvalidArgument, RCLError)
 COURSEKIT_ERROR(RCLInvalidROSArgsError, RCLError)
-COURSEKIT_ERROR(NameValidationError, std::invalid_argument)
-COURSEKIT_ERROR(InvalidNodeNameError, NameValidationError)
-COURSEKIT_ERROR(InvalidNamespaceError, NameValidationError)
-COURSEKIT_ERROR(InvalidTopicNameError, NameValidationError)
-COURSEKIT_ERROR(InvalidServiceNameError, NameValidationError)
+/// A name that breaks the rules: which, why, and at which character.
+class NameValidationError : public std::invalid_argument
+{
+public:
+  NameValidationError(const char * name_type_, const char * name_, const char * error_msg_, size_t invalid_index_)
+  : std::invalid_argument(format_error(name_type_, name_, error_msg_, invalid_index_)), name_type(name_type_),
+    name(name_), error_msg(error_msg_), invalid_index(invalid_index_) {}
+  static std::string format_error(const char * name_type, const char * name, const char * error_msg, size_t invalid_index)
+  {
+    const std::string place(invalid_index, ' ');
+    return std::string("Invalid ") + name_type + ": " + error_msg + ":\n  '" + name + "'\n   " + place + "^\n";
+  }
+  const std::string name_type, name, error_msg;
+  const size_t invalid_index;
+};
+#define COURSEKIT_NAME_ERROR(Name, type) \
+  class Name : public NameValidationError \
+  { \
+public: \
+    Name(const char * name, const char * error_msg, size_t invalid_index) \
+    : NameValidationError(type, name, error_msg, invalid_index) {} \
+  };
+COURSEKIT_NAME_ERROR(InvalidNodeNameError, "node name")
+COURSEKIT_NAME_ERROR(InvalidNamespaceError, "namespace")
+COURSEKIT_NAME_ERROR(InvalidTopicNameError, "topic name")
+COURSEKIT_NAME_ERROR(InvalidServiceNameError, "service name")
 COURSEKIT_ERROR(UnimplementedError, std::runtime_error)
 COURSEKIT_ERROR(UnknownROSArgsError, std::runtime_error)
 COURSEKIT_ERROR(UnsupportedEventTypeException, RCLErrorBase)

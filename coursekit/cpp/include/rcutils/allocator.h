@@ -1,8 +1,27 @@
 // The allocator that C's functions ask for.
 #pragma once
+#include <stdlib.h>
 
-/// Memory is the program's own; what wants an allocator takes this one and asks it for nothing.
-struct rcutils_allocator_t {};
+/// Who gives memory and takes it back. What wants one here takes it and asks it for nothing: memory is the program's own.
+struct rcutils_allocator_t
+{
+  void * (* allocate)(size_t size, void * state);
+  void (* deallocate)(void * pointer, void * state);
+  void * (* reallocate)(void * pointer, size_t size, void * state);
+  void * (* zero_allocate)(size_t number_of_elements, size_t size_of_element, void * state);
+  void * state;
+};
 typedef rcutils_allocator_t rcl_allocator_t;
-inline rcutils_allocator_t rcutils_get_default_allocator() {return {};}
-inline rcl_allocator_t rcl_get_default_allocator() {return {};}
+inline rcutils_allocator_t rcutils_get_default_allocator()
+{
+  return {
+    [](size_t size, void *) {return malloc(size);}, [](void * pointer, void *) {free(pointer);},
+    [](void * pointer, size_t size, void *) {return realloc(pointer, size);},
+    [](size_t number, size_t size, void *) {return calloc(number, size);}, nullptr};
+}
+inline rcutils_allocator_t rcutils_get_zero_initialized_allocator() {return {};}
+inline bool rcutils_allocator_is_valid(const rcutils_allocator_t * a)
+{
+  return a && a->allocate && a->deallocate && a->reallocate && a->zero_allocate;
+}
+inline rcl_allocator_t rcl_get_default_allocator() {return rcutils_get_default_allocator();}

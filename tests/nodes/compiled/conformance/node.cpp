@@ -19,6 +19,15 @@ int main(int argc, char ** argv)
   throws<rclcpp::exceptions::InvalidNamespaceError>("bad namespace", [] {rclcpp::Node("n", "a b");});
   throws<rclcpp::exceptions::InvalidTopicNameError>("bad topic", [&] {node->create_publisher<String>("1st", 1);});
   throws<rclcpp::exceptions::InvalidServiceNameError>("bad service", [&] {node->create_client<Trigger>("what?");});
+  try {
+    node->create_publisher<String>("a topic", 1);
+  } catch (const rclcpp::exceptions::NameValidationError & error) {
+    equal("what name is bad", error.name_type + " " + error.name, "topic name a topic");
+    check("why a name is bad", error.error_msg.find("must not contain characters other than") != std::string::npos);
+    equal("where a name is bad", error.invalid_index, 1u);
+    equal("text about a bad name", std::string(error.what()),
+      "Invalid topic name: " + error.error_msg + ":\n  'a topic'\n    ^\n");
+  }
   equal("node's clock is ROS time", static_cast<int>(node->get_clock()->get_clock_type()), static_cast<int>(RCL_ROS_TIME));
   equal("default group is exclusive", node->get_node_base_interface()->get_default_callback_group()->type() ==
     rclcpp::CallbackGroupType::MutuallyExclusive, true);

@@ -1,4 +1,6 @@
 #include "check.hpp"
+#include "rmw/qos_policy_kind.h"
+#include "rmw/qos_string_conversions.h"
 #include "std_msgs/msg/string.hpp"
 
 using std_msgs::msg::String;
@@ -33,6 +35,12 @@ int main(int argc, char ** argv)
   rclcpp::QoS from_profile(rclcpp::QoSInitialization::from_rmw(rmw_qos_profile_sensor_data), rmw_qos_profile_sensor_data);
   check("from rmw's profile", from_profile == rclcpp::SensorDataQoS());
   equal("a policy's name", rclcpp::qos_policy_name_from_kind(RMW_QOS_POLICY_DURABILITY), "DURABILITY_QOS_POLICY");
+  equal("a policy's word", std::string(rmw_qos_policy_kind_to_str(RMW_QOS_POLICY_LIFESPAN)), "lifespan");
+  equal("a history's word", std::string(rmw_qos_history_policy_to_str(RMW_QOS_POLICY_HISTORY_KEEP_ALL)), "keep_all");
+  equal("a reliability's word", std::string(rmw_qos_reliability_policy_to_str(RMW_QOS_POLICY_RELIABILITY_RELIABLE)), "reliable");
+  equal("a word's durability", rmw_qos_durability_policy_from_str("transient_local"), RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL);
+  equal("no word's liveliness", rmw_qos_liveliness_policy_from_str("dead"), RMW_QOS_POLICY_LIVELINESS_UNKNOWN);
+  check("the unknown has no word", rmw_qos_liveliness_policy_to_str(RMW_QOS_POLICY_LIVELINESS_UNKNOWN) == nullptr);
 
   auto verdict = rclcpp::qos_check_compatible(rclcpp::QoS(1).best_effort(), rclcpp::QoS(1));
   check("best effort does not suit reliable", verdict.compatibility == rclcpp::QoSCompatibility::Error);

@@ -38,7 +38,7 @@ PACKAGES = (
     "urdf", "urdf_parser_plugin", "urdfdom", "urdfdom_headers",
     "python_cmake_module", "eigen3_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
     "rosidl_generator_cpp", "rosidl_typesupport_c", "rosidl_typesupport_cpp", "rosidl_typesupport_interface",
-    "rosidl_runtime_c", "rmw_implementation", "rmw_implementation_cmake",
+    "rosidl_runtime_c", "rmw_implementation", "rmw_fastrtps_cpp", "rmw_implementation_cmake",
     "rcl_action", "rcl_lifecycle", "rcl_yaml_param_parser", "rttest", "tlsf_cpp",
     "ament_cmake_export_dependencies", "ament_cmake_export_include_directories", "ament_cmake_export_libraries",
     "ament_cmake_export_targets", "ament_cmake_export_definitions", "ament_cmake_export_interfaces",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+from pathlib import Path
 from typing import Any
 
 from coursekit.interfaces.find import UNDERLAY
@@ -13,6 +15,7 @@ from coursekit.processes.executables import (
     executables_of,
     find,
     has_compiled_here,
+    is_compiled_here,
     make_process,
     packages,
 )
@@ -47,6 +50,9 @@ def _executable_names(parsed_args: Any, **_: Any) -> list[str]:
 
 def main(args: Any) -> int:
     """Run it and wait for its end; its output and Ctrl-C pass through."""
+    path = _by_itself(args)
+    if path is not None:
+        return int(_wait(current().start_executable(path, args.argv, name=args.executable_name, on_output=_pass_on())))
     try:
         path = find(args.package_name, args.executable_name)
     except PackageNotFound as error:
@@ -61,6 +67,12 @@ def main(args: Any) -> int:
         return _run_with_prefix([*command, *args.argv])
     process = current().start_executable(path, args.argv, name=args.executable_name, on_output=_pass_on())
     return _outcome(_wait(process))
+
+
+def _by_itself(args: Any) -> Path | None:
+    """The compiled program that was started without us and called us: it names its folder where a package would stand."""
+    path = Path(args.package_name, args.executable_name)
+    return path if os.path.isabs(args.package_name) and path.is_file() and is_compiled_here(path) else None
 
 
 def _pass_on() -> Any:

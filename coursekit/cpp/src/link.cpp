@@ -221,6 +221,7 @@ Connection connect_to_session(Purpose purpose)
 {
   const char * address = getenv("COURSEKIT_LINK");
   if (!address) {
+    restart_in_session();
     fprintf(stderr, "This program was built for coursekit: start it with `ros2 run` or a launch file.\n");
     _Exit(127);
   }

@@ -31,6 +31,8 @@ inline bool send_all(Connection connection, const char * data, size_t size)
 size_t receive_some(Connection connection, char * to, size_t size);
 void close_connection(Connection connection);
 
+/// Become `ros2 run` of this program with its own words; returns where that does not work.
+void restart_in_session();
 /// Have what is printed leave the program as it does in a terminal.
 void print_as_in_a_terminal();
 /// End this program as a signal ends one that does not catch it; returns where its own handler has it go on.

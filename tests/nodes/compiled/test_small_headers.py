@@ -6,6 +6,8 @@ import os
 import subprocess
 
 from coursekit.interfaces.find import UNDERLAY
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 
 PROGRAM = """
 #include <iostream>
@@ -116,3 +118,56 @@ int main()
 def test_rcpputils_helps_with_files_variables_and_times(build):
     done = subprocess.run([build("files", FILES)], capture_output=True, encoding="utf-8", check=True)
     assert done.stdout == "1110 b.tar.gz .gz b 1\n10 x[] 3000000 too long\n"
+
+
+NATIVE = """
+#include "rclcpp/rclcpp.hpp"
+#include "rmw_fastrtps_cpp/get_participant.hpp"
+#include "rmw_fastrtps_cpp/get_publisher.hpp"
+#include "std_msgs/msg/string.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::Node one("one"), two("two");
+  auto participant_of = [](rclcpp::Node & node) {
+      rcl_node_t * handle = node.get_node_base_interface()->get_rcl_node_handle();
+      eprosima::fastdds::dds::DomainParticipant * found =
+        rmw_fastrtps_cpp::get_domain_participant(rcl_node_get_rmw_handle(handle));
+      return found;
+    };
+  auto publisher = one.create_publisher<std_msgs::msg::String>("words", 10);
+  rcl_publisher_t * handle = publisher->get_publisher_handle().get();
+  eprosima::fastdds::dds::DataWriter * writer = rmw_fastrtps_cpp::get_datawriter(rcl_publisher_get_rmw_handle(handle));
+  std::cout << (participant_of(one) == participant_of(one)) << (participant_of(one) == participant_of(two))
+            << (reinterpret_cast<size_t>(writer) != 0) << rcl_publisher_is_valid(handle) << std::endl;
+}
+"""
+
+
+def test_the_middleware_s_own_objects_have_places(build):
+    with (session := Session(virtual=True)).use():
+        native = session.launch(make_process(session, build("native", NATIVE), name="native"))
+        assert native.wait(10.0) == 0
+    assert native.output == "1011\n"
+
+
+HEADERS = """
+#include "rclcpp/rclcpp.hpp"
+int main()
+{
+  std::variant<int, double> either = 0.5;
+  std::unordered_set<int> some = {1, 1};
+  std::shared_mutex lock;
+  std::type_index type = typeid(int);
+  std::optional<int> perhaps;
+  std::vector<int> numbers = {1, 2};
+  std::cout << either.index() << some.size() << (type == typeid(int)) << perhaps.has_value()
+            << std::accumulate(numbers.begin(), numbers.end(), 0) << lock.try_lock() << std::endl;
+}
+"""
+
+
+def test_rclcpp_brings_the_standard_headers_that_programs_leave_to_it(build):
+    assert (
+        subprocess.run([build("headers", HEADERS)], capture_output=True, encoding="utf-8", check=True).stdout == "111031\n"
+    )

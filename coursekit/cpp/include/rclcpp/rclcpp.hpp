@@ -21,15 +21,20 @@
 #include <mutex>
 #include <numeric>
 #include <set>
+#include <shared_mutex>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <tuple>
+#include <typeindex>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "rcl/node.h"
+#include "rcl/publisher.h"
 #include "rcl_interfaces/msg/parameter_event.hpp"
 #include "rclcpp/allocator/allocator_common.hpp"
 #include "rclcpp/create.hpp"

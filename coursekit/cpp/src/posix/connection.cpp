@@ -7,6 +7,9 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <vector>
+
 #include "../system.hpp"
 
 #ifdef MSG_NOSIGNAL
@@ -50,4 +53,25 @@ void close_connection(Connection connection) {close(static_cast<int>(connection)
 
 void print_as_in_a_terminal() {setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);}
 
+void restart_in_session()
+{
+  std::ifstream told("/proc/self/cmdline");  // Linux alone has it
+  std::vector<std::string> words;
+  for (std::string word; std::getline(told, word, '\0'); ) {
+    words.push_back(word);
+  }
+  const std::string path = executable();
+  if (words.empty() || path.empty()) {
+    return;
+  }
+  const size_t slash = path.rfind('/');
+  words.front() = path.substr(slash + 1);
+  words.insert(words.begin(), {"ros2", "run", path.substr(0, slash + 1)});
+  std::vector<char *> command;
+  for (std::string & word : words) {
+    command.push_back(word.data());
+  }
+  command.push_back(nullptr);
+  execvp("ros2", command.data());
+}
 }  // namespace coursekit

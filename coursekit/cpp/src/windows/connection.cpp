@@ -67,6 +67,7 @@ size_t receive_some(Connection connection, char * to, size_t size)
 void close_connection(Connection connection) {closesocket(static_cast<SOCKET>(connection));}
 
 /// At once, for Windows knows no buffer that ends with the line; and each line ends as it does on a robot.
+void restart_in_session() {}  // a process cannot become another there
 void print_as_in_a_terminal()
 {
   setvbuf(stdout, nullptr, _IONBF, 0);

@@ -163,6 +163,11 @@ def do_log_level(_host: Host, _channel: Channel, frame: Unpacker) -> None:
     logging_state().set_level(frame.text(), frame.integer())
 
 
+def do_logger_level(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """The level that was set for a logger itself."""
+    return packed(int(logging_state().level(frame.text())))
+
+
 def do_effective_level(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The level that lets a logger's lines through."""
     return packed(int(logging_state().effective_level(frame.text())))

@@ -25,20 +25,20 @@ enum RCUTILS_LOG_SEVERITY
   RCUTILS_LOG_SEVERITY_UNSET = 0, RCUTILS_LOG_SEVERITY_DEBUG = 10, RCUTILS_LOG_SEVERITY_INFO = 20,
   RCUTILS_LOG_SEVERITY_WARN = 30, RCUTILS_LOG_SEVERITY_ERROR = 40, RCUTILS_LOG_SEVERITY_FATAL = 50,
 };
+/// The name of each level, by its number.
+extern const char * const g_rcutils_log_severity_names[RCUTILS_LOG_SEVERITY_FATAL + 1];
 inline rcutils_ret_t rcutils_logging_severity_level_from_string(const char * text, rcutils_allocator_t, int * severity)
 {
   if (!text || !severity) {
     return RCUTILS_RET_INVALID_ARGUMENT;
   }
-  static const struct {const char * name; int level;} known[] = {
-    {"UNSET", 0}, {"DEBUG", 10}, {"INFO", 20}, {"WARN", 30}, {"ERROR", 40}, {"FATAL", 50}};
   std::string upper;
   for (const char * c = text; *c; ++c) {
     upper += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
   }
-  for (auto & one : known) {
-    if (upper == one.name) {
-      *severity = one.level;
+  for (int level = 0; level <= RCUTILS_LOG_SEVERITY_FATAL; level += 10) {
+    if (upper == g_rcutils_log_severity_names[level]) {
+      *severity = level;
       return RCUTILS_RET_OK;
     }
   }
@@ -52,6 +52,8 @@ inline rcutils_ret_t rcutils_logging_set_logger_level(const char * name, int lev
   rclcpp::Logger(name).set_level(static_cast<rclcpp::Logger::Level>(level));
   return RCUTILS_RET_OK;
 }
+/// The level that was set for this logger itself, 0 where none was, -1 without a name.
+int rcutils_logging_get_logger_level(const char * name);
 inline int rcutils_logging_get_logger_effective_level(const char * name)
 {
   return static_cast<int>(rclcpp::Logger(name ? name : "").get_effective_level());

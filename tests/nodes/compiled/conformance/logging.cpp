@@ -18,6 +18,11 @@ int main(int argc, char ** argv)
     RCUTILS_RET_LOGGING_SEVERITY_STRING_INVALID);
   check("set in C", rcutils_logging_set_logger_level("logging", RCUTILS_LOG_SEVERITY_ERROR) == RCUTILS_RET_OK &&
     logger.get_effective_level() == rclcpp::Logger::Level::Error);
+  equal("its own level in C", rcutils_logging_get_logger_level("logging"), static_cast<int>(RCUTILS_LOG_SEVERITY_ERROR));
+  equal("a child has none of its own", rcutils_logging_get_logger_level("logging.arm"), 0);
+  equal("all loggers' level in C", rcutils_logging_get_logger_level(""), static_cast<int>(RCUTILS_LOG_SEVERITY_INFO));
+  equal("no logger has no level", rcutils_logging_get_logger_level(nullptr), -1);
+  equal("a level's name", std::string(g_rcutils_log_severity_names[RCUTILS_LOG_SEVERITY_WARN]), "WARN");
   check("not enabled", !rcutils_logging_logger_is_enabled_for("logging", RCUTILS_LOG_SEVERITY_INFO));
   RCLCPP_INFO(logger, "LINE hidden");
   logger.set_level(rclcpp::Logger::Level::Info);

@@ -32,6 +32,7 @@ EXPORTED = {
     "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",
     "urdf": "pluginlib urdf_parser_plugin urdfdom urdfdom_headers",
     "rosbag2_cpp": "pluginlib rclcpp rcpputils rcutils rosbag2_storage",
+    "rosbag2_transport": "rclcpp rosbag2_cpp rosbag2_storage",
 }
 """By what upstream's packages export; a package of interfaces exports those that its own use: its package.xml says which."""
 HUMBLE = "16.0.11"

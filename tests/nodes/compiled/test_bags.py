@@ -35,6 +35,7 @@ def test_bags_are_written_and_read(session, build, tmp_path):
         "14000000000 text by reference",
         "Bag is at end. No next message.",
         "120",
+        "text",
     ], everything
     assert "nowhere" in said[2], everything
     assert said[3] == "Bag is not open. Call open() before reading."

@@ -5,6 +5,7 @@
 #include "rclcpp/serialization.hpp"
 #include "rosbag2_cpp/reader.hpp"
 #include "rosbag2_cpp/writer.hpp"
+#include "rosbag2_transport/reader_writer_factory.hpp"
 #include "std_msgs/msg/int32.hpp"
 #include "std_msgs/msg/string.hpp"
 
@@ -78,6 +79,11 @@ int main(int argc, char ** argv)
   std::cout << reader.read_next<std_msgs::msg::Int32>().data << reader.read_next<std_msgs::msg::Int32>().data
             << reader.has_next() << std::endl;
   reader.close();
+  rosbag2_storage::StorageOptions options;
+  options.uri = "bag";
+  std::unique_ptr<rosbag2_cpp::Reader> made = rosbag2_transport::ReaderWriterFactory::make_reader(options);
+  made->open(options);
+  std::cout << made->read_next()->topic_name << std::endl;
 
   rclcpp::init(argc, argv);  // a bag needs none
   rclcpp::shutdown();

@@ -35,6 +35,8 @@ FORWARDED = {
         "/tf2/visibility_control.h /tf2_ros/visibility_control.h /urdf/visibility_control.hpp"
     ),
     "rclcpp_action/types.hpp": "qos",
+    "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",
+    "image_transport/simple_subscriber_plugin.hpp": "subscriber_plugin",
     "rcutils/types.h": (
         "/rcl/macros.h /rmw/ret_types.h types/char_array.h types/rcutils_ret.h types/string_array.h types/uint8_array.h"
     ),

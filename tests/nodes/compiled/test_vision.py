@@ -85,6 +85,65 @@ def test_images_go_over_the_bridge_and_over_topics(said):
     ]
 
 
+TRANSPORT = """
+#include "image_transport/publisher_plugin.hpp"
+#include "image_transport/simple_publisher_plugin.hpp"
+#include "image_transport/simple_subscriber_plugin.hpp"
+#include "pluginlib/class_list_macros.hpp"
+#include "std_msgs/msg/string.hpp"
+using sensor_msgs::msg::Image;
+using std_msgs::msg::String;
+struct WordsOut : image_transport::SimplePublisherPlugin<String>
+{
+  std::string getTransportName() const override {return "words";}
+
+protected:
+  void publish(const Image & image, const PublishFn & publish_fn) const override
+  {
+    publish_fn(String().set__data(image.encoding));
+  }
+};
+struct WordsIn : image_transport::SimpleSubscriberPlugin<String>
+{
+  std::string getTransportName() const override {return "words";}
+
+protected:
+  void internalCallback(const String::ConstSharedPtr & message, const Callback & user_cb) override
+  {
+    auto image = std::make_shared<Image>();
+    image->encoding = message->data + " again";
+    user_cb(image);
+  }
+};
+PLUGINLIB_EXPORT_CLASS(WordsOut, image_transport::PublisherPlugin)
+PLUGINLIB_EXPORT_CLASS(WordsIn, image_transport::SubscriberPlugin)
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("eye");
+  WordsOut out;
+  WordsIn in;
+  out.advertise(node.get(), "front");
+  in.subscribe(node.get(), "front", [](const Image::ConstSharedPtr & image) {std::cout << image->encoding << std::endl;});
+  std::cout << out.getTopic() << " " << in.getTopic() << " " << out.getNumSubscribers() << in.getNumPublishers() << " "
+            << WordsOut::getLookupName("words") << std::endl;
+  image_transport::PublisherPlugin & sender = out;
+  sender.publish(Image().set__encoding("mono8"));
+  rclcpp::sleep_for(std::chrono::milliseconds(50));
+  rclcpp::spin_some(node);
+  out.shutdown();
+  sender.publish(Image());
+  std::cout << out.getNumSubscribers() << std::endl;
+}
+"""
+
+
+def test_a_transport_of_one_s_own_sends_and_hears(session, build):
+    process = session.launch(make_process(session, build("transport", TRANSPORT), name="transport"))
+    assert process.wait(20.0) == 0, process.output
+    assert process.output.splitlines() == ["/front/words /front/words 11 image_transport/words_pub", "mono8 again", "0"]
+
+
 @pytest.mark.parametrize(
     "value", [None, 7, -0.5, "text", (1, 2.0, "x"), np.arange(24, dtype="f4").reshape(2, 4, 3), np.zeros((3, 2), bool)]
 )

@@ -153,3 +153,53 @@ def test_a_package_of_files_alone_has_hooks_too_without_a_compiler(tmp_path):
     assert [env["GAZEBO_MODEL_PATH"], env["HOOKED_AT"]] == expected
     said = sourced(tmp_path, 'echo "$GAZEBO_MODEL_PATH"; echo "$HOOKED_AT"').stdout
     assert [line.rstrip(os.pathsep) for line in said.splitlines()] == expected
+
+
+GENERATED = """cmake_minimum_required(VERSION 3.8)
+project(generated)
+find_package(ament_cmake REQUIRED)
+add_executable(nothing nothing.cpp)
+if(BUILD_TESTING)
+  find_package(launch_testing_ament_cmake REQUIRED)
+  configure_file(test_made.py.in test_made.py.configured @ONLY)
+  file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/test_made_$<CONFIG>.py"
+    INPUT "${CMAKE_CURRENT_BINARY_DIR}/test_made.py.configured")
+  add_launch_test("${CMAKE_CURRENT_BINARY_DIR}/test_made_$<CONFIG>.py" TARGET test_made TIMEOUT 60 ENV WHO=@who
+    APPEND_ENV EXTRA_PATH=/extra APPEND_LIBRARY_DIRS "${CMAKE_CURRENT_BINARY_DIR}")
+endif()
+ament_package()
+"""
+MADE = """import os
+import unittest
+
+import launch
+import launch.actions
+import launch_testing.actions
+
+
+def generate_test_description():
+    lasting = launch.actions.ExecuteProcess(cmd=["tail", "-f", "/dev/null"])
+    return launch.LaunchDescription([lasting, launch_testing.actions.ReadyToTest()])
+
+
+class Made(unittest.TestCase):
+    def test_environment(self):
+        assert os.environ["WHO"] == "@who" and "/extra" in os.environ["EXTRA_PATH"]
+"""
+
+
+@posix("tail lasts until the tests are over")
+def test_a_launch_test_may_be_a_file_that_cmake_generates(tmp_path):
+    compiler_or_skip()
+    package = tmp_path / "src" / "generated"
+    package.mkdir(parents=True)
+    (package / "CMakeLists.txt").write_text(GENERATED)
+    (package / "nothing.cpp").write_text("int main() {}\n")
+    (package / "test_made.py.in").write_text(MADE)
+    manifest = (WORKSPACE / "src" / "eights" / "package.xml").read_text().replace("eights", "generated")
+    (package / "package.xml").write_text(manifest)
+    assert colcon(tmp_path, "build").returncode == 0
+    tested = colcon(tmp_path, "test")
+    assert tested.returncode == 0 and "1 package finished" in tested.stdout, tested.stdout + tested.stderr
+    told = colcon(tmp_path, "test-result", "--all").stdout
+    assert "test_made.xunit.xml: 1 test, 0 errors, 0 failures, 0 skipped" in told, told

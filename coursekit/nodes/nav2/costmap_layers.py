@@ -12,10 +12,11 @@ from coursekit.nav.footprint import Footprint
 from coursekit.nav.inflation import Inflation
 from coursekit.nav.movers import Movers
 from coursekit.nav.obstacles import ObstacleLayer
+from coursekit.nodes.nav2.cloud_source import CloudSource
 from coursekit.nodes.nav2.costmap_filters import filters
 from coursekit.nodes.nav2.costmap_parameters import layers, sources
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
-from coursekit.nodes.nav2.scan_source import ScanSource, in_server_space, layer_of
+from coursekit.nodes.nav2.scan_source import ScanSource, Source, in_server_space, layer_of
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
 
@@ -32,7 +33,7 @@ class Layers:
         self._static: Costmap | None = None
         self._map: OccupancyGrid | None = None
         self.obstacles: list[tuple[ObstacleLayer, dict[str, Any]]] = []
-        self._sources: list[ScanSource] = []
+        self._sources: list[Source] = []
         self._heard: list[Any] = []
         self._given: dict[str, dict[str, Any]] = {}
         self._inflation: dict[str, Any] | None = None
@@ -54,7 +55,8 @@ class Layers:
         made = layer_of(self.costmap, given)
         self.obstacles.append((made, layer))
         frame = self.given["global_frame"]
-        self._sources += [ScanSource(self.node, where, frame, made, source) for source in given]
+        kinds = {"LaserScan": ScanSource, "PointCloud2": CloudSource}
+        self._sources += [kinds[one["data_type"]](self.node, where, frame, made, one) for one in given]
 
     def _add_inflation(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self._inflation = layer

@@ -47,6 +47,8 @@ SOURCE = {
     "inf_is_valid": False,
     "obstacle_max_range": 2.5,
     "obstacle_min_range": 0.0,
+    "min_obstacle_height": 0.0,
+    "max_obstacle_height": 0.0,
     "raytrace_max_range": 3.0,
     "raytrace_min_range": 0.0,
 }
@@ -77,15 +79,17 @@ def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]
 
 
 def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
-    """The scans of an obstacle layer."""
+    """The sensors of an obstacle layer. The heights count for clouds only: a scan is one height, which the robot has."""
     found = []
     for name in names.split():
         source = declare(node, SOURCE, f"{layer}.{name}")
-        source["topic"] = source["topic"] or name
-        if source["data_type"] == "LaserScan":
-            found.append(source)
-        else:
-            node.get_logger().warning(f"{layer}.{name} is a {source['data_type']}: only LaserScan is taken in here")
+        source["topic"], source["name"] = source["topic"] or name, f"{layer}.{name}"
+        if source["data_type"] not in ("LaserScan", "PointCloud2"):
+            raise ValueError(
+                f"{layer}.{name}.data_type is '{source['data_type']}': Only topics that use point cloud2s or laser scans are"
+                " currently supported. Write LaserScan or PointCloud2"
+            )
+        found.append(source)
     return found
 
 

@@ -1,4 +1,4 @@
-"""A scan topic as a costmap takes it in."""
+"""A topic of a sensor as a costmap takes it in, and that of scans."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+from geometry_msgs.msg import TransformStamped
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import LaserScan
 from tf2_ros import TransformException
@@ -16,45 +17,67 @@ from coursekit.nodes.scanning.planar import fault_of, of_transform, upside_down
 from coursekit.nodes.scanning.scan_filter import ScanFilter, lookup
 
 
-class ScanSource:
-    """Marks and clears a layer with the scans of a topic, once tf knows where they were taken."""
+class Source:
+    """Marks and clears a layer with the messages of a topic, once tf knows where they were taken."""
+
+    kind: Any = LaserScan
 
     def __init__(self, node: Any, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
-        self.node, self.layer, self._where, self._frame, self._given = node, layer, where, frame, given
+        self.node, self.layer, self.given, self._where, self._frame = node, layer, given, where, frame
         self.filter = ScanFilter(node, where.buffer, frame, 10, self._take)
         self._heard = node.create_subscription(
-            LaserScan, in_server_space(node, given["topic"]), self.filter.add, qos_profile_sensor_data
+            self.kind, in_server_space(node, given["topic"]), self.filter.add, qos_profile_sensor_data
         )
 
     def close(self) -> None:
         """Listen no more."""
         self.node.destroy_subscription(self._heard)
 
-    def _take(self, scan: LaserScan) -> None:
-        fault = fault_of(scan)
+    def fault(self, msg: Any) -> str:
+        """Why a message cannot be used; empty when it can."""
+        raise NotImplementedError
+
+    def see(self, msg: Any, seat: TransformStamped) -> None:
+        """Mark and clear with a message of a sensor that sits there."""
+        raise NotImplementedError
+
+    def _take(self, msg: Any) -> None:
+        fault = self.fault(msg)
         if fault:
-            self.node.get_logger().error(f"A scan of {self._given['topic']} cannot be used: {fault}", once=True)
+            what = "cloud" if self.kind is not LaserScan else "scan"
+            self.node.get_logger().error(f"A {what} of {self.given['topic']} cannot be used: {fault}", once=True)
             return
         try:
-            seat = lookup(self._where.buffer, self._frame, scan.header.frame_id, scan.header.stamp)
+            seat = lookup(self._where.buffer, self._frame, msg.header.frame_id, msg.header.stamp)
         except TransformException:
             return
+        self.see(msg, seat)
+
+
+class ScanSource(Source):
+    """Scans: an obstacle where a beam ended, free space where it passed."""
+
+    def fault(self, msg: LaserScan) -> str:
+        """Why a scan cannot be used; empty when it can."""
+        return fault_of(msg)
+
+    def see(self, msg: LaserScan, seat: TransformStamped) -> None:
+        """Mark and clear with a scan of a laser that sits there."""
         laser = of_transform(seat)
-        ends, hits = self._ends(scan, upside_down(seat.transform.rotation))
-        ends = laser.transform(ends)
-        self.layer.see((laser.x, laser.y), ends, hits, clearing=self._given["clearing"])
+        ends, hits = self._ends(msg, upside_down(seat.transform.rotation))
+        self.layer.see((laser.x, laser.y), laser.transform(ends), hits, clearing=self.given["clearing"])
 
     def _ends(self, scan: LaserScan, flipped: bool) -> tuple[np.ndarray, np.ndarray]:
         """Where the beams that tell something end, in the laser's frame [m], and which of them are obstacles to mark."""
         ranges = np.asarray(scan.ranges, dtype=np.float64)
         angles = (scan.angle_min + scan.angle_increment * np.arange(len(ranges))) * (-1 if flipped else 1)
         farthest = scan.range_max if scan.range_max > 0 else 1e3
-        lost = np.isposinf(ranges) & self._given["inf_is_valid"]
+        lost = np.isposinf(ranges) & self.given["inf_is_valid"]
         with np.errstate(invalid="ignore"):
             hit = np.isfinite(ranges) & (ranges >= scan.range_min) & (ranges < farthest)
         used = hit | lost
         length = np.where(lost, farthest, np.nan_to_num(ranges, posinf=farthest, neginf=0.0))[used]
-        marks = hit[used] & (length >= self._given["obstacle_min_range"]) & self._given["marking"]
+        marks = hit[used] & (length >= self.given["obstacle_min_range"]) & self.given["marking"]
         return np.column_stack([length * np.cos(angles[used]), length * np.sin(angles[used])]), marks
 
 

@@ -1,0 +1,95 @@
+"""Costmaps that take in clouds, as those of depth cameras, on the virtual clock."""
+
+import numpy as np
+import pytest
+from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import OccupancyGrid
+from sensor_msgs.msg import PointCloud2
+from sensor_msgs_py.point_cloud2 import create_cloud_xyz32
+from std_msgs.msg import Header
+from tf2_ros import StaticTransformBroadcaster
+
+from coursekit.nodes.nav2.map_message import MAP_QOS
+from tests.nodes.driving.conftest import Friend
+
+PARAMETERS = """local_costmap:
+  local_costmap:
+    ros__parameters:
+      global_frame: odom
+      robot_base_frame: base_link
+      rolling_window: true
+      width: 4
+      height: 4
+      resolution: 0.1
+      robot_radius: 0.1
+      plugins: [voxel_layer]
+      voxel_layer:
+        plugin: nav2_costmap_2d::VoxelLayer
+        observation_sources: camera
+        camera: {topic: /camera/points, data_type: PointCloud2, marking: true, clearing: true, %s}
+"""
+
+
+@pytest.fixture
+def seen(session, run, ros2, tmp_path):
+    """seen(heights, *clouds) are the obstacles (x, y) of a costmap that took in clouds of points in turn, and its log."""
+
+    def look(heights, *clouds):
+        file = tmp_path / "costmap.yaml"
+        file.write_text(PARAMETERS % heights)
+        process = run("nav2_controller", "controller_server", "--ros-args", "--params-file", str(file))
+        friend = Friend(session)
+        mount(friend)
+        for state in ("configure", "activate"):
+            assert "successful" in ros2("lifecycle", "set", "/controller_server", state), process.output
+        heard = []
+        friend.node.create_subscription(OccupancyGrid, "/local_costmap/costmap", heard.append, MAP_QOS)
+        for points in clouds:
+            msg = create_cloud_xyz32(Header(frame_id="camera", stamp=friend.node.get_clock().now().to_msg()), points)
+            friend.say("/camera/points", msg)
+            friend.spin(2.0)
+        assert heard and friend.node.count_subscribers("/camera/points") == 1
+        return obstacles(heard[-1]), process.output
+
+    return look
+
+
+def mount(friend):
+    """A robot at the origin, with a camera 0.5 m up that looks along x; its points are in the camera's own frame."""
+    frames = [TransformStamped(child_frame_id="base_link"), TransformStamped(child_frame_id="camera")]
+    frames[0].header.frame_id, frames[1].header.frame_id = "odom", "base_link"
+    frames[1].transform.translation.z = 0.5
+    friend.tf = StaticTransformBroadcaster(friend.node)
+    friend.tf.sendTransform(frames)
+    friend.spin(0.2)
+
+
+def obstacles(grid):
+    cells = np.array(grid.data).reshape(grid.info.height, grid.info.width)
+    rows, columns = np.nonzero(cells == 100)
+    left, low = grid.info.origin.position.x, grid.info.origin.position.y
+    middles = ((left + (c + 0.5) * 0.1, low + (r + 0.5) * 0.1) for r, c in zip(rows, columns, strict=True))
+    return sorted((round(x, 2), round(y, 2)) for x, y in middles)
+
+
+def test_points_between_the_heights_are_obstacles_the_floor_and_the_ceiling_are_none(seen):
+    cloud = [[1.05, 0.05, 0.0], [0.75, 0.05, -0.5], [0.55, 0.05, 2.0], [1.05, 0.35, np.nan]]
+    assert seen("min_obstacle_height: 0.1, max_obstacle_height: 2.0", cloud)[0] == [(1.05, 0.05)]
+
+
+def test_what_has_gone_is_cleared_by_points_behind_it(seen):
+    clouds = [[1.05, 0.05, 0.0]], [[1.55, 0.07, 0.1]]
+    assert seen("max_obstacle_height: 2.0", *clouds)[0] == [(1.55, 0.05)]
+
+
+def test_without_a_greatest_height_nothing_is_an_obstacle_and_that_is_told(seen):
+    found, said = seen("marking: true", [[1.05, 0.05, 0.0]])
+    assert found == [] and "voxel_layer.camera.max_obstacle_height is 0.0" in said and "max_obstacle_height: 2.0" in said
+
+
+def test_a_cloud_without_coordinates_is_told_once(session, seen, run, monkeypatch):
+    from tests.nodes import test_costmap_clouds
+
+    monkeypatch.setattr(test_costmap_clouds, "create_cloud_xyz32", lambda header, points: PointCloud2(header=header))
+    found, said = seen("max_obstacle_height: 2.0", [[1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]])
+    assert found == [] and said.count("A cloud of /camera/points cannot be used") == 1

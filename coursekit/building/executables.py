@@ -207,6 +207,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "nav2_bt_navigator": {
         "bt_navigator": "coursekit.nodes.nav2.bt_navigator:main",
     },
+    "nav2_collision_monitor": {
+        "collision_monitor": "coursekit.nodes.nav2.collision_monitor:main",
+    },
     "nav2_controller": {
         "controller_server": "coursekit.nodes.nav2.controller_server:main",
     },
